@@ -1,0 +1,54 @@
+#include <array>
+#include <exception>
+#include <iostream>
+
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include "command.h"
+#include "floc/base/error.h"
+#include "floc/base/version.h"
+
+namespace {
+
+using AddCommand = floc::Command (*)(CLI::App&);
+constexpr std::array<AddCommand, 7> kCommands = {floc::add_run,     floc::add_scene,  floc::add_moduli, floc::add_fit,
+                                                 floc::add_verify, floc::add_info, floc::add_convert};
+
+int run_command(const std::vector<floc::Command>& commands) {
+  for (const floc::Command& command : commands)
+    if (command.app->parsed()) return command.run();
+  return floc::kUsage;
+}
+
+int report(int code, const std::exception& error) {
+  std::cerr << "floc: " << error.what() << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  spdlog::set_default_logger(spdlog::stderr_logger_st("floc"));
+  spdlog::set_pattern("%v");
+
+  CLI::App program{"Static equilibria of granular packings and the mechanics of their contact networks", "floc"};
+  program.set_version_flag("--version", fmt::format("floc {} ({})", floc::version(), floc::commit()));
+  program.require_subcommand(1);
+  std::vector<floc::Command> commands;
+  for (const AddCommand add : kCommands) commands.push_back(add(program));
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? floc::kDone : floc::kUsage;
+  }
+  try {
+    return run_command(commands);
+  } catch (const floc::InputError& error) {
+    return report(floc::kBadInput, error);
+  } catch (const std::exception& error) {
+    return report(floc::kFailure, error);
+  }
+}

@@ -1,0 +1,18 @@
+# Debian's SuiteSparse 5 ships no CMake package: find CHOLMOD and UMFPACK and the OpenBLAS they run on.
+# OpenBLAS is linked by name so that a slower BLAS installed beside it is not picked up instead.
+find_path(SparseSolvers_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_library(SparseSolvers_CHOLMOD_LIBRARY cholmod)
+find_library(SparseSolvers_UMFPACK_LIBRARY umfpack)
+find_library(SparseSolvers_OpenBLAS_LIBRARY openblas)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(SparseSolvers REQUIRED_VARS
+  SparseSolvers_INCLUDE_DIR SparseSolvers_CHOLMOD_LIBRARY SparseSolvers_UMFPACK_LIBRARY SparseSolvers_OpenBLAS_LIBRARY)
+if(SparseSolvers_FOUND AND NOT TARGET SparseSolvers::SparseSolvers)
+  add_library(SparseSolvers::SparseSolvers INTERFACE IMPORTED)
+  set_target_properties(SparseSolvers::SparseSolvers PROPERTIES
+    INTERFACE_INCLUDE_DIRECTORIES "${SparseSolvers_INCLUDE_DIR}"
+    INTERFACE_LINK_LIBRARIES
+      "${SparseSolvers_CHOLMOD_LIBRARY};${SparseSolvers_UMFPACK_LIBRARY};${SparseSolvers_OpenBLAS_LIBRARY}")
+endif()
+mark_as_advanced(SparseSolvers_INCLUDE_DIR SparseSolvers_CHOLMOD_LIBRARY SparseSolvers_UMFPACK_LIBRARY
+  SparseSolvers_OpenBLAS_LIBRARY)

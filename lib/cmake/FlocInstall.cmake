@@ -1,0 +1,21 @@
+# cmake --install: the program, the libraries, their headers, the shipped scenes, and find_package(floc).
+include(CMakePackageConfigHelpers)
+
+get_property(floc_libraries GLOBAL PROPERTY FLOC_LIBRARIES)
+add_library(floc_all INTERFACE)
+set_target_properties(floc_all PROPERTIES EXPORT_NAME floc)
+target_link_libraries(floc_all INTERFACE ${floc_libraries})
+install(TARGETS floc_all EXPORT flocTargets)
+install(TARGETS floc DESTINATION "${CMAKE_INSTALL_BINDIR}")
+install(DIRECTORY lib/floc/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/floc" FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY data/scenes DESTINATION "${CMAKE_INSTALL_DATADIR}/floc")
+
+set(floc_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/floc")
+configure_package_config_file(lib/cmake/flocConfig.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/flocConfig.cmake"
+  INSTALL_DESTINATION "${floc_cmake_dir}")
+write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/flocConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(EXPORT flocTargets NAMESPACE floc:: DESTINATION "${floc_cmake_dir}")
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/flocConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/flocConfigVersion.cmake"
+              lib/cmake/FindSparseSolvers.cmake
+  DESTINATION "${floc_cmake_dir}")

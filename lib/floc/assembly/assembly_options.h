@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace floc {
+
+/// Distribution of grain diameters (length).
+struct DiameterDistribution {
+  enum class Kind { uniform, constant, bidisperse, list };
+  Kind kind = Kind::uniform;
+  double min = 0.0;             ///< uniform; the small size of bidisperse; the size of constant
+  double max = 0.0;             ///< uniform; the large size of bidisperse
+  double share_of_large = 0.5;  ///< bidisperse: number share of large grains
+  std::vector<double> values;   ///< list: one diameter a grain
+};
+
+/// The grains of a scene before they are placed.
+struct GrainOptions {
+  int count = 0;
+  DiameterDistribution diameter;
+  /// Mass per area (2D) or volume (3D). Absent in reduced units: a grain of unit diameter has unit mass, m = d^Dim.
+  std::optional<double> density;
+};
+
+/// How grains are put together (PHYSICS section 1).
+struct AssemblyOptions {
+  enum class Protocol {
+    direct,       ///< gas at rest, stress control at once (type 1; also cohesionless)
+    aggregation,  ///< agitated in a fixed cell to one cluster, then P = 0, then the first pressure (type 2)
+  };
+  Protocol protocol = Protocol::direct;
+  double solid_fraction = 0.0;  ///< of the gas
+  double agitation = 0.0;       ///< V0/V* of the aggregation protocol, V* = sqrt(F0 D0/m)
+  double pressure = 0.0;        ///< first pressure (unit of stress of the scene)
+};
+
+}  // namespace floc

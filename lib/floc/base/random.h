@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace floc {
+
+/// Seeded stream of random numbers whose whole state is one 64-bit integer, so that it fits in a saved state.
+/// Generator: SplitMix64 (Steele, Lea, Flood, OOPSLA 2014); conversions are written out because those of the
+/// standard library differ between implementations and results have to be reproducible.
+class RandomStream {
+ public:
+  /// Streams of one seed with different purposes are independent.
+  RandomStream(std::uint64_t seed, std::uint64_t purpose) : state_(seed) {
+    state_ = next() ^ (purpose * 0xd1342543de82ef95ULL);
+    next();
+  }
+  explicit RandomStream(std::uint64_t saved_state) : state_(saved_state) {}
+
+  std::uint64_t state() const { return state_; }
+
+  std::uint64_t next() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+  }
+
+  /// Uniform in [0, 1), 53 random bits.
+  double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+
+  /// Uniform in [low, high).
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+  /// Uniform integer in [0, n), n > 0; the bias for n < 2^32 is below 2^-32.
+  std::uint64_t below(std::uint64_t n) { return static_cast<std::uint64_t>(uniform() * static_cast<double>(n)); }
+
+  /// Standard normal deviate (Box-Muller, one of the pair).
+  double normal() {
+    const double u = 1.0 - uniform();
+    const double v = uniform();
+    return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace floc

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace floc {
+
+/// A vector of Dim components of number type T.
+template <int Dim, class T = double>
+using Vec = Eigen::Matrix<T, Dim, 1>;
+
+/// A Dim x Dim matrix.
+template <int Dim, class T = double>
+using Mat = Eigen::Matrix<T, Dim, Dim>;
+
+/// Number of independent rotations: 1 in 2D (about the normal of the plane), 3 in 3D.
+template <int Dim>
+inline constexpr int kRotations = Dim * (Dim - 1) / 2;
+
+/// Degrees of freedom of one grain: translations, then rotations.
+template <int Dim>
+inline constexpr int kDofs = Dim + kRotations<Dim>;
+
+/// Angular velocities, moments and relative rotations.
+template <int Dim, class T = double>
+using Spin = Eigen::Matrix<T, kRotations<Dim>, 1>;
+
+/// Number of diagonal strains of a cell, and of components of the symmetric strain.
+template <int Dim>
+inline constexpr int kSymmetric = Dim * (Dim + 1) / 2;
+
+}  // namespace floc

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace floc {
+
+/// Marks a slot that a law leaves empty. Each slot has a tag of its own: two empty members of one type could not
+/// share an address, and would cost bytes.
+template <int Tag>
+struct Absent {};
+
+using NoAdhesion = Absent<1>;
+using NoDamping = Absent<2>;
+using NoFriction = Absent<3>;
+using NoRolling = Absent<4>;
+
+}  // namespace floc

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace floc {
+
+/// Static normal response of a contact at one gap. The only thing slots tell each other: friction and rolling read
+/// `elastic`, because their caps do not feel the adhesion (PHYSICS section 1).
+template <class T>
+struct NormalResponse {
+  T elastic;    ///< elastic repulsion FNe, >= 0 (force)
+  T adhesive;   ///< adhesive part FNa, <= 0 (force)
+  T stiffness;  ///< dF/d(overlap) = -dF/dh of the sum (force/length)
+
+  T force() const { return elastic + adhesive; }
+};
+
+}  // namespace floc

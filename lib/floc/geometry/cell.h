@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "floc/base/vec.h"
+
+namespace floc {
+
+/// Periodic cell: any lattice, skewed or not.
+template <int Dim>
+struct Cell {
+  /// Rows are the lattice vectors (length).
+  Mat<Dim> matrix = Mat<Dim>::Identity();
+  /// Time derivative of `matrix` (length/time).
+  Mat<Dim> velocity = Mat<Dim>::Zero();
+
+  /// Area (2D) or volume (3D), positive whatever the handedness of the lattice vectors.
+  double volume() const { return std::abs(matrix.determinant()); }
+
+  /// Vector by which an image is displaced: image * matrix.
+  Vec<Dim> shift(const Vec<Dim, int>& image) const { return matrix.transpose() * image.template cast<double>(); }
+
+  /// Coordinates in units of the lattice vectors.
+  Vec<Dim> reduced(const Vec<Dim>& x) const { return matrix.transpose().inverse() * x; }
+
+  /// The point of the cell equivalent to x, with reduced coordinates in [0, 1).
+  Vec<Dim> wrapped(const Vec<Dim>& x) const {
+    Vec<Dim, int> image;
+    const Vec<Dim> s = reduced(x);
+    for (int a = 0; a < Dim; ++a) image[a] = -static_cast<int>(std::floor(s[a]));
+    return x + shift(image);
+  }
+
+  bool rectangular() const { return matrix.isDiagonal(0.0); }
+
+  /// Velocity gradient: the affine part of a grain's velocity is rate() * x (1/time).
+  Mat<Dim> rate() const { return velocity.transpose() * matrix.transpose().inverse(); }
+};
+
+}  // namespace floc

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cmath>
+
+#include "floc/base/vec.h"
+
+namespace floc {
+
+/// Number of components of a tangential displacement: along the one tangent in 2D; in 3D a vector of space that
+/// stays normal to n, which has no preferred pair of tangents and needs none.
+template <int Dim>
+inline constexpr int kShearComponents = Dim == 2 ? 1 : 3;
+
+/// Tangential displacement of a contact, in its own frame.
+template <int Dim, class T = double>
+using Shear = Eigen::Matrix<T, kShearComponents<Dim>, 1>;
+
+/// The tangent of a 2D contact: the normal turned by +90 degrees.
+template <class T>
+inline Vec<2, T> tangent(const Vec<2, T>& n) {
+  return {-n[1], n[0]};
+}
+
+/// spin x arm: velocity of the point at `arm` from a centre that turns at `spin`.
+template <class T>
+inline Vec<2, T> cross(const Spin<2, T>& spin, const Vec<2, T>& arm) {
+  return spin[0] * tangent(arm);
+}
+template <class T>
+inline Vec<3, T> cross(const Spin<3, T>& spin, const Vec<3, T>& arm) {
+  return {spin[1] * arm[2] - spin[2] * arm[1], spin[2] * arm[0] - spin[0] * arm[2],
+          spin[0] * arm[1] - spin[1] * arm[0]};
+}
+
+/// arm x force: moment of a force that acts at `arm` from the centre.
+template <class T>
+inline Spin<2, T> moment(const Vec<2, T>& arm, const Vec<2, T>& force) {
+  return Spin<2, T>(arm[0] * force[1] - arm[1] * force[0]);
+}
+template <class T>
+inline Spin<3, T> moment(const Vec<3, T>& arm, const Vec<3, T>& force) {
+  return cross<T>(Spin<3, T>(arm), force);
+}
+
+/// Component of a relative displacement that is tangential, in the contact's frame.
+template <class T>
+inline Shear<2, T> to_shear(const Vec<2, T>& n, const Vec<2, T>& displacement) {
+  return Shear<2, T>(tangent(n).dot(displacement));
+}
+template <class T>
+inline Shear<3, T> to_shear(const Vec<3, T>& n, const Vec<3, T>& displacement) {
+  return displacement - n * n.dot(displacement);
+}
+
+/// The vector of space that a tangential quantity in the contact's frame stands for.
+template <class T>
+inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
+  return tangent(n) * shear[0];
+}
+template <class T>
+inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
+  return shear;
+}
+
+/// Carries a tangential history from the frame of normal n0 to that of n1. In 2D the frame turns with the normal and
+/// the scalar stays as it is; in 3D the vector is turned by the smallest rotation that takes n0 to n1, and about the
+/// normal by the mean spin of the two grains: without both, a rigidly rotating pair would change its force.
+///
+/// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
+template <class T>
+inline Shear<2, T> transport(const Shear<2, T>& shear, const Vec<2, T>&, const Vec<2, T>&, const T&) {
+  return shear;
+}
+template <class T>
+inline Shear<3, T> transport(const Shear<3, T>& shear, const Vec<3, T>& n0, const Vec<3, T>& n1, const T& twist) {
+  using std::cos;
+  using std::sin;
+  const Vec<3, T> axis = moment<T>(n0, n1);
+  const T c = n0.dot(n1);
+  // Rodrigues' formula for the rotation n0 -> n1; 1 + c vanishes only if the pair turned by 180 degrees in one step.
+  const Vec<3, T> turned =
+      c * shear + moment<T>(axis, Vec<3, T>(shear)) + axis * (axis.dot(shear) / (T(1) + c));
+  return cos(twist) * turned + sin(twist) * moment<T>(n1, turned);
+}
+
+}  // namespace floc

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "floc/packing/state.h"
+
+namespace floc {
+
+using AnyState = std::variant<State<2>, State<3>>;
+
+/// Writes a state by the layout of the README ("State files"), HDF5, to `path`: first under a temporary name in the
+/// same directory, synced, then renamed, so the file is whole or absent. Identical states give identical bytes.
+/// @throws IoError if the directory cannot be written or the disk is full; `path` is then as it was before.
+template <int Dim>
+void write_state(const std::string& path, const State<Dim>& state);
+
+/// Reads a state file back: every number is the one that was written.
+/// @throws InputError naming file and dataset if the file is missing, truncated, foreign, of another version, or holds
+/// data that no state can have (wrong shape, index out of range, a value that is not finite).
+AnyState read_state(const std::string& path);
+
+}  // namespace floc

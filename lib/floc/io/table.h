@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace floc {
+
+enum class TableFormat { table, csv, json };
+
+/// One value of a table; monostate is an undefined one (empty in csv, null in json, "-" in a table).
+using TableValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+
+/// Rows of named values, as commands print them.
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<std::vector<TableValue>> rows;  ///< each as long as `columns`
+};
+
+/// Prints a table. csv: the first line is the column names alone, numbers round-trip. json: an array of objects. table:
+/// aligned for reading, 6 significant digits. A number that is not finite is undefined.
+void write_table(std::ostream& out, const Table& table, TableFormat format);
+
+}  // namespace floc

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Two grains whose surfaces, or those of their images, are close.
+template <int Dim>
+struct NeighborPair {
+  int i;
+  int j;                ///< >= i; equal for a grain and its own image
+  Vec<Dim, int> image;  ///< branch = x[j] + image * cell.matrix - x[i]
+
+  bool operator==(const NeighborPair&) const = default;
+};
+
+/// Every pair of surfaces closer than `gap`, each once, sorted by (i, j, image). Any lattice; a small cell gives several
+/// images of one pair, and a grain's own images (one of each two opposite ones).
+///
+/// @param gap  largest distance of the surfaces (length), >= 0; pairs at exactly `gap` are left out
+/// @throws InputError if a radius, position or the cell is not finite or the cell has no volume.
+template <int Dim>
+std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap);
+
+}  // namespace floc

@@ -1,0 +1,49 @@
+#include "floc/packing/balance.h"
+
+namespace floc {
+
+template <int Dim>
+Balance<Dim> net_forces(const Packing<Dim>& packing) {
+  const Grains<Dim>& g = packing.grains;
+  Balance<Dim> net{std::vector<Vec<Dim>>(g.size(), Vec<Dim>::Zero()),
+                   std::vector<Spin<Dim>>(g.size(), Spin<Dim>::Zero())};
+  for (const Contact<Dim>& c : packing.contacts) {
+    const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal;
+    net.force[c.i] += on_i;
+    net.force[c.j] -= on_i;
+    // Lever arms l = R r/(Ri + Rj) along the normal on both sides (PHYSICS section 1): angular momentum is exact.
+    const double arm_per_radius = 1.0 + c.gap / (g.radius[c.i] + g.radius[c.j]);
+    const Spin<Dim> unit_moment = moment<double>(c.normal, c.shear_force);
+    net.moment[c.i] += g.radius[c.i] * arm_per_radius * unit_moment + c.rolling_moment;
+    net.moment[c.j] += g.radius[c.j] * arm_per_radius * unit_moment - c.rolling_moment;
+  }
+  return net;
+}
+
+template <int Dim>
+Mat<Dim> static_stress(const Packing<Dim>& packing) {
+  Mat<Dim> sum = Mat<Dim>::Zero();
+  for (const Contact<Dim>& c : packing.contacts) {
+    const Vec<Dim> on_j = c.normal_force * c.normal - c.shear_force;
+    sum += on_j * branch(packing, c).transpose();
+  }
+  return sum / packing.cell.volume();
+}
+
+template <int Dim>
+double mean_kinetic_energy(const Packing<Dim>& packing) {
+  const Grains<Dim>& g = packing.grains;
+  double twice = 0.0;
+  for (int i = 0; i < g.size(); ++i)
+    twice += g.mass[i] * g.velocity[i].squaredNorm() + g.inertia(i) * g.angular_velocity[i].squaredNorm();
+  return g.size() == 0 ? 0.0 : 0.5 * twice / g.size();
+}
+
+template Balance<2> net_forces(const Packing<2>&);
+template Balance<3> net_forces(const Packing<3>&);
+template Mat<2> static_stress(const Packing<2>&);
+template Mat<3> static_stress(const Packing<3>&);
+template double mean_kinetic_energy(const Packing<2>&);
+template double mean_kinetic_energy(const Packing<3>&);
+
+}  // namespace floc

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Net static force and moment on every grain, from the forces stored in the contact list.
+template <int Dim>
+struct Balance {
+  std::vector<Vec<Dim>> force;     ///< (force)
+  std::vector<Spin<Dim>> moment;   ///< about the centre: sum l F_T + sum Gamma (force * length)
+};
+
+template <int Dim>
+Balance<Dim> net_forces(const Packing<Dim>& packing);
+
+/// Static stress sum F_j^(a) r^(b) / volume over all interactions, compression positive (force/length^(Dim-1)).
+template <int Dim>
+Mat<Dim> static_stress(const Packing<Dim>& packing);
+
+/// Kinetic energy of peculiar velocities and spins, mean over the grains (energy).
+template <int Dim>
+double mean_kinetic_energy(const Packing<Dim>& packing);
+
+}  // namespace floc

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "floc/base/vec.h"
+#include "floc/contact/law_parameters.h"
+#include "floc/geometry/cell.h"
+#include "floc/packing/contact.h"
+
+namespace floc {
+
+/// Orientation of a grain: an angle (radians) in 2D, a unit quaternion in 3D.
+template <int Dim>
+using Orientation = std::conditional_t<Dim == 2, double, Eigen::Quaterniond>;
+
+template <int Dim>
+inline Orientation<Dim> no_rotation() {
+  if constexpr (Dim == 2) {
+    return 0.0;
+  } else {
+    return Eigen::Quaterniond::Identity();
+  }
+}
+
+/// Round grains, one entry of each array a grain. The identifier of a grain in a state file is its index here.
+template <int Dim>
+struct Grains {
+  std::vector<Vec<Dim>> position;          ///< centre (length), inside the cell in a saved state
+  std::vector<Vec<Dim>> velocity;          ///< peculiar: without the affine part of the cell (length/time)
+  std::vector<double> radius;              ///< (length)
+  std::vector<double> mass;                ///< (mass)
+  std::vector<Orientation<Dim>> orientation;
+  std::vector<Spin<Dim>> angular_velocity; ///< (1/time)
+
+  int size() const { return static_cast<int>(radius.size()); }
+
+  /// n grains at the origin, at rest, of radius and mass zero.
+  static Grains with_size(int n) {
+    Grains g;
+    g.position.assign(n, Vec<Dim>::Zero());
+    g.velocity.assign(n, Vec<Dim>::Zero());
+    g.radius.assign(n, 0.0);
+    g.mass.assign(n, 0.0);
+    g.orientation.assign(n, no_rotation<Dim>());
+    g.angular_velocity.assign(n, Spin<Dim>::Zero());
+    return g;
+  }
+
+  /// Moment of inertia: m d^2/8 of a disk, m d^2/10 of a sphere.
+  double inertia(int i) const { return mass[i] * radius[i] * radius[i] * (Dim == 2 ? 0.5 : 0.4); }
+};
+
+/// Cell, grains, law and contacts: everything mechanical about one state.
+template <int Dim>
+struct Packing {
+  Cell<Dim> cell;
+  Grains<Dim> grains;
+  LawParameters law;
+  std::vector<Contact<Dim>> contacts;  ///< sorted by (i, j, image, key), i <= j
+};
+
+/// Area (2D) or volume (3D) of the grains over that of the cell. Overlaps count twice, as is the custom.
+template <int Dim>
+double solid_fraction(const Packing<Dim>& packing);
+
+/// Branch of a contact: vector from the centre of i to the image of j that it touches.
+template <int Dim>
+Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
+
+}  // namespace floc

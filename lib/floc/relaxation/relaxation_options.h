@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "floc/packing/equilibrium.h"
+
+namespace floc {
+
+/// How a relaxation ends once motion has stopped.
+enum class Finish {
+  automatic,  ///< power control, then the static polisher where it succeeds
+  dynamic,    ///< power control only
+  statics,    ///< the static polisher is tried at once, dynamics where it fails
+};
+
+/// Numerical settings of a relaxation. Stresses, rates and masses are in the scene's units unless said.
+struct RelaxationOptions {
+  EquilibriumTolerance tolerance;
+  Finish finish = Finish::automatic;
+  /// In sqrt(m_min/K_N). The explicit scheme is unstable from 0.4 on for friction with K_T = K_N; at the default
+  /// the restitution is right to 2 %.
+  double time_step = 0.2;
+  /// Mass M of the cell's sides over the total mass of the grains. It matters for densities at assembly.
+  double cell_mass = 1.0;
+  /// Cap on |L'/L| in units of 1/T0, T0 = sqrt(a m/F0) (cohesive scenes).
+  std::optional<double> strain_rate_cap;
+  /// Cap on |L'/L| sqrt(m/P) (cohesionless scenes).
+  std::optional<double> inertial_number_cap;
+  /// Skin of the Verlet list in units of the largest diameter; adapted to the motion when absent.
+  std::optional<double> skin;
+  int threads = 1;
+};
+
+}  // namespace floc

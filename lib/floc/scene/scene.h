@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "floc/assembly/assembly_options.h"
+#include "floc/contact/law_parameters.h"
+#include "floc/loading/load_path.h"
+#include "floc/relaxation/relaxation_options.h"
+
+namespace floc {
+
+/// A scene file, parsed: the options of every part of a run.
+struct Scene {
+  std::string name;
+  int dimension = 2;
+  std::string units = "reduced";  ///< "reduced" or "SI"
+  GrainOptions grains;
+  LawParameters law;
+  AssemblyOptions assembly;
+  std::vector<LoadTurn> load;
+  RelaxationOptions relaxation;
+  std::uint64_t seed = 1;
+  double checkpoint_every = 60.0;  ///< seconds of wall time between checkpoints
+  std::string text;                ///< the scene with overrides applied, as written into every state
+};
+
+}  // namespace floc

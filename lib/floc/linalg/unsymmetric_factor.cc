@@ -1,0 +1,99 @@
+#include "floc/linalg/unsymmetric_factor.h"
+
+#include <umfpack.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "floc/linalg/blas.h"
+
+namespace floc {
+
+struct UnsymmetricFactor::Factors {
+  Eigen::SparseMatrix<double> matrix;  // refinement needs it
+  void* symbolic = nullptr;
+  void* numeric = nullptr;
+  double reciprocal_condition = 0.0;
+  std::array<double, UMFPACK_CONTROL> control{};
+
+  Factors() {
+    use_one_blas_thread();
+    umfpack_di_defaults(control.data());
+    control[UMFPACK_PRL] = 0;
+  }
+  ~Factors() {
+    free_numeric();
+    umfpack_di_free_symbolic(&symbolic);
+  }
+  void free_numeric() { umfpack_di_free_numeric(&numeric); }
+
+  bool same_pattern(const Eigen::SparseMatrix<double>& m) const {
+    return symbolic != nullptr && m.rows() == matrix.rows() && m.cols() == matrix.cols() &&
+           m.nonZeros() == matrix.nonZeros() &&
+           std::equal(m.outerIndexPtr(), m.outerIndexPtr() + m.cols() + 1, matrix.outerIndexPtr()) &&
+           std::equal(m.innerIndexPtr(), m.innerIndexPtr() + m.nonZeros(), matrix.innerIndexPtr());
+  }
+
+  void analyse() {
+    umfpack_di_free_symbolic(&symbolic);
+    const int n = static_cast<int>(matrix.cols());
+    // Without values: the ordering is then a function of the pattern alone.
+    const int status = umfpack_di_symbolic(n, n, matrix.outerIndexPtr(), matrix.innerIndexPtr(), nullptr,
+                                           &symbolic, control.data(), nullptr);
+    if (status != UMFPACK_OK)
+      throw std::runtime_error("UMFPACK could not analyse a matrix (status " + std::to_string(status) + ")");
+  }
+};
+
+UnsymmetricFactor::UnsymmetricFactor() : factors_(std::make_unique<Factors>()) {}
+UnsymmetricFactor::~UnsymmetricFactor() = default;
+UnsymmetricFactor::UnsymmetricFactor(UnsymmetricFactor&&) noexcept = default;
+UnsymmetricFactor& UnsymmetricFactor::operator=(UnsymmetricFactor&&) noexcept = default;
+
+bool UnsymmetricFactor::factorize(const Eigen::SparseMatrix<double>& matrix) {
+  assert(matrix.rows() == matrix.cols());
+  Factors& f = *factors_;
+  f.free_numeric();
+  f.reciprocal_condition = 0.0;
+  Eigen::SparseMatrix<double> compressed = matrix;
+  compressed.makeCompressed();
+  const bool keep_ordering = f.same_pattern(compressed);
+  f.matrix = std::move(compressed);
+  const double* values = f.matrix.valuePtr();
+  if (f.matrix.cols() == 0) return true;
+  if (!std::all_of(values, values + f.matrix.nonZeros(), [](double v) { return std::isfinite(v); }))
+    return false;
+  if (!keep_ordering) f.analyse();
+
+  std::array<double, UMFPACK_INFO> info{};
+  const int status = umfpack_di_numeric(f.matrix.outerIndexPtr(), f.matrix.innerIndexPtr(), values, f.symbolic,
+                                        &f.numeric, f.control.data(), info.data());
+  if (status == UMFPACK_WARNING_singular_matrix) {
+    f.free_numeric();
+    return false;
+  }
+  if (status != UMFPACK_OK)
+    throw std::runtime_error("UMFPACK could not factorize a matrix (status " + std::to_string(status) + ")");
+  f.reciprocal_condition = info[UMFPACK_RCOND];
+  return true;
+}
+
+Eigen::VectorXd UnsymmetricFactor::solve(const Eigen::VectorXd& b) const {
+  const Factors& f = *factors_;
+  assert(b.size() == f.matrix.rows() && (f.numeric != nullptr || b.size() == 0));
+  Eigen::VectorXd x(b.size());
+  if (b.size() == 0) return x;
+  umfpack_di_solve(UMFPACK_A, f.matrix.outerIndexPtr(), f.matrix.innerIndexPtr(), f.matrix.valuePtr(), x.data(),
+                   b.data(), f.numeric, f.control.data(), nullptr);
+  return x;
+}
+
+double UnsymmetricFactor::reciprocal_condition() const {
+  return factors_->reciprocal_condition;
+}
+
+}  // namespace floc

@@ -21,8 +21,14 @@ template <class Law, int Dim, class T = double>
 struct ContactHistory {
   struct NoShear {};
   struct NoRoll {};
-  [[no_unique_address]] std::conditional_t<Law::kHasFriction, Shear<Dim, T>, NoShear> shear{};
-  [[no_unique_address]] std::conditional_t<Law::kHasRolling, Spin<Dim, T>, NoRoll> roll{};
+  [[no_unique_address]] std::conditional_t<Law::kHasFriction, Shear<Dim, T>, NoShear> shear;
+  [[no_unique_address]] std::conditional_t<Law::kHasRolling, Spin<Dim, T>, NoRoll> roll;
+
+  /// A new contact: springs at rest.
+  ContactHistory() {
+    if constexpr (Law::kHasFriction) shear.setZero();
+    if constexpr (Law::kHasRolling) roll.setZero();
+  }
 };
 
 /// Relative motion of the two surfaces of a contact.

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// How the sides of a rectangular periodic cell move (PHYSICS section 1, "Cell").
+template <int Dim>
+struct CellControl {
+  bool fixed = false;                                       ///< the sides do not move
+  Vec<Dim> target = Vec<Dim>::Zero();                       ///< stress imposed on each axis, compression positive
+  double mass = 0.0;                                        ///< inertia M of a side's length (mass)
+  double rate_cap = std::numeric_limits<double>::infinity();  ///< largest |L'/L| (1/time)
+};
+
+/// Numerical settings of a stretch of dynamics.
+struct DynamicsSettings {
+  double time_step;  ///< (time)
+  double skin;       ///< first guess of the Verlet skin (length); adapted to the motion
+  int threads = 1;
+};
+
+/// What happens to the kinetic energy.
+enum class Motion {
+  free,           ///< the equations of motion alone
+  power_control,  ///< all velocities are zeroed whenever the kinetic energy falls (a finish, after motion has stopped)
+};
+
+/// Explicit time integration of a packing under its law: half kick, drift, forces, half kick (velocity Verlet), with
+/// the sides of the cell as degrees of freedom and peculiar velocities. Second order, the dashpot's velocity included,
+/// which is predicted to the end of the step.
+///
+/// Results depend on the packing it was made from and on the number of steps alone: neighbour lists, their skin and
+/// the number of threads leave no trace in the bits, since every grain sums its forces in the order of its neighbours.
+template <int Dim>
+class Dynamics {
+ public:
+  virtual ~Dynamics() = default;
+
+  virtual void advance(int n_steps, Motion motion) = 0;
+
+  /// The packing as it is now, with its contact list; grains in the order of the packing this was made from.
+  virtual Packing<Dim> packing() const = 0;
+
+  /// Present skin (length), a good first guess for the next stretch.
+  virtual double skin() const = 0;
+};
+
+/// @pre the cell is rectangular, radii and masses are positive, settings.time_step > 0.
+template <int Dim>
+std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const CellControl<Dim>& control,
+                                             const DynamicsSettings& settings);
+
+/// Time step of RelaxationOptions::time_step in the scene's units: in sqrt(m_min/K_N), shortened where rolling of
+/// the smallest grains is faster than their vibration.
+template <int Dim>
+double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times);
+
+}  // namespace floc

@@ -1,0 +1,386 @@
+#include "floc/relaxation/explicit_dynamics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "floc/contact/law_table.h"
+#include "floc/neighbors/space_order.h"
+#include "floc/packing/contact_forces.h"
+
+namespace floc {
+namespace {
+
+/// A list that lives fewer steps than this costs more in rebuilding than a wider skin costs in idle pairs; one that
+/// lives longer than the other carries idle pairs for nothing (measured at N = 1400: a rebuild costs about 15 steps).
+constexpr int kShortListLife = 60;
+constexpr int kLongListLife = 400;
+
+/// The same contact seen from the other grain.
+template <int Dim>
+NeighborPair<Dim> swapped(const NeighborPair<Dim>& p) {
+  return {p.j, p.i, -p.image};
+}
+
+/// In 2D the tangential spring looks the same from both grains, the relative rotation changes sign.
+template <class Law>
+void swap_sides(ContactHistory<Law, 2>& history) {
+  if constexpr (Law::kHasRolling) history.roll = -history.roll;
+}
+
+}  // namespace
+
+template <int Dim, class Law>
+ExplicitDynamics<Dim, Law>::ExplicitDynamics(const Packing<Dim>& packing, const Law& law,
+                                             const CellControl<Dim>& control, const DynamicsSettings& settings)
+    : origin_(packing),
+      law_(law),
+      control_(control),
+      dt_(settings.time_step),
+      skin_(settings.skin),
+      threads_(settings.threads),
+      grains_(packing.grains, space_order(packing.cell, packing.grains)),
+      side_(packing.cell.matrix.diagonal()),
+      side_rate_(packing.cell.velocity.diagonal()),
+      strain_rate_(side_rate_.cwiseQuotient(side_)) {
+  origin_.contacts.clear();
+  sums_.resize(n_blocks());
+  rebuild_list();
+  load_histories(packing);
+  refresh_forces();
+}
+
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::load_histories(const Packing<Dim>& packing) {
+  std::vector<int> place(grains_.size());
+  for (int k = 0; k < grains_.size(); ++k) place[grains_.index[k]] = k;
+  for (const Contact<Dim>& c : packing.contacts) {
+    ContactHistory<Law, Dim> history;
+    if constexpr (Law::kHasFriction) history.shear = c.shear_spring;
+    if constexpr (Law::kHasRolling) history.roll = c.rolling_spring;
+    NeighborPair<Dim> key{place[c.i], place[c.j], c.image};
+    if (key.j < key.i) {
+      key = swapped(key);
+      swap_sides<Law>(history);
+    }
+    const auto found = std::lower_bound(pairs_.key.begin(), pairs_.key.end(), key, before<Dim>);
+    if (found != pairs_.key.end() && *found == key) pairs_.history[found - pairs_.key.begin()] = history;
+  }
+}
+
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::advance(int n_steps, Motion motion) {
+  const int blocks = n_blocks();
+#pragma omp parallel num_threads(threads_) if (threads_ > 1)
+  for (int step = 0; step < n_steps; ++step) {
+#pragma omp single
+    begin_step();
+#pragma omp for schedule(static)
+    for (int b = 0; b < blocks; ++b) kick_and_drift(b);
+#pragma omp single
+    if (list_is_stale()) rebuild_list();
+#pragma omp for schedule(static)
+    for (int b = 0; b < blocks; ++b) compute_pairs(b, dt_);
+#pragma omp for schedule(static)
+    for (int b = 0; b < blocks; ++b) sum_and_kick(b, 0.5 * dt_);
+#pragma omp single
+    end_step(motion);
+  }
+}
+
+/// Half kick of the cell, and how this step's drift deforms it. In reduced coordinates s' = v/L with L at mid-step,
+/// which keeps the scheme symmetric in time.
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::begin_step() {
+  if (!control_.fixed) {
+    Vec<Dim> work = Vec<Dim>::Zero();
+    for (const BlockSums& s : sums_) work += s.virial + s.momentum_flux;
+    const Vec<Dim> pull = work - side_.prod() * control_.target;
+    side_rate_ += 0.5 * dt_ / control_.mass * pull.cwiseQuotient(side_);
+    const Vec<Dim> limit = control_.rate_cap * side_;
+    side_rate_ = side_rate_.cwiseMin(limit).cwiseMax(-limit);
+  }
+  const Vec<Dim> middle = side_ + 0.5 * dt_ * side_rate_;
+  const Vec<Dim> next = side_ + dt_ * side_rate_;
+  strain_rate_ = side_rate_.cwiseQuotient(middle);
+  stretch_ = next.cwiseQuotient(side_);
+  drift_ = dt_ * next.cwiseQuotient(middle);
+  side_ = next;
+  list_stretch_ = side_.cwiseQuotient(side_list_);
+  ++steps_since_list_;
+}
+
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::kick(int k, double half_step) {
+  // v' = F/m - (L'/L) v, the second term taken at the middle of the half step.
+  const double per_mass = half_step / grains_.mass[k];
+  for (int a = 0; a < Dim; ++a) {
+    const double drag = 0.5 * half_step * strain_rate_[a];
+    grains_.v[a][k] = (grains_.v[a][k] * (1.0 - drag) + grains_.force[a][k] * per_mass) / (1.0 + drag);
+  }
+  if constexpr (kTurns)
+    for (int a = 0; a < kRotations<Dim>; ++a) grains_.spin[a][k] += grains_.torque[a][k] * (half_step / grains_.inertia[k]);
+}
+
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::kick_and_drift(int block) {
+  const double half = 0.5 * dt_;
+  double largest = 0.0;
+  for (int k = block * kBlock; k < block_end(block); ++k) {
+    kick(k, half);
+    double squared = 0.0;
+    for (int a = 0; a < Dim; ++a) {
+      const double v = grains_.v[a][k];
+      grains_.v_next[a][k] = v + half / grains_.mass[k] * grains_.force[a][k];
+      grains_.x[a][k] = stretch_[a] * grains_.x[a][k] + drift_[a] * v;
+      const double moved = grains_.x[a][k] - list_stretch_[a] * x_list_[a][k];
+      squared += moved * moved;
+    }
+    largest = std::max(largest, squared);
+    if constexpr (kTurns) grains_.angle[k] += dt_ * grains_.spin[0][k];
+  }
+  sums_[block].displacement_squared = largest;
+}
+
+/// Nothing outside the list can interact while the affine shrinking and twice the largest displacement relative to it
+/// eat less than the skin.
+template <int Dim, class Law>
+bool ExplicitDynamics<Dim, Law>::list_is_stale() const {
+  double squared = 0.0;
+  for (const BlockSums& s : sums_) squared = std::max(squared, s.displacement_squared);
+  const double largest = 2.0 * *std::max_element(grains_.radius.begin(), grains_.radius.end());
+  const double shrink = std::max(0.0, 1.0 - list_stretch_.minCoeff());
+  return 2.0 * std::sqrt(squared) + shrink * (largest + law_.range() + skin_) >= skin_;
+}
+
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::adapt_skin() {
+  if (pairs_.size() == 0 || steps_since_list_ == 0) return;
+  const double a = 2.0 * *std::max_element(grains_.radius.begin(), grains_.radius.end());
+  if (steps_since_list_ < kShortListLife) skin_ = std::min(1.3 * skin_, 0.5 * a);
+  if (steps_since_list_ > kLongListLife) skin_ = std::max(0.7 * skin_, 1e-3 * a);
+}
+
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::rebuild_list() {
+  adapt_skin();
+  Grains<Dim> now = Grains<Dim>::with_size(grains_.size());
+  grains_.copy_positions_to(now);
+  now.radius = grains_.radius;
+  Cell<Dim> cell;
+  cell.matrix = side_.asDiagonal();
+  HotPairs<Law, Dim> pairs(find_pairs(cell, now, law_.range() + skin_), grains_.radius, grains_.mass, law_);
+  pairs.inherit(pairs_);
+  pairs_ = std::move(pairs);
+  x_list_ = grains_.x;
+  side_list_ = side_;
+  list_stretch_.setOnes();
+  steps_since_list_ = 0;
+}
+
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::compute_pairs(int block, double slip_time) {
+  for (int p = pairs_.first_of_i[block * kBlock]; p < pairs_.first_of_i[block_end(block)]; ++p)
+    compute_pair(p, slip_time);
+}
+
+template <int Dim, class Law>
+inline void ExplicitDynamics<Dim, Law>::compute_pair(int p, double slip_time) {
+  const int i = pairs_.key[p].i;
+  const int j = pairs_.key[p].j;
+  Vec<Dim> r;
+  for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][j] - grains_.x[a][i] + pairs_.image[a][p] * side_[a];
+  const double squared = r.squaredNorm();
+  if (squared >= pairs_.reach_squared[p]) {
+    for (int a = 0; a < Dim; ++a) pairs_.row_force[a][p] = pairs_.row_virial[a][p] = 0.0;
+    for (int a = 0; a < kRotations<Dim>; ++a) pairs_.row_torque_i[a][p] = pairs_.row_torque_j[a][p] = 0.0;
+    pairs_.history[p] = {};
+    return;
+  }
+  const double distance = std::sqrt(squared);
+  const Vec<Dim> n = r / distance;
+  const Vec<Dim> affine = strain_rate_.cwiseProduct(r);
+
+  ContactMotion<Dim> motion{distance - pairs_.radii[p], 0.0, pairs_.damping[p], Shear<Dim>::Zero(), Spin<Dim>::Zero()};
+  Vec<Dim> closing, centres;
+  for (int a = 0; a < Dim; ++a) {
+    closing[a] = grains_.v_next[a][j] - grains_.v_next[a][i] + affine[a];
+    centres[a] = grains_.v[a][j] - grains_.v[a][i] + affine[a];
+  }
+  motion.gap_rate = n.dot(closing);
+  const double arm_i = pairs_.share_i[p] * distance;
+  const double arm_j = distance - arm_i;
+  if constexpr (kTurns) {
+    Spin<Dim> spin_i, spin_j;
+    for (int a = 0; a < kRotations<Dim>; ++a) {
+      spin_i[a] = grains_.spin[a][i];
+      spin_j[a] = grains_.spin[a][j];
+    }
+    // Velocity of j's surface point against i's: both turn their surfaces the same way round.
+    const Vec<Dim> surfaces = centres - cross<double>(Spin<Dim>(arm_i * spin_i + arm_j * spin_j), n);
+    motion.slip = slip_time * to_shear<double>(n, surfaces);
+    motion.relative_turn = slip_time * (spin_i - spin_j);
+  }
+  const ContactForces<Dim> f = law_.respond(motion, pairs_.history[p]);
+
+  Vec<Dim> on_j = (f.normal.force() + f.viscous) * n;
+  if constexpr (kTurns) {
+    const Vec<Dim> shear = from_shear<double>(n, f.shear);
+    on_j -= shear;
+    const Spin<Dim> unit = moment<double>(n, shear);
+    for (int a = 0; a < kRotations<Dim>; ++a) {
+      pairs_.row_torque_i[a][p] = arm_i * unit[a] - f.rolling[a];
+      pairs_.row_torque_j[a][p] = arm_j * unit[a] + f.rolling[a];
+    }
+  }
+  for (int a = 0; a < Dim; ++a) {
+    pairs_.row_force[a][p] = on_j[a];
+    pairs_.row_virial[a][p] = on_j[a] * r[a];
+  }
+}
+
+/// Sums the rows of one grain in the order of the pairs. Rows of pairs that do not interact are zero and leave no trace,
+/// so the result does not depend on which of them the list holds.
+template <int Dim, class Law>
+inline void ExplicitDynamics<Dim, Law>::sum_forces(int k, Vec<Dim>& virial) {
+  Vec<Dim> force = Vec<Dim>::Zero();
+  Spin<Dim> torque = Spin<Dim>::Zero();
+  for (int e = pairs_.first_with_j[k]; e < pairs_.first_with_j[k + 1]; ++e) {
+    const int p = pairs_.with_j[e];
+    for (int a = 0; a < Dim; ++a) force[a] += pairs_.row_force[a][p];
+    if constexpr (kTurns)
+      for (int a = 0; a < kRotations<Dim>; ++a) torque[a] += pairs_.row_torque_j[a][p];
+  }
+  for (int p = pairs_.first_of_i[k]; p < pairs_.first_of_i[k + 1]; ++p) {
+    for (int a = 0; a < Dim; ++a) {
+      force[a] -= pairs_.row_force[a][p];
+      virial[a] += pairs_.row_virial[a][p];
+    }
+    if constexpr (kTurns)
+      for (int a = 0; a < kRotations<Dim>; ++a) torque[a] += pairs_.row_torque_i[a][p];
+  }
+  for (int a = 0; a < Dim; ++a) grains_.force[a][k] = force[a];
+  if constexpr (kTurns)
+    for (int a = 0; a < kRotations<Dim>; ++a) grains_.torque[a][k] = torque[a];
+}
+
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::sum_and_kick(int block, double half_step) {
+  BlockSums sums;
+  for (int k = block * kBlock; k < block_end(block); ++k) {
+    sum_forces(k, sums.virial);
+    kick(k, half_step);
+    for (int a = 0; a < Dim; ++a) sums.momentum_flux[a] += grains_.mass[k] * grains_.v[a][k] * grains_.v[a][k];
+    if constexpr (kTurns)
+      for (int a = 0; a < kRotations<Dim>; ++a)
+        sums.rotation += grains_.inertia[k] * grains_.spin[a][k] * grains_.spin[a][k];
+  }
+  sums_[block] = sums;
+}
+
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::end_step(Motion motion) {
+  double twice_kinetic = 0.0;
+  Vec<Dim> work = Vec<Dim>::Zero();
+  for (const BlockSums& s : sums_) {
+    work += s.virial + s.momentum_flux;
+    twice_kinetic += s.momentum_flux.sum() + s.rotation;
+  }
+  if (!control_.fixed) {
+    const Vec<Dim> pull = work - side_.prod() * control_.target;
+    side_rate_ += 0.5 * dt_ / control_.mass * pull.cwiseQuotient(side_);
+    const Vec<Dim> limit = control_.rate_cap * side_;
+    side_rate_ = side_rate_.cwiseMin(limit).cwiseMax(-limit);
+    twice_kinetic += control_.mass * side_rate_.squaredNorm();
+  }
+  if (motion != Motion::power_control) return;
+  if (twice_kinetic < kinetic_) {
+    for (auto& component : grains_.v) std::fill(component.begin(), component.end(), 0.0);
+    for (auto& component : grains_.spin) std::fill(component.begin(), component.end(), 0.0);
+    for (BlockSums& s : sums_) s.momentum_flux.setZero(), s.rotation = 0.0;
+    side_rate_.setZero();
+    twice_kinetic = 0.0;
+  }
+  kinetic_ = twice_kinetic;
+}
+
+/// Forces of the present positions and velocities, histories untouched but for their caps.
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::refresh_forces() {
+  for (int b = 0; b < n_blocks(); ++b) compute_pairs(b, 0.0);
+  for (int b = 0; b < n_blocks(); ++b) sum_and_kick(b, 0.0);
+}
+
+template <int Dim, class Law>
+Packing<Dim> ExplicitDynamics<Dim, Law>::packing() const {
+  Packing<Dim> out = origin_;
+  out.cell.matrix = side_.asDiagonal();
+  out.cell.velocity = side_rate_.asDiagonal();
+  std::vector<Vec<Dim, int>> wrap(grains_.size());
+  for (int k = 0; k < grains_.size(); ++k) {
+    const int i = grains_.index[k];
+    for (int a = 0; a < Dim; ++a) {
+      const double turns = std::floor(grains_.x[a][k] / side_[a]);
+      wrap[k][a] = -static_cast<int>(turns);
+      out.grains.position[i][a] = grains_.x[a][k] - turns * side_[a];
+      out.grains.velocity[i][a] = grains_.v[a][k];
+    }
+    for (int a = 0; a < kRotations<Dim>; ++a) out.grains.angular_velocity[i][a] = grains_.spin[a][k];
+    out.grains.orientation[i] = grains_.angle[k];
+  }
+  for (int p = 0; p < pairs_.size(); ++p) {
+    if (pairs_.row_virial[0][p] == 0.0 && pairs_.row_virial[Dim - 1][p] == 0.0) {
+      Vec<Dim> r;
+      for (int a = 0; a < Dim; ++a)
+        r[a] = grains_.x[a][pairs_.key[p].j] - grains_.x[a][pairs_.key[p].i] + pairs_.image[a][p] * side_[a];
+      if (r.squaredNorm() >= pairs_.reach_squared[p]) continue;
+    }
+    NeighborPair<Dim> key = pairs_.key[p];
+    ContactHistory<Law, Dim> history = pairs_.history[p];
+    key = {grains_.index[key.i], grains_.index[key.j], key.image + wrap[key.i] - wrap[key.j]};
+    if (key.j < key.i) {
+      key = swapped(key);
+      swap_sides<Law>(history);
+    }
+    Contact<Dim> c;
+    c.i = key.i;
+    c.j = key.j;
+    c.image = key.image;
+    if constexpr (Law::kHasFriction) c.shear_spring = history.shear;
+    if constexpr (Law::kHasRolling) c.rolling_spring = history.roll;
+    out.contacts.push_back(c);
+  }
+  std::sort(out.contacts.begin(), out.contacts.end(), [](const Contact<Dim>& p, const Contact<Dim>& q) {
+    return before<Dim>({p.i, p.j, p.image}, {q.i, q.j, q.image});
+  });
+  refresh_contacts(out);
+  return out;
+}
+
+template <int Dim>
+std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const CellControl<Dim>& control,
+                                             const DynamicsSettings& settings) {
+  return std::visit(
+      [&]<class Law>(const Law& law) -> std::unique_ptr<Dynamics<Dim>> {
+        return std::make_unique<ExplicitDynamics<Dim, Law>>(packing, law, control, settings);
+      },
+      compose_law(packing.law));
+}
+
+template <int Dim>
+double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times) {
+  const Grains<Dim>& g = packing.grains;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < g.size(); ++i) {
+    shortest = std::min(shortest, std::sqrt(g.mass[i] / packing.law.normal_stiffness));
+    // Rolling is stable to 1.7 times the step in units of its own period that vibration allows (measured).
+    if (packing.law.rolling)
+      shortest = std::min(shortest, 1.7 * std::sqrt(g.inertia(i) / packing.law.rolling->stiffness));
+  }
+  return time_step_in_contact_times * shortest;
+}
+
+template std::unique_ptr<Dynamics<2>> make_dynamics(const Packing<2>&, const CellControl<2>&, const DynamicsSettings&);
+template double time_step_of(const Packing<2>&, double);
+
+}  // namespace floc

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// The grains as the force loop reads them: one array a component, in the order of a space-filling curve.
+template <int Dim>
+struct HotGrains {
+  using Component = std::vector<double>;
+
+  std::vector<int> index;                         ///< index in the packing of the k-th grain here
+  std::array<Component, Dim> x;                   ///< position, not wrapped while this lives
+  std::array<Component, Dim> v;                   ///< peculiar velocity
+  std::array<Component, Dim> v_next;              ///< predicted velocity at the end of the step, for the dashpots
+  std::array<Component, Dim> force;
+  std::array<Component, kRotations<Dim>> spin;
+  std::array<Component, kRotations<Dim>> torque;
+  Component angle;
+  Component radius, mass, inertia;
+
+  HotGrains(const Grains<Dim>& grains, const std::vector<int>& order);
+
+  int size() const { return static_cast<int>(index.size()); }
+  void copy_positions_to(Grains<Dim>& grains) const;
+};
+
+template <int Dim>
+HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& order) : index(order) {
+  static_assert(Dim == 2, "orientations in 3D are not integrated yet");
+  const std::size_t n = order.size();
+  for (auto* component : {&angle, &radius, &mass, &inertia}) component->resize(n);
+  for (auto* vector : {&x, &v, &v_next, &force})
+    for (auto& component : *vector) component.assign(n, 0.0);
+  for (auto* vector : {&spin, &torque})
+    for (auto& component : *vector) component.assign(n, 0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const int i = order[k];
+    for (int a = 0; a < Dim; ++a) {
+      x[a][k] = grains.position[i][a];
+      v[a][k] = v_next[a][k] = grains.velocity[i][a];
+    }
+    for (int a = 0; a < kRotations<Dim>; ++a) spin[a][k] = grains.angular_velocity[i][a];
+    angle[k] = grains.orientation[i];
+    radius[k] = grains.radius[i];
+    mass[k] = grains.mass[i];
+    inertia[k] = grains.inertia(i);
+  }
+}
+
+template <int Dim>
+void HotGrains<Dim>::copy_positions_to(Grains<Dim>& grains) const {
+  for (int k = 0; k < size(); ++k)
+    for (int a = 0; a < Dim; ++a) grains.position[k][a] = x[a][k];
+}
+
+}  // namespace floc

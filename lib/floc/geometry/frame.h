@@ -62,9 +62,10 @@ inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
   return shear;
 }
 
-/// Carries a tangential history from the frame of normal n0 to that of n1. In 2D the frame turns with the normal and
-/// the scalar stays as it is; in 3D the vector is turned by the smallest rotation that takes n0 to n1, and about the
-/// normal by the mean spin of the two grains: without both, a rigidly rotating pair would change its force.
+/// Carries the history of a contact (its tangential or rolling spring) from the frame of normal n0 to that of
+/// n1. In 2D the frame turns with the normal and the scalar stays as it is; in 3D the vector is turned by the
+/// smallest rotation that takes n0 to n1, and about the normal by the mean spin of the two grains: without
+/// both, a rigidly rotating pair would change its force.
 ///
 /// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
 template <class T>
@@ -72,15 +73,18 @@ inline Shear<2, T> transport(const Shear<2, T>& shear, const Vec<2, T>&, const V
   return shear;
 }
 template <class T>
-inline Shear<3, T> transport(const Shear<3, T>& shear, const Vec<3, T>& n0, const Vec<3, T>& n1, const T& twist) {
+inline Shear<3, T> transport(const Shear<3, T>& shear, const Vec<3, T>& n0, const Vec<3, T>& n1,
+                             const T& twist) {
   using std::cos;
   using std::sin;
   const Vec<3, T> axis = moment<T>(n0, n1);
   const T c = n0.dot(n1);
-  // Rodrigues' formula for the rotation n0 -> n1; 1 + c vanishes only if the pair turned by 180 degrees in one step.
+  // Rodrigues' formula for the rotation n0 -> n1; 1 + c vanishes only for a turn by 180 degrees in one step.
   const Vec<3, T> turned =
       c * shear + moment<T>(axis, Vec<3, T>(shear)) + axis * (axis.dot(shear) / (T(1) + c));
-  return cos(twist) * turned + sin(twist) * moment<T>(n1, turned);
+  // The part along the normal, which only a rolling spring has, is left as it is by the twist.
+  const Vec<3, T> along = n1 * n1.dot(turned);
+  return along + cos(twist) * (turned - along) + sin(twist) * moment<T>(n1, turned);
 }
 
 }  // namespace floc

@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "floc/base/random.h"
+#include "support/laws.h"
+
+namespace floc {
+namespace {
+
+using testing::for_each_law_and_dimension;
+
+/// A closed curve: a random sum of the first few harmonics.
+class ClosedCurve {
+ public:
+  ClosedCurve(RandomStream& random, double mean, double amplitude) : mean_(mean) {
+    for (auto& c : coefficients_) c = {amplitude * random.normal() / 2, amplitude * random.normal() / 2};
+  }
+  /// Value at a phase of 0 to 1.
+  double at(double phase) const {
+    double value = mean_;
+    for (std::size_t k = 0; k < coefficients_.size(); ++k) {
+      const double angle = 2 * std::numbers::pi * phase * static_cast<double>(k + 1);
+      value += coefficients_[k][0] * std::cos(angle) + coefficients_[k][1] * std::sin(angle);
+    }
+    return value;
+  }
+
+ private:
+  double mean_;
+  std::array<std::array<double, 2>, 3> coefficients_;
+};
+
+/// A closed loop of gap, slip and turn of one contact.
+template <int Dim>
+class Loop {
+ public:
+  /// @param reach  scale of slip and turn: 1 passes the caps, 1e-3 stays far below them
+  Loop(RandomStream& random, double mean_gap, double gap_amplitude, double reach)
+      : gap_(random, mean_gap, gap_amplitude) {
+    // Tangent plane of the normal e_3 in 3D; the whole line in 2D.
+    for (int a = 0; a < Dim - 1; ++a) slip_.emplace_back(random, 0.0, 1e-4 * reach);
+    for (int a = 0; a < kRotations<Dim>; ++a) turn_.emplace_back(random, 0.0, 0.02 * reach);
+  }
+  double gap(double phase) const { return gap_.at(phase); }
+  Shear<Dim> slip(double phase) const {
+    Shear<Dim> value = Shear<Dim>::Zero();
+    for (int a = 0; a < Dim - 1; ++a) value[a] = slip_[a].at(phase);
+    return value;
+  }
+  Spin<Dim> turn(double phase) const {
+    Spin<Dim> value;
+    for (int a = 0; a < kRotations<Dim>; ++a) value[a] = turn_[a].at(phase);
+    return value;
+  }
+
+ private:
+  ClosedCurve gap_;
+  std::vector<ClosedCurve> slip_, turn_;
+};
+
+/// Work done on a contact around a loop, by the trapezoidal rule in the springs: exact while they are elastic.
+struct LoopWork {
+  double normal = 0.0;  ///< by the static normal force, from its energy
+  double viscous = 0.0;
+  double tangential = 0.0;
+  double rolling = 0.0;
+  double stored = 0.0;   ///< left in the springs at the end
+  double largest = 0.0;  ///< largest energy the springs held
+};
+
+template <class Law, int Dim>
+LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
+  LoopWork work;
+  ContactHistory<Law, Dim> history;
+  Shear<Dim> shear = Shear<Dim>::Zero();
+  Spin<Dim> rolling = Spin<Dim>::Zero();
+  const double dt = 1e-3;
+  for (int k = 1; k <= n_steps; ++k) {
+    const double from = static_cast<double>(k - 1) / n_steps;
+    const double to = static_cast<double>(k) / n_steps;
+    const double opening = loop.gap(to) - loop.gap(from);
+    const ContactMotion<Dim> motion{loop.gap(to), opening / dt, law.damping_coefficient(1.0, 0.5),
+                                    loop.slip(to) - loop.slip(from), loop.turn(to) - loop.turn(from)};
+    const ContactForces<Dim> f = law.respond(motion, history);
+    work.normal += law.energy(loop.gap(to)) - law.energy(loop.gap(from));
+    work.viscous -= f.viscous * opening;
+    work.tangential += 0.5 * (shear + f.shear).dot(motion.slip);
+    work.rolling += 0.5 * (rolling + f.rolling).dot(motion.relative_turn);
+    shear = f.shear;
+    rolling = f.rolling;
+    work.stored = 0.0;
+    if constexpr (Law::kHasFriction) work.stored += 0.5 * shear.dot(history.shear);
+    if constexpr (Law::kHasRolling) work.stored += 0.5 * rolling.dot(history.roll);
+    work.largest = std::max(work.largest, work.stored);
+  }
+  return work;
+}
+
+constexpr int kSteps = 2000;
+constexpr int kLoops = 8;
+
+TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
+  for_each_law_and_dimension([](const auto& law, auto dimension) {
+    constexpr int Dim = decltype(dimension)::value;
+    using Law = std::decay_t<decltype(law)>;
+    RandomStream random(7, Dim);
+    double slid = 0.0;
+    for (int k = 0; k < kLoops; ++k) {
+      SCOPED_TRACE(k);
+      const Loop<Dim> loop(random, -1e-4, 1e-4, 1.0);
+      const LoopWork work = work_around(law, loop, kSteps);
+      // A step in which a spring turns back across zero at its cap is booked with an error of its own energy,
+      // some (step/loop)^2 of the largest.
+      const double rounding = 1e-6 * work.largest + 1e-18;
+      EXPECT_NEAR(work.normal, 0.0, 1e-14);
+      EXPECT_GE(work.viscous, 0.0);
+      EXPECT_GE(work.tangential, -rounding);
+      EXPECT_GE(work.rolling, -rounding);
+      EXPECT_GE(work.tangential + work.rolling, work.stored - rounding);
+      slid += work.tangential + work.rolling - work.stored;
+      if (Law::kHasDamping) {
+        EXPECT_GT(work.viscous, 0.0);
+      }
+    }
+    if (Law::kHasFriction) {
+      EXPECT_GT(slid, 1e-4);
+    }
+  });
+}
+
+TEST(Dissipation, IsZeroWhereNothingSlidesOrParts) {
+  for_each_law_and_dimension([](const auto& law, auto dimension) {
+    constexpr int Dim = decltype(dimension)::value;
+    RandomStream random(8, Dim);
+    for (int k = 0; k < kLoops; ++k) {
+      SCOPED_TRACE(k);
+      const Loop<Dim> loop(random, -1e-4, 1e-6, 1e-3);
+      const LoopWork work = work_around(law, loop, kSteps);
+      EXPECT_NEAR(work.tangential, 0.0, 1e-11 * work.largest);
+      EXPECT_NEAR(work.rolling, 0.0, 1e-11 * work.largest);
+      EXPECT_NEAR(work.stored, 0.0, 1e-11 * work.largest);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,197 @@
+#include <ceres/jet.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "support/laws.h"
+
+namespace floc {
+namespace {
+
+using testing::at_gap;
+using testing::for_each_law;
+using testing::for_each_law_and_dimension;
+using testing::pull_off_force;
+using Dual = ceres::Jet<double, 1>;
+
+/// Gaps in overlap, across the tail and beyond it, away from the kinks at 0 and at the range.
+std::vector<double> gaps(double range) {
+  return {
+      -3e-4, -1.25e-5, -1e-6, 0.01 * range + 1e-9, 0.5 * range + 1e-9, 0.97 * range + 1e-9, 1.5 * range + 1e-6};
+}
+
+double static_force(const auto& law, double gap) {
+  return law.normal(gap).force();
+}
+
+TEST(NormalForce, IsMinusTheSlopeOfTheEnergy) {
+  for_each_law([](const auto& law) {
+    for (const double h : gaps(law.range())) {
+      SCOPED_TRACE(h);
+      const double slope = law.energy(Dual(h, 0)).v[0];
+      // Each piece of the energy is a quadratic: only rounding separates the two.
+      EXPECT_NEAR(static_force(law, h), -slope, 1e-14 * (std::abs(slope) + 1.0));
+    }
+  });
+}
+
+TEST(NormalForce, IsMinusTheDifferenceQuotientOfTheEnergy) {
+  for_each_law([](const auto& law) {
+    for (const double h : gaps(law.range())) {
+      SCOPED_TRACE(h);
+      const double step = 1e-10;
+      const double quotient = (law.energy(h + step) - law.energy(h - step)) / (2 * step);
+      // A central difference is exact on a quadratic; energies of order 1e-2 lose 1e-16 of themselves, over the
+      // step.
+      EXPECT_NEAR(static_force(law, h), -quotient, 1e-18 / step * 10 + 1e-7);
+    }
+  });
+}
+
+TEST(NormalStiffness, IsMinusTheSlopeOfTheForce) {
+  for_each_law([](const auto& law) {
+    for (const double h : gaps(law.range())) {
+      SCOPED_TRACE(h);
+      const double slope = law.normal(Dual(h, 0)).force().v[0];
+      EXPECT_DOUBLE_EQ(law.normal(h).stiffness, -slope);
+      EXPECT_DOUBLE_EQ(law.stiffness(h).normal, -slope);
+    }
+  });
+}
+
+TEST(NormalStiffness, IsMinusTheDifferenceQuotientOfTheForce) {
+  for_each_law([](const auto& law) {
+    for (const double h : gaps(law.range())) {
+      SCOPED_TRACE(h);
+      const double step = 1e-10;
+      const double quotient = (static_force(law, h + step) - static_force(law, h - step)) / (2 * step);
+      // Forces of at most 30 carry rounding of 4e-15, over the step: 2e-5, against stiffnesses of 1e3 and more.
+      EXPECT_NEAR(law.stiffness(h).normal, -quotient, 1e-4);
+    }
+  });
+}
+
+TEST(NormalForce, IsTheOneThatRespondReports) {
+  for_each_law_and_dimension([](const auto& law, auto dimension) {
+    constexpr int Dim = decltype(dimension)::value;
+    using Law = std::decay_t<decltype(law)>;
+    for (const double h : gaps(law.range())) {
+      SCOPED_TRACE(h);
+      ContactHistory<Law, Dim> history;
+      ContactMotion<Dim> motion = at_gap<Dim>(h);
+      motion.gap_rate = 0.7;
+      motion.damping = law.damping_coefficient(1.0, 0.5);
+      const auto forces = law.respond(motion, history);
+      EXPECT_EQ(forces.normal.elastic, law.normal(h).elastic);
+      EXPECT_EQ(forces.normal.adhesive, law.normal(h).adhesive);
+      EXPECT_EQ(forces.normal.stiffness, law.normal(h).stiffness);
+    }
+  });
+}
+
+TEST(NormalForce, ElasticPartRepelsAndAdhesivePartAttracts) {
+  for_each_law([](const auto& law) {
+    for (const double h : gaps(law.range())) {
+      SCOPED_TRACE(h);
+      EXPECT_GE(law.normal(h).elastic, 0.0);
+      EXPECT_LE(law.normal(h).adhesive, 0.0);
+      if (h > 0) {
+        EXPECT_EQ(law.normal(h).elastic, 0.0);
+      }
+    }
+  });
+}
+
+TEST(NormalForce, EnergyAndForceVanishFromTheRangeOn) {
+  for_each_law([](const auto& law) {
+    for (const double h : {law.range(), std::nextafter(law.range(), 1.0), 2 * law.range(), 1.0}) {
+      SCOPED_TRACE(h);
+      EXPECT_EQ(static_force(law, h), 0.0);
+      EXPECT_EQ(law.energy(h), 0.0);
+      EXPECT_EQ(law.stiffness(h).normal, 0.0);
+    }
+  });
+}
+
+TEST(NormalForce, EnergyHasNoJumpWhereSurfacesPartOrTheTailEnds) {
+  for_each_law([](const auto& law) {
+    const double step = 1e-12;
+    for (const double kink : {0.0, law.range()}) {
+      SCOPED_TRACE(kink);
+      // No force on either side exceeds F0 by more than K_N step.
+      EXPECT_NEAR(law.energy(kink + step), law.energy(kink - step), 2 * step * (pull_off_force(law) + 1e-6));
+    }
+  });
+}
+
+TEST(PullOff, LargestTensionIsF0AndIsReachedInContact) {
+  for_each_law([](const auto& law) {
+    double largest = 0.0;
+    const double end = law.range() + 1e-4;
+    for (int k = 1; k < 4000; ++k)
+      largest = std::max(largest, -static_force(law, -1e-4 + k * (end + 1e-4) / 4000));
+    EXPECT_LE(largest, pull_off_force(law));
+    // At so small an overlap the elastic part, K_N h, is below the rounding of F0.
+    EXPECT_NEAR(-static_force(law, -1e-25), pull_off_force(law), 1e-19);
+  });
+}
+
+TEST(PullOff, EquilibriumIsAtOverlapF0OverKN) {
+  for_each_law([](const auto& law) {
+    const double h0 = pull_off_force(law) / law.repulsion.normal_stiffness;
+    // One rounding of K_N h0 against F0.
+    EXPECT_NEAR(static_force(law, -h0), 0.0, 4e-16 * pull_off_force(law));
+    if (h0 > 0) {
+      EXPECT_GT(static_force(law, -1.01 * h0), 0.0);
+      EXPECT_LT(static_force(law, -0.99 * h0), 0.0);
+    }
+  });
+}
+
+TEST(PullOff, SeparationEnergyIsThatOfTheWellAndTheTail) {
+  for_each_law([](const auto& law) {
+    const double f0 = pull_off_force(law);
+    const double kn = law.repulsion.normal_stiffness;
+    const double expected = f0 * f0 / (2 * kn) + f0 * law.range() / 2;
+    EXPECT_NEAR(-law.energy(-f0 / kn), expected, 1e-15 * (expected + f0 * f0 / kn));
+  });
+}
+
+TEST(Tail, ActsOnApproachAsOnParting) {
+  for_each_law_and_dimension([](const auto& law, auto dimension) {
+    constexpr int Dim = decltype(dimension)::value;
+    ContactHistory<std::decay_t<decltype(law)>, Dim> history;
+    std::vector<double> approaching, parting;
+    const int n = 50;
+    const auto gap = [&](int k) { return (law.range() + 1e-4) * (1.0 - 2.0 * k / n); };
+    for (int k = 0; k <= n; ++k)
+      approaching.push_back(law.respond(at_gap<Dim>(gap(k)), history).normal.force());
+    for (int k = n; k >= 0; --k) parting.push_back(law.respond(at_gap<Dim>(gap(k)), history).normal.force());
+    EXPECT_EQ(approaching, std::vector<double>(parting.rbegin(), parting.rend()));
+  });
+}
+
+TEST(Tail, CarriesNothingButTheNormalAttraction) {
+  for_each_law_and_dimension([](const auto& law, auto dimension) {
+    constexpr int Dim = decltype(dimension)::value;
+    for (const double h : {0.0, 0.5 * law.range(), 0.99 * law.range(), 2 * law.range()}) {
+      SCOPED_TRACE(h);
+      ContactHistory<std::decay_t<decltype(law)>, Dim> history;
+      ContactMotion<Dim> motion = at_gap<Dim>(h);
+      motion.slip = testing::slip_by<Dim>(1e-3);
+      motion.relative_turn.setConstant(0.01);
+      motion.gap_rate = -1.0;
+      motion.damping = law.damping_coefficient(1.0, 1.0);
+      const auto forces = law.respond(motion, history);
+      EXPECT_EQ(forces.viscous, 0.0);
+      EXPECT_EQ(forces.shear.norm(), 0.0);
+      EXPECT_EQ(forces.rolling.norm(), 0.0);
+      EXPECT_EQ(law.stiffness(h).tangential, 0.0);
+      EXPECT_EQ(law.stiffness(h).rolling, 0.0);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <type_traits>
+#include <vector>
+
+#include "floc/base/random.h"
+#include "support/laws.h"
+
+namespace floc {
+namespace {
+
+using testing::for_each_law;
+using testing::for_each_law_and_dimension;
+using testing::parameters_of;
+
+TEST(Table, EveryRowIsReachedByItsParametersAndKeepsThem) {
+  for_each_law([](const auto& law) {
+    using Law = std::decay_t<decltype(law)>;
+    const LawParameters parameters = parameters_of(law);
+    EXPECT_TRUE(parameters.validate().empty());
+    const AnyContactLaw composed = compose_law(parameters);
+    ASSERT_TRUE(std::holds_alternative<Law>(composed));
+    EXPECT_EQ(parameters_of(std::get<Law>(composed)), parameters);
+  });
+}
+
+TEST(Table, EveryCombinationOfKeywordsHasARowOfItsOwn) {
+  std::set<std::size_t> rows;
+  int n_combinations = 0;
+  for (const double force : {-1.0, 0.5})
+    for (const double range : {0.0, 1e-3})
+      for (const bool damped : {false, true})
+        for (const int springs : {0, 1, 2}) {
+          if (force < 0 && range > 0) continue;
+          LawParameters p;
+          p.normal_stiffness = 1e5;
+          if (force > 0) p.adhesion = {force, range};
+          if (damped) p.damping = {0.5, DampingMass::grain};
+          if (springs > 0) p.friction = {0.5, 1e5};
+          if (springs > 1) p.rolling = {0.01, 10.0};
+          ++n_combinations;
+          rows.insert(compose_law(p).index());
+        }
+  EXPECT_EQ(n_combinations, 18);
+  EXPECT_EQ(rows.size(), 18u);
+}
+
+TEST(Table, AdhesionOfNoForceIsNoAdhesion) {
+  LawParameters p;
+  p.normal_stiffness = 1e5;
+  const std::size_t bare = compose_law(p).index();
+  p.adhesion = {0.0, 1e-3};
+  EXPECT_EQ(compose_law(p).index(), bare);
+  EXPECT_EQ(std::visit([](const auto& law) { return law.range(); }, compose_law(p)), 0.0);
+}
+
+TEST(Table, RangeOfALawIsTheOneOfItsParameters) {
+  for_each_law([](const auto& law) { EXPECT_EQ(law.range(), parameters_of(law).range()); });
+}
+
+TEST(EmptySlots, CostNoByteOfTheContactRecord) {
+  for_each_law_and_dimension([](const auto& law, auto dimension) {
+    constexpr int Dim = decltype(dimension)::value;
+    using Law = std::decay_t<decltype(law)>;
+    const std::size_t components =
+        (Law::kHasFriction ? kShearComponents<Dim> : 0) + (Law::kHasRolling ? kRotations<Dim> : 0);
+    using History = ContactHistory<Law, Dim>;
+    // The language gives an object without members one byte.
+    EXPECT_EQ(sizeof(History), components > 0 ? components * sizeof(double) : 1u);
+    EXPECT_EQ(std::is_empty_v<History>, components == 0);
+  });
+}
+
+template <class Slot>
+constexpr std::size_t kSlotBytes = std::is_empty_v<Slot> ? 0 : sizeof(Slot);
+
+TEST(EmptySlots, CostNoByteOfTheLaw) {
+  for_each_law([](const auto& law) {
+    EXPECT_EQ(sizeof(law), kSlotBytes<decltype(law.repulsion)> + kSlotBytes<decltype(law.adhesion)> +
+                               kSlotBytes<decltype(law.damping)> + kSlotBytes<decltype(law.friction)> +
+                               kSlotBytes<decltype(law.rolling)>);
+  });
+}
+
+/// A change of units by powers of two, which floating point carries out without rounding.
+struct Units {
+  double length = 0x1p-9;
+  double force = 0x1p7;
+  double mass = 0x1p20;
+  /// sqrt(mass length/force) = sqrt(2^4)
+  double time = 0x1p2;
+};
+
+LawParameters rescaled(LawParameters p, const Units& u) {
+  p.normal_stiffness *= u.force / u.length;
+  if (p.adhesion) p.adhesion = {p.adhesion->force * u.force, p.adhesion->range * u.length};
+  if (p.friction) p.friction->stiffness *= u.force / u.length;
+  if (p.rolling) p.rolling = {p.rolling->coefficient * u.length, p.rolling->stiffness * u.force * u.length};
+  return p;
+}
+
+TEST(Units, RescalingByPowersOfTwoChangesNoBit) {
+  for_each_law_and_dimension([](const auto& law, auto dimension) {
+    constexpr int Dim = decltype(dimension)::value;
+    using Law = std::decay_t<decltype(law)>;
+    const Units u;
+    const Law other = std::get<Law>(compose_law(rescaled(parameters_of(law), u)));
+    const double damping = law.damping_coefficient(1.0, 0.3);
+    const double other_damping = other.damping_coefficient(u.mass, 0.3 * u.mass);
+    EXPECT_EQ(other_damping, damping * u.force * u.time / u.length);
+
+    ContactHistory<Law, Dim> history, other_history;
+    RandomStream random(3, Dim);
+    for (int k = 0; k < 500; ++k) {
+      SCOPED_TRACE(k);
+      ContactMotion<Dim> m{random.uniform(-2e-4, 2e-4), random.normal(), damping, Shear<Dim>::Zero(),
+                           Spin<Dim>::Zero()};
+      for (double& x : m.slip) x = 2e-5 * random.normal();
+      for (double& x : m.relative_turn) x = 1e-3 * random.normal();
+      const ContactMotion<Dim> other_m{m.gap * u.length, m.gap_rate * u.length / u.time, other_damping,
+                                       m.slip * u.length, m.relative_turn};
+      const auto f = law.respond(m, history);
+      const auto other_f = other.respond(other_m, other_history);
+      EXPECT_EQ(other_f.normal.elastic, f.normal.elastic * u.force);
+      EXPECT_EQ(other_f.normal.adhesive, f.normal.adhesive * u.force);
+      EXPECT_EQ(other_f.normal.stiffness, f.normal.stiffness * (u.force / u.length));
+      EXPECT_EQ(other_f.viscous, f.viscous * u.force);
+      EXPECT_EQ(other_f.shear, f.shear * u.force);
+      EXPECT_EQ(other_f.rolling, f.rolling * (u.force * u.length));
+      EXPECT_EQ(other.energy(other_m.gap), law.energy(m.gap) * (u.force * u.length));
+    }
+  });
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "floc/contact/law_table.h"
+
+/// Enumerates the law table for the conformance suite: every row, in every dimension, with sample parameters.
+namespace floc::testing {
+
+/// Parameters of a slot in reduced units, like those of PHYSICS section 1 but with no two numbers equal, so
+/// that one cannot stand in for another. A new kind of slot needs its sample here; without it the suite does
+/// not compile.
+template <class Slot>
+struct Sample;
+
+template <int Tag>
+struct Sample<Absent<Tag>> {
+  static constexpr Absent<Tag> value{};
+  static std::string name() { return ""; }
+};
+template <>
+struct Sample<LinearRepulsion> {
+  static constexpr LinearRepulsion value{1e5};
+  static std::string name() { return "linear"; }
+};
+template <>
+struct Sample<TailAdhesion> {
+  static constexpr TailAdhesion value{1.25, 1e-3};
+  static std::string name() { return " tail"; }
+};
+template <>
+struct Sample<ConstantAdhesion> {
+  static constexpr ConstantAdhesion value{1.25};
+  static std::string name() { return " constant"; }
+};
+template <>
+struct Sample<ViscousDamping> {
+  static constexpr ViscousDamping value{0.3, DampingMass::effective};
+  static std::string name() { return " damping"; }
+};
+template <>
+struct Sample<CoulombFriction> {
+  static constexpr CoulombFriction value{0.5, 0.8e5};
+  static std::string name() { return " friction"; }
+};
+template <>
+struct Sample<RollingSpring> {
+  static constexpr RollingSpring value{0.05, 30.0};
+  static std::string name() { return " rolling"; }
+};
+
+template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling>
+constexpr auto sample_law(std::type_identity<ContactLaw<Normal, Adhesion, Damping, Tangential, Rolling>>) {
+  return ContactLaw<Normal, Adhesion, Damping, Tangential, Rolling>{
+      Sample<Normal>::value, Sample<Adhesion>::value, Sample<Damping>::value, Sample<Tangential>::value,
+      Sample<Rolling>::value};
+}
+
+template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling>
+std::string law_name(std::type_identity<ContactLaw<Normal, Adhesion, Damping, Tangential, Rolling>>) {
+  return Sample<Normal>::name() + Sample<Adhesion>::name() + Sample<Damping>::name() +
+         Sample<Tangential>::name() + Sample<Rolling>::name();
+}
+
+/// Calls check(law) for every row of the table, naming the row in whatever fails.
+template <class Check>
+void for_each_law(Check&& check) {
+  [&]<std::size_t... Row>(std::index_sequence<Row...>) {
+    const auto one = [&]<class Law>(std::type_identity<Law> row) {
+      SCOPED_TRACE(law_name(row));
+      check(sample_law(row));
+    };
+    (one(std::type_identity<std::variant_alternative_t<Row, AnyContactLaw>>{}), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<AnyContactLaw>>{});
+}
+
+/// Calls check(law, dimension) for every row and dimension; `decltype(dimension)::value` is the dimension.
+template <class Check>
+void for_each_law_and_dimension(Check&& check) {
+  for_each_law([&](const auto& law) {
+    {
+      SCOPED_TRACE("in 2D");
+      check(law, std::integral_constant<int, 2>{});
+    }
+    {
+      SCOPED_TRACE("in 3D");
+      check(law, std::integral_constant<int, 3>{});
+    }
+  });
+}
+
+/// F0 of a composed law, 0 without adhesion.
+template <class Law>
+double pull_off_force(const Law& law) {
+  if constexpr (Law::kHasAdhesion) return law.adhesion.pull_off_force;
+  return 0.0;
+}
+
+/// The parameters a scene would give to get this law: the inverse of compose_law().
+template <class Law>
+LawParameters parameters_of(const Law& law) {
+  LawParameters p;
+  p.normal_stiffness = law.repulsion.normal_stiffness;
+  if constexpr (Law::kHasAdhesion) p.adhesion = {law.adhesion.pull_off_force, law.range()};
+  if constexpr (Law::kHasDamping) p.damping = {law.damping.restitution, law.damping.mass_rule};
+  if constexpr (Law::kHasFriction) p.friction = {law.friction.coefficient, law.friction.tangential_stiffness};
+  if constexpr (Law::kHasRolling) p.rolling = {law.rolling.coefficient, law.rolling.rolling_stiffness};
+  return p;
+}
+
+/// A motion of the normal alone: no slip, no turn, at rest.
+template <int Dim, class T = double>
+ContactMotion<Dim, T> at_gap(const T& gap) {
+  return {gap, T(0), T(0), Shear<Dim, T>::Zero(), Spin<Dim, T>::Zero()};
+}
+
+/// A tangential displacement of a contact whose normal is the last axis of space (3D) or any (2D).
+template <int Dim>
+Shear<Dim> slip_by(double length) {
+  Shear<Dim> slip = Shear<Dim>::Zero();
+  slip[0] = length;
+  return slip;
+}
+
+}  // namespace floc::testing

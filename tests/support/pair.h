@@ -1,0 +1,58 @@
+#pragma once
+
+#include "floc/contact/contact_law.h"
+#include "floc/geometry/frame.h"
+
+namespace floc::testing {
+
+/// How one grain moves in one step.
+template <int Dim>
+struct GrainStep {
+  Vec<Dim> displacement = Vec<Dim>::Zero();
+  Spin<Dim> turn = Spin<Dim>::Zero();
+};
+
+/// Two grains in contact moved by hand, their relative motion taken by PHYSICS section 1: lever arms
+/// l = R r/(Ri + Rj), evaluated half way through the step, so that its error is of second order in the step.
+template <class Law, int Dim>
+class MovingPair {
+ public:
+  MovingPair(const Law& law, const Vec<Dim>& xi, const Vec<Dim>& xj, double ri, double rj)
+      : law_(law), xi_(xi), xj_(xj), ri_(ri), rj_(rj) {}
+
+  /// Moves both grains and returns the forces in the contact's new frame.
+  ContactForces<Dim> move(const GrainStep<Dim>& i, const GrainStep<Dim>& j) {
+    const Vec<Dim> before = xj_ - xi_;
+    xi_ += i.displacement;
+    xj_ += j.displacement;
+    const Vec<Dim> after = xj_ - xi_;
+    const Vec<Dim> half = (before + after) / 2;
+    const Vec<Dim> n = half.normalized();
+    const double arm = half.norm() / (ri_ + rj_);
+    const Spin<Dim> turns = ri_ * arm * i.turn + rj_ * arm * j.turn;
+
+    ContactMotion<Dim> motion{after.norm() - ri_ - rj_, 0.0, 0.0, Shear<Dim>::Zero(), i.turn - j.turn};
+    motion.slip = to_shear<double>(n, after - before - cross<double>(turns, n));
+    double twist = 0.0;
+    if constexpr (Dim == 3) twist = 0.5 * (i.turn + j.turn).dot(n);
+    carry(before.normalized(), normal(), twist);
+    return law_.respond(motion, history_);
+  }
+
+  Vec<Dim> normal() const { return (xj_ - xi_).normalized(); }
+  const Vec<Dim>& position_i() const { return xi_; }
+  const Vec<Dim>& position_j() const { return xj_; }
+
+ private:
+  void carry(const Vec<Dim>& from, const Vec<Dim>& to, double twist) {
+    if constexpr (Law::kHasFriction) history_.shear = transport<double>(history_.shear, from, to, twist);
+    if constexpr (Law::kHasRolling) history_.roll = transport<double>(history_.roll, from, to, twist);
+  }
+
+  Law law_;
+  ContactHistory<Law, Dim> history_;
+  Vec<Dim> xi_, xj_;
+  double ri_, rj_;
+};
+
+}  // namespace floc::testing

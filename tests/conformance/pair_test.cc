@@ -129,13 +129,14 @@ double force_change_on_turning(const Law& law, const Spin<Dim>& turn, int n) {
   return change;
 }
 
-constexpr double kChordError = 4e-3;
+constexpr double kChordError = 7e-3;
 
 TEST(Objectivity, APairTurnedRigidlyIn2DKeepsItsForces) {
   for_each_law([](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
     // A chord stands for each arc of turn/n, short of it by a share turn^2/(24 n^2): over the whole turn 2.1e-8
-    // for n = 5000, 2e-3 of the spring, falling with n^2. Wrong lever arms would slip by 1e-2 turn whatever n.
+    // for n = 5000, up to 6e-3 of a spring of 3.5e-6 or more, falling with n^2. Wrong lever arms would slip by
+    // 1e-2 turn whatever n.
     const double coarse = force_change_on_turning<Law, 2>(law, Spin<2>(2.5), 5000);
     const double fine = force_change_on_turning<Law, 2>(law, Spin<2>(2.5), 20000);
     EXPECT_LT(coarse, kChordError);

@@ -111,27 +111,35 @@ void ExplicitDynamics<Dim, Law>::begin_step() {
 }
 
 template <int Dim, class Law>
-void ExplicitDynamics<Dim, Law>::kick(int k, double half_step) {
+typename ExplicitDynamics<Dim, Law>::Kick ExplicitDynamics<Dim, Law>::kick_over(double half_step) const {
   // v' = F/m - (L'/L) v, the second term taken at the middle of the half step.
-  const double per_mass = half_step / grains_.mass[k];
-  for (int a = 0; a < Dim; ++a) {
-    const double drag = 0.5 * half_step * strain_rate_[a];
-    grains_.v[a][k] = (grains_.v[a][k] * (1.0 - drag) + grains_.force[a][k] * per_mass) / (1.0 + drag);
+  const Vec<Dim> drag = 0.5 * half_step * strain_rate_;
+  const Vec<Dim> gain = (Vec<Dim>::Ones() + drag).cwiseInverse();
+  return {half_step, (Vec<Dim>::Ones() - drag).cwiseProduct(gain), gain};
+}
+
+template <int Dim, class Law>
+inline void ExplicitDynamics<Dim, Law>::apply(const Kick& kick, int k) {
+  const double per_mass = kick.half_step * grains_.inverse_mass[k];
+  for (int a = 0; a < Dim; ++a)
+    grains_.v[a][k] = grains_.v[a][k] * kick.keep[a] + grains_.force[a][k] * per_mass * kick.gain[a];
+  if constexpr (kTurns) {
+    const double per_inertia = kick.half_step * grains_.inverse_inertia[k];
+    for (int a = 0; a < kRotations<Dim>; ++a) grains_.spin[a][k] += grains_.torque[a][k] * per_inertia;
   }
-  if constexpr (kTurns)
-    for (int a = 0; a < kRotations<Dim>; ++a) grains_.spin[a][k] += grains_.torque[a][k] * (half_step / grains_.inertia[k]);
 }
 
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::kick_and_drift(int block) {
-  const double half = 0.5 * dt_;
+  const Kick half = kick_over(0.5 * dt_);
   double largest = 0.0;
   for (int k = block * kBlock; k < block_end(block); ++k) {
-    kick(k, half);
+    apply(half, k);
+    const double per_mass = half.half_step * grains_.inverse_mass[k];
     double squared = 0.0;
     for (int a = 0; a < Dim; ++a) {
       const double v = grains_.v[a][k];
-      grains_.v_next[a][k] = v + half / grains_.mass[k] * grains_.force[a][k];
+      grains_.v_next[a][k] = v + per_mass * grains_.force[a][k];
       grains_.x[a][k] = stretch_[a] * grains_.x[a][k] + drift_[a] * v;
       const double moved = grains_.x[a][k] - list_stretch_[a] * x_list_[a][k];
       squared += moved * moved;
@@ -266,10 +274,11 @@ inline void ExplicitDynamics<Dim, Law>::sum_forces(int k, Vec<Dim>& virial) {
 
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::sum_and_kick(int block, double half_step) {
+  const Kick half = kick_over(half_step);
   BlockSums sums;
   for (int k = block * kBlock; k < block_end(block); ++k) {
     sum_forces(k, sums.virial);
-    kick(k, half_step);
+    apply(half, k);
     for (int a = 0; a < Dim; ++a) sums.momentum_flux[a] += grains_.mass[k] * grains_.v[a][k] * grains_.v[a][k];
     if constexpr (kTurns)
       for (int a = 0; a < kRotations<Dim>; ++a)

@@ -33,12 +33,19 @@ class ExplicitDynamics final : public Dynamics<Dim> {
     double displacement_squared = 0.0;          ///< largest, since the list was built
   };
 
+  /// Half a step of acceleration: v <- keep v + gain (half_step/m) F, axis by axis.
+  struct Kick {
+    double half_step;
+    Vec<Dim> keep, gain;
+  };
+
   int n_blocks() const { return (grains_.size() + kBlock - 1) / kBlock; }
   int block_end(int b) const { return std::min(grains_.size(), (b + 1) * kBlock); }
 
   void load_histories(const Packing<Dim>& packing);
   void begin_step();
-  void kick(int k, double half_step);
+  Kick kick_over(double half_step) const;
+  void apply(const Kick& kick, int k);
   void kick_and_drift(int block);
   void compute_pairs(int block, double slip_time);
   void compute_pair(int p, double slip_time);

@@ -21,6 +21,7 @@ struct HotGrains {
   std::array<Component, kRotations<Dim>> torque;
   Component angle;
   Component radius, mass, inertia;
+  Component inverse_mass, inverse_inertia;
 
   HotGrains(const Grains<Dim>& grains, const std::vector<int>& order);
 
@@ -32,7 +33,7 @@ template <int Dim>
 HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& order) : index(order) {
   static_assert(Dim == 2, "orientations in 3D are not integrated yet");
   const std::size_t n = order.size();
-  for (auto* component : {&angle, &radius, &mass, &inertia}) component->resize(n);
+  for (auto* component : {&angle, &radius, &mass, &inertia, &inverse_mass, &inverse_inertia}) component->resize(n);
   for (auto* vector : {&x, &v, &v_next, &force})
     for (auto& component : *vector) component.assign(n, 0.0);
   for (auto* vector : {&spin, &torque})
@@ -48,6 +49,8 @@ HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& ord
     radius[k] = grains.radius[i];
     mass[k] = grains.mass[i];
     inertia[k] = grains.inertia(i);
+    inverse_mass[k] = 1.0 / mass[k];
+    inverse_inertia[k] = 1.0 / inertia[k];
   }
 }
 

@@ -1,0 +1,211 @@
+#include "floc/assembly/gas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "floc/base/error.h"
+#include "floc/neighbors/pairs.h"
+
+namespace floc {
+namespace {
+
+constexpr double kRandomPlacingLimit = 0.4;   ///< solid fraction that placing one by one reaches without long searches
+constexpr int kShuffleSweeps = 200;           ///< moves a grain: several mean free paths, the placing is forgotten
+constexpr int kMostSweeps = 20000;            ///< growing takes longer near freezing; beyond this it has failed
+
+template <int Dim>
+double solid_volume(const std::vector<double>& diameter) {
+  double sum = 0.0;
+  for (const double d : diameter) sum += Dim == 2 ? M_PI / 4.0 * d * d : M_PI / 6.0 * d * d * d;
+  return sum;
+}
+
+/// Hard grains in a periodic box of equal sides, on a grid of bins no finer than the largest grain.
+template <int Dim>
+class HardGrains {
+ public:
+  HardGrains(double side, const std::vector<double>& diameter) : side_(side), diameter_(diameter) {
+    const double largest = *std::max_element(diameter.begin(), diameter.end());
+    bins_ = std::max(1, static_cast<int>(side / largest));
+    members_.resize(static_cast<std::size_t>(std::pow(bins_, Dim)));
+    position_.resize(diameter.size());
+  }
+
+  /// True if grain i at x, with all diameters times `scale`, keeps clear of every placed grain but itself.
+  bool free_at(int i, const Vec<Dim>& x, double scale) const { return clearance(i, x, scale) >= 1.0; }
+
+  /// Smallest ratio of distance to contact distance (diameters times `scale`) around grain i at x, at most 2.
+  double clearance(int i, const Vec<Dim>& x, double scale) const {
+    double least = 2.0;
+    Vec<Dim, int> centre = bin_of(x), offset = Vec<Dim, int>::Constant(-1);
+    while (true) {
+      for (const int j : members_[flat(centre + offset)]) {
+        if (j == i) continue;
+        Vec<Dim> r = position_[j] - x;
+        for (int a = 0; a < Dim; ++a) r[a] -= side_ * std::round(r[a] / side_);
+        least = std::min(least, r.norm() / (0.5 * scale * (diameter_[i] + diameter_[j])));
+      }
+      int a = 0;
+      while (a < Dim && ++offset[a] > 1) offset[a] = -1, ++a;
+      if (a == Dim) return least;
+    }
+  }
+
+  void place(int i, const Vec<Dim>& x) {
+    position_[i] = x;
+    members_[flat(bin_of(x))].push_back(i);
+  }
+
+  void move(int i, const Vec<Dim>& x) {
+    auto& old = members_[flat(bin_of(position_[i]))];
+    old.erase(std::find(old.begin(), old.end(), i));
+    place(i, x);
+  }
+
+  const std::vector<Vec<Dim>>& position() const { return position_; }
+
+ private:
+  Vec<Dim, int> bin_of(const Vec<Dim>& x) const {
+    Vec<Dim, int> bin;
+    for (int a = 0; a < Dim; ++a) bin[a] = std::min(bins_ - 1, static_cast<int>(x[a] / side_ * bins_));
+    return bin;
+  }
+  std::size_t flat(const Vec<Dim, int>& bin) const {
+    std::size_t index = 0;
+    for (int a = 0; a < Dim; ++a) index = index * bins_ + static_cast<std::size_t>((bin[a] + bins_) % bins_);
+    return index;
+  }
+
+  double side_;
+  std::vector<double> diameter_;
+  int bins_;
+  std::vector<std::vector<int>> members_;
+  std::vector<Vec<Dim>> position_;
+};
+
+template <int Dim>
+Vec<Dim> random_point(double side, RandomStream& random) {
+  Vec<Dim> x;
+  for (int a = 0; a < Dim; ++a) x[a] = random.uniform(0.0, side);
+  return x;
+}
+
+/// Places the grains one by one, the largest first, with diameters times `scale`.
+template <int Dim>
+void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diameter, double side, double scale,
+                     RandomStream& random) {
+  std::vector<int> order(diameter.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::stable_sort(order.begin(), order.end(), [&](int p, int q) { return diameter[p] > diameter[q]; });
+  constexpr int kMostTries = 100000;
+  for (const int i : order) {
+    int tries = 0;
+    Vec<Dim> x = random_point<Dim>(side, random);
+    while (!grains.free_at(i, x, scale)) {
+      if (++tries > kMostTries) throw InputError("assembly", "cell.solid_fraction: no room left to place the grains");
+      x = random_point<Dim>(side, random);
+    }
+    grains.place(i, x);
+  }
+}
+
+/// One Monte Carlo sweep: a trial move of every grain.
+template <int Dim>
+void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, double side, double scale, double reach,
+             RandomStream& random) {
+  const int n = static_cast<int>(diameter.size());
+  for (int trial = 0; trial < n; ++trial) {
+    const int i = static_cast<int>(random.below(n));
+    Vec<Dim> x = grains.position()[i];
+    for (int a = 0; a < Dim; ++a) {
+      x[a] += random.uniform(-reach, reach);
+      x[a] -= side * std::floor(x[a] / side);
+      if (x[a] >= side) x[a] = 0.0;
+    }
+    if (grains.free_at(i, x, scale)) grains.move(i, x);
+  }
+}
+
+/// Factor by which all diameters can grow until the first pair touches.
+template <int Dim>
+double room_to_grow(const HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale) {
+  double least = 2.0;
+  for (std::size_t i = 0; i < diameter.size(); ++i)
+    least = std::min(least, grains.clearance(static_cast<int>(i), grains.position()[i], scale));
+  return least;
+}
+
+}  // namespace
+
+std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random) {
+  const DiameterDistribution& d = options.diameter;
+  if (d.kind == DiameterDistribution::Kind::list) return d.values;
+  std::vector<double> diameter(options.count, d.min);
+  for (double& value : diameter) {
+    if (d.kind == DiameterDistribution::Kind::uniform) value = random.uniform(d.min, d.max);
+    if (d.kind == DiameterDistribution::Kind::bidisperse) value = random.uniform() < d.share_of_large ? d.max : d.min;
+  }
+  return diameter;
+}
+
+template <int Dim>
+Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, double solid_fraction,
+                      RandomStream& random) {
+  const std::vector<double> diameter = draw_diameters(options, random);
+  const double side = std::pow(solid_volume<Dim>(diameter) / solid_fraction, 1.0 / Dim);
+  double scale = std::min(1.0, std::pow(kRandomPlacingLimit / solid_fraction, 1.0 / Dim));
+  HardGrains<Dim> hard(side, diameter);
+  place_at_random(hard, diameter, side, scale, random);
+
+  const double mean_diameter = std::pow(solid_volume<Dim>(diameter) / static_cast<double>(diameter.size()), 1.0 / Dim);
+  for (int sweep = 0, at_size = 0; at_size < kShuffleSweeps; ++sweep) {
+    if (sweep > kMostSweeps)
+      throw InputError("assembly", fmt::format("cell.solid_fraction = {}: grains without overlap got stuck at {:.3f}",
+                                               solid_fraction, solid_fraction * std::pow(scale, Dim)));
+    shuffle(hard, diameter, side, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
+    if (scale < 1.0) scale = std::min(1.0, scale * room_to_grow(hard, diameter, scale));
+    at_size += scale == 1.0;
+  }
+
+  Packing<Dim> gas;
+  gas.law = law;
+  gas.cell.matrix *= side;
+  gas.grains = Grains<Dim>::with_size(static_cast<int>(diameter.size()));
+  gas.grains.position = hard.position();
+  const double unit_sphere = Dim == 2 ? M_PI / 4.0 : M_PI / 6.0;
+  const double mass_per_cube = options.density ? *options.density * unit_sphere : 1.0;
+  for (int i = 0; i < gas.grains.size(); ++i) {
+    gas.grains.radius[i] = 0.5 * diameter[i];
+    gas.grains.mass[i] = mass_per_cube * std::pow(diameter[i], Dim);
+  }
+  return gas;
+}
+
+template <int Dim>
+void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
+  Grains<Dim>& g = packing.grains;
+  Vec<Dim> momentum = Vec<Dim>::Zero();
+  double mass = 0.0;
+  for (int i = 0; i < g.size(); ++i) {
+    // Maxwell's distribution: every grain has the same mean energy.
+    for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i]);
+    momentum += g.mass[i] * g.velocity[i];
+    mass += g.mass[i];
+  }
+  double squares = 0.0;
+  for (Vec<Dim>& v : g.velocity) {
+    v -= momentum / mass;
+    squares += v.squaredNorm();
+  }
+  const double factor = squares > 0.0 ? rms_speed / std::sqrt(squares / g.size()) : 0.0;
+  for (Vec<Dim>& v : g.velocity) v *= factor;
+}
+
+template Packing<2> make_gas(const GrainOptions&, const LawParameters&, double, RandomStream&);
+template Packing<3> make_gas(const GrainOptions&, const LawParameters&, double, RandomStream&);
+template void agitate(Packing<2>&, double, RandomStream&);
+template void agitate(Packing<3>&, double, RandomStream&);
+
+}  // namespace floc

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "floc/assembly/assembly_options.h"
+#include "floc/base/random.h"
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Diameters of the grains of a scene (length), drawn from its distribution in the order of the grains.
+std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random);
+
+/// Grains at rest without overlap in a square (cubic) cell at the given solid fraction: placed one by one at random, then
+/// shuffled by hard-disk Monte Carlo moves until the placing is forgotten. Above about 0.4 they are placed smaller and
+/// grow to size during the moves.
+///
+/// @throws InputError if the grains do not reach their size without overlap: the solid fraction is too high.
+template <int Dim>
+Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, double solid_fraction,
+                      RandomStream& random);
+
+/// Gives the grains Maxwell velocities: total momentum zero, root mean square of the translational speed `rms_speed`
+/// exactly, no spin.
+template <int Dim>
+void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random);
+
+}  // namespace floc

@@ -1,0 +1,185 @@
+#include "floc/relaxation/relaxer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "floc/relaxation/dynamics.h"
+#include "floc/relaxation/static_solver.h"
+
+namespace floc {
+namespace {
+
+/// Time steps of one stretch. Packing and lists are rebuilt between stretches, which costs about 20 steps.
+constexpr int kStretch = 500;
+/// Motion has stopped when the solid fraction moved less than this in a window of this many time units and the
+/// kinetic energy is within its tolerance (FINDINGS: damping before that changes which rearrangement happens).
+constexpr double kStillPhi = 2e-5;
+constexpr double kStillWindow = 5.0;
+/// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
+constexpr double kFinishPhi = 1e-4;
+/// The polisher is tried where it is known to succeed, and after a failure again a while later.
+constexpr double kPolishResidual = 5e-3;
+constexpr int kPolishPause = 8;
+/// A relaxation that takes longer than this many time units is given up.
+constexpr double kLongest = 2e4;
+
+double first_skin(const RelaxationOptions& options, double a) { return options.skin ? *options.skin * a : 0.05 * a; }
+
+template <int Dim>
+double heaviest(const Packing<Dim>& packing) {
+  return *std::max_element(packing.grains.mass.begin(), packing.grains.mass.end());
+}
+
+}  // namespace
+
+template <int Dim>
+double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
+  const ForceScale scale = force_scale(packing, target_stress);
+  return std::sqrt(scale.length * heaviest(packing) / scale.force);
+}
+
+template <int Dim>
+double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
+  const double a = force_scale(packing, target_stress).length;
+  const double m = heaviest(packing);
+  if (options.strain_rate_cap && packing.law.pull_off_force() > 0.0)
+    return *options.strain_rate_cap * std::sqrt(packing.law.pull_off_force() / (a * m));
+  if (options.inertial_number_cap)
+    return *options.inertial_number_cap * std::sqrt(target_stress.mean() * std::pow(a, Dim - 2) / m);
+  return std::numeric_limits<double>::infinity();
+}
+
+template <int Dim>
+Relaxer<Dim>::Relaxer(const RelaxationOptions& options, const Packing<Dim>& packing, const Vec<Dim>& target_stress,
+                      RelaxationProgress progress)
+    : options_(options),
+      packing_(packing),
+      target_(target_stress),
+      progress_(std::move(progress)),
+      residuals_(residuals(packing, target_stress)),
+      time_step_(time_step_of(packing, options.time_step)),
+      time_unit_(inertial_time(packing, target_stress)) {
+  if (progress_.skin == 0.0) progress_.skin = first_skin(options, force_scale(packing, target_stress).length);
+  if (progress_.imbalance_sign.empty()) {
+    const Vec<Dim> imbalance = static_stress(packing).diagonal() - target_stress;
+    for (int a = 0; a < Dim; ++a) progress_.imbalance_sign.push_back(imbalance[a] < 0.0 ? -1.0 : 1.0);
+  }
+}
+
+template <int Dim>
+RelaxationStatus Relaxer<Dim>::advance() {
+  CellControl<Dim> control;
+  control.target = target_;
+  control.mass = options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0);
+  control.rate_cap = strain_rate_cap(options_, packing_, target_);
+  const auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
+  const bool finishing = progress_.stage == RelaxationProgress::finishing;
+  dynamics->advance(kStretch, finishing ? Motion::power_control : Motion::free);
+  packing_ = dynamics->packing();
+  if (!options_.skin) progress_.skin = dynamics->skin();
+  progress_.n_steps += kStretch;
+  progress_.time += kStretch * time_step_;
+
+  residuals_ = residuals(packing_, target_);
+  progress_.force_residual.push_back(residuals_.force);
+  if (progress_.force_residual.size() > 10) progress_.force_residual.erase(progress_.force_residual.begin());
+  const RelaxationStatus status = finishing ? judge_finish() : judge_motion();
+  if (status == RelaxationStatus::running && progress_.time > kLongest * time_unit_) return RelaxationStatus::gave_up;
+  return status;
+}
+
+/// Motion has stopped when the density is still, the kinetic energy small, and the cell has answered to its load: the
+/// imbalance of stress on each axis has changed sign since the start, or is within tolerance. Without the last
+/// condition a small increment would count as equilibrium before anything has moved.
+template <int Dim>
+RelaxationStatus Relaxer<Dim>::judge_motion() {
+  const Vec<Dim> imbalance = static_stress(packing_).diagonal() - target_;
+  for (int a = 0; a < Dim; ++a)
+    if (imbalance[a] * progress_.imbalance_sign[a] < 0.0) progress_.imbalance_sign[a] = 0.0;
+  const bool answered = std::all_of(progress_.imbalance_sign.begin(), progress_.imbalance_sign.end(),
+                                    [](double sign) { return sign == 0.0; }) ||
+                        residuals_.stress < options_.tolerance.stress;
+
+  std::vector<double>& phi = progress_.solid_fraction;
+  phi.push_back(solid_fraction(packing_));
+  const auto window = static_cast<std::size_t>(std::ceil(kStillWindow * time_unit_ / (kStretch * time_step_))) + 1;
+  if (phi.size() > window) phi.erase(phi.begin());
+  if (phi.size() < window) return RelaxationStatus::running;
+  const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
+  if (*high - *low < kStillPhi && residuals_.energy < options_.tolerance.energy && answered) {
+    progress_.stage = RelaxationProgress::finishing;
+    progress_.finishing_since_phi = phi.back();
+    progress_.finishing_stretches = 0;
+    progress_.next_polish = 1;
+  }
+  return RelaxationStatus::running;
+}
+
+template <int Dim>
+RelaxationStatus Relaxer<Dim>::judge_finish() {
+  ++progress_.finishing_stretches;
+  if (std::abs(solid_fraction(packing_) - progress_.finishing_since_phi) > kFinishPhi) {
+    progress_.stage = RelaxationProgress::moving;
+    progress_.solid_fraction.clear();
+    return RelaxationStatus::running;
+  }
+  const bool within = residuals_.within(options_.tolerance);
+  const bool may_polish = options_.finish != Finish::dynamic && residuals_.force < kPolishResidual;
+  if (may_polish && (within || progress_.finishing_stretches >= progress_.next_polish)) {
+    if (polish()) return RelaxationStatus::converged;
+    progress_.next_polish = progress_.finishing_stretches + kPolishPause;
+  }
+  if (!within) return RelaxationStatus::running;
+  ending_ = "dynamic";
+  return RelaxationStatus::converged;
+}
+
+/// Replaces the packing by the polished one where that is an equilibrium within tolerance.
+template <int Dim>
+bool Relaxer<Dim>::polish() {
+  const StaticSolution<Dim> solution = solve_statics(packing_, target_, StaticSolverOptions{});
+  if (!solution.converged) return false;
+  const Residuals reached = residuals(solution.packing, target_);
+  if (!reached.within(options_.tolerance)) return false;
+  packing_ = solution.packing;
+  residuals_ = reached;
+  ending_ = "polished";
+  return true;
+}
+
+template <int Dim>
+RelaxationReport Relaxer<Dim>::report() const {
+  RelaxationReport report;
+  report.residuals = residuals_;
+  report.ending = ending_;
+  struct Criterion {
+    const char* name;
+    double value, tolerance;
+    int grain;
+  };
+  const EquilibriumTolerance& t = options_.tolerance;
+  const Criterion criteria[] = {{"force", residuals_.force, t.force, residuals_.worst_force_grain},
+                                {"moment", residuals_.moment, t.moment, residuals_.worst_moment_grain},
+                                {"stress", residuals_.stress, t.stress, -1},
+                                {"energy", residuals_.energy, t.energy, -1}};
+  const Criterion* worst = std::max_element(std::begin(criteria), std::end(criteria), [](const auto& p, const auto& q) {
+    return p.value * q.tolerance < q.value * p.tolerance;
+  });
+  report.blocking = fmt::format("{} {:.2e} against {:.0e}", worst->name, worst->value, worst->tolerance);
+  if (worst->grain >= 0) report.blocking += fmt::format(" (grain {})", worst->grain);
+  const std::vector<double>& history = progress_.force_residual;
+  if (history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)
+    report.decay_rate = std::log(history.front() / history.back()) /
+                        (static_cast<double>(history.size() - 1) * kStretch * time_step_);
+  return report;
+}
+
+template double inertial_time(const Packing<2>&, const Vec<2>&);
+template double strain_rate_cap(const RelaxationOptions&, const Packing<2>&, const Vec<2>&);
+template class Relaxer<2>;
+
+}  // namespace floc

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "floc/packing/balance.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/relaxation/relaxation_options.h"
+
+namespace floc {
+
+/// Where a relaxation stands, beside the packing itself: all that decides how it goes on.
+struct RelaxationProgress {
+  enum Stage { moving, finishing };
+  int stage = moving;
+  std::int64_t n_steps = 0;              ///< time steps of this relaxation so far
+  double time = 0.0;                     ///< simulated time of this relaxation so far
+  double skin = 0.0;                     ///< of the Verlet list; 0 before the first stretch
+  std::vector<double> solid_fraction;    ///< at the end of each recent stretch, the oldest first
+  std::vector<double> imbalance_sign;    ///< of each axis: sign of stress - target at the start; 0 once it has changed
+  double finishing_since_phi = 0.0;      ///< solid fraction when finishing began
+  int finishing_stretches = 0;
+  int next_polish = 0;                   ///< stretch of the finish at which the static polisher is tried next
+  std::vector<double> force_residual;    ///< at the end of each recent stretch, for the decay rate
+};
+
+enum class RelaxationStatus { running, converged, gave_up };
+
+/// How a relaxation ended or where it stands, in numbers and words.
+struct RelaxationReport {
+  Residuals residuals;
+  std::string ending;      ///< "polished", "dynamic"; empty while it runs
+  std::string blocking;    ///< criterion that is worst against its tolerance, with its grain
+  double decay_rate = 0.0;  ///< of the force residual (1/time); positive when it falls
+};
+
+/// Takes a packing to equilibrium under a diagonal stress: dynamics until motion has stopped, power control, then the
+/// static polisher. State to state in stretches of a fixed number of time steps; between two of them packing and
+/// progress are the whole truth, so a run that is stopped there and continued gives the same bits.
+template <int Dim>
+class Relaxer {
+ public:
+  Relaxer(const RelaxationOptions& options, const Packing<Dim>& packing, const Vec<Dim>& target_stress,
+          RelaxationProgress progress = {});
+
+  /// One stretch.
+  RelaxationStatus advance();
+
+  const Packing<Dim>& packing() const { return packing_; }
+  const RelaxationProgress& progress() const { return progress_; }
+  RelaxationReport report() const;
+
+ private:
+  RelaxationStatus judge_motion();
+  RelaxationStatus judge_finish();
+  bool polish();
+
+  RelaxationOptions options_;
+  Packing<Dim> packing_;
+  Vec<Dim> target_;
+  RelaxationProgress progress_;
+  Residuals residuals_;
+  std::string ending_;
+  double time_step_;
+  double time_unit_;  ///< sqrt(a m/F1): T0 of a cohesive scene below P* = 1
+};
+
+/// Time unit of a packing under a stress: sqrt(a m/F1), m the largest grain's mass. With F1 = F0 this is T0.
+template <int Dim>
+double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
+
+/// Largest |L'/L| (1/time) the options allow under this stress; infinite when they name no cap.
+template <int Dim>
+double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing, const Vec<Dim>& target_stress);
+
+}  // namespace floc

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Limits within which Newton steps are trusted; measured as those that polish and do not jump to another equilibrium.
+struct StaticSolverOptions {
+  double target = 1e-8;                  ///< force, moment and stress residuals wanted, in units of F1 and a
+  int max_iterations = 12;
+  int max_backtracking = 6;
+  double largest_step = 2e-3;            ///< relative displacement of two grains in contact, an iteration / a
+  double largest_displacement = 2e-2;    ///< the same in total / a
+  double largest_yielding_share = 0.15;  ///< of the contacts; beyond it sliding rules and Newton stalls
+};
+
+/// Outcome of a static solution.
+template <int Dim>
+struct StaticSolution {
+  bool converged = false;      ///< the target was reached; `packing` is then the equilibrium, at rest
+  std::string reason;          ///< why not, in words
+  int iterations = 0;
+  double residual = 0.0;       ///< largest of the three residuals reached
+  Packing<Dim> packing;        ///< best configuration found
+};
+
+/// Solves force, moment and stress balance of a rectangular periodic packing by Newton iterations from where it is:
+/// springs are mapped back to their caps from those it starts with (return mapping), the tangent is that of the
+/// mapped forces and unsymmetric where contacts slide, prestress terms included. Free motions without stiffness
+/// (translations, rattlers, free rollers) carry no load and are held by a vanishing stiffness.
+///
+/// @param target_stress  stress on each axis, compression positive
+template <int Dim>
+[[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const Vec<Dim>& target_stress,
+                                                const StaticSolverOptions& options);
+
+}  // namespace floc

@@ -1,0 +1,415 @@
+#include "floc/scene/read_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "floc/base/error.h"
+#include "floc/scene/table_reader.h"
+
+namespace floc {
+namespace {
+
+using Need = TableReader::Need;
+
+constexpr bool positive(double x) {
+  return x > 0;
+}
+constexpr bool not_negative(double x) {
+  return x >= 0;
+}
+constexpr bool in_unit_interval(double x) {
+  return x >= 0 && x <= 1;
+}
+constexpr bool is_restitution(double x) {
+  return x > 0 && x <= 1;
+}
+/// Beyond this a fluid of disks is too dense for grains to be placed at random without overlap.
+constexpr double kDensestGas = 0.6;
+constexpr bool is_gas(double x) {
+  return x > 0 && x <= kDensestGas;
+}
+/// The explicit scheme is unstable from 0.4 on (RelaxationOptions::time_step).
+constexpr bool is_stable_step(double x) {
+  return x > 0 && x < 0.4;
+}
+
+constexpr NumberRule kDiameter{positive, "a positive number (length)"};
+
+void read_scene_table(TableReader& root, Scene& scene) {
+  TableReader t = root.table("scene", "a table [scene]");
+  scene.name = t.text("name", "a string", Need::optional).value_or(scene.name);
+  scene.dimension = static_cast<int>(t.integer("dimension", 2, "2").value_or(2));
+  if (scene.dimension != 2)
+    t.fault("dimension", fmt::format("scene.dimension = {}: expected 2; scenes are assembled in the plane only",
+                                     scene.dimension));
+  const std::vector<std::string> units = {"reduced", "SI"};
+  if (const auto chosen = t.choice("units", units)) scene.units = units[*chosen];
+  t.refuse_other_keys();
+}
+
+std::vector<double> read_list_file(const std::string& path, SceneSource& source) {
+  std::vector<double> values;
+  std::ifstream in(path);
+  if (!in) source.fault_at(path, "cannot be read: expected one diameter a line");
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    std::istringstream words(line.substr(0, line.find('#')));
+    for (std::string word; words >> word;) {
+      char* end = nullptr;
+      const double value = std::strtod(word.c_str(), &end);
+      if (*end == '\0' && std::isfinite(value) && value > 0)
+        values.push_back(value);
+      else
+        source.fault_at(fmt::format("{}:{}", path, number),
+                        fmt::format("'{}': expected a positive number", word));
+    }
+  }
+  return values;
+}
+
+std::vector<double> read_list(TableReader& t, SceneSource& source, const std::string& directory) {
+  if (t.has("values")) return t.numbers("values", {positive, "an array of positive numbers (length)"});
+  const auto file = t.text("file", "the name of a file with one diameter a line");
+  if (!file) return {};
+  return read_list_file((std::filesystem::path(directory) / *file).string(), source);
+}
+
+DiameterDistribution read_diameters(TableReader t, SceneSource& source, const std::string& directory) {
+  using Kind = DiameterDistribution::Kind;
+  DiameterDistribution d;
+  const auto kind = t.choice("distribution", {"uniform", "constant", "bidisperse", "list"});
+  if (!kind) return d;
+  d.kind = std::array{Kind::uniform, Kind::constant, Kind::bidisperse, Kind::list}[*kind];
+  switch (d.kind) {
+    case Kind::uniform:
+      d.min = t.number("min", kDiameter).value_or(0);
+      d.max = t.number("max", kDiameter).value_or(0);
+      if (d.min > d.max && d.max > 0)
+        t.fault("min", fmt::format("grains.diameter.min = {}: expected at most max = {}", d.min, d.max));
+      break;
+    case Kind::constant:
+      d.min = d.max = t.number("value", kDiameter).value_or(0);
+      break;
+    case Kind::bidisperse:
+      d.min = t.number("small", kDiameter).value_or(0);
+      d.max = t.number("large", kDiameter).value_or(0);
+      d.share_of_large =
+          t.number("share_of_large", {in_unit_interval, "a number share of large grains, 0 to 1"}).value_or(0);
+      if (d.min > d.max && d.max > 0)
+        t.fault("small", fmt::format("grains.diameter.small = {}: expected at most large = {}", d.min, d.max));
+      break;
+    case Kind::list:
+      d.values = read_list(t, source, directory);
+      if (!d.values.empty()) {
+        const auto [smallest, largest] = std::minmax_element(d.values.begin(), d.values.end());
+        d.min = *smallest;
+        d.max = *largest;
+      }
+      break;
+  }
+  t.refuse_other_keys();
+  return d;
+}
+
+void read_grains(TableReader& root, SceneSource& source, const std::string& directory, Scene& scene) {
+  TableReader t = root.table("grains", "a table [grains]");
+  const auto count = t.integer("count", 2, "a whole number of grains, at least 2");
+  scene.grains.count = static_cast<int>(count.value_or(0));
+  scene.grains.density = t.number("density", {positive, "a positive number (mass per area in 2D)"},
+                                  scene.units == "SI" ? Need::required : Need::optional);
+  scene.grains.diameter =
+      read_diameters(t.table("diameter", "a table, e.g. {distribution = \"uniform\", min = 0.5, max = 1.0}"),
+                     source, directory);
+  const std::size_t listed = scene.grains.diameter.values.size();
+  if (listed > 0 && count && listed != static_cast<std::size_t>(*count))
+    t.fault("count",
+            fmt::format("grains.count = {}: expected {}, the number of diameters listed", *count, listed));
+  t.refuse_other_keys();
+}
+
+std::optional<LawParameters::Adhesion> read_adhesion(TableReader t) {
+  if (!t) return std::nullopt;
+  const auto law = t.choice("law", {"tail", "constant"});
+  if (!law) return std::nullopt;
+  const auto force = t.number("force", {positive,
+                                        "a positive number (F0, the pull-off force); "
+                                        "leave the table out for grains without adhesion"});
+  LawParameters::Adhesion adhesion{force.value_or(1), 0};
+  if (*law == 0) adhesion.range = t.number("range", {positive, "a positive number (D0, length)"}).value_or(1);
+  if (*law == 1)
+    t.refuse("range",
+             "contact.adhesion.range: a constant adhesion has no range; expected law = \"tail\", or no range");
+  t.refuse_other_keys();
+  return adhesion;
+}
+
+std::optional<LawParameters::Damping> read_damping(TableReader t) {
+  if (!t) return std::nullopt;
+  const auto e = t.number("restitution", {is_restitution, "a restitution coefficient e_N in (0, 1]"});
+  const auto mass = t.choice("mass", {"effective", "grain"}, Need::optional);
+  t.refuse_other_keys();
+  return LawParameters::Damping{e.value_or(1),
+                                mass.value_or(0) == 0 ? DampingMass::effective : DampingMass::grain};
+}
+
+template <class Slot>
+std::optional<Slot> read_spring(TableReader t, NumberRule coefficient, NumberRule stiffness) {
+  if (!t) return std::nullopt;
+  const auto c = t.number("coefficient", coefficient);
+  const auto k = t.number("stiffness", stiffness);
+  t.refuse_other_keys();
+  return Slot{c.value_or(0), k.value_or(1)};
+}
+
+void read_contact(TableReader& root, Scene& scene) {
+  TableReader t = root.table("contact", "a table [contact]");
+  LawParameters& law = scene.law;
+  TableReader normal = t.table("normal", "a table {law = \"linear\", stiffness}");
+  normal.choice("law", {"linear"});
+  law.normal_stiffness =
+      normal.number("stiffness", {positive, "a positive number (K_N, force per length)"}).value_or(1);
+  normal.refuse_other_keys();
+  law.adhesion = read_adhesion(t.table(
+      "adhesion", "a table {law = \"tail\", force, range} or {law = \"constant\", force}", Need::optional));
+  law.damping = read_damping(t.table("damping", "a table {restitution, mass}", Need::optional));
+  law.friction = read_spring<LawParameters::Friction>(
+      t.table("friction", "a table {coefficient, stiffness}", Need::optional),
+      {not_negative, "a number >= 0 (mu)"}, {positive, "a positive number (K_T, force per length)"});
+  law.rolling = read_spring<LawParameters::Rolling>(
+      t.table("rolling", "a table {coefficient, stiffness}", Need::optional),
+      {not_negative, "a number >= 0 (mu_R, a length)"},
+      {positive, "a positive number (K_R, force times length)"});
+  if (law.rolling && !law.friction)
+    t.fault("rolling", "contact.rolling: needs contact.friction; grains that slide freely need not roll");
+  t.refuse_other_keys();
+}
+
+void read_cell(TableReader& root, Scene& scene) {
+  TableReader t = root.table("cell", "a table [cell]");
+  scene.assembly.solid_fraction =
+      t.number("solid_fraction", {is_gas,
+                                  "a solid fraction in (0, 0.6], at which grains can be placed at random "
+                                  "without overlap"})
+          .value_or(0);
+  scene.relaxation.cell_mass =
+      t.number("mass", {positive, "a positive number (mass of the cell's sides over that of all grains)"})
+          .value_or(1);
+  scene.relaxation.strain_rate_cap =
+      t.number("strain_rate_cap", {positive, "a positive number (|L'/L| in units of 1/T0, T0 = sqrt(a m/F0))"},
+               Need::optional);
+  scene.relaxation.inertial_number_cap =
+      t.number("inertial_number_cap", {positive, "a positive number (|L'/L| sqrt(m/P))"}, Need::optional);
+  const bool by_time = t.has("strain_rate_cap");
+  const bool by_inertia = t.has("inertial_number_cap");
+  if (by_time && by_inertia)
+    t.fault("inertial_number_cap",
+            "cell.inertial_number_cap: expected either this or strain_rate_cap, not both");
+  if (t && !by_time && !by_inertia)
+    t.fault("strain_rate_cap",
+            "cell.strain_rate_cap is missing: expected it (cohesive grains) or inertial_number_cap "
+            "(cohesionless)");
+  t.refuse_other_keys();
+}
+
+void read_assembly(TableReader& root, Scene& scene) {
+  TableReader t = root.table("assembly", "a table [assembly]");
+  using Protocol = AssemblyOptions::Protocol;
+  const auto protocol = t.choice("protocol", {"direct", "aggregation"});
+  scene.assembly.protocol = protocol.value_or(0) == 0 ? Protocol::direct : Protocol::aggregation;
+  scene.assembly.pressure =
+      t.number("pressure", {positive, "a positive number (first pressure, compression positive)"}).value_or(0);
+  const NumberRule agitation{positive, "a positive number (V0/V*, V* = sqrt(F0 D0/m))"};
+  if (protocol.value_or(1) == 1)
+    scene.assembly.agitation = t.number("agitation", agitation).value_or(0);
+  else
+    t.refuse("agitation",
+             "assembly.agitation: grains start at rest with protocol = \"direct\"; expected "
+             "\"aggregation\", or no agitation");
+  t.refuse_other_keys();
+}
+
+/// The number of a contact law that a dotted key names; null if the law has none such.
+double* law_number(LawParameters& law, const std::string& key) {
+  if (key == "normal.stiffness") return &law.normal_stiffness;
+  if (key == "adhesion.force" && law.adhesion) return &law.adhesion->force;
+  if (key == "adhesion.range" && law.adhesion) return &law.adhesion->range;
+  if (key == "damping.restitution" && law.damping) return &law.damping->restitution;
+  if (key == "friction.coefficient" && law.friction) return &law.friction->coefficient;
+  if (key == "friction.stiffness" && law.friction) return &law.friction->stiffness;
+  if (key == "rolling.coefficient" && law.rolling) return &law.rolling->coefficient;
+  if (key == "rolling.stiffness" && law.rolling) return &law.rolling->stiffness;
+  return nullptr;
+}
+
+std::vector<std::string> law_keys(LawParameters law) {
+  std::vector<std::string> keys = {"normal.stiffness",    "adhesion.force",       "adhesion.range",
+                                   "damping.restitution", "friction.coefficient", "friction.stiffness",
+                                   "rolling.coefficient", "rolling.stiffness"};
+  std::erase_if(keys, [&](const std::string& key) { return !law_number(law, key); });
+  return keys;
+}
+
+/// Applies the changes of a turn to the law in force, with the faults they make.
+void apply_changes(TableReader& t, const LoadTurn& turn, LawParameters& law) {
+  for (const auto& [key, value] : turn.set) {
+    double* number = law_number(law, key);
+    if (!number) {
+      t.fault("set",
+              fmt::format("{}.set.{}: the scene's contact law has no such number; the nearest it has is {}",
+                          t.path(), key, nearest_word(key, law_keys(law))));
+      return;
+    }
+    *number = value;
+  }
+  for (const std::string& fault : turn.set.empty() ? std::vector<std::string>{} : law.validate())
+    t.fault("set", fmt::format("{}.set: {}", t.path(), fault));
+}
+
+LoadTurn read_turn(TableReader t, double from, LawParameters& law) {
+  LoadTurn turn;
+  const auto to = t.number("to", {not_negative, "a pressure >= 0 (compression positive)"});
+  turn.to = to.value_or(from);
+  turn.name = t.text("name", "a string", Need::optional)
+                  .value_or(turn.to > from   ? "load"
+                            : turn.to < from ? "unload"
+                                             : "hold");
+  turn.steps_per_decade = t.number(
+      "steps_per_decade", {positive, "a positive number of steps a factor ten of pressure"}, Need::optional);
+  if (const auto steps = t.integer("steps", 1, "a whole number of steps, at least 1", Need::optional))
+    turn.steps = static_cast<int>(*steps);
+  const bool by_decade = t.has("steps_per_decade");
+  const bool by_number = t.has("steps");
+  const bool is_one_step = turn.to == from || turn.to == 0 || from == 0;
+  if (by_decade && by_number)
+    t.fault("steps", fmt::format("{}: expected either this or steps_per_decade, not both", t.path_of("steps")));
+  if (to && !by_decade && !by_number && !is_one_step)
+    t.fault("steps", fmt::format("{} is missing: expected it or steps", t.path_of("steps_per_decade")));
+  turn.set = t.flat_numbers("set");
+  apply_changes(t, turn, law);
+  if (to && turn.to == 0 && law.pull_off_force() == 0)
+    t.fault("to",
+            fmt::format("{} = 0: expected a positive pressure; nothing holds grains without adhesion together",
+                        t.path_of("to")));
+  t.refuse_other_keys();
+  return turn;
+}
+
+void read_load(TableReader& root, Scene& scene) {
+  LawParameters law = scene.law;
+  double from = scene.assembly.pressure;
+  for (TableReader& t : root.tables("load", "tables [[load]]")) {
+    scene.load.push_back(read_turn(t, from, law));
+    from = scene.load.back().to;
+  }
+}
+
+void read_equilibrium(TableReader& root, RelaxationOptions& relaxation) {
+  TableReader t = root.table("equilibrium", "a table [equilibrium]", Need::optional);
+  const NumberRule rule{positive, "a positive number (tolerance)"};
+  EquilibriumTolerance& tolerance = relaxation.tolerance;
+  tolerance.force = t.number("force", rule, Need::optional).value_or(tolerance.force);
+  tolerance.moment = t.number("moment", rule, Need::optional).value_or(tolerance.moment);
+  tolerance.stress = t.number("stress", rule, Need::optional).value_or(tolerance.stress);
+  tolerance.energy = t.number("energy", rule, Need::optional).value_or(tolerance.energy);
+  const auto finish = t.choice("finish", {"auto", "dynamic", "static"}, Need::optional);
+  relaxation.finish = std::array{Finish::automatic, Finish::dynamic, Finish::statics}[finish.value_or(0)];
+  t.refuse_other_keys();
+}
+
+void read_run(TableReader& root, Scene& scene) {
+  TableReader t = root.table("run", "a table [run]", Need::optional);
+  const auto seed = t.integer("seed", 0, "a whole number >= 0", Need::optional);
+  scene.seed = static_cast<std::uint64_t>(seed.value_or(static_cast<std::int64_t>(scene.seed)));
+  const auto threads = t.integer("threads", 1, "a whole number of threads, at least 1", Need::optional);
+  scene.relaxation.threads = static_cast<int>(threads.value_or(scene.relaxation.threads));
+  scene.relaxation.time_step =
+      t.number("time_step", {is_stable_step, "a number in (0, 0.4) (in sqrt(m_min/K); unstable beyond)"},
+               Need::optional)
+          .value_or(scene.relaxation.time_step);
+  scene.relaxation.skin =
+      t.number("skin", {positive, "a positive number (in largest diameters)"}, Need::optional);
+  scene.checkpoint_every =
+      t.number("checkpoint_every", {positive, "a positive number (seconds of wall time)"}, Need::optional)
+          .value_or(scene.checkpoint_every);
+  t.refuse_other_keys();
+}
+
+/// What tables must agree on.
+void check_together(TableReader& root, SceneSource& source, const Scene& scene) {
+  const bool cohesive = scene.law.adhesion.has_value() || source.is_faulty("contact.adhesion.law");
+  TableReader contact = root.table("contact", "", Need::optional);
+  TableReader cell = root.table("cell", "", Need::optional);
+  TableReader assembly = root.table("assembly", "", Need::optional);
+  if (!contact) return;
+  if (cell.has("strain_rate_cap") && !cell.has("inertial_number_cap") && !cohesive)
+    cell.fault("strain_rate_cap",
+               "cell.strain_rate_cap: counts in T0 = sqrt(a m/F0), and the scene has no adhesion; "
+               "expected inertial_number_cap");
+  if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation) return;
+  if (!cohesive || (scene.law.adhesion && scene.law.adhesion->range == 0))
+    assembly.fault("protocol",
+                   "assembly.protocol = \"aggregation\": grains stick by an adhesion with a tail; expected "
+                   "contact.adhesion = {law = \"tail\", force, range}, or protocol = \"direct\"");
+  if (cell.has("inertial_number_cap") && !cell.has("strain_rate_cap"))
+    cell.fault("inertial_number_cap",
+               "cell.inertial_number_cap: the aggregation protocol passes through P = 0, where "
+               "it lets nothing move; expected strain_rate_cap");
+}
+
+/// Puts diameters that came from a file into the scene itself, so that its text stands alone; true if it did.
+bool inline_list(toml::table& root, const std::vector<double>& values) {
+  toml::table& diameter = *root["grains"]["diameter"].as_table();
+  if (!diameter.contains("file")) return false;
+  toml::array array;
+  for (const double v : values) array.push_back(v);
+  diameter.erase("file");
+  diameter.insert("values", array);
+  return true;
+}
+
+std::string as_text(const toml::table& root) {
+  std::ostringstream out;
+  out << root << '\n';
+  return out.str();
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& place, const std::string& directory,
+                  const std::vector<std::string>& overrides) {
+  SceneSource source(text, place, overrides);
+  TableReader root(source);
+  Scene scene;
+  scene.name = std::filesystem::path(place).stem().string();
+  read_scene_table(root, scene);
+  read_grains(root, source, directory, scene);
+  read_contact(root, scene);
+  read_cell(root, scene);
+  read_assembly(root, scene);
+  read_load(root, scene);
+  read_equilibrium(root, scene.relaxation);
+  read_run(root, scene);
+  check_together(root, source, scene);
+  root.refuse_other_keys();
+  source.throw_faults();
+  const bool has_list = inline_list(source.root(), scene.grains.diameter.values);
+  scene.text = has_list || !overrides.empty() ? as_text(source.root()) : text;
+  return scene;
+}
+
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (std::filesystem::is_directory(path) || !in || !(text << in.rdbuf()))
+    throw InputError(path, "cannot be read: expected a scene file (TOML)");
+  return parse_scene(text.str(), path, std::filesystem::path(path).parent_path().string(), overrides);
+}
+
+}  // namespace floc

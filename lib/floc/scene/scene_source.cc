@@ -1,0 +1,166 @@
+#include "floc/scene/scene_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <sstream>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+toml::table parse_text(const std::string& text, const std::string& place) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}", place, error.source().begin.line), std::string(error.description()));
+  }
+}
+
+std::vector<std::string> split_key(const std::string& key) {
+  std::vector<std::string> parts;
+  std::istringstream in(key);
+  for (std::string part; std::getline(in, part, '.');) parts.push_back(part);
+  return parts;
+}
+
+/// The value of an override as a table {v = value}; a bare word is a string.
+toml::table parse_value(const std::string& text) {
+  try {
+    return toml::parse("v = " + text);
+  } catch (const toml::parse_error&) {
+    return toml::table{{"v", text}};
+  }
+}
+
+/// The node below `node` named `part`; tables that are missing are made, items of arrays are not.
+toml::node* descend(toml::node* node, const std::string& part) {
+  if (toml::table* table = node->as_table()) {
+    if (!table->contains(part)) table->insert(part, toml::table{});
+    return table->get(part);
+  }
+  if (toml::array* array = node->as_array()) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+    if (error == std::errc{} && end == part.data() + part.size() && index < array->size())
+      return array->get(index);
+  }
+  return nullptr;
+}
+
+bool is_below(const std::string& key, const std::string& parent) {
+  return key.size() > parent.size() && key.compare(0, parent.size(), parent) == 0 && key[parent.size()] == '.';
+}
+
+/// Levenshtein distance.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1] ? 1 : 0);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+SceneSource::SceneSource(const std::string& text, std::string place, const std::vector<std::string>& overrides)
+    : place_(std::move(place)), root_(parse_text(text, place_)) {
+  for (const std::string& o : overrides) apply(o);
+}
+
+void SceneSource::apply(const std::string& override_text) {
+  const auto equals = override_text.find('=');
+  const std::string place = "--set " + override_text;
+  const auto trimmed = [](std::string s) {
+    s.erase(0, s.find_first_not_of(" \t"));
+    s.erase(s.find_last_not_of(" \t") + 1);
+    return s;
+  };
+  const std::string key = trimmed(override_text.substr(0, equals));
+  const std::vector<std::string> parts = split_key(key);
+  const bool has_empty_part = std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.empty(); });
+  if (equals == std::string::npos || parts.empty() || has_empty_part)
+    throw InputError(place, "expected key.path=value");
+
+  toml::node* parent = &root_;
+  for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
+    toml::node* below = descend(parent, parts[k]);
+    if (!below || !(below->is_table() || below->is_array()))
+      throw InputError(place,
+                       fmt::format("the scene has no table or array item '{}' to set a key in", parts[k]));
+    parent = below;
+  }
+  toml::table* table = parent->as_table();
+  if (!table) throw InputError(place, "expected the name of a key in a table");
+  const toml::table value = parse_value(trimmed(override_text.substr(equals + 1)));
+  value.get("v")->visit([&](const auto& v) { table->insert_or_assign(parts.back(), v); });
+  // The last word on a key is the one to blame for it.
+  overrides_.insert(overrides_.begin(), {key, override_text});
+}
+
+const SceneSource::Override* SceneSource::override_of(const std::string& key) const {
+  for (const Override& o : overrides_)
+    if (o.key == key || is_below(key, o.key)) return &o;
+  return nullptr;
+}
+
+unsigned SceneSource::line_of(const std::string& key, const toml::node* node) const {
+  return node && !override_of(key) ? node->source().begin.line : 0;
+}
+
+std::string SceneSource::place_of(const std::string& key, const toml::node* node) const {
+  if (const Override* o = override_of(key)) return "--set " + o->text;
+  if (const unsigned line = line_of(key, node)) return fmt::format("{}:{}", place_, line);
+  // A table that only exists because an override put a key into it.
+  for (const Override& o : overrides_)
+    if (is_below(o.key, key)) return "--set " + o.text;
+  return place_;
+}
+
+void SceneSource::fault(const std::string& key, const toml::node* node, const std::string& problem) {
+  faults_.push_back({line_of(key, node), key, place_of(key, node) + ": " + problem});
+}
+
+void SceneSource::fault_at(const std::string& place, const std::string& problem) {
+  faults_.push_back({0, "", place + ": " + problem});
+}
+
+bool SceneSource::is_faulty(const std::string& key) const {
+  return std::any_of(faults_.begin(), faults_.end(), [&](const Fault& f) { return f.key == key; });
+}
+
+void SceneSource::throw_faults() const {
+  if (faults_.empty()) return;
+  std::vector<Fault> sorted = faults_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Fault& a, const Fault& b) { return a.line < b.line; });
+  std::string all;
+  for (const Fault& f : sorted) all += (all.empty() ? "" : "\n") + f.message;
+  throw InputError("", all);
+}
+
+std::string as_written(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  std::ostringstream out;
+  node.visit([&](const auto& n) { out << n; });
+  return out.str();
+}
+
+std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
+  const auto nearest = std::min_element(
+      candidates.begin(), candidates.end(),
+      [&](const auto& a, const auto& b) { return edit_distance(word, a) < edit_distance(word, b); });
+  return nearest == candidates.end() ? std::string{} : *nearest;
+}
+
+}  // namespace floc

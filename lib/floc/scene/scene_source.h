@@ -1,0 +1,62 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace floc {
+
+/// A parsed scene text with its overrides, and the faults found while it is read.
+class SceneSource {
+ public:
+  /// @throws InputError if the text is no TOML, or an override is not "key.path=value" or does not fit the
+  /// scene's structure.
+  SceneSource(const std::string& text, std::string place, const std::vector<std::string>& overrides);
+
+  const toml::table& root() const { return root_; }
+  toml::table& root() { return root_; }
+
+  /// "file:line" of a key, or the override it came from.
+  std::string place_of(const std::string& key, const toml::node* node) const;
+
+  /// Records a fault; `node` is what the message is about, or the table that lacks it.
+  void fault(const std::string& key, const toml::node* node, const std::string& problem);
+  /// Records a fault of another file.
+  void fault_at(const std::string& place, const std::string& problem);
+
+  /// True if a fault of this very key was recorded.
+  bool is_faulty(const std::string& key) const;
+
+  /// @throws InputError with all faults in the order of the file, if there are any.
+  void throw_faults() const;
+
+ private:
+  struct Fault {
+    unsigned line;  ///< 0 when it has none
+    std::string key;
+    std::string message;
+  };
+  struct Override {
+    std::string key;
+    std::string text;
+  };
+
+  void apply(const std::string& override_text);
+  unsigned line_of(const std::string& key, const toml::node* node) const;
+  const Override* override_of(const std::string& key) const;
+
+  std::string place_;
+  toml::table root_;
+  std::vector<Override> overrides_;
+  std::vector<Fault> faults_;
+};
+
+/// A value as the user would write it, for messages.
+std::string as_written(const toml::node& node);
+
+/// The candidate with the smallest edit distance to `word`; empty without candidates.
+std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace floc

@@ -1,0 +1,300 @@
+#include "floc/scene/read_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const char* const kScene = R"([scene]
+dimension = 2
+units = "reduced"
+[grains]
+count = 40
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e5}
+adhesion = {law = "tail", force = 1.0, range = 1e-3}
+damping = {restitution = 0.015}
+friction = {coefficient = 0.5, stiffness = 1e5}
+rolling = {coefficient = 0.005, stiffness = 10}
+[cell]
+solid_fraction = 0.36
+mass = 1
+strain_rate_cap = 0.05
+[assembly]
+protocol = "aggregation"
+agitation = 9.5
+pressure = 0.01
+[[load]]
+to = 1.0
+steps_per_decade = 8
+)";
+
+std::string with(const std::string& line, const std::string& instead) {
+  std::string text = kScene;
+  const auto at = text.find(line);
+  EXPECT_NE(at, std::string::npos) << line;
+  return text.replace(at, line.size(), instead);
+}
+
+Scene read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return parse_scene(text, "s.toml", ".", overrides);
+}
+
+std::string faults(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    read(text, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ReadScene, EveryValueArrives) {
+  const Scene s = read(std::string(kScene) + R"([equilibrium]
+force = 1e-6
+moment = 2e-6
+stress = 3e-6
+energy = 4e-8
+finish = "static"
+[run]
+seed = 7
+threads = 2
+time_step = 0.1
+skin = 0.2
+checkpoint_every = 5
+)");
+  EXPECT_EQ(s.name, "s");
+  EXPECT_EQ(s.grains.count, 40);
+  EXPECT_EQ(s.grains.diameter.min, 0.5);
+  EXPECT_EQ(s.grains.diameter.max, 1.0);
+  EXPECT_EQ(s.law.normal_stiffness, 1e5);
+  EXPECT_EQ(s.law.adhesion, (LawParameters::Adhesion{1.0, 1e-3}));
+  EXPECT_EQ(s.law.damping, (LawParameters::Damping{0.015, DampingMass::effective}));
+  EXPECT_EQ(s.law.friction, (LawParameters::Friction{0.5, 1e5}));
+  EXPECT_EQ(s.law.rolling, (LawParameters::Rolling{0.005, 10}));
+  EXPECT_EQ(s.assembly.protocol, AssemblyOptions::Protocol::aggregation);
+  EXPECT_EQ(s.assembly.solid_fraction, 0.36);
+  EXPECT_EQ(s.assembly.agitation, 9.5);
+  EXPECT_EQ(s.assembly.pressure, 0.01);
+  EXPECT_EQ(s.relaxation.cell_mass, 1.0);
+  EXPECT_EQ(s.relaxation.strain_rate_cap, 0.05);
+  EXPECT_FALSE(s.relaxation.inertial_number_cap);
+  EXPECT_EQ(s.relaxation.tolerance, (EquilibriumTolerance{1e-6, 2e-6, 3e-6, 4e-8}));
+  EXPECT_EQ(s.relaxation.finish, Finish::statics);
+  EXPECT_EQ(s.relaxation.threads, 2);
+  EXPECT_EQ(s.relaxation.time_step, 0.1);
+  EXPECT_EQ(s.relaxation.skin, 0.2);
+  EXPECT_EQ(s.checkpoint_every, 5);
+  EXPECT_EQ(s.seed, 7u);
+  ASSERT_EQ(s.load.size(), 1u);
+  EXPECT_EQ(s.load[0].name, "load");
+  EXPECT_EQ(s.load[0].to, 1.0);
+  EXPECT_EQ(s.load[0].steps_per_decade, 8);
+}
+
+TEST(ReadScene, APhysicalTableLeftOutIsPhysicsLeftOut) {
+  const Scene s = read(with("rolling = {coefficient = 0.005, stiffness = 10}\n", ""));
+  EXPECT_FALSE(s.law.rolling);
+  EXPECT_TRUE(s.law.friction);
+}
+
+TEST(ReadScene, WithoutOverridesTheTextIsTheFile) {
+  EXPECT_EQ(read(kScene).text, kScene);
+}
+
+TEST(ReadScene, OverridesChangeTheSceneAndItsText) {
+  const Scene s = read(kScene, {"contact.rolling.coefficient=0.1234567890123456789", "run.seed=9",
+                                "load.0.to=3", "assembly.protocol = aggregation", "run.seed=11"});
+  EXPECT_EQ(s.law.rolling->coefficient, 0.1234567890123456789);
+  EXPECT_EQ(s.seed, 11u);
+  EXPECT_EQ(s.load[0].to, 3.0);
+  // The stored text alone makes the same scene, to the last bit.
+  const Scene again = read(s.text);
+  EXPECT_EQ(again.law, s.law);
+  EXPECT_EQ(again.seed, s.seed);
+  EXPECT_EQ(again.load[0].to, 3.0);
+}
+
+TEST(ReadScene, FaultyOverridesAreNamed) {
+  EXPECT_THAT(faults(kScene, {"contact.rolling.coeficient=0.5"}),
+              AllOf(HasSubstr("--set contact.rolling.coeficient=0.5"), HasSubstr("is coefficient")));
+  EXPECT_THAT(faults(kScene, {"contact.normal.stiffness=-1"}),
+              AllOf(HasSubstr("--set contact.normal.stiffness=-1"), HasSubstr("expected a positive number")));
+  EXPECT_THAT(faults(kScene, {"run.seeed=1"}), AllOf(HasSubstr("--set run.seeed=1"), HasSubstr("is seed")));
+  EXPECT_THAT(faults(kScene, {"contact"}), HasSubstr("expected key.path=value"));
+  EXPECT_THAT(faults(kScene, {"load.3.to=1"}), HasSubstr("'3'"));
+  EXPECT_THAT(faults(kScene, {"cell.mass.x=1"}), HasSubstr("'mass'"));
+}
+
+TEST(ReadScene, UnknownKeysNameLineAndNearestValidKey) {
+  EXPECT_THAT(faults(with("stiffness = 1e5}\nadhesion", "stifness = 1e5}\nadhesion")),
+              AllOf(HasSubstr("s.toml:8: unknown key contact.normal.stifness"), HasSubstr("is stiffness")));
+  EXPECT_THAT(faults(with("[cell]", "[cel]")),
+              AllOf(HasSubstr("unknown key cel"), HasSubstr("is cell"), HasSubstr("cell is missing")));
+  EXPECT_THAT(
+      faults(with("steps_per_decade = 8", "steps_per_decad = 8")),
+      AllOf(HasSubstr("s.toml:23: unknown key load.0.steps_per_decad"), HasSubstr("is steps_per_decade")));
+}
+
+TEST(ReadScene, AllFaultsAreListedInTheOrderOfTheFile) {
+  std::string text = with("count = 40", "count = 1");
+  text.replace(text.find("mass = 1\n"), 9, "mass = -1\n");
+  const std::string all = faults(text + "[run]\nspeed = 3\n");
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 2) << all;
+  const auto first = all.find("s.toml:5: grains.count = 1"), second = all.find("s.toml:15: cell.mass = -1"),
+             third = all.find("s.toml:25: unknown key run.speed");
+  EXPECT_LT(first, second) << all;
+  EXPECT_LT(second, third) << all;
+  EXPECT_NE(third, std::string::npos) << all;
+}
+
+struct BadScene {
+  const char* line;
+  const char* instead;
+  const char* message;
+};
+
+class RefusedScene : public testing::TestWithParam<BadScene> {};
+
+TEST_P(RefusedScene, SaysWhereWhatAndWhatWasExpected) {
+  const auto& [line, instead, message] = GetParam();
+  const std::string text = with(line, instead);
+  const std::string all = faults(text);
+  EXPECT_THAT(all, HasSubstr(message));
+  EXPECT_THAT(all, HasSubstr("s.toml"));
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 0) << "one mistake, several faults:\n" << all;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ReadScene, RefusedScene,
+    testing::Values(
+        BadScene{"mass = 1\n", "", "cell.mass is missing: expected a positive number"},
+        BadScene{", stiffness = 10}", "}", "contact.rolling.stiffness is missing"},
+        BadScene{"force = 1.0, ", "", "contact.adhesion.force is missing"},
+        BadScene{"pressure = 0.01", "pressure = \"low\"",
+                 "assembly.pressure = 'low': expected a positive number"},
+        BadScene{"pressure = 0.01", "pressure = true", "assembly.pressure = true: expected"},
+        BadScene{"pressure = 0.01", "pressure = nan", "assembly.pressure = nan: expected"},
+        BadScene{"stiffness = 1e5}\nadhesion", "stiffness = inf}\nadhesion", "contact.normal.stiffness = inf"},
+        BadScene{"stiffness = 1e5}\nadhesion", "stiffness = -1e5}\nadhesion",
+                 "expected a positive number (K_N"},
+        BadScene{"min = 0.5", "min = 1.5", "grains.diameter.min = 1.5: expected at most max = 1"},
+        BadScene{"count = 40", "count = 40.5", "grains.count = 40.5: expected a whole number"},
+        BadScene{"solid_fraction = 0.36", "solid_fraction = 0.75", "cell.solid_fraction = 0.75: expected"},
+        BadScene{"solid_fraction = 0.36", "solid_fraction = 0", "cell.solid_fraction = 0: expected"},
+        BadScene{"restitution = 0.015", "restitution = 1.5", "contact.damping.restitution = 1.5: expected"},
+        BadScene{"coefficient = 0.5, ", "coefficient = -0.5, ",
+                 "contact.friction.coefficient = -0.5: expected"},
+        BadScene{"friction = {coefficient = 0.5, stiffness = 1e5}\n", "",
+                 "contact.rolling: needs contact.friction"},
+        BadScene{"law = \"tail\", force = 1.0, range = 1e-3", "law = \"tail\", force = 1.0, range = 0",
+                 "contact.adhesion.range = 0: expected"},
+        BadScene{"[cell]", "range = 1e-3\n[cell]", "unknown key contact.range"},
+        BadScene{"dimension = 2", "dimension = 3", "scene.dimension = 3: expected 2"},
+        BadScene{"units = \"reduced\"\n", "", "scene.units is missing: expected \"reduced\" or \"SI\""},
+        BadScene{"strain_rate_cap = 0.05", "strain_rate_cap = 0.05\ninertial_number_cap = 1e-3", "not both"},
+        BadScene{"strain_rate_cap = 0.05\n", "", "cell.strain_rate_cap is missing"},
+        BadScene{"protocol = \"aggregation\"", "protocol = \"direct\"",
+                 "assembly.agitation: grains start at rest"},
+        BadScene{"agitation = 9.5\n", "", "assembly.agitation is missing"},
+        BadScene{"to = 1.0", "to = -1.0", "load.0.to = -1.0: expected a pressure"},
+        BadScene{"steps_per_decade = 8", "", "load.0.steps_per_decade is missing"},
+        BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nsteps = 3", "load.0.steps: expected either"},
+        BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nset = {adhesion = {forc = 0}}",
+                 "load.0.set.adhesion.forc: the scene's contact law has no such number; the nearest it has is "
+                 "adhesion.force"},
+        BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nset = {normal.stiffness = -2}",
+                 "contact.normal.stiffness = -2: must be positive"},
+        BadScene{"[[load]]", "[load]", "load = a table: expected tables [[load]]"},
+        BadScene{"[cell]", "[cell", "s.toml:13"}));
+
+TEST(ReadScene, CohesionlessScenesNeedACapThatDoesNotCountInAdhesionTimes) {
+  std::string text = with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}\n", "");
+  text.replace(text.find("protocol = \"aggregation\"\nagitation = 9.5"), 40, "protocol = \"direct\"       \n");
+  EXPECT_THAT(faults(text), HasSubstr("cell.strain_rate_cap: counts in T0"));
+  text.replace(text.find("strain_rate_cap"), 15, "inertial_number_cap");
+  EXPECT_EQ(faults(text), "");
+  EXPECT_THAT(faults(text, {"load.0.to=0"}), HasSubstr("nothing holds grains without adhesion together"));
+}
+
+TEST(ReadScene, AggregationNeedsAnAdhesionWithATail) {
+  EXPECT_THAT(faults(with("law = \"tail\", force = 1.0, range = 1e-3", "law = \"constant\", force = 1.0")),
+              HasSubstr("grains stick by an adhesion with a tail"));
+  EXPECT_THAT(faults(with("law = \"tail\", force", "law = \"constant\", force")),
+              HasSubstr("a constant adhesion has no range"));
+}
+
+TEST(ReadScene, ChangesOfATurnAreFlattenedHoweverTheyAreWritten) {
+  for (const char* set :
+       {"set = {adhesion = {force = 0}}", "set = {adhesion.force = 0}", "set = {\"adhesion.force\" = 0}"}) {
+    const Scene s = read(std::string(kScene) + "[[load]]\nto = 1.0\n" + set + "\n");
+    ASSERT_EQ(s.load.size(), 2u);
+    EXPECT_EQ(s.load[1].name, "hold");
+    EXPECT_EQ(s.load[1].set, (std::vector<std::pair<std::string, double>>{{"adhesion.force", 0.0}})) << set;
+  }
+}
+
+TEST(ReadScene, EveryDistributionOfDiametersIsRead) {
+  using Kind = DiameterDistribution::Kind;
+  const std::string uniform = "{distribution = \"uniform\", min = 0.5, max = 1.0}";
+  const Scene constant = read(with(uniform, "{distribution = \"constant\", value = 2}"));
+  EXPECT_EQ(constant.grains.diameter.kind, Kind::constant);
+  EXPECT_EQ(constant.grains.diameter.max, 2.0);
+  const Scene two =
+      read(with(uniform, "{distribution = \"bidisperse\", small = 0.7, large = 1, share_of_large = 0.4}"));
+  EXPECT_EQ(two.grains.diameter.min, 0.7);
+  EXPECT_EQ(two.grains.diameter.max, 1.0);
+  EXPECT_EQ(two.grains.diameter.share_of_large, 0.4);
+  EXPECT_THAT(
+      faults(with(uniform, "{distribution = \"constant\", min = 2}")),
+      AllOf(HasSubstr("grains.diameter.value is missing"), HasSubstr("unknown key grains.diameter.min")));
+}
+
+TEST(ReadScene, AListOfDiametersIsReadBesideTheSceneAndKeptInItsText) {
+  const std::filesystem::path dir = std::filesystem::path(testing::TempDir()) / "floc_read_scene_test";
+  std::filesystem::create_directories(dir);
+  std::ofstream(dir / "d.txt") << "# diameters\n0.5 0.75\n1.0\n";
+  const std::string uniform = "{distribution = \"uniform\", min = 0.5, max = 1.0}";
+  std::string text = with(uniform, "{distribution = \"list\", file = \"d.txt\"}");
+  text.replace(text.find("count = 40"), 10, "count = 3");
+  std::ofstream(dir / "s.toml") << text;
+  const Scene s = read_scene((dir / "s.toml").string());
+  EXPECT_EQ(s.grains.diameter.values, (std::vector<double>{0.5, 0.75, 1.0}));
+  EXPECT_EQ(s.grains.diameter.max, 1.0);
+  EXPECT_EQ(read(s.text).grains.diameter.values, s.grains.diameter.values);
+  std::ofstream(dir / "d.txt") << "0.5 0.75\n-1.0\n";
+  EXPECT_THAT([&] { read_scene((dir / "s.toml").string()); },
+              testing::ThrowsMessage<InputError>(HasSubstr("d.txt:2: '-1.0': expected a positive number")));
+  std::filesystem::remove_all(dir);
+}
+
+TEST(ReadScene, AFileThatIsNotThereIsNamed) {
+  EXPECT_THAT([] { read_scene("no-such-scene.toml"); },
+              testing::ThrowsMessage<InputError>(HasSubstr("no-such-scene.toml: cannot be read")));
+}
+
+TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
+  int n = 0;
+  for (const auto& file : std::filesystem::directory_iterator(FLOC_SOURCE_DIR "/data/scenes")) {
+    const Scene s = read_scene(file.path().string());
+    EXPECT_EQ(s.name, file.path().stem());
+    EXPECT_EQ(s.load.size(), 2u);
+    EXPECT_EQ(s.load.back().to, s.assembly.pressure);
+    ++n;
+  }
+  EXPECT_EQ(n, 7);
+}
+
+}  // namespace
+}  // namespace floc

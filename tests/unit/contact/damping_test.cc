@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "floc/contact/damping/viscous_damping.h"
+
+namespace floc {
+namespace {
+
+/// Restitution of a linear spring and dashpot at a fraction zeta of critical damping: exp(-pi
+/// zeta/sqrt(1-zeta^2)).
+double restitution_at(double zeta) {
+  return std::exp(-std::numbers::pi * zeta / std::sqrt(1.0 - zeta * zeta));
+}
+
+TEST(ViscousDamping, RatioInvertsTheRestitutionOfALinearOscillator) {
+  for (const double e : {0.015, 0.2, 0.5, 0.99}) EXPECT_NEAR(restitution_at(damping_ratio(e)), e, 1e-14);
+  EXPECT_EQ(damping_ratio(1.0), 0.0);
+}
+
+TEST(ViscousDamping, RatioOfB24IsThatOfItsRestitution) {
+  // alpha_n = 0.248 for e_n = sqrt(0.2), three printed digits.
+  EXPECT_NEAR(damping_ratio(std::sqrt(0.2)), 0.248, 5e-4);
+}
+
+TEST(ViscousDamping, CoefficientIsTwiceTheRatioTimesTheCriticalRoot) {
+  const double zeta = damping_ratio(0.3);
+  const ViscousDamping effective{0.3, DampingMass::effective};
+  EXPECT_DOUBLE_EQ(effective.coefficient(3.0, 1.5, 7.0), 2 * zeta * std::sqrt(1.0 * 7.0));
+  const ViscousDamping grain{0.3, DampingMass::grain};
+  EXPECT_DOUBLE_EQ(grain.coefficient(3.0, 1.5, 7.0), 2 * zeta * std::sqrt(3.0 * 7.0));
+}
+
+TEST(ViscousDamping, GrainMassRuleGivesTwoEqualSpheresTheSmallerRestitutionOfB24) {
+  const ViscousDamping grain{std::sqrt(0.2), DampingMass::grain};
+  const double mass = 2.0, stiffness = 5.0;
+  const double zeta_of_pair = grain.coefficient(mass, mass, stiffness) / (2 * std::sqrt(mass / 2 * stiffness));
+  // PHYSICS section 7: 0.308, three digits.
+  EXPECT_NEAR(restitution_at(zeta_of_pair), 0.308, 5e-4);
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,96 @@
+#include "floc/packing/balance.h"
+
+#include <gtest/gtest.h>
+
+namespace floc {
+namespace {
+
+/// Disks of radii 1 and 0.5 in a cell of 10 x 10 at (1, 1) and (2.4, 1), in contact with an overlap of 0.1,
+/// carrying F_N = 3, a tangential force of 0.5 along +y on the first, and a moment of 0.25 on the first.
+Packing<2> two_disks() {
+  Packing<2> packing;
+  packing.cell.matrix *= 10.0;
+  packing.grains = Grains<2>::with_size(2);
+  packing.grains.radius = {1.0, 0.5};
+  packing.grains.mass = {4.0, 1.0};
+  packing.grains.position = {Vec<2>(1.0, 1.0), Vec<2>(2.4, 1.0)};
+  Contact<2> c;
+  c.j = 1;
+  c.gap = -0.1;
+  c.normal = {1.0, 0.0};
+  c.normal_force = 3.0;
+  c.shear_force = {0.0, 0.5};
+  c.rolling_moment[0] = 0.25;
+  packing.contacts = {c};
+  return packing;
+}
+
+TEST(NetForces, OfOneContactAreThoseComputedByHand) {
+  const Balance<2> net = net_forces(two_disks());
+  EXPECT_NEAR((net.force[0] - Vec<2>(-3.0, 0.5)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((net.force[1] - Vec<2>(3.0, -0.5)).norm(), 0.0, 1e-15);
+  // Arms l = R r/(Ri + Rj) with r = 1.4: 14/15 and 7/15. The tangential force acts on j downward at its left
+  // side.
+  EXPECT_NEAR(net.moment[0][0], 14.0 / 15.0 * 0.5 + 0.25, 1e-15);
+  EXPECT_NEAR(net.moment[1][0], 7.0 / 15.0 * 0.5 - 0.25, 1e-15);
+}
+
+TEST(StaticStress, OfOneContactIsForceTimesBranchOverArea) {
+  const Mat<2> stress = static_stress(two_disks());
+  // Force on j (3, -0.5), branch (1.4, 0), area 100; compression positive.
+  EXPECT_NEAR(stress(0, 0), 3.0 * 1.4 / 100, 1e-16);
+  EXPECT_NEAR(stress(1, 0), -0.5 * 1.4 / 100, 1e-16);
+  EXPECT_EQ(stress(0, 1), 0.0);
+  EXPECT_EQ(stress(1, 1), 0.0);
+}
+
+TEST(StaticStress, TakesTheBranchThroughTheBoundary) {
+  Packing<2> packing = two_disks();
+  packing.cell.matrix << 10.0, 0.0, 3.0, 10.0;
+  // The same contact, its second disk kept one image down along the skewed lattice vector.
+  packing.grains.position[1] -= Vec<2>(3.0, 10.0);
+  packing.contacts[0].image = {0, 1};
+  EXPECT_NEAR(static_stress(packing)(0, 0), 3.0 * 1.4 / 100, 1e-16);
+}
+
+TEST(NetForces, AGrainTouchingItsOwnImageIsInBalanceAndCarriesStress) {
+  Packing<2> packing;
+  packing.cell.matrix << 1.9, 0.0, 0.0, 5.0;
+  packing.grains = Grains<2>::with_size(1);
+  packing.grains.radius = {1.0};
+  Contact<2> c;
+  c.image = {1, 0};
+  c.gap = -0.1;
+  c.normal = {1.0, 0.0};
+  c.normal_force = 2.0;
+  packing.contacts = {c};
+  EXPECT_EQ(net_forces(packing).force[0].norm(), 0.0);
+  EXPECT_NEAR(static_stress(packing)(0, 0), 2.0 * 1.9 / 9.5, 1e-15);
+}
+
+TEST(MeanKineticEnergy, CountsTranslationsAndSpins) {
+  Packing<2> packing = two_disks();
+  packing.grains.velocity[0] = {3.0, 4.0};
+  packing.grains.angular_velocity[1][0] = 2.0;
+  // Inertia of a disk m R^2/2 = 0.125.
+  EXPECT_DOUBLE_EQ(mean_kinetic_energy(packing), (0.5 * 4 * 25 + 0.5 * 0.125 * 4) / 2);
+  Packing<3> ball;
+  ball.grains = Grains<3>::with_size(1);
+  ball.grains.radius = {0.5};
+  ball.grains.mass = {10.0};
+  ball.grains.angular_velocity[0] = {0.0, 1.0, 2.0};
+  // Inertia of a sphere 2 m R^2/5 = 1.
+  EXPECT_DOUBLE_EQ(mean_kinetic_energy(ball), 2.5);
+}
+
+TEST(SolidFraction, IsAreaOrVolumeOfTheGrainsOverThatOfTheCell) {
+  EXPECT_DOUBLE_EQ(solid_fraction(two_disks()), 3.14159265358979323846 * 1.25 / 100);
+  Packing<3> ball;
+  ball.cell.matrix *= 2.0;
+  ball.grains = Grains<3>::with_size(1);
+  ball.grains.radius = {1.0};
+  EXPECT_DOUBLE_EQ(solid_fraction(ball), 3.14159265358979323846 / 6);
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,24 @@
+#include "floc/base/read_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "floc/base/error.h"
+
+namespace floc {
+
+std::string read_file(const std::string& path) {
+  errno = 0;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) throw InputError(path, std::strerror(errno));
+  std::string bytes;
+  char buffer[1 << 16];
+  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) bytes.append(buffer, n);
+  // A directory opens, and fails only when it is read.
+  if (std::ferror(file.get())) throw InputError(path, std::strerror(errno));
+  return bytes;
+}
+
+}  // namespace floc

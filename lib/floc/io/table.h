@@ -19,8 +19,8 @@ struct Table {
   std::vector<std::vector<TableValue>> rows;  ///< each as long as `columns`
 };
 
-/// Prints a table. csv: the first line is the column names alone, numbers round-trip. json: an array of objects. table:
-/// aligned for reading, 6 significant digits. A number that is not finite is undefined.
+/// Prints a table. csv: the first line is the column names alone, numbers round-trip. json: an array of
+/// objects. table: aligned for reading, 6 significant digits. A number that is not finite is undefined.
 void write_table(std::ostream& out, const Table& table, TableFormat format);
 
 }  // namespace floc

@@ -1,0 +1,325 @@
+#include "floc/io/hdf5_image.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+template <class T>
+T checked(T result) {
+  if (result < 0) throw std::runtime_error("the HDF5 library failed");
+  return result;
+}
+
+/// Owns an HDF5 identifier.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&&) = delete;
+
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+/// The name of a file in memory. The HDF5 library refuses an image whose name exists on disk; below a device
+/// none can.
+constexpr const char* kNoFile = "/dev/null/memory";
+
+/// What this library has to say about failures is said in its exceptions.
+void silence_library() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+Handle memory_file_access() {
+  constexpr std::size_t kIncrement = 1 << 20;
+  const hid_t access = checked(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_fapl_core(access, kIncrement, /*backing_store=*/false);
+  return {access, H5Pclose};
+}
+
+Handle text_type() {
+  const hid_t type = checked(H5Tcopy(H5T_C_S1));
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return {type, H5Tclose};
+}
+
+Handle scalar() {
+  return {checked(H5Screate(H5S_SCALAR)), H5Sclose};
+}
+
+/// Properties that keep the time of creation out of the file.
+Handle untimed(hid_t property_class) {
+  const hid_t properties = checked(H5Pcreate(property_class));
+  H5Pset_obj_track_times(properties, false);
+  return {properties, H5Pclose};
+}
+
+template <class T>
+struct NativeType;
+template <>
+struct NativeType<double> {
+  static hid_t memory() { return H5T_NATIVE_DOUBLE; }
+  static hid_t file() { return H5T_IEEE_F64LE; }
+  static constexpr H5T_class_t kClass = H5T_FLOAT;
+  static constexpr const char* kName = "real numbers";
+};
+template <>
+struct NativeType<std::int32_t> {
+  static hid_t memory() { return H5T_NATIVE_INT32; }
+  static hid_t file() { return H5T_STD_I32LE; }
+  static constexpr H5T_class_t kClass = H5T_INTEGER;
+  static constexpr const char* kName = "integers";
+};
+template <>
+struct NativeType<std::uint8_t> {
+  static hid_t memory() { return H5T_NATIVE_UINT8; }
+  static hid_t file() { return H5T_STD_U8LE; }
+  static constexpr H5T_class_t kClass = H5T_INTEGER;
+  static constexpr const char* kName = "integers";
+};
+template <>
+struct NativeType<std::int64_t> {
+  static hid_t memory() { return H5T_NATIVE_INT64; }
+  static hid_t file() { return H5T_STD_I64LE; }
+  static constexpr H5T_class_t kClass = H5T_INTEGER;
+  static constexpr const char* kName = "an integer";
+};
+template <>
+struct NativeType<std::uint64_t> {
+  static hid_t memory() { return H5T_NATIVE_UINT64; }
+  static hid_t file() { return H5T_STD_U64LE; }
+  static constexpr H5T_class_t kClass = H5T_INTEGER;
+  static constexpr const char* kName = "an integer";
+};
+
+Handle create_dataset(hid_t file, const std::string& path, hid_t type, hid_t space) {
+  const Handle creation = untimed(H5P_DATASET_CREATE);
+  return {checked(H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT)), H5Dclose};
+}
+
+template <class T>
+void write_array(hid_t file, const std::string& path, const Shape& shape, const std::vector<T>& values) {
+  const std::vector<hsize_t> extent(shape.begin(), shape.end());
+  const Handle space(checked(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr)),
+                     H5Sclose);
+  const Handle dataset = create_dataset(file, path, NativeType<T>::file(), space);
+  if (!values.empty())
+    checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+}
+
+void write_attribute(hid_t file, const std::string& path, const std::string& name, hid_t file_type,
+                     hid_t memory_type, const void* value) {
+  const Handle object(checked(H5Oopen(file, path.c_str(), H5P_DEFAULT)), H5Oclose);
+  const Handle space = scalar();
+  const Handle attribute(checked(H5Acreate2(object, name.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT)),
+                         H5Aclose);
+  checked(H5Awrite(attribute, memory_type, value));
+}
+
+Handle open_dataset(hid_t file, const std::string& place, const std::string& path) {
+  const hid_t dataset = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
+  if (dataset < 0) throw InputError(place, "this dataset is missing");
+  return {dataset, H5Dclose};
+}
+
+std::vector<hsize_t> extent_of(hid_t dataset) {
+  const Handle space(checked(H5Dget_space(dataset)), H5Sclose);
+  std::vector<hsize_t> extent(checked(H5Sget_simple_extent_ndims(space)));
+  checked(H5Sget_simple_extent_dims(space, extent.data(), nullptr));
+  return extent;
+}
+
+template <class T>
+void read_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape,
+                std::vector<T>& values) {
+  const Handle dataset = open_dataset(file, place, path);
+  const std::vector<hsize_t> extent = extent_of(dataset);
+  if (!std::equal(extent.begin(), extent.end(), shape.begin(), shape.end()))
+    throw InputError(place, fmt::format("its shape is ({}), expected ({})", fmt::join(extent, ", "),
+                                        fmt::join(shape, ", ")));
+  const Handle type(checked(H5Dget_type(dataset)), H5Tclose);
+  if (H5Tget_class(type) != NativeType<T>::kClass)
+    throw InputError(place, fmt::format("holds no {}, as expected", NativeType<T>::kName));
+  std::size_t n = 1;
+  for (const std::uint64_t size : shape) n *= size;
+  values.resize(n);
+  if (n > 0 && H5Dread(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    throw InputError(place, "cannot be read");
+}
+
+Handle open_attribute(hid_t file, const std::string& place, const std::string& path, const std::string& name,
+                      H5T_class_t expected, const char* kind) {
+  const hid_t id = H5Aopen_by_name(file, path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  if (id < 0) throw InputError(place, fmt::format("attribute {} is missing", name));
+  Handle attribute(id, H5Aclose);
+  const Handle type(checked(H5Aget_type(id)), H5Tclose);
+  const Handle space(checked(H5Aget_space(id)), H5Sclose);
+  if (H5Tget_class(type) != expected || H5Sget_simple_extent_npoints(space) != 1)
+    throw InputError(place, fmt::format("attribute {} is not {}", name, kind));
+  return attribute;
+}
+
+template <class T>
+void read_attribute(hid_t file, const std::string& place, const std::string& path, const std::string& name,
+                    T& value) {
+  const Handle attribute = open_attribute(file, place, path, name, NativeType<T>::kClass, NativeType<T>::kName);
+  if (H5Aread(attribute, NativeType<T>::memory(), &value) < 0)
+    throw InputError(place, fmt::format("attribute {} cannot be read", name));
+}
+
+/// Reads a text, of variable or fixed length, through `read(type, buffer)`.
+template <class Read>
+std::string read_text(hid_t type, const Read& read) {
+  if (H5Tis_variable_str(type) > 0) {
+    char* buffer = nullptr;
+    const Handle memory = text_type();
+    checked(read(memory, &buffer));
+    std::string value = buffer == nullptr ? "" : buffer;
+    H5free_memory(buffer);
+    return value;
+  }
+  std::string value(H5Tget_size(type), '\0');
+  checked(read(type, value.data()));
+  value.resize(value.find('\0') == std::string::npos ? value.size() : value.find('\0'));
+  return value;
+}
+
+}  // namespace
+
+Hdf5Writer::Hdf5Writer() {
+  silence_library();
+  const Handle access = memory_file_access();
+  const Handle creation = untimed(H5P_FILE_CREATE);
+  file_ = checked(H5Fcreate(kNoFile, H5F_ACC_TRUNC, creation, access));
+}
+
+Hdf5Writer::~Hdf5Writer() {
+  H5Fclose(file_);
+}
+
+void Hdf5Writer::group(const std::string& path) {
+  const Handle creation = untimed(H5P_GROUP_CREATE);
+  const Handle made(checked(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT)), H5Gclose);
+}
+
+void Hdf5Writer::array(const std::string& path, const Shape& shape, const std::vector<double>& values) {
+  write_array(file_, path, shape, values);
+}
+void Hdf5Writer::array(const std::string& path, const Shape& shape, const std::vector<std::int32_t>& values) {
+  write_array(file_, path, shape, values);
+}
+void Hdf5Writer::array(const std::string& path, const Shape& shape, const std::vector<std::uint8_t>& values) {
+  write_array(file_, path, shape, values);
+}
+
+void Hdf5Writer::text(const std::string& path, const std::string& value) {
+  const Handle type = text_type();
+  const Handle space = scalar();
+  const Handle dataset = create_dataset(file_, path, type, space);
+  const char* content = value.c_str();
+  checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &content));
+}
+
+void Hdf5Writer::attribute(const std::string& path, const std::string& name, const std::string& value) {
+  const Handle type = text_type();
+  const char* content = value.c_str();
+  write_attribute(file_, path, name, type, type, &content);
+}
+void Hdf5Writer::attribute(const std::string& path, const std::string& name, double value) {
+  write_attribute(file_, path, name, NativeType<double>::file(), NativeType<double>::memory(), &value);
+}
+void Hdf5Writer::attribute(const std::string& path, const std::string& name, std::int64_t value) {
+  write_attribute(file_, path, name, NativeType<std::int64_t>::file(), NativeType<std::int64_t>::memory(),
+                  &value);
+}
+void Hdf5Writer::attribute(const std::string& path, const std::string& name, std::uint64_t value) {
+  write_attribute(file_, path, name, NativeType<std::uint64_t>::file(), NativeType<std::uint64_t>::memory(),
+                  &value);
+}
+
+std::string Hdf5Writer::bytes() {
+  checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+  const ssize_t size = checked(H5Fget_file_image(file_, nullptr, 0));
+  std::string image(static_cast<std::size_t>(size), '\0');
+  checked(H5Fget_file_image(file_, image.data(), image.size()));
+  return image;
+}
+
+Hdf5Reader::Hdf5Reader(std::string place, std::string_view bytes) : place_(std::move(place)) {
+  silence_library();
+  const Handle access = memory_file_access();
+  // The library copies the bytes; its interface only forgot the const.
+  checked(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()));
+  file_ = H5Fopen(kNoFile, H5F_ACC_RDONLY, access);
+  if (file_ < 0) throw InputError(place_, "is not a floc state: the HDF5 library cannot open it");
+}
+
+Hdf5Reader::~Hdf5Reader() {
+  H5Fclose(file_);
+}
+
+bool Hdf5Reader::has(const std::string& path) const {
+  return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::uint64_t Hdf5Reader::n_rows(const std::string& path) const {
+  const Handle dataset = open_dataset(file_, place(path), path);
+  const std::vector<hsize_t> extent = extent_of(dataset);
+  if (extent.empty()) throw InputError(place(path), "is a single value, expected an array");
+  return extent[0];
+}
+
+void Hdf5Reader::array(const std::string& path, const Shape& shape, std::vector<double>& values) const {
+  read_array(file_, place(path), path, shape, values);
+}
+void Hdf5Reader::array(const std::string& path, const Shape& shape, std::vector<std::int32_t>& values) const {
+  read_array(file_, place(path), path, shape, values);
+}
+void Hdf5Reader::array(const std::string& path, const Shape& shape, std::vector<std::uint8_t>& values) const {
+  read_array(file_, place(path), path, shape, values);
+}
+
+std::string Hdf5Reader::text(const std::string& path) const {
+  const Handle dataset = open_dataset(file_, place(path), path);
+  const Handle type(checked(H5Dget_type(dataset)), H5Tclose);
+  const Handle space(checked(H5Dget_space(dataset)), H5Sclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
+    throw InputError(place(path), "is not a text");
+  return read_text(type, [&](hid_t memory, void* buffer) {
+    return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+  });
+}
+
+void Hdf5Reader::attribute(const std::string& path, const std::string& name, std::string& value) const {
+  const Handle attribute = open_attribute(file_, place(path), path, name, H5T_STRING, "a text");
+  const Handle type(checked(H5Aget_type(attribute)), H5Tclose);
+  value = read_text(type, [&](hid_t memory, void* buffer) { return H5Aread(attribute, memory, buffer); });
+}
+void Hdf5Reader::attribute(const std::string& path, const std::string& name, double& value) const {
+  read_attribute(file_, place(path), path, name, value);
+}
+void Hdf5Reader::attribute(const std::string& path, const std::string& name, std::int64_t& value) const {
+  read_attribute(file_, place(path), path, name, value);
+}
+void Hdf5Reader::attribute(const std::string& path, const std::string& name, std::uint64_t& value) const {
+  read_attribute(file_, place(path), path, name, value);
+}
+
+}  // namespace floc

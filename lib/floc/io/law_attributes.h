@@ -1,0 +1,15 @@
+#pragma once
+
+#include "floc/contact/law_parameters.h"
+#include "floc/io/hdf5_image.h"
+
+namespace floc {
+
+/// Writes a contact law as attributes of the group `law`: a keyword for each slot, "none" where it is absent,
+/// and every parameter, zero where it is absent.
+void write_law(Hdf5Writer& file, const LawParameters& law);
+
+/// @throws InputError naming file and attribute for an unknown keyword or a parameter no law can have.
+LawParameters read_law(const Hdf5Reader& file);
+
+}  // namespace floc

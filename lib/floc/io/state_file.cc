@@ -1,0 +1,378 @@
+#include "floc/io/state_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "floc/base/error.h"
+#include "floc/base/read_file.h"
+#include "floc/base/sha256.h"
+#include "floc/io/atomic_file.h"
+#include "floc/io/hdf5_image.h"
+#include "floc/io/law_attributes.h"
+#include "floc/io/sealed_bytes.h"
+#include "floc/io/state_layout.h"
+#include "floc/packing/balance.h"
+
+namespace floc {
+namespace {
+
+const std::string kFormat = "floc-state";
+const std::string kSignConvention = "compression_positive";
+
+std::string units_of(Quantity quantity, const std::string& system, int dim) {
+  const bool si = system == "SI";
+  switch (quantity) {
+    case Quantity::length:
+      return si ? "m" : "length";
+    case Quantity::velocity:
+      return si ? "m/s" : "length/time";
+    case Quantity::mass:
+      return si ? "kg" : "mass";
+    case Quantity::angle:
+      return "rad";
+    case Quantity::spin:
+      return si ? "rad/s" : "rad/time";
+    case Quantity::force:
+      return si ? "N" : "force";
+    case Quantity::moment:
+      return si ? "N m" : "force*length";
+    case Quantity::stiffness:
+      return si ? "N/m" : "force/length";
+    case Quantity::rolling_stiffness:
+      return si ? "N m/rad" : "force*length/rad";
+    case Quantity::stress:
+      if (dim == 2) return si ? "N/m" : "force/length";
+      return si ? "Pa" : "force/length^2";
+    case Quantity::count:
+    case Quantity::flag:
+    case Quantity::direction:
+    case Quantity::ratio:
+      break;
+  }
+  return "1";
+}
+
+/// How one item of an array lies in a row: its components, stored as real numbers, integers or flags.
+template <class T>
+struct Item {
+  using Stored = double;
+  static constexpr int kComponents = 1;
+  static double get(const T& item, int) { return item; }
+  static void set(T& item, int, double value) { item = value; }
+};
+template <>
+struct Item<int> {
+  using Stored = std::int32_t;
+  static constexpr int kComponents = 1;
+  static std::int32_t get(int item, int) { return item; }
+  static void set(int& item, int, std::int32_t value) { item = value; }
+};
+template <>
+struct Item<bool> {
+  using Stored = std::uint8_t;
+  static constexpr int kComponents = 1;
+  static std::uint8_t get(bool item, int) { return item ? 1 : 0; }
+  static void set(bool& item, int, std::uint8_t value) { item = value != 0; }
+};
+template <class T, int Rows>
+struct Item<Eigen::Matrix<T, Rows, 1>> {
+  using Stored = std::conditional_t<std::is_same_v<T, int>, std::int32_t, double>;
+  static constexpr int kComponents = Rows;
+  static Stored get(const Eigen::Matrix<T, Rows, 1>& item, int k) { return item[k]; }
+  static void set(Eigen::Matrix<T, Rows, 1>& item, int k, Stored value) { item[k] = value; }
+};
+template <>
+struct Item<Eigen::Quaterniond> {
+  using Stored = double;
+  static constexpr int kComponents = 4;
+  static double get(const Eigen::Quaterniond& q, int k) { return k == 0 ? q.w() : q.vec()[k - 1]; }
+  static void set(Eigen::Quaterniond& q, int k, double value) { (k == 0 ? q.w() : q.vec()[k - 1]) = value; }
+};
+
+/// One row an item; items of one component make a flat array.
+Shape shape_of(std::size_t n, int components) {
+  if (components == 1) return {n};
+  return {n, static_cast<std::uint64_t>(components)};
+}
+
+constexpr auto kItself = [](auto& item) -> auto& {
+  return item;
+};
+
+class WritingArchive {
+ public:
+  WritingArchive(Hdf5Writer& file, std::string units, int dim)
+      : file_(file), units_(std::move(units)), dim_(dim) {}
+
+  template <class Items, class Get>
+  void rows(const Field& field, const Items& items, const Get& get) {
+    using Layout = Item<std::remove_cvref_t<decltype(get(items.front()))>>;
+    std::vector<typename Layout::Stored> values;
+    values.reserve(items.size() * Layout::kComponents);
+    for (const auto& item : items)
+      for (int k = 0; k < Layout::kComponents; ++k) values.push_back(Layout::get(get(item), k));
+    put(field, shape_of(items.size(), Layout::kComponents), values);
+  }
+
+  template <class Items>
+  void column(const Field& field, const Items& items) {
+    rows(field, items, kItself);
+  }
+
+  template <int Dim>
+  void matrix(const Field& field, const Mat<Dim>& m) {
+    std::vector<double> values;
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) values.push_back(m(a, b));
+    put(field, {Dim, Dim}, values);
+  }
+
+  template <class T>
+  void put(const Field& field, const Shape& shape, const std::vector<T>& values) {
+    file_.array(field.path, shape, values);
+    file_.attribute(field.path, "units", units_of(field.quantity, units_, dim_));
+    if (*field.meaning != '\0') file_.attribute(field.path, "meaning", std::string(field.meaning));
+  }
+
+  void value(const char* group, const char* name, int v) { file_.attribute(group, name, std::int64_t{v}); }
+  template <class T>
+  void value(const char* group, const char* name, const T& v) {
+    file_.attribute(group, name, v);
+  }
+
+ private:
+  Hdf5Writer& file_;
+  std::string units_;
+  int dim_;
+};
+
+class ReadingArchive {
+ public:
+  explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}
+
+  /// Fills one member of each of `items`, which already have their number.
+  template <class Items, class Get>
+  void rows(const Field& field, Items& items, const Get& get) {
+    using Layout = Item<std::remove_cvref_t<decltype(get(items.front()))>>;
+    const auto values = take<typename Layout::Stored>(field, shape_of(items.size(), Layout::kComponents));
+    std::size_t next = 0;
+    for (auto& item : items)
+      for (int k = 0; k < Layout::kComponents; ++k) Layout::set(get(item), k, values[next++]);
+  }
+
+  template <class Items>
+  void column(const Field& field, Items& items) {
+    rows(field, items, kItself);
+  }
+
+  template <int Dim>
+  void matrix(const Field& field, Mat<Dim>& m) {
+    const auto values = take<double>(field, {Dim, Dim});
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) m(a, b) = values[a * Dim + b];
+  }
+
+  template <class T>
+  std::vector<T> take(const Field& field, const Shape& shape) {
+    std::vector<T> values;
+    file_.array(field.path, shape, values);
+    if constexpr (std::is_same_v<T, double>) {
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (!std::isfinite(values[k]))
+          throw InputError(file_.place(field.path), fmt::format("entry {} is {}, expected a finite number",
+                                                                k / (values.size() / shape[0]), values[k]));
+    }
+    return values;
+  }
+
+  void value(const char* group, const char* name, int& v) {
+    std::int64_t wide = 0;
+    file_.attribute(group, name, wide);
+    v = static_cast<int>(wide);
+  }
+  template <class T>
+  void value(const char* group, const char* name, T& v) {
+    file_.attribute(group, name, v);
+  }
+
+ private:
+  const Hdf5Reader& file_;
+};
+
+constexpr Field kStress = {"equilibrium/stress", Quantity::stress, "static, positive in compression"};
+constexpr Field kTarget = {"equilibrium/target", Quantity::stress, "diagonal of the stress imposed"};
+constexpr Field kResiduals = {
+    "equilibrium/residuals", Quantity::ratio,
+    "force, moment, stress, kinetic energy a grain; in units of F1 = max(F0, P a^(D-1)), "
+    "F1 a, F1/a^(D-1), F1 a for the largest diameter a"};
+constexpr Field kTolerances = {"equilibrium/tolerances", Quantity::ratio,
+                               "what the residuals were asked to be below"};
+constexpr Field kNegative = {"equilibrium/n_negative", Quantity::count,
+                             "negative eigenvalues of the stiffness matrix, -1: not determined"};
+constexpr Field kId = {"grains/id", Quantity::count, "index of the grain in all arrays"};
+
+template <int Dim>
+void write_equilibrium(WritingArchive& archive, const State<Dim>& s) {
+  const Residuals& r = s.residuals;
+  const EquilibriumTolerance& t = s.tolerance;
+  archive.matrix(kStress, static_stress(s.packing));
+  archive.put(kTarget, {Dim}, std::vector<double>(s.target_stress.begin(), s.target_stress.end()));
+  archive.put(kResiduals, {4}, std::vector<double>{r.force, r.moment, r.stress, r.energy});
+  archive.put(kTolerances, {4}, std::vector<double>{t.force, t.moment, t.stress, t.energy});
+  archive.put(kNegative, {}, std::vector<std::int32_t>{s.n_negative});
+}
+
+template <int Dim>
+void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& s) {
+  const auto target = archive.take<double>(kTarget, {Dim});
+  for (int a = 0; a < Dim; ++a) s.target_stress[a] = target[a];
+  // Residuals alone may be infinite: those of a packing that has no scale of force.
+  std::vector<double> r;
+  file.array(kResiduals.path, {4}, r);
+  s.residuals.force = r[0], s.residuals.moment = r[1], s.residuals.stress = r[2], s.residuals.energy = r[3];
+  const auto t = archive.take<double>(kTolerances, {4});
+  s.tolerance = {t[0], t[1], t[2], t[3]};
+  s.n_negative = archive.take<std::int32_t>(kNegative, {})[0];
+}
+
+template <int Dim>
+std::string encode(const State<Dim>& s, const std::string& progress) {
+  Hdf5Writer file;
+  file.attribute("/", "format", kFormat);
+  file.attribute("/", "version", std::int64_t{kStateVersion});
+  file.attribute("/", "dimension", std::int64_t{Dim});
+  file.attribute("/", "units", s.units);
+  file.attribute("/", "sign_convention", kSignConvention);
+  for (const char* group : {"cell", "grains", "contacts", "equilibrium", "path", "provenance"})
+    file.group(group);
+  file.attribute("cell", "boundary", std::string("periodic"));
+
+  WritingArchive archive(file, s.units, Dim);
+  describe_cell(archive, s.packing.cell);
+  std::vector<std::int32_t> id(s.packing.grains.size());
+  for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int32_t>(i);
+  archive.put(kId, {id.size()}, id);
+  describe_grains<Dim>(archive, s.packing.grains);
+  describe_contacts<Dim>(archive, s.packing.contacts);
+  write_law(file, s.packing.law);
+  write_equilibrium(archive, s);
+  describe_attributes(archive, s);
+  file.text("scene", s.scene);
+  file.attribute("provenance", "scene_sha256", sha256(s.scene));
+  if (!progress.empty()) file.text("progress", progress);
+  return file.bytes();
+}
+
+[[noreturn]] void refuse(const Hdf5Reader& file, const std::string& path, std::size_t entry,
+                         const std::string& what) {
+  throw InputError(file.place(path), fmt::format("entry {} is {}", entry, what));
+}
+
+/// What no state can hold, beyond numbers that are not finite.
+template <int Dim>
+void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std::vector<std::int32_t>& id) {
+  if (!(packing.cell.volume() > 0.0)) throw InputError(file.place("cell/matrix"), "the cell has no volume");
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    if (id[i] != static_cast<std::int32_t>(i))
+      refuse(file, "grains/id", i, fmt::format("{}, expected {}", id[i], i));
+    if (!(packing.grains.radius[i] > 0.0))
+      refuse(file, "grains/radius", i, fmt::format("{}, expected a positive number", packing.grains.radius[i]));
+    if (!(packing.grains.mass[i] > 0.0))
+      refuse(file, "grains/mass", i, fmt::format("{}, expected a positive number", packing.grains.mass[i]));
+  }
+}
+
+template <int Dim>
+void check_contacts(const Hdf5Reader& file, const Packing<Dim>& packing) {
+  const int n = packing.grains.size();
+  const auto require_grain = [&](const char* path, std::size_t c, int grain) {
+    if (grain < 0 || grain >= n)
+      refuse(file, path, c, fmt::format("{}, expected a grain from 0 to {}", grain, n - 1));
+  };
+  for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
+    const Contact<Dim>& contact = packing.contacts[c];
+    require_grain("contacts/id1", c, contact.i);
+    require_grain("contacts/id2", c, contact.j);
+    if (contact.i == contact.j && contact.image.isZero())
+      refuse(file, "contacts/id2", c, fmt::format("{}: the grain would touch itself", contact.j));
+  }
+}
+
+template <int Dim>
+State<Dim> decode(const Hdf5Reader& file) {
+  State<Dim> s;
+  Packing<Dim>& packing = s.packing;
+  file.attribute("/", "units", s.units);
+  ReadingArchive archive(file);
+  describe_cell(archive, packing.cell);
+  const std::uint64_t n = file.n_rows("grains/radius");
+  packing.grains = Grains<Dim>::with_size(static_cast<int>(n));
+  const auto id = archive.take<std::int32_t>(kId, {n});
+  describe_grains<Dim>(archive, packing.grains);
+  check_grains(file, packing, id);
+  packing.contacts.resize(file.n_rows("contacts/id1"));
+  describe_contacts<Dim>(archive, packing.contacts);
+  check_contacts(file, packing);
+  packing.law = read_law(file);
+  read_equilibrium(file, archive, s);
+  describe_attributes(archive, s);
+  s.scene = file.text("scene");
+  return s;
+}
+
+/// Checks format and version, and returns the dimension.
+std::int64_t read_header(const Hdf5Reader& file) {
+  std::string format;
+  file.attribute("/", "format", format);
+  if (format != kFormat)
+    throw InputError(file.place("/"), fmt::format("format = \"{}\", expected \"{}\"", format, kFormat));
+  std::int64_t version = 0;
+  file.attribute("/", "version", version);
+  if (version > kStateVersion)
+    throw InputError(
+        file.place("/"),
+        fmt::format("version = {}: written by a newer floc; this one reads up to {}", version, kStateVersion));
+  if (version < 1) throw InputError(file.place("/"), fmt::format("version = {}, expected 1 or more", version));
+  std::string sign;
+  file.attribute("/", "sign_convention", sign);
+  if (sign != kSignConvention)
+    throw InputError(file.place("/"),
+                     fmt::format("sign_convention = \"{}\", expected \"{}\"", sign, kSignConvention));
+  std::string units;
+  file.attribute("/", "units", units);
+  if (units != "reduced" && units != "SI")
+    throw InputError(file.place("/"), fmt::format("units = \"{}\", expected \"reduced\" or \"SI\"", units));
+  std::int64_t dimension = 0;
+  file.attribute("/", "dimension", dimension);
+  if (dimension != 2 && dimension != 3)
+    throw InputError(file.place("/"), fmt::format("dimension = {}, expected 2 or 3", dimension));
+  return dimension;
+}
+
+}  // namespace
+
+template <int Dim>
+void write_state(const std::string& path, const State<Dim>& state, const std::string& progress) {
+  write_bytes_atomically(path, seal(encode(state, progress)));
+}
+
+AnyState read_state(const std::string& path) {
+  const std::string bytes = read_file(path);
+  const Hdf5Reader file(path, unseal(path, bytes));
+  if (read_header(file) == 2) return decode<2>(file);
+  return decode<3>(file);
+}
+
+std::string read_progress(const std::string& path) {
+  const std::string bytes = read_file(path);
+  const Hdf5Reader file(path, unseal(path, bytes));
+  read_header(file);
+  return file.has("progress") ? file.text("progress") : "";
+}
+
+template void write_state(const std::string&, const State<2>&, const std::string&);
+template void write_state(const std::string&, const State<3>&, const std::string&);
+
+}  // namespace floc

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "floc/packing/contact_forces.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/state.h"
+
+namespace floc::test {
+
+/// A state with every slot of the law, every flag and every text in use: grains on a line in a skewed cell,
+/// with one overlap that remembers springs, one distant attraction and one contact of a grain with its own
+/// image. It is no equilibrium; its numbers have no short decimal form, so that lost digits show.
+template <int Dim>
+State<Dim> busy_state() {
+  State<Dim> s;
+  Packing<Dim>& p = s.packing;
+  p.law.normal_stiffness = 1e5;
+  p.law.adhesion = {1.0, 1e-3};
+  p.law.damping = {0.015, DampingMass::effective};
+  p.law.friction = {0.5, 1e5};
+  p.law.rolling = {0.005, 10.0};
+  p.cell.matrix *= 7.3;
+  p.cell.matrix(0, 0) = 1.0 - 1e-5 / 3.0;
+  p.cell.matrix(1, 0) = 0.1;
+  p.cell.velocity(0, 0) = -1e-3 / 7.0;
+
+  p.grains = Grains<Dim>::with_size(3);
+  const double x[3] = {0.2, 0.2 + 0.9 - 2e-5, 0.2 + 1.6};
+  const double radius[3] = {0.5, 0.4, 0.3 - 1e-4};
+  for (int i = 0; i < 3; ++i) {
+    p.grains.position[i].setConstant(0.1 / 3.0);
+    p.grains.position[i][1] = x[i];
+    p.grains.velocity[i].setConstant(1e-9 / (i + 3.0));
+    p.grains.radius[i] = radius[i];
+    p.grains.mass[i] = std::pow(2.0 * radius[i], Dim);
+    p.grains.angular_velocity[i].setConstant(1e-8 / (i + 7.0));
+    if constexpr (Dim == 2) p.grains.orientation[i] = 1.0 / (i + 3.0);
+    if constexpr (Dim == 3) p.grains.orientation[i] = Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5);
+  }
+  Contact<Dim> own;
+  own.image[0] = 1;
+  Contact<Dim> overlap;
+  overlap.j = 1;
+  overlap.key = 4;
+  overlap.shear_spring[0] = 1e-6 / 3.0;
+  overlap.rolling_spring[0] = -1e-4 / 3.0;
+  Contact<Dim> distant;
+  distant.i = 1;
+  distant.j = 2;
+  p.contacts = {own, overlap, distant};
+  refresh_contacts(p);
+
+  s.target_stress.setConstant(0.01 / 3.0);
+  s.tolerance.force = 2e-5;
+  s.residuals = residuals(p, s.target_stress);
+  s.n_negative = 2;
+  s.path = {17, "unload", 123.456 / 7.0, std::int64_t{5} << 33};
+  s.scene = "[scene]\nname = \"d\xc3\xa9pot\"\n";
+  s.provenance = {"floc 0.1.0",         "abc123", "g++", ~std::uint64_t{0}, 1234567890123456789u,
+                  std::string(64, 'e'), "a b"};
+  return s;
+}
+
+}  // namespace floc::test

@@ -1,0 +1,212 @@
+#include "floc/io/state_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "floc/base/error.h"
+#include "floc/base/read_file.h"
+#include "floc/io/sealed_bytes.h"
+#include "support/scratch_directory.h"
+#include "support/states.h"
+
+namespace floc {
+namespace {
+
+using test::busy_state;
+using test::ScratchDirectory;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// The message read_state() refuses a file with, or "" when it accepts it.
+std::string refusal(const std::string& path) {
+  try {
+    read_state(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+template <int Dim>
+void expect_same_contacts(const Packing<Dim>& a, const Packing<Dim>& b) {
+  ASSERT_EQ(a.contacts.size(), b.contacts.size());
+  for (std::size_t k = 0; k < a.contacts.size(); ++k) {
+    const Contact<Dim>& c = a.contacts[k];
+    const Contact<Dim>& d = b.contacts[k];
+    EXPECT_EQ(std::tie(c.i, c.j, c.key, c.gap, c.normal_force, c.elastic_force, c.kn, c.kt, c.kr),
+              std::tie(d.i, d.j, d.key, d.gap, d.normal_force, d.elastic_force, d.kn, d.kt, d.kr));
+    EXPECT_EQ(std::tie(c.sliding, c.rolling_yield, c.distant), std::tie(d.sliding, d.rolling_yield, d.distant));
+    EXPECT_EQ(c.image, d.image);
+    EXPECT_EQ(c.normal, d.normal);
+    EXPECT_EQ(c.shear_force, d.shear_force);
+    EXPECT_EQ(c.rolling_moment, d.rolling_moment);
+    EXPECT_EQ(c.shear_spring, d.shear_spring);
+    EXPECT_EQ(c.rolling_spring, d.rolling_spring);
+  }
+}
+
+template <int Dim>
+void expect_same_grains(const Packing<Dim>& a, const Packing<Dim>& b) {
+  EXPECT_EQ(a.cell.matrix, b.cell.matrix);
+  EXPECT_EQ(a.cell.velocity, b.cell.velocity);
+  EXPECT_EQ(a.grains.position, b.grains.position);
+  EXPECT_EQ(a.grains.velocity, b.grains.velocity);
+  EXPECT_EQ(a.grains.radius, b.grains.radius);
+  EXPECT_EQ(a.grains.mass, b.grains.mass);
+  EXPECT_EQ(a.grains.angular_velocity, b.grains.angular_velocity);
+  for (int i = 0; i < a.grains.size(); ++i) {
+    if constexpr (Dim == 2) {
+      EXPECT_EQ(a.grains.orientation[i], b.grains.orientation[i]);
+    } else {
+      EXPECT_EQ(a.grains.orientation[i].coeffs(), b.grains.orientation[i].coeffs());
+    }
+  }
+}
+
+template <class Dimension>
+class StateFile : public testing::Test {};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(StateFile, Dimensions);
+
+TYPED_TEST(StateFile, GivesBackEveryNumberThatWasWritten) {
+  constexpr int kDim = TypeParam::value;
+  const ScratchDirectory scratch;
+  const State<kDim> s = busy_state<kDim>();
+  ASSERT_EQ(s.packing.contacts.size(), 3u);
+  write_state(scratch.file("s.h5"), s);
+  const auto back = std::get<State<kDim>>(read_state(scratch.file("s.h5")));
+  expect_same_grains(s.packing, back.packing);
+  expect_same_contacts(s.packing, back.packing);
+  EXPECT_EQ(back.packing.law, s.packing.law);
+  EXPECT_EQ(back.target_stress, s.target_stress);
+  EXPECT_EQ(back.tolerance, s.tolerance);
+  EXPECT_EQ(back.n_negative, s.n_negative);
+  EXPECT_EQ(back.scene, s.scene);
+  EXPECT_EQ(std::tie(back.residuals.force, back.residuals.moment, back.residuals.stress, back.residuals.energy),
+            std::tie(s.residuals.force, s.residuals.moment, s.residuals.stress, s.residuals.energy));
+  EXPECT_EQ(back.residuals.worst_force_grain, s.residuals.worst_force_grain);
+  EXPECT_EQ(back.residuals.worst_moment_grain, s.residuals.worst_moment_grain);
+  EXPECT_EQ(std::tie(back.path.step, back.path.branch, back.path.time, back.path.n_steps),
+            std::tie(s.path.step, s.path.branch, s.path.time, s.path.n_steps));
+  const Provenance& p = s.provenance;
+  const Provenance& q = back.provenance;
+  EXPECT_EQ(std::tie(p.program, p.commit, p.compiler, p.seed, p.stream_state, p.parent_sha256, p.source),
+            std::tie(q.program, q.commit, q.compiler, q.seed, q.stream_state, q.parent_sha256, q.source));
+}
+
+TYPED_TEST(StateFile, OfIdenticalStatesIsIdentical) {
+  constexpr int kDim = TypeParam::value;
+  const ScratchDirectory scratch;
+  write_state(scratch.file("a.h5"), busy_state<kDim>(), "progress");
+  const std::vector<char> disturbed_heap(1 << 22, 'x');
+  write_state(scratch.file("b.h5"), busy_state<kDim>(), "progress");
+  EXPECT_EQ(read_file(scratch.file("a.h5")), read_file(scratch.file("b.h5")));
+}
+
+TYPED_TEST(StateFile, HoldsAPackingWithoutContactsOrPhysicsInItsSlots) {
+  constexpr int kDim = TypeParam::value;
+  const ScratchDirectory scratch;
+  State<kDim> s = busy_state<kDim>();
+  s.packing.contacts.clear();
+  s.packing.law = LawParameters{};
+  s.packing.law.normal_stiffness = 2.0;
+  s.residuals.force = std::numeric_limits<double>::infinity();
+  write_state(scratch.file("s.h5"), s);
+  const auto back = std::get<State<kDim>>(read_state(scratch.file("s.h5")));
+  EXPECT_TRUE(back.packing.contacts.empty());
+  EXPECT_EQ(back.packing.law, s.packing.law);
+  EXPECT_EQ(back.residuals.force, s.residuals.force);
+}
+
+TEST(Checkpoint, CarriesItsProgressBesideTheState) {
+  const ScratchDirectory scratch;
+  write_state(scratch.file("c.h5"), busy_state<2>(), "{\"step\": 3}");
+  EXPECT_EQ(read_progress(scratch.file("c.h5")), "{\"step\": 3}");
+  EXPECT_EQ(refusal(scratch.file("c.h5")), "");
+  write_state(scratch.file("s.h5"), busy_state<2>());
+  EXPECT_EQ(read_progress(scratch.file("s.h5")), "");
+}
+
+TEST(StateFileRefuses, AFileThatIsMissing) {
+  EXPECT_THAT(refusal("nowhere/s.h5"), AllOf(HasSubstr("nowhere/s.h5"), HasSubstr("No such file")));
+}
+
+TEST(StateFileRefuses, AFileThatIsNoHdf5) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.file("s.h5")) << "x,y,radius\n1,2,3\n";
+  EXPECT_THAT(refusal(scratch.file("s.h5")), AllOf(HasSubstr("s.h5"), HasSubstr("not an HDF5 file")));
+  std::ofstream(scratch.file("empty.h5")).flush();
+  EXPECT_THAT(refusal(scratch.file("empty.h5")), HasSubstr("is empty"));
+}
+
+TEST(StateFileRefuses, AFileCutShortAnywhere) {
+  const ScratchDirectory scratch;
+  write_state(scratch.file("s.h5"), busy_state<2>());
+  const std::string whole = read_file(scratch.file("s.h5"));
+  const std::string cut = scratch.file("cut.h5");
+  for (const std::size_t size : {std::size_t{9}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
+    std::ofstream(cut, std::ios::binary) << whole.substr(0, size);
+    EXPECT_THAT(refusal(cut), AllOf(HasSubstr("cut.h5"), HasSubstr("truncated"))) << size;
+  }
+}
+
+TEST(StateFileRefuses, AFileWithOneBitTurned) {
+  const ScratchDirectory scratch;
+  write_state(scratch.file("s.h5"), busy_state<2>());
+  const std::string whole = read_file(scratch.file("s.h5"));
+  for (std::size_t at = 8; at < whole.size() - 80; at += whole.size() / 50) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 4);
+    std::ofstream(scratch.file("bad.h5"), std::ios::binary) << damaged;
+    EXPECT_THAT(refusal(scratch.file("bad.h5")), HasSubstr("damaged")) << at;
+  }
+}
+
+TEST(StateFileRefuses, SealedBytesThatAreNoHdf5Inside) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.file("s.h5"), std::ios::binary) << seal("\x89HDF\r\n\x1a\n and nothing more");
+  EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("HDF5 library cannot open"));
+}
+
+/// States that can be written but that no run can produce: the reader has to name the dataset.
+template <class Spoil>
+std::string refusal_of_spoiled(const Spoil& spoil) {
+  const ScratchDirectory scratch;
+  State<2> s = busy_state<2>();
+  spoil(s);
+  write_state(scratch.file("s.h5"), s);
+  return refusal(scratch.file("s.h5"));
+}
+
+TEST(StateFileRefuses, NumbersThatNoStateHolds) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refusal_of_spoiled([&](State<2>& s) { s.packing.grains.position[2][1] = nan; }),
+              AllOf(HasSubstr("s.h5:/grains/position"), HasSubstr("entry 2 is nan"), HasSubstr("finite")));
+  EXPECT_THAT(refusal_of_spoiled([&](State<2>& s) { s.packing.contacts[1].gap = -1.0 / 0.0; }),
+              AllOf(HasSubstr("/contacts/gap"), HasSubstr("entry 1 is -inf")));
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.grains.radius[1] = -0.5; }),
+              AllOf(HasSubstr("/grains/radius"), HasSubstr("-0.5"), HasSubstr("positive")));
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.grains.mass[1] = 0.0; }),
+              HasSubstr("/grains/mass"));
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.cell.matrix.setOnes(); }), HasSubstr("no volume"));
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.contacts[2].j = 3; }),
+              AllOf(HasSubstr("/contacts/id2"), HasSubstr("entry 2 is 3"), HasSubstr("from 0 to 2")));
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.contacts[1].i = -1; }),
+              HasSubstr("/contacts/id1"));
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.contacts[0].image.setZero(); }),
+              HasSubstr("touch itself"));
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.law.normal_stiffness = -1.0; }),
+              AllOf(HasSubstr("/law"), HasSubstr("contact.normal.stiffness = -1"), HasSubstr("positive")));
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.units = "imperial"; }), HasSubstr("imperial"));
+}
+
+TEST(StateFileWriting, IntoADirectoryThatIsMissingIsAnErrorByName) {
+  EXPECT_THROW(write_state("nowhere/s.h5", busy_state<2>()), IoError);
+}
+
+}  // namespace
+}  // namespace floc

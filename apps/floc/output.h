@@ -1,0 +1,34 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "floc/io/state_file.h"
+#include "floc/io/table.h"
+
+namespace floc {
+
+/// Adds `--format table|csv|json`. `format` gets the word given, or stays empty.
+void add_format_option(CLI::App& app, std::string& format);
+
+/// What `--format` asks for; without it a table on a terminal, csv otherwise.
+TableFormat chosen_format(const std::string& format);
+
+/// Prints a table on stdout in the format asked for. @throws IoError if stdout cannot take it (disk full).
+void print_table(const Table& table, const std::string& format);
+
+/// The worse of two exit codes: failure inside, bad input, not converged, verification failed, done.
+int worse(int a, int b);
+
+/// Adds the positional argument STATE..., one file or more.
+void add_states_argument(CLI::App& app, std::vector<std::string>& files);
+
+/// Reads each file and hands it to `work(file, state)`, which returns its exit code. A file that cannot be
+/// read, or whose work throws, is reported by name on stderr and the others are still done.
+/// @return the worst of the exit codes
+int for_each_state(const std::vector<std::string>& files,
+                   const std::function<int(const std::string& file, const AnyState& state)>& work);
+
+}  // namespace floc

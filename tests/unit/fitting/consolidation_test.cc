@@ -1,0 +1,302 @@
+#include "floc/fitting/consolidation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "floc/base/random.h"
+#include "floc/fitting/consolidation_law.h"
+#include "floc/fitting/student_t.h"
+
+namespace floc {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A published fit (G08): lambda, Phi_max, alpha, P0*, Phi0; P1* follows from the identity of its limits.
+struct Published {
+  double lambda, phi_max, alpha, P0_star, phi0;
+
+  ConsolidationLawParameters law() const {
+    return {lambda, alpha, phi_max, P0_star * std::exp((1 / phi0 - 1 / phi_max) / lambda)};
+  }
+};
+constexpr Published kNoRolling{0.349, 0.7808, 0.91, 0.0237, 0.469};
+constexpr Published kSmallRolling{0.194, 0.7745, 1.08, 0.0316, 0.515};
+
+/// Pressures of the published path from `low` on: factors 10^(1/8) up to 13.3.
+std::vector<double> published_pressures(double low) {
+  std::vector<double> P;
+  for (int k = 0; k <= 25; ++k)
+    if (const double p = 0.01 * std::pow(10.0, k / 8.0); p > 0.999 * low) P.push_back(p);
+  return P;
+}
+
+ConsolidationCurve curve_of(const ConsolidationLawParameters& law, const std::vector<double>& pressures) {
+  ConsolidationCurve curve;
+  for (const double P : pressures) {
+    curve.P_star.push_back(P);
+    curve.phi.push_back(1 / law.inverse_phi(P));
+  }
+  return curve;
+}
+
+ConsolidationOptions on(double low, double high, ConsolidationLaw law = ConsolidationLaw::full) {
+  ConsolidationOptions options;
+  options.law = law;
+  options.window = {low, high};
+  return options;
+}
+
+double value(const ConsolidationFit& fit, const std::string& name) {
+  const FittedParameter* p = fit.find(name);
+  return p && p->value ? *p->value : std::nan("");
+}
+
+TEST(ConsolidationLaw, MatchesThePrintedFormWhereThatKeepsItsDigits) {
+  const auto law = kNoRolling.law();
+  for (const double P : {0.03, 0.1, 0.3, 1.0, 2.0}) {
+    const double u = std::pow(law.P1_star / P, law.alpha);
+    const double printed =
+        1 / kNoRolling.phi0 -
+        law.lambda * std::log(P / kNoRolling.P0_star * std::pow(1 - std::exp(-u), 1 / law.alpha));
+    // The subtraction in the printed form loses about P/P1* of the digits.
+    EXPECT_NEAR(law.inverse_phi(P), printed, 1e-14);
+  }
+}
+
+TEST(ConsolidationLaw, TendsToRegimeTwoAndRegimeThreeOverTwentyFourDecades) {
+  const auto law = kSmallRolling.law();
+  const double A = law.lambda * std::pow(law.P1_star, law.alpha) / (2 * law.alpha);
+  for (int k = -12; k <= -3; ++k) {
+    const double P = law.P1_star * std::pow(10.0, k);
+    const double line = 1 / kSmallRolling.phi0 - law.lambda * std::log(P / kSmallRolling.P0_star);
+    EXPECT_NEAR(law.inverse_phi(P), line, 1e-14 * line) << k;
+  }
+  for (int k = 3; k <= 12; ++k) {
+    const double P = law.P1_star * std::pow(10.0, k);
+    const double u = std::pow(10.0, -k * law.alpha);
+    const double beyond = -law.lambda * consolidation_bracket(std::log(P / law.P1_star), law.alpha);
+    // The next term of the expansion is u/12 relative; 1e-12 is the rounding of pow() at these arguments.
+    EXPECT_NEAR(beyond / (A * std::pow(P, -law.alpha)), 1.0, u / 12 * 1.01 + 1e-12) << k;
+  }
+}
+
+TEST(ConsolidationLaw, IsSmoothWhereItsFormsMeet) {
+  for (const double alpha : {0.5, 1.0, 3.0})
+    for (const double u : {0.1, 1.0, std::exp(6.7)}) {
+      const double x = -std::log(u) / alpha;
+      const double step = 1e-9;
+      const double below = consolidation_bracket(x - step, alpha);
+      const double above = consolidation_bracket(x + step, alpha);
+      // The slope is at most 1, so a jump beyond 2 steps and rounding would be a wrong form.
+      EXPECT_GE(above, below);
+      EXPECT_LE(above - below, 2 * step + 1e-14);
+    }
+}
+
+TEST(StudentT, AgreesWithItsClosedFormsAndTable) {
+  EXPECT_NEAR(student_t_95(1), std::tan(0.475 * std::numbers::pi), 1e-10);
+  EXPECT_NEAR(student_t_95(2), 0.95 * std::sqrt(2 / (1 - 0.95 * 0.95)), 1e-12);
+  EXPECT_NEAR(student_t_95(20), 2.0859634, 1e-7);
+  EXPECT_NEAR(student_t_95(19), 2.0930241, 1e-7);
+}
+
+TEST(FitConsolidation, RecoversThePublishedSetsExactly) {
+  for (const Published& set : {kNoRolling, kSmallRolling}) {
+    const auto fit =
+        fit_consolidation(curve_of(set.law(), published_pressures(set.P0_star)), on(set.P0_star, 13.34));
+    ASSERT_TRUE(fit.found()) << fit.refusal;
+    EXPECT_NEAR(value(fit, "lambda"), set.lambda, 1e-8);
+    EXPECT_NEAR(value(fit, "alpha"), set.alpha, 1e-8);
+    EXPECT_NEAR(value(fit, "Phi_max"), set.phi_max, 1e-8);
+    EXPECT_NEAR(value(fit, "P0_star"), published_pressures(set.P0_star).front(), 1e-15);
+    const double P0 = value(fit, "P0_star");
+    const double on_line = 1 / set.phi0 - set.lambda * std::log(P0 / set.P0_star);
+    EXPECT_NEAR(value(fit, "Phi0"), 1 / on_line, 1e-8);
+    EXPECT_NEAR(std::log(value(fit, "P1_star") / P0),
+                (1 / value(fit, "Phi0") - 1 / value(fit, "Phi_max")) / value(fit, "lambda"), 1e-10);
+    EXPECT_LT(fit.rms, 1e-10);
+    EXPECT_TRUE(fit.warnings.empty()) << fit.warnings.front();
+  }
+}
+
+TEST(FitConsolidation, RecoversAnyIdentifiedSetExactly) {
+  RandomStream random(7, 0);
+  for (int k = 0; k < 200; ++k) {
+    const ConsolidationLawParameters law{random.uniform(0.05, 0.5), random.uniform(0.6, 1.8),
+                                         random.uniform(0.7, 0.85), random.uniform(0.2, 2.0)};
+    const auto fit = fit_consolidation(curve_of(law, published_pressures(0.01)), on(0.01, 14));
+    ASSERT_TRUE(fit.found()) << fit.refusal;
+    EXPECT_NEAR(value(fit, "lambda"), law.lambda, 1e-8) << k;
+    EXPECT_NEAR(value(fit, "alpha"), law.alpha, 1e-8) << k;
+    EXPECT_NEAR(value(fit, "Phi_max"), law.phi_max, 1e-8) << k;
+    EXPECT_NEAR(value(fit, "P1_star"), law.P1_star, 1e-8) << k;
+  }
+}
+
+/// The law above P0* and the constant of regime I below it, with normal errors of 1/Phi.
+ConsolidationCurve with_plateau(const Published& set, double noise, RandomStream& random) {
+  ConsolidationCurve curve = curve_of(set.law(), published_pressures(0.01));
+  for (std::size_t i = 0; i < curve.phi.size(); ++i) {
+    const double y =
+        curve.P_star[i] < 0.999 * set.P0_star ? set.law().inverse_phi(set.P0_star) : 1 / curve.phi[i];
+    curve.phi[i] = 1 / (y + noise * random.normal());
+  }
+  return curve;
+}
+
+TEST(FitConsolidation, FindsTheEndOfThePlateau) {
+  RandomStream random(1, 0);
+  for (const Published& set : {kNoRolling, kSmallRolling}) {
+    const auto fit = fit_consolidation(with_plateau(set, 0.0, random), {});
+    ASSERT_TRUE(fit.found()) << fit.refusal;
+    // 0.01 * 10^(3/8) and 10^(4/8): three and four pressures lie before P0*; the one at P0* belongs to both.
+    const int before = set.P0_star < 0.03 ? 3 : 4;
+    EXPECT_GE(fit.n_plateau, before);
+    EXPECT_LE(fit.n_plateau, before + 1);
+    EXPECT_NEAR(value(fit, "lambda"), set.lambda, 1e-8);
+    // P0* is rounded to three digits in the table it is taken from; the plateau is that of the rounded one.
+    EXPECT_NEAR(value(fit, "P0_star"), set.P0_star, 1e-3 * set.P0_star);
+  }
+}
+
+TEST(FitConsolidation, WithoutAPlateauEveryPointIsFitted) {
+  const auto fit = fit_consolidation(curve_of(kNoRolling.law(), published_pressures(0.02)), {});
+  ASSERT_TRUE(fit.found());
+  EXPECT_EQ(fit.n_plateau, 0);
+  EXPECT_EQ(fit.used.size(), published_pressures(0.02).size());
+}
+
+TEST(FitConsolidation, StatedErrorsAreTheScatterOfRepeatedFits) {
+  constexpr int kRepeats = 400;
+  constexpr double kNoise = 0.005;
+  const auto law = kSmallRolling.law();
+  const auto exact = curve_of(law, published_pressures(kSmallRolling.P0_star));
+  RandomStream random(3, 0);
+  double sum = 0, squares = 0, stated = 0;
+  int covered = 0;
+  for (int k = 0; k < kRepeats; ++k) {
+    ConsolidationCurve curve = exact;
+    for (double& phi : curve.phi) phi = 1 / (1 / phi + kNoise * random.normal());
+    const auto fit = fit_consolidation(curve, on(0.03, 14));
+    ASSERT_TRUE(fit.found()) << fit.refusal;
+    const FittedParameter& p = *fit.find("lambda");
+    sum += *p.value;
+    squares += *p.value * *p.value;
+    stated += *p.standard_error;
+    covered += *p.low95 <= law.lambda && law.lambda <= *p.high95;
+  }
+  const double mean = sum / kRepeats;
+  const double scatter = std::sqrt(squares / kRepeats - mean * mean);
+  // A deviation from 400 repeats is known to 3.5 % (one sigma), the count of 95 % intervals to 1.1 %.
+  EXPECT_NEAR(stated / kRepeats / scatter, 1.0, 0.14);
+  EXPECT_NEAR(covered / double{kRepeats}, 0.95, 0.044);
+}
+
+TEST(FitConsolidation, DataThatEndBeforeRegimeThreeBoundItOnly) {
+  const auto law = kNoRolling.law();
+  std::vector<double> pressures;
+  for (int k = 0; k <= 16; ++k) pressures.push_back(law.P1_star * std::pow(10.0, -3.0 + k / 8.0));
+  ConsolidationCurve curve = curve_of(law, pressures);
+  RandomStream random(5, 0);
+  for (double& phi : curve.phi) phi = 1 / (1 / phi + 1e-3 * random.normal());
+  const auto fit = fit_consolidation(curve, on(1e-6, 1.0));
+  ASSERT_TRUE(fit.found()) << fit.refusal;
+  for (const char* name : {"alpha", "P1_star", "Phi_max"}) {
+    EXPECT_FALSE(fit.find(name)->identified) << name;
+    EXPECT_FALSE(fit.find(name)->value) << name;
+  }
+  EXPECT_EQ(fit.find("P1_star")->low95, pressures.back());
+  EXPECT_LT(*fit.find("P1_star")->low95, law.P1_star);
+  EXPECT_LT(*fit.find("Phi_max")->low95, law.phi_max);
+  EXPECT_NEAR(value(fit, "lambda"), law.lambda, 5 * *fit.find("lambda")->standard_error);
+  ASSERT_EQ(fit.warnings.size(), 1u);
+  EXPECT_THAT(fit.warnings[0], HasSubstr("before P1*"));
+}
+
+TEST(FitConsolidation, LogAndPowerLawsRecoverTheirOwnData) {
+  ConsolidationCurve line, power;
+  for (const double P : published_pressures(0.01)) {
+    line.P_star.push_back(P);
+    line.phi.push_back(1 / (2.2 - 0.15 * std::log(P / 0.01)));
+    power.P_star.push_back(P);
+    power.phi.push_back(1 / (1.25 + 0.07 * std::pow(P, -0.8)));
+  }
+  const auto log_fit = fit_consolidation(line, on(0.01, 14, ConsolidationLaw::log));
+  EXPECT_NEAR(value(log_fit, "lambda"), 0.15, 1e-10);
+  EXPECT_NEAR(value(log_fit, "Phi0"), 1 / 2.2, 1e-10);
+  const auto power_fit = fit_consolidation(power, on(0.01, 14, ConsolidationLaw::power));
+  EXPECT_NEAR(value(power_fit, "A"), 0.07, 1e-8);
+  EXPECT_NEAR(value(power_fit, "alpha"), 0.8, 1e-8);
+  EXPECT_NEAR(value(power_fit, "Phi_max"), 0.8, 1e-8);
+}
+
+TEST(FitConsolidation, LawsOfOneRegimeStayInIt) {
+  RandomStream random(1, 0);
+  const auto law = kNoRolling.law();
+  ConsolidationOptions options;
+  options.law = ConsolidationLaw::log;
+  const auto log_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
+  ASSERT_TRUE(log_fit.found()) << log_fit.refusal;
+  EXPECT_LT(log_fit.window_high, law.P1_star);
+  // The window ends where the local slope is a fifth below lambda.
+  EXPECT_NEAR(value(log_fit, "lambda"), law.lambda, 0.2 * law.lambda);
+  options.law = ConsolidationLaw::power;
+  const auto power_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
+  ASSERT_TRUE(power_fit.found()) << power_fit.refusal;
+  EXPECT_GT(power_fit.window_low, law.P1_star);
+  EXPECT_NEAR(value(power_fit, "Phi_max"), law.phi_max, 1e-3);
+}
+
+TEST(FitConsolidation, TooLittleIsRefusedInWords) {
+  const auto curve = curve_of(kNoRolling.law(), published_pressures(0.01));
+  EXPECT_THAT(fit_consolidation(curve, on(0.03, 0.05, ConsolidationLaw::log)).refusal,
+              HasSubstr("2 pressures in regime II, the log law needs 3"));
+  EXPECT_THAT(fit_consolidation(curve, on(100, 200)).refusal, HasSubstr("0 pressures in the window"));
+  EXPECT_THAT(fit_consolidation({{1.0, 2.0}, {0.5, 0.6}}, {}).refusal, HasSubstr("2 pressures"));
+  ConsolidationCurve falling = curve;
+  std::reverse(falling.phi.begin(), falling.phi.end());
+  EXPECT_THAT(fit_consolidation(falling, on(0.01, 14)).refusal, HasSubstr("does not grow"));
+  EXPECT_FALSE(fit_consolidation(falling, {}).found());
+}
+
+TEST(FitConsolidation, CorrelationHasUnitDiagonalAndIsSymmetric) {
+  RandomStream random(2, 0);
+  const auto fit = fit_consolidation(with_plateau(kSmallRolling, 0.003, random), {});
+  ASSERT_TRUE(fit.found()) << fit.refusal;
+  EXPECT_THAT(fit.correlated, ElementsAre("lambda", "alpha", "Phi_max", "P1_star"));
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(fit.correlation(i, i), 1.0, 1e-12);
+    for (int j = 0; j < i; ++j) EXPECT_NEAR(fit.correlation(i, j), fit.correlation(j, i), 1e-12);
+  }
+  // Fixing the start of regime II, a steeper line reaches a given limit sooner.
+  EXPECT_LT(fit.correlation(0, 3), 0.0);
+}
+
+TEST(FirstLoading, TakesAssemblyAndTheFirstRunOfLoadRowsOnly) {
+  const std::vector<PathRow> rows = {{"assembly", 0.0, 0.4}, {"assembly", 0.01, 0.45}, {"load", 0.1, 0.5},
+                                     {"load", 1.0, 0.6},     {"unload", 0.1, 0.59},    {"load", 2.0, 0.65}};
+  const FirstLoading found = first_loading(rows);
+  EXPECT_THAT(found.rows, ElementsAre(1, 2, 3));
+  EXPECT_EQ(found.n_zero_pressure, 1);
+}
+
+TEST(FirstLoading, WithoutBranchesGoesUpToTheFirstFallOfPressure) {
+  const FirstLoading found = first_loading({{"", 0.1, 0.4}, {"", 0.2, 0.5}, {"", 0.1, 0.5}, {"", 0.4, 0.6}});
+  EXPECT_THAT(found.rows, ElementsAre(0, 1));
+}
+
+TEST(PooledCurve, IsTheMeanOfInversePhiAtCommonPressures) {
+  const auto pooled = pooled_curve({{{0.1, 1.0, 2.0}, {0.5, 0.6, 0.7}}, {{0.1 * (1 + 1e-5), 2.0}, {0.4, 0.8}}});
+  EXPECT_THAT(pooled.P_star, ElementsAre(0.1, 2.0));
+  EXPECT_NEAR(1 / pooled.phi[0], (1 / 0.5 + 1 / 0.4) / 2, 1e-15);
+  EXPECT_NEAR(1 / pooled.phi[1], (1 / 0.7 + 1 / 0.8) / 2, 1e-15);
+}
+
+}  // namespace
+}  // namespace floc

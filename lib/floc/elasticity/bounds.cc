@@ -1,0 +1,89 @@
+#include "floc/elasticity/bounds.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "floc/elasticity/isotropic_moduli.h"
+#include "floc/network/stiffness_matrix.h"
+
+namespace floc {
+namespace {
+
+/// Twice the complementary energy of one spring. A spring that carries a force without stiffness is infinitely
+/// soft.
+double compliance_term(double squared_force, double stiffness) {
+  return squared_force == 0.0 ? 0.0 : squared_force / stiffness;
+}
+
+struct Sums {
+  int n = 0;  // touching contacts
+  double kn = 0.0;
+  double kt = 0.0;
+  double force = 0.0;  // F_N
+  double complementary = 0.0;
+  double scaled = 0.0;  // of complementary terms times K_N
+};
+
+template <int Dim>
+Sums sum_over_contacts(const ContactNetwork<Dim>& network) {
+  Sums s;
+  for (const NetworkContact<Dim>& c : network.contacts) {
+    if (c.distant) continue;
+    const double terms = compliance_term(c.normal_force * c.normal_force, c.kn) +
+                         compliance_term(c.shear_force.squaredNorm(), c.kt) +
+                         compliance_term(c.rolling_moment.squaredNorm(), c.kr);
+    ++s.n;
+    s.kn += c.kn;
+    s.kt += c.kt;
+    s.force += c.normal_force;
+    s.complementary += terms;
+    s.scaled += c.kn * terms;
+  }
+  return s;
+}
+
+/// z Phi K_N <r^2>/(2 Dim^2 <v>), <v> the mean volume of a grain. For branches between sizes drawn
+/// independently, <r^2> = (<d^2> + <d>^2)/2, it is z Phi (<d^2> + <d>^2) K_N/(4 pi <d^2>) in 2D and .../(6 pi
+/// <d^3>) in 3D. The Reuss form puts <d>^2 in place of the mean squared branch.
+template <int Dim>
+double mean_field_bulk(const MeanField& m, double kn, double mean_square_branch, double mean_size_power) {
+  const double grain_volume = (Dim == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0) * mean_size_power;
+  return 0.5 * m.coordination * m.solid_fraction / grain_volume * kn * mean_square_branch / (Dim * Dim);
+}
+
+template <int Dim>
+void add_printed_forms(const ContactNetwork<Dim>& network, const MeanField& m, const Sums& s, Bounds& b) {
+  double d = 0.0, d2 = 0.0, power = 0.0;
+  for (const double radius : network.grain_size) {
+    d += 2.0 * radius / network.n_grains;
+    d2 += 4.0 * radius * radius / network.n_grains;
+    power += std::pow(2.0 * radius, Dim) / network.n_grains;
+  }
+  const double kn = s.kn / s.n;
+  const double ratio = s.kt / s.kn;
+  b.Z2 = s.scaled / s.n / std::pow(s.force / s.n, 2);
+  b.B_voigt_printed = mean_field_bulk<Dim>(m, kn, 0.5 * (d2 + d * d), power);
+  b.G_voigt_printed = b.B_voigt_printed * (Dim == 2 ? (1.0 + ratio) / 2.0 : (6.0 + 9.0 * ratio) / 10.0);
+  b.B_reuss_printed = mean_field_bulk<Dim>(m, kn, d * d, power) / b.Z2;
+}
+
+}  // namespace
+
+template <int Dim>
+Bounds elastic_bounds(const ContactNetwork<Dim>& network, double pressure, const MeanField& mean_field) {
+  Bounds b;
+  const Eigen::MatrixXd affine = affine_stiffness(network, StrainSet::diagonal) / network.volume;
+  b.B_voigt = bulk_modulus(affine);
+  b.G_voigt = pure_shear_modulus(affine);
+  const Sums s = sum_over_contacts(network);
+  if (s.n == 0) return b;
+  if (pressure != 0.0 && s.complementary > 0.0)
+    b.B_reuss = network.volume * pressure * pressure / s.complementary;
+  add_printed_forms(network, mean_field, s, b);
+  return b;
+}
+
+template Bounds elastic_bounds(const ContactNetwork<2>&, double, const MeanField&);
+template Bounds elastic_bounds(const ContactNetwork<3>&, double, const MeanField&);
+
+}  // namespace floc

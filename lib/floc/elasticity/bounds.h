@@ -1,0 +1,35 @@
+#pragma once
+
+#include "floc/network/contact_network.h"
+
+namespace floc {
+
+/// Bounds of the bulk and shear moduli of a network (PHYSICS section 4), as stress (force/length^(Dim-1)).
+struct Bounds {
+  /// Affine motion without rotations: sum K_N r^2/(Dim^2 V), and its shear analogue. Upper bounds of B_C and of
+  /// G = (C11 + C22 - 2 C12)/4 (3D: its mean over the three pairs of axes).
+  double B_voigt = 0.0;
+  double G_voigt = 0.0;
+  /// V P^2/sum(F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R) with the state's own forces: a lower bound of B_S if they
+  /// balance, the stress is isotropic and no distant attraction acts (these are left out of the sum). 0 at P =
+  /// 0.
+  double B_reuss = 0.0;
+  /// Mean-field forms as printed in G08, averages of products replaced by products of averages.
+  double B_voigt_printed = 0.0;
+  double G_voigt_printed = 0.0;
+  double B_reuss_printed = 0.0;
+  /// <F_N^2 + (K_N/K_T) F_T^2 + (K_N/K_R) Gamma^2>/<F_N>^2 over touching contacts; infinite where <F_N> = 0.
+  double Z2 = 0.0;
+};
+
+/// What the printed forms need beyond the network.
+struct MeanField {
+  double coordination;    ///< z, touching contacts
+  double solid_fraction;  ///< Phi
+};
+
+/// @param pressure  P, mean of the diagonal of the static stress
+template <int Dim>
+Bounds elastic_bounds(const ContactNetwork<Dim>& network, double pressure, const MeanField& mean_field);
+
+}  // namespace floc

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/linalg/symmetric_factor.h"
+#include "floc/network/free_motions.h"
+#include "floc/network/stiffness_matrix.h"
+
+namespace floc {
+
+struct ResponseOptions {
+  StrainSet strains = StrainSet::diagonal;
+  bool prestress = false;  ///< geometric terms, see StiffnessOptions
+  Ordering ordering = Ordering::amd;
+  /// Eigenvalues of K within this of zero, in units of the largest contact stiffness (rotations times the
+  /// grain's size), are mechanisms. Rounding of K moves an eigenvalue by some 1e-15; near-mechanisms of real
+  /// packings have been seen down to 6e-13 and carry 3 % of B, so they must stay above.
+  double mechanism_bound = 1e-13;
+};
+
+/// Linear response of a network to strains of its cell, nothing sliding.
+struct ElasticResponse {
+  /// Volume times stress per unit strain (rows and columns in the order of StrainSet), grains relaxed: the
+  /// Schur complement of the grains in K. Symmetric; the moduli are this over the volume where there is no
+  /// prestress.
+  Eigen::MatrixXd relaxed;
+  /// Fluctuation of the grains per unit strain: rows the unknowns of K, a column a strain. Zero where nothing
+  /// fixes it.
+  Eigen::MatrixXd fluctuation;
+  FreeMotions free;
+  int n_negative = 0;      ///< negative eigenvalues of the block of the grains, unstable dead ends included
+  int n_mechanisms = 0;    ///< its vanishing eigenvalues beyond those of `free`
+  double residual = 0.0;   ///< backward error of the solution
+  double condition = 1.0;  ///< estimate, of the matrix that was factorized; infinite with mechanisms
+};
+
+/// Solves for the response. A singular or indefinite K is an answer; without prestress and distant bonds a
+/// mechanism of the grains cannot couple to strain, so `relaxed` is right beside it.
+template <int Dim>
+[[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
+                                               const ResponseOptions& options);
+
+}  // namespace floc

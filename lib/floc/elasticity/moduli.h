@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "floc/elasticity/bounds.h"
+#include "floc/elasticity/elastic_response.h"
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+struct ModuliOptions {
+  StrainSet strains = StrainSet::diagonal;
+  /// Adds the geometric terms of the forces the state carries; moduli are then derivatives of the Cauchy
+  /// stress.
+  bool prestress = false;
+  /// Normal force below which a contact of a cohesionless packing carries nothing (rattlers), in units of
+  /// F1 = max(F0, P a^(Dim-1)). The default is the tolerance of an equilibrium (PHYSICS section 1).
+  double force_tolerance = 1e-5;
+  /// Rolling stiffness given to every touching contact in place of its own (force * length).
+  std::optional<double> rolling_stiffness;
+  Ordering ordering = Ordering::amd;
+
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
+};
+
+/// Elastic moduli of one state, as stress (force/length^(Dim-1)), and what they rest on.
+struct Moduli {
+  /// Stress against strain, both positive in compression, order of StrainSet; symmetric.
+  Eigen::MatrixXd C;
+  double B = 0.0;                ///< B_C: mean of the diagonal block of C, strain-controlled
+  double B_S = 0.0;              ///< 1/(sum of the compliances of the diagonal block), stress-controlled
+  double G = 0.0;                ///< (C11 + C22 - 2 C12)/4; in 3D its mean over the pairs of axes
+  double isotropy_defect = 0.0;  ///< largest less smallest of C11, C22 (, C33), over their mean
+  Bounds bounds;
+  int n_negative = 0;    ///< negative eigenvalues of K, strains included
+  int n_mechanisms = 0;  ///< vanishing eigenvalues of K beyond free motions found by structure
+  int n_coupled_mechanisms =
+      0;  ///< those of them that strain the cell at no cost: the moduli along them are zero
+  int n_rattlers = 0;
+  int n_free_rollers = 0;
+  int n_at_cap = 0;        ///< contacts that slide or yield in rolling; C treats them as elastic
+  double pressure = 0.0;   ///< mean of the diagonal of the static stress
+  double residual = 0.0;   ///< backward error of the solution
+  double condition = 1.0;  ///< of K, estimated; infinite with mechanisms
+  /// The same without prestress, if that was asked for: the difference is its worth.
+  std::optional<double> B_without_prestress;
+  std::optional<double> G_without_prestress;
+  std::vector<std::string> warnings;
+};
+
+/// Moduli of the state nothing of which slides or yields. Without prestress C = relaxed K/V. With it, the
+/// Cauchy stress sigma answers the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) + sigma tr E:
+/// for diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the relaxed
+/// Hessian of the energy in ln L, so B gains P and G nothing over H. Where the stress is not isotropic this is
+/// not symmetric; the symmetric part is given.
+/// @pre options.validate() is empty.
+template <int Dim>
+[[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
+
+}  // namespace floc

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <memory>
+
+namespace floc {
+
+enum class Ordering {
+  amd,    ///< fastest to find; best to a million grains of a loose packing
+  metis,  ///< less fill in large dense packings, slower to find
+};
+
+/// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite
+/// matrices are factorized by supernodes; that a matrix is not positive definite is an answer, and its
+/// eigenvalues can be counted. Lengths of the unknowns should be chosen so that A has a diagonal of order one:
+/// pivots and shifts are absolute.
+class SymmetricFactor {
+ public:
+  explicit SymmetricFactor(Ordering ordering = Ordering::amd);
+  ~SymmetricFactor();
+  SymmetricFactor(SymmetricFactor&&) noexcept;
+  SymmetricFactor& operator=(SymmetricFactor&&) noexcept;
+
+  /// Sets A (lower triangle, column-major; entries above the diagonal are ignored).
+  /// @throws std::runtime_error when memory runs out.
+  void set_matrix(const Eigen::SparseMatrix<double>& lower);
+
+  /// Factorizes A + shift * 1 as L L^T.
+  /// @return false when it is not positive definite to working precision.
+  [[nodiscard]] bool factorize_positive(double shift = 0.0);
+
+  /// Factorizes A + shift * 1 as L D L^T without pivoting, whatever its signs.
+  /// @return false when a pivot vanishes to working precision.
+  [[nodiscard]] bool factorize_indefinite(double shift = 0.0);
+
+  /// Number of eigenvalues of A below `bound`, by Sylvester's law of inertia from the signs of D in
+  /// A - bound * 1 = L D L^T. Exact for a matrix within a few units of rounding of A - bound * 1, so `bound`
+  /// should stay further than that from the eigenvalues that matter. The factor it makes replaces any other.
+  int count_eigenvalues_below(double bound);
+
+  /// Solves A X = B by the last factor with iterative refinement against A. With a shift this is the
+  /// proximal-point iteration: it converges on the range of a singular positive semidefinite A if B lies in it.
+  /// @param max_refinements  stops earlier when the residual no longer falls
+  /// @pre the last factorization succeeded.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& B, int max_refinements = 3) const;
+
+  /// A * X.
+  Eigen::MatrixXd multiply(const Eigen::MatrixXd& X) const;
+
+  /// Smallest over largest pivot of the last factor in absolute value. An upper bound of the reciprocal
+  /// condition number up to a factor of order one; 0 for an empty factor.
+  double pivot_ratio() const;
+
+  /// Estimate of the condition number of A + shift in the 1-norm (Hager's method: a lower bound, seldom off by
+  /// 3).
+  /// @pre the last factorization succeeded.
+  double condition_estimate() const;
+
+  /// Largest column of |A X - B| over |A| |X| + |B| (max norms): the backward error of X.
+  double backward_error(const Eigen::MatrixXd& X, const Eigen::MatrixXd& B) const;
+
+ private:
+  struct Factor;
+  std::unique_ptr<Factor> factor_;
+};
+
+}  // namespace floc

@@ -1,0 +1,82 @@
+#include "floc/network/contact_network.h"
+
+#include <cassert>
+
+namespace floc {
+namespace {
+
+Mat<2> frame_of(const Vec<2>& n) {
+  Mat<2> frame;
+  frame << n, tangent<double>(n);
+  return frame;
+}
+
+Mat<3> frame_of(const Vec<3>& n) {
+  Mat<3> frame;
+  frame.col(0) = n;
+  frame.col(1) = n.unitOrthogonal();
+  frame.col(2) = n.cross(frame.col(1));
+  return frame;
+}
+
+template <int Dim>
+NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<Dim>& c, int source) {
+  const Vec<Dim> r = branch(packing, c);
+  const double radius_i = packing.grains.radius[c.i];
+  const double radius_j = packing.grains.radius[c.j];
+  const double share_i = radius_i / (radius_i + radius_j);
+  NetworkContact<Dim> out;
+  out.i = c.i;
+  out.j = c.j;
+  out.branch = r;
+  out.arm_i = share_i * r;
+  out.arm_j = (share_i - 1.0) * r;
+  out.frame = frame_of(Vec<Dim>(r.normalized()));
+  out.kn = c.kn;
+  out.kt = c.kt;
+  out.kr = c.kr;
+  out.normal_force = c.normal_force;
+  out.shear_force = c.shear_force;
+  out.rolling_moment = c.rolling_moment;
+  out.distant = c.distant;
+  out.source = source;
+  return out;
+}
+
+}  // namespace
+
+template <int Dim>
+ContactNetwork<Dim> contact_network(const Packing<Dim>& packing) {
+  ContactNetwork<Dim> network;
+  network.n_grains = packing.grains.size();
+  network.volume = packing.cell.volume();
+  network.grain_size = packing.grains.radius;
+  network.contacts.reserve(packing.contacts.size());
+  for (int c = 0; c < static_cast<int>(packing.contacts.size()); ++c)
+    network.contacts.push_back(network_contact(packing, packing.contacts[c], c));
+  return network;
+}
+
+template <int Dim>
+ContactNetwork<Dim> without_grains(const ContactNetwork<Dim>& network, const std::vector<bool>& removed) {
+  assert(static_cast<int>(removed.size()) == network.n_grains);
+  ContactNetwork<Dim> kept = network;
+  std::erase_if(kept.contacts, [&](const NetworkContact<Dim>& c) { return removed[c.i] || removed[c.j]; });
+  return kept;
+}
+
+template <int Dim>
+void set_rolling_stiffness(ContactNetwork<Dim>& network, double kr) {
+  assert(kr >= 0.0);
+  for (NetworkContact<Dim>& c : network.contacts)
+    if (!c.distant) c.kr = kr;
+}
+
+template ContactNetwork<2> contact_network(const Packing<2>&);
+template ContactNetwork<3> contact_network(const Packing<3>&);
+template ContactNetwork<2> without_grains(const ContactNetwork<2>&, const std::vector<bool>&);
+template ContactNetwork<3> without_grains(const ContactNetwork<3>&, const std::vector<bool>&);
+template void set_rolling_stiffness(ContactNetwork<2>&, double);
+template void set_rolling_stiffness(ContactNetwork<3>&, double);
+
+}  // namespace floc

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// One contact as linear response sees it: where it acts on its two bodies, along which directions, how stiff
+/// it is and what it carries. Nothing here assumes round grains.
+template <int Dim>
+struct NetworkContact {
+  int i;                     ///< first grain
+  int j;                     ///< second grain; may equal i (a grain and its own image)
+  Vec<Dim> branch;           ///< from the centre of i to that of the image of j (length)
+  Vec<Dim> arm_i;            ///< from the centre of i to the contact point (length)
+  Vec<Dim> arm_j;            ///< from the centre of the image of j to the contact point (length)
+  Mat<Dim> frame;            ///< columns: the unit normal from i to j, then the tangents
+  double kn;                 ///< K_N, or -F0/D0 of a distant attraction (force/length)
+  double kt;                 ///< K_T (force/length)
+  double kr;                 ///< K_R (force * length)
+  double normal_force;       ///< static, compression positive (force)
+  Vec<Dim> shear_force;      ///< tangential force on i (force)
+  Spin<Dim> rolling_moment;  ///< on i (force * length)
+  bool distant;              ///< acts across a gap
+  int source;                ///< index in the contact list it came from
+
+  Vec<Dim> normal() const { return frame.col(0); }
+};
+
+/// Contacts of a state and the sizes its linear response needs.
+template <int Dim>
+struct ContactNetwork {
+  int n_grains = 0;
+  double volume = 0.0;  ///< of the cell; area in 2D
+  std::vector<double>
+      grain_size;  ///< length that turns a rotation into a displacement: the radius of a round grain
+  std::vector<NetworkContact<Dim>> contacts;
+
+  int n_unknowns() const { return kDofs<Dim> * n_grains; }
+};
+
+/// Index of the first unknown of a grain: its translations, then its rotations.
+template <int Dim>
+constexpr int first_unknown(int grain) {
+  return kDofs<Dim> * grain;
+}
+
+/// The network of all contacts of a packing, in their order. Lever arms are l = R r/(R_i + R_j) along the
+/// normal (PHYSICS section 1), so they add up to the branch.
+template <int Dim>
+ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
+
+/// The network without the contacts of some grains. Unknowns keep their numbers.
+/// @param removed  one entry a grain
+template <int Dim>
+ContactNetwork<Dim> without_grains(const ContactNetwork<Dim>& network, const std::vector<bool>& removed);
+
+/// Gives every contact that touches (not distant) the rolling stiffness kr >= 0 (force * length).
+template <int Dim>
+void set_rolling_stiffness(ContactNetwork<Dim>& network, double kr);
+
+}  // namespace floc

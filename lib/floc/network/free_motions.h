@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/network/contact_network.h"
+
+namespace floc {
+
+/// The motions that cost nothing because of how a network is connected, found without looking at any stiffness
+/// value but zero. What is left after them is regular unless the network has true mechanisms.
+struct FreeMotions {
+  /// Unknowns of K to solve for, one entry an unknown; the others are free and are set to zero.
+  std::vector<bool> kept;
+  /// Grains that hang on a single contact, or on a chain of such: they take no part in the response to a
+  /// strain.
+  std::vector<bool> dead_end;
+  int n_alone = 0;           ///< grains without any contact
+  int n_free_rollers = 0;    ///< dead ends that roll on their contact or slide along it at no cost
+  int n_free_spins = 0;      ///< other grains whose rotation no contact resists (frictionless)
+  int n_components = 0;      ///< connected parts of what is left; each can translate
+  int n_free_rotations = 0;  ///< rigid rotations of parts that do not wrap around the cell
+  /// Negative eigenvalues of K that left with the dead ends: grains held by one distant attraction.
+  int n_unstable_ends = 0;
+};
+
+/// Removes dead ends (grain by grain from the tips), then rotations that nothing resists, then pins one unknown
+/// for each rigid motion of each connected component: Dim translations, and the rotations that the ways in
+/// which the component wraps around the cell allow. The response to strain and the inertia of K, up to
+/// `n_unstable_ends`, are not changed: the tip's own block of K is eliminated exactly and leaves nothing on its
+/// neighbour. With prestress this holds as far as the tip is in equilibrium, that is, carries no force.
+template <int Dim>
+FreeMotions find_free_motions(const ContactNetwork<Dim>& network);
+
+}  // namespace floc

@@ -1,0 +1,52 @@
+#include "floc/network/rattlers.h"
+
+#include <algorithm>
+
+namespace floc {
+namespace {
+
+template <int Dim>
+bool carries_force(const Packing<Dim>& packing, double smallest_force) {
+  return std::any_of(packing.contacts.begin(), packing.contacts.end(),
+                     [&](const Contact<Dim>& c) { return c.normal_force > smallest_force; });
+}
+
+/// One pass of removal; says whether it removed a grain.
+template <int Dim>
+bool remove_unheld(const Packing<Dim>& packing, double smallest_force, std::vector<bool>& rattler) {
+  const int n = packing.grains.size();
+  std::vector<int> n_touching(n, 0);
+  std::vector<bool> loaded(n, false);
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (rattler[c.i] || rattler[c.j]) continue;
+    for (const int grain : {c.i, c.j}) {
+      ++n_touching[grain];
+      if (c.normal_force > smallest_force) loaded[grain] = true;
+    }
+  }
+  bool removed = false;
+  for (int i = 0; i < n; ++i)
+    if (!rattler[i] && (!loaded[i] || n_touching[i] < 2)) rattler[i] = removed = true;
+  return removed;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<bool> find_rattlers(const Packing<Dim>& packing, double smallest_force) {
+  const bool cohesive = packing.law.pull_off_force() > 0.0;
+  if (cohesive || !carries_force(packing, smallest_force)) {
+    std::vector<bool> alone(packing.grains.size(), true);
+    for (const Contact<Dim>& c : packing.contacts) alone[c.i] = alone[c.j] = false;
+    return alone;
+  }
+  std::vector<bool> rattler(packing.grains.size(), false);
+  while (remove_unheld(packing, smallest_force, rattler)) {
+  }
+  return rattler;
+}
+
+template std::vector<bool> find_rattlers(const Packing<2>&, double);
+template std::vector<bool> find_rattlers(const Packing<3>&, double);
+
+}  // namespace floc

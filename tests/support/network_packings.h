@@ -1,0 +1,59 @@
+#pragma once
+
+#include <random>
+
+#include "floc/neighbors/pairs.h"
+#include "floc/packing/contact_forces.h"
+#include "floc/packing/packing.h"
+
+namespace floc::test {
+
+/// Linear law with every stiffness; caps far beyond any motion of a test.
+inline LawParameters elastic_law(double kn, double kt, double kr) {
+  LawParameters law;
+  law.normal_stiffness = kn;
+  if (kt > 0.0) law.friction = LawParameters::Friction{1e6, kt};
+  if (kr > 0.0) law.rolling = LawParameters::Rolling{1e6, kr};
+  return law;
+}
+
+/// Fills in the contact list of a packing from its positions, springs unstretched.
+template <int Dim>
+void find_contacts(Packing<Dim>& packing) {
+  packing.contacts.clear();
+  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, packing.grains, packing.law.range())) {
+    Contact<Dim> c;
+    c.i = pair.i;
+    c.j = pair.j;
+    c.image = pair.image;
+    packing.contacts.push_back(c);
+  }
+  refresh_contacts(packing);
+}
+
+/// Grains of radius 0.35 to 0.65 at random in a skewed cell, so dense that they hold each other; not in
+/// equilibrium. With few grains the cell is smaller than a grain's reach, and grains touch their own images.
+template <int Dim>
+Packing<Dim> random_packing(int n_grains, unsigned seed, const LawParameters& law,
+                            double grains_per_volume = 1.6) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Packing<Dim> packing;
+  packing.law = law;
+  packing.grains = Grains<Dim>::with_size(n_grains);
+  const double side = std::pow(n_grains / grains_per_volume, 1.0 / Dim);
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b)
+      packing.cell.matrix(a, b) = side * ((a == b ? 1.0 : 0.0) + 0.3 * (uniform(engine) - 0.5));
+  for (int i = 0; i < n_grains; ++i) {
+    Vec<Dim> s;
+    for (int a = 0; a < Dim; ++a) s[a] = uniform(engine);
+    packing.grains.position[i] = packing.cell.matrix.transpose() * s;
+    packing.grains.radius[i] = 0.35 + 0.3 * uniform(engine);
+    packing.grains.mass[i] = 1.0;
+  }
+  find_contacts(packing);
+  return packing;
+}
+
+}  // namespace floc::test

@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "floc/network/stiffness_matrix.h"
+#include "floc/packing/balance.h"
+#include "support/network_packings.h"
+
+namespace floc {
+namespace {
+
+/// The packing after a displacement of its unknowns: fluctuations and rotations of the grains, then strains
+/// (shortening positive). Springs, unstretched before, follow the linear kinematics of PHYSICS section 1
+/// written out here.
+template <int Dim>
+Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
+  const int n = packing.grains.size();
+  Mat<Dim> strain = Mat<Dim>::Zero();
+  for (int e = 0; e < u.size() - kDofs<Dim> * n; ++e) strain += u[kDofs<Dim> * n + e] * unit_strain<Dim>(e);
+  const Mat<Dim> deformation = Mat<Dim>::Identity() - strain;
+  Packing<Dim> out = packing;
+  out.cell.matrix = packing.cell.matrix * deformation.transpose();
+  for (int i = 0; i < n; ++i)
+    out.grains.position[i] = deformation * packing.grains.position[i] + u.template segment<Dim>(kDofs<Dim> * i);
+  for (Contact<Dim>& c : out.contacts) {
+    const Vec<Dim> r = branch(packing, c);
+    const double ratio = r.norm() / (packing.grains.radius[c.i] + packing.grains.radius[c.j]);
+    const auto turn = [&](int grain) {
+      return Spin<Dim>(u.template segment<kRotations<Dim>>(kDofs<Dim> * grain + Dim));
+    };
+    const Vec<Dim> n_ij = r.normalized();
+    const Vec<Dim> arms = ratio * (packing.grains.radius[c.i] * cross<double>(turn(c.i), n_ij) +
+                                   packing.grains.radius[c.j] * cross<double>(turn(c.j), n_ij));
+    const Vec<Dim> approach = branch(out, c) - r;
+    c.shear_spring = to_shear<double>(n_ij, Vec<Dim>(approach - arms));
+    c.rolling_spring = turn(c.i) - turn(c.j);
+  }
+  refresh_contacts(out);
+  return out;
+}
+
+/// Load that holds the packing: force and moment on every grain, and what does work on the strains, the forces
+/// times the branches of the reference packing (volume times stress if that is the packing itself).
+template <int Dim>
+Eigen::VectorXd load(const Packing<Dim>& packing, const Packing<Dim>& reference, StrainSet strains) {
+  const int n = packing.grains.size();
+  const Balance<Dim> net = net_forces(packing);
+  Eigen::VectorXd f = Eigen::VectorXd::Zero(kDofs<Dim> * n + n_strains<Dim>(strains));
+  for (int i = 0; i < n; ++i) {
+    f.template segment<Dim>(kDofs<Dim> * i) = -net.force[i];
+    f.template segment<kRotations<Dim>>(kDofs<Dim> * i + Dim) = -net.moment[i];
+  }
+  for (const Contact<Dim>& c : packing.contacts) {
+    const Vec<Dim> on_j = c.normal_force * c.normal - c.shear_force;
+    for (int e = 0; e < n_strains<Dim>(strains); ++e)
+      f[kDofs<Dim> * n + e] += on_j.dot(unit_strain<Dim>(e) * branch(reference, c));
+  }
+  return f;
+}
+
+template <int Dim>
+double difference_error(const Packing<Dim>& packing, StrainSet strains) {
+  const Eigen::MatrixXd k = stiffness_matrix(contact_network(packing), {strains, true}).whole();
+  const int n = static_cast<int>(k.rows());
+  Eigen::MatrixXd differences(n, n);
+  constexpr double kStep = 1e-5;
+  for (int u = 0; u < n; ++u) {
+    const Packing<Dim> ahead = displaced<Dim>(packing, kStep * Eigen::VectorXd::Unit(n, u));
+    const Packing<Dim> behind = displaced<Dim>(packing, -kStep * Eigen::VectorXd::Unit(n, u));
+    EXPECT_EQ(ahead.contacts.size(), packing.contacts.size());
+    differences.col(u) = (load(ahead, packing, strains) - load(behind, packing, strains)) / (2.0 * kStep);
+  }
+  return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
+}
+
+/// Truncation is (step/r)^2 = 1e-10 and rounding 1e-16/step = 1e-11 of the largest entry.
+constexpr double kDifferenceTolerance = 1e-8;
+
+LawParameters cohesive_law() {
+  LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
+  law.adhesion = LawParameters::Adhesion{0.02, 0.08};
+  return law;
+}
+
+TEST(Stiffness, IsTheDerivativeOfTheForcesIn2D) {
+  for (const StrainSet strains : {StrainSet::diagonal, StrainSet::full})
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      const auto packing = test::random_packing<2>(14, seed, cohesive_law());
+      EXPECT_TRUE(std::any_of(packing.contacts.begin(), packing.contacts.end(),
+                              [](const auto& c) { return c.distant; }));
+      EXPECT_LT(difference_error(packing, strains), kDifferenceTolerance) << "seed " << seed;
+    }
+}
+
+TEST(Stiffness, IsTheDerivativeOfTheForcesIn3D) {
+  for (const StrainSet strains : {StrainSet::diagonal, StrainSet::full}) {
+    const auto packing = test::random_packing<3>(10, 5, cohesive_law());
+    EXPECT_LT(difference_error(packing, strains), kDifferenceTolerance);
+  }
+}
+
+TEST(Stiffness, HoldsForGrainsThatTouchTheirOwnImages) {
+  const auto two = test::random_packing<2>(2, 1, cohesive_law(), 3.0);
+  const auto three = test::random_packing<3>(2, 1, cohesive_law(), 3.0);
+  const auto own = [](const auto& packing) {
+    return std::any_of(packing.contacts.begin(), packing.contacts.end(),
+                       [](const auto& c) { return c.i == c.j; });
+  };
+  ASSERT_TRUE(own(two));
+  ASSERT_TRUE(own(three));
+  EXPECT_LT(difference_error(two, StrainSet::full), kDifferenceTolerance);
+  EXPECT_LT(difference_error(three, StrainSet::full), kDifferenceTolerance);
+}
+
+TEST(Stiffness, IsTheSquareOfTheRigidityMatrix) {
+  const auto network = contact_network(test::random_packing<3>(8, 2, cohesive_law()));
+  const Eigen::MatrixXd g = rigidity_matrix(network, StrainSet::full);
+  Eigen::VectorXd k(g.rows());
+  for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c)
+    k.segment<6>(6 * c) = row_stiffness(network.contacts[c]);
+  const Eigen::MatrixXd whole = stiffness_matrix(network, {StrainSet::full, false}).whole();
+  // The same products summed in another order.
+  EXPECT_LT((g.transpose() * k.asDiagonal() * g - whole).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(Rigidity, BalancesForcesWithLoads) {
+  auto packing = test::random_packing<2>(12, 3, cohesive_law());
+  for (Contact<2>& c : packing.contacts) {
+    c.shear_spring[0] = 0.01 * c.gap;
+    c.rolling_spring[0] = 0.02 * c.gap;
+  }
+  refresh_contacts(packing);
+  const auto network = contact_network(packing);
+  const Eigen::MatrixXd g = rigidity_matrix(network, StrainSet::full);
+  Eigen::VectorXd forces(g.rows());
+  for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c) {
+    const NetworkContact<2>& contact = network.contacts[c];
+    forces.segment<3>(3 * c) << contact.normal_force, contact.shear_force.dot(contact.frame.col(1)),
+        contact.rolling_moment[0];
+  }
+  EXPECT_LT((g.transpose() * forces - load(packing, packing, StrainSet::full)).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,108 @@
+#include "floc/io/csv.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/read_file.h"
+
+namespace floc {
+namespace {
+
+/// Cells of one line. `place` names the line in messages.
+std::vector<std::string> split(const std::string& place, std::string_view line, char separator) {
+  std::vector<std::string> cells;
+  for (bool more = true; more;) {
+    std::string cell;
+    line.remove_prefix(std::min(line.find_first_not_of(separator == '\t' ? " " : " \t"), line.size()));
+    if (line.starts_with('"')) {
+      std::size_t at = 1;
+      for (; at < line.size() && !(line[at] == '"' && (at + 1 == line.size() || line[at + 1] != '"')); ++at) {
+        cell += line[at];
+        if (line[at] == '"') ++at;
+      }
+      if (at >= line.size()) throw InputError(place, "a quoted cell does not end");
+      line.remove_prefix(at + 1);
+    }
+    const std::size_t end = line.find(separator);
+    cell += trimmed(line.substr(0, end));
+    more = end != std::string_view::npos;
+    line.remove_prefix(more ? end + 1 : line.size());
+    cells.push_back(std::move(cell));
+  }
+  return cells;
+}
+
+char separator_of(std::string_view header) {
+  for (const char candidate : {',', '\t', ';'})
+    if (header.find(candidate) != std::string_view::npos) return candidate;
+  return ',';
+}
+
+}  // namespace
+
+CsvTable CsvTable::read(const std::string& path) {
+  if (path == "-") return parse("stdin", std::cin);
+  std::istringstream in(read_file(path));
+  return parse(path, in);
+}
+
+CsvTable CsvTable::parse(const std::string& place, std::istream& in) {
+  CsvTable table;
+  table.place_ = place;
+  char separator = ',';
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    const std::string here = fmt::format("{}:{}", place, ++number);
+    if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+    if (trimmed(line).empty() || trimmed(line).starts_with('#')) continue;
+    if (table.columns_.empty()) {
+      separator = separator_of(line);
+      table.columns_ = split(here, line, separator);
+      continue;
+    }
+    Row row{number, split(here, line, separator)};
+    if (row.cells.size() != table.columns_.size())
+      throw InputError(here, fmt::format("has {} cells, expected {} as the header has", row.cells.size(),
+                                         table.columns_.size()));
+    table.rows_.push_back(std::move(row));
+  }
+  if (table.columns_.empty()) throw InputError(place, "has no header: the first line names the columns");
+  return table;
+}
+
+bool CsvTable::has(const std::string& name) const {
+  return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
+}
+
+int CsvTable::column(const std::string& name) const {
+  const auto found = std::find(columns_.begin(), columns_.end(), name);
+  if (found == columns_.end())
+    throw InputError(place_,
+                     fmt::format("has no column \"{}\"; its columns are {}", name, fmt::join(columns_, ", ")));
+  return static_cast<int>(found - columns_.begin());
+}
+
+double CsvTable::number(int row, int column) const {
+  if (const auto value = parse_number<double>(text(row, column))) return *value;
+  throw InputError(place(row),
+                   fmt::format("{} = \"{}\", expected a finite number", columns_[column], text(row, column)));
+}
+
+std::int64_t CsvTable::integer(int row, int column) const {
+  if (const auto value = parse_number<std::int64_t>(text(row, column))) return *value;
+  throw InputError(place(row),
+                   fmt::format("{} = \"{}\", expected an integer", columns_[column], text(row, column)));
+}
+
+std::string CsvTable::place(int row) const {
+  return fmt::format("{}:{}", place_, rows_[row].line);
+}
+
+}  // namespace floc

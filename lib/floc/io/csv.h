@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace floc {
+
+/// A table of text cells with named columns, as read from a csv file: the first line names the columns,
+/// separated by commas, tabs or semicolons (the first of these that it contains). Empty lines and lines that
+/// begin with # are skipped; a cell with separators stands in double quotes.
+class CsvTable {
+ public:
+  /// @param path  "-" reads stdin
+  /// @throws InputError naming file and line if it cannot be read, has no header, or a line has too many or few
+  /// cells
+  static CsvTable read(const std::string& path);
+
+  /// @param place  name of the table in messages
+  static CsvTable parse(const std::string& place, std::istream& in);
+
+  const std::vector<std::string>& columns() const { return columns_; }
+  int n_rows() const { return static_cast<int>(rows_.size()); }
+  bool has(const std::string& name) const;
+
+  /// Index of a column. @throws InputError listing the columns there are.
+  int column(const std::string& name) const;
+
+  const std::string& text(int row, int column) const { return rows_[row].cells[column]; }
+  bool is_empty(int row, int column) const { return text(row, column).empty(); }
+
+  /// @throws InputError naming file, line, column and value if it is not a finite number, or no integer.
+  double number(int row, int column) const;
+  std::int64_t integer(int row, int column) const;
+
+  /// "file:line" of a row, for messages.
+  std::string place(int row) const;
+
+ private:
+  struct Row {
+    int line;
+    std::vector<std::string> cells;
+  };
+
+  std::string place_;
+  std::vector<std::string> columns_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace floc

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "floc/io/import.h"
+
+namespace floc {
+
+/// Reads a packing from a csv file with one grain a line: columns x, y[, z] and radius (or diameter), and if
+/// present mass (else unit mass at unit diameter) and id (else the grain's line, counted from 0);
+/// `options.columns` renames them. `options.law` and `options.cell` are required.
+///
+/// `options.contacts` may name a csv file with one contact a line: id1, id2 and, if present, image1..imageD
+/// (else the nearest image), normal_force, shear_force1..shear_forceD (the tangential force on id1) and
+/// rolling_moment (2D) or rolling_moment1..3 (on id1). Forces that are given are kept as they are, the rest
+/// follows from the law; springs follow from the forces.
+/// @throws InputError naming file, line and column.
+Imported read_csv_packing(const std::string& path, const ImportOptions& options);
+
+}  // namespace floc

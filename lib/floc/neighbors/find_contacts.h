@@ -1,0 +1,13 @@
+#pragma once
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Replaces the contacts of a packing by all interactions that its geometry and law give: every pair of
+/// surfaces that overlap or are closer than the law's range, springs at rest.
+/// @throws InputError as find_pairs().
+template <int Dim>
+void find_contacts(Packing<Dim>& packing);
+
+}  // namespace floc

@@ -1,0 +1,211 @@
+#include "verification.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "floc/elasticity/stability.h"
+#include "floc/neighbors/pairs.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/contact_forces.h"
+
+namespace floc {
+namespace {
+
+constexpr std::size_t kNamed = 5;  ///< how many offenders a message names
+
+/// Offenders of a criterion and how bad each is.
+class Offenders {
+ public:
+  void add(double how_bad, std::string name) { found_.emplace_back(how_bad, std::move(name)); }
+
+  std::string worst_first() {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text;
+    for (std::size_t k = 0; k < std::min(kNamed, found_.size()); ++k)
+      text += fmt::format("{}{}", k == 0 ? "" : ", ", found_[k].second);
+    if (found_.size() > kNamed) text += fmt::format(" and {} more", found_.size() - kNamed);
+    return text;
+  }
+
+ private:
+  std::vector<std::pair<double, std::string>> found_;
+};
+
+template <int Dim>
+std::string name_of(const Contact<Dim>& c) {
+  return fmt::format("grains {}-{}", c.i, c.j);
+}
+
+/// What positions leave open of a distance: their differences and that of radii are rounded.
+template <int Dim>
+double distance_error(const Packing<Dim>& packing) {
+  const auto& radius = packing.grains.radius;
+  const double largest = 2.0 * *std::max_element(radius.begin(), radius.end());
+  return 64.0 * std::numeric_limits<double>::epsilon() * (packing.cell.matrix.cwiseAbs().sum() + largest);
+}
+
+template <int Dim>
+Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
+  Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
+  Offenders offenders;
+  for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
+    const Contact<Dim>& c = stored.contacts[k];
+    const Contact<Dim>& r = recomputed.contacts[k];
+    const double error =
+        std::max(std::abs(c.gap - r.gap), (c.normal - r.normal).norm() * branch(recomputed, r).norm());
+    result.value = std::max(result.value, error);
+    if (!(error <= result.limit)) offenders.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
+  }
+  result.where = offenders.worst_first();
+  result.holds = result.where.empty();
+  return result;
+}
+
+/// The same for a contact and for the same contact with its grains, or opposite images, exchanged.
+template <int Dim>
+using Identity = std::tuple<int, int, std::vector<int>>;
+
+template <int Dim>
+Identity<Dim> identity(int i, int j, Vec<Dim, int> image) {
+  const Vec<Dim, int> zero = Vec<Dim, int>::Zero();
+  const bool opposite = std::lexicographical_compare(image.begin(), image.end(), zero.begin(), zero.end());
+  if (i > j || (i == j && opposite)) {
+    std::swap(i, j);
+    image = -image;
+  }
+  return {i, j, {image.begin(), image.end()}};
+}
+
+template <int Dim>
+Criterion check_list(const Packing<Dim>& recomputed) {
+  const double open = distance_error(recomputed);
+  const double range = recomputed.law.range();
+  Offenders offenders;
+  std::set<std::pair<Identity<Dim>, int>> listed;
+  std::set<Identity<Dim>> pairs;
+  int n_wrong = 0;
+  const auto wrong = [&](const std::string& what) { offenders.add(0.0, what), ++n_wrong; };
+  for (const Contact<Dim>& c : recomputed.contacts) {
+    const Identity<Dim> id = identity<Dim>(c.i, c.j, c.image);
+    pairs.insert(id);
+    if (!listed.insert({id, c.key}).second) wrong(name_of(c) + " listed twice");
+    if (c.gap >= range + open) wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(c), c.gap));
+  }
+  for (const NeighborPair<Dim>& pair : find_pairs(recomputed.cell, recomputed.grains, range)) {
+    Contact<Dim> c;
+    c.i = pair.i, c.j = pair.j, c.image = pair.image;
+    refresh_contact(recomputed, c);
+    if (c.gap < range - open && !pairs.contains(identity<Dim>(c.i, c.j, c.image)))
+      wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(c), c.gap));
+  }
+  return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, offenders.worst_first()};
+}
+
+template <int Dim>
+Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
+  double largest = 0.0;
+  double stiffest = stored.law.normal_stiffness;
+  for (const Contact<Dim>& c : recomputed.contacts) {
+    largest = std::max(largest, c.elastic_force);
+    stiffest = std::max(stiffest, std::abs(c.kn));
+  }
+  Criterion result{"law", 0.0, stiffest * distance_error(stored) + 1e-12 * largest, true, ""};
+  Offenders offenders;
+  for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
+    const Contact<Dim>& c = stored.contacts[k];
+    const Contact<Dim>& r = recomputed.contacts[k];
+    const double arm = stored.grains.radius[c.i] + stored.grains.radius[c.j];
+    const double error =
+        std::max({std::abs(c.normal_force - r.normal_force), std::abs(c.elastic_force - r.elastic_force),
+                  (c.shear_force - r.shear_force).norm(), (c.rolling_moment - r.rolling_moment).norm() / arm});
+    result.value = std::max(result.value, error);
+    const bool same_state = std::tie(c.kn, c.kt, c.kr, c.distant) == std::tie(r.kn, r.kt, r.kr, r.distant);
+    if (!(error <= result.limit))
+      offenders.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
+    else if (!same_state)
+      offenders.add(0.0, fmt::format("{} in a stiffness", name_of(c)));
+  }
+  result.where = offenders.worst_first();
+  result.holds = result.where.empty();
+  return result;
+}
+
+/// Grains whose net force or moment, measured in `unit`, is not below `limit`.
+template <class Vector>
+std::string unbalanced(const std::vector<Vector>& net, double unit, double limit) {
+  Offenders offenders;
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    const double value = net[i].norm() / unit;
+    if (value >= limit) offenders.add(value, fmt::format("grain {} with {:.2g}", i, value));
+  }
+  return offenders.worst_first();
+}
+
+template <int Dim>
+void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed,
+                     std::vector<Criterion>& criteria) {
+  const Residuals r = residuals(recomputed, state.target_stress);
+  const EquilibriumTolerance& t = state.tolerance;
+  const Balance<Dim> net = net_forces(recomputed);
+  const ForceScale scale = force_scale(recomputed, state.target_stress);
+  const auto add = [&](const char* name, double value, double limit, std::string where) {
+    criteria.push_back({name, value, limit, value < limit, value < limit ? "" : std::move(where)});
+  };
+  add("force", r.force, t.force, unbalanced(net.force, scale.force, t.force));
+  add("moment", r.moment, t.moment, unbalanced(net.moment, scale.force * scale.length, t.moment));
+  const Vec<Dim> stress = static_stress(recomputed).diagonal();
+  std::string stresses;
+  for (int a = 0; a < Dim; ++a)
+    stresses += fmt::format("{}sigma_{} = {:.6g} against {:.6g}", a == 0 ? "" : ", ", a + 1, stress[a],
+                            state.target_stress[a]);
+  add("stress", r.stress, t.stress, stresses);
+  add("energy", r.energy, t.energy, "the grains still move");
+}
+
+template <int Dim>
+Criterion check_mean_stress(const Packing<Dim>& recomputed) {
+  constexpr double kRelative = 1e-10;
+  double sum = 0.0;
+  double magnitude = 0.0;
+  for (const Contact<Dim>& c : recomputed.contacts) {
+    const double virial = c.normal_force * branch(recomputed, c).norm();
+    sum += virial;
+    magnitude += std::abs(virial);
+  }
+  const double unit = Dim * recomputed.cell.volume();
+  const double mean = static_stress(recomputed).diagonal().mean();
+  // At zero pressure tensions and compressions cancel; rounding then is relative to what cancels.
+  const double scale = std::max(std::abs(mean), 1e-5 * magnitude / unit);
+  const double error = scale > 0.0 ? std::abs(sum / unit - mean) / scale : 0.0;
+  const bool holds = error <= kRelative;
+  return {"mean_stress", error, kRelative, holds,
+          holds ? "" : fmt::format("sum F_N r/(D V) = {:.6g}, mean stress = {:.6g}", sum / unit, mean)};
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Criterion> verify_equilibrium(const State<Dim>& state) {
+  Packing<Dim> recomputed = state.packing;
+  for (Contact<Dim>& c : recomputed.contacts) refresh_contact(recomputed, c);
+  std::vector<Criterion> criteria = {check_geometry(state.packing, recomputed), check_list(recomputed),
+                                     check_law(state.packing, recomputed)};
+  check_residuals(state, recomputed, criteria);
+  criteria.push_back(check_mean_stress(recomputed));
+  const int n_negative = count_negative_eigenvalues(recomputed);
+  criteria.push_back(
+      {"stability", static_cast<double>(n_negative), 0.0, n_negative == 0,
+       n_negative == 0 ? "" : fmt::format("{} negative eigenvalues of the stiffness matrix", n_negative)});
+  return criteria;
+}
+
+template std::vector<Criterion> verify_equilibrium(const State<2>&);
+template std::vector<Criterion> verify_equilibrium(const State<3>&);
+
+}  // namespace floc

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/packing/state.h"
+
+namespace floc {
+
+/// One thing a state has to be to be an equilibrium, as found from positions, springs and law alone.
+struct Criterion {
+  const char* name;
+  double value;  ///< what was found
+  double limit;  ///< what it may be
+  bool holds;
+  std::string where;  ///< the grains or contacts that break it, worst first; empty if it holds
+};
+
+/// Recomputes everything a state says of its contacts, and measures the equilibrium on what was recomputed:
+///   geometry     gaps and normals of the contacts stored, against positions (length)
+///   list         interactions in the law's range that the list misses, and contacts it has too many
+///   law          forces, moments, stiffnesses and flags stored, against the law and the springs (force)
+///   force, moment, stress, energy   the four residuals, against the tolerances the state was asked to meet
+///   mean_stress  sum F_N r/(Dim V) against the mean stress, relative
+///   stability    number of negative eigenvalues of the stiffness matrix
+/// Geometry and law are held to what rounding of the positions leaves open.
+template <int Dim>
+std::vector<Criterion> verify_equilibrium(const State<Dim>& state);
+
+}  // namespace floc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ constexpr int kMostSweeps = 20000;            ///< growing takes longer near fre
 template <int Dim>
 double solid_volume(const std::vector<double>& diameter) {
   double sum = 0.0;
-  for (const double d : diameter) sum += Dim == 2 ? M_PI / 4.0 * d * d : M_PI / 6.0 * d * d * d;
+  for (const double d : diameter) sum += Dim == 2 ? std::numbers::pi / 4.0 * d * d : std::numbers::pi / 6.0 * d * d * d;
   return sum;
 }
 
@@ -142,11 +143,16 @@ double room_to_grow(const HardGrains<Dim>& grains, const std::vector<double>& di
 std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random) {
   const DiameterDistribution& d = options.diameter;
   if (d.kind == DiameterDistribution::Kind::list) return d.values;
-  std::vector<double> diameter(options.count, d.min);
-  for (double& value : diameter) {
-    if (d.kind == DiameterDistribution::Kind::uniform) value = random.uniform(d.min, d.max);
-    if (d.kind == DiameterDistribution::Kind::bidisperse) value = random.uniform() < d.share_of_large ? d.max : d.min;
+  const int n = options.count;
+  std::vector<double> diameter(n, d.min);
+  // Equally spaced quantiles in random order: the sample has the distribution's moments, and its largest grain is
+  // exactly the unit of length that P* and kappa are made of.
+  for (int i = 0; i < n; ++i) {
+    if (d.kind == DiameterDistribution::Kind::uniform)
+      diameter[i] = n == 1 ? d.max : d.min + (d.max - d.min) * i / (n - 1);
+    if (d.kind == DiameterDistribution::Kind::bidisperse) diameter[i] = i < d.share_of_large * n ? d.max : d.min;
   }
+  for (int i = n - 1; i > 0; --i) std::swap(diameter[i], diameter[random.below(i + 1)]);
   return diameter;
 }
 
@@ -174,7 +180,7 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
   gas.cell.matrix *= side;
   gas.grains = Grains<Dim>::with_size(static_cast<int>(diameter.size()));
   gas.grains.position = hard.position();
-  const double unit_sphere = Dim == 2 ? M_PI / 4.0 : M_PI / 6.0;
+  const double unit_sphere = Dim == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
   const double mass_per_cube = options.density ? *options.density * unit_sphere : 1.0;
   for (int i = 0; i < gas.grains.size(); ++i) {
     gas.grains.radius[i] = 0.5 * diameter[i];

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Diameters of the grains of a scene (length), drawn from its distribution in the order of the grains.
+/// Diameters of the grains of a scene (length): equally spaced quantiles of its distribution, in random order.
 std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random);
 
 /// Grains at rest without overlap in a square (cubic) cell at the given solid fraction: placed one by one at random, then

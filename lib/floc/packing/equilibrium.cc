@@ -24,6 +24,14 @@ ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stres
 }
 
 template <int Dim>
+double reduced_pressure(const Packing<Dim>& packing, double pressure) {
+  const double a = force_scale(packing, Vec<Dim>(Vec<Dim>::Zero())).length;
+  const double F0 = packing.law.pull_off_force();
+  return F0 > 0.0 ? std::pow(a, Dim - 1) * pressure / F0
+                  : std::pow(a, Dim - 2) * pressure / packing.law.normal_stiffness;
+}
+
+template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
   const ForceScale scale = force_scale(packing, target_stress);
   const Balance<Dim> net = net_forces(packing);
@@ -45,6 +53,8 @@ Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress) 
 
 template ForceScale force_scale(const Packing<2>&, const Vec<2>&);
 template ForceScale force_scale(const Packing<3>&, const Vec<3>&);
+template double reduced_pressure(const Packing<2>&, double);
+template double reduced_pressure(const Packing<3>&, double);
 template Residuals residuals(const Packing<2>&, const Vec<2>&);
 template Residuals residuals(const Packing<3>&, const Vec<3>&);
 

@@ -41,6 +41,10 @@ struct ForceScale {
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
+/// Pressure in units of the contact law: P* = a^(Dim-1) P/F0, and P a^(Dim-2)/K_N where nothing adheres (in 2D P/K_N).
+template <int Dim>
+double reduced_pressure(const Packing<Dim>& packing, double pressure);
+
 /// Measures a packing against the diagonal stress it is loaded with, from the forces in its contact list.
 /// An F1 of zero (no adhesion, no pressure) makes any residual infinite but an exact zero.
 template <int Dim>

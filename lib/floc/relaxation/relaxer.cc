@@ -19,6 +19,7 @@ constexpr int kStretch = 500;
 /// kinetic energy is within its tolerance (FINDINGS: damping before that changes which rearrangement happens).
 constexpr double kStillPhi = 2e-5;
 constexpr double kStillWindow = 5.0;
+constexpr double kStillContactsWindow = 20.0;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
 constexpr double kFinishPhi = 1e-4;
 /// The polisher is tried where it is known to succeed, and after a failure again a while later.
@@ -32,6 +33,19 @@ double first_skin(const RelaxationOptions& options, double a) { return options.s
 template <int Dim>
 double heaviest(const Packing<Dim>& packing) {
   return *std::max_element(packing.grains.mass.begin(), packing.grains.mass.end());
+}
+
+/// Fingerprint of which grains touch (FNV-1a over the pairs).
+template <int Dim>
+std::uint64_t contact_fingerprint(const Packing<Dim>& packing) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  const auto mix = [&hash](int value) { hash = (hash ^ static_cast<std::uint32_t>(value)) * 0x100000001b3ULL; };
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (c.distant) continue;
+    mix(c.i);
+    mix(c.j);
+  }
+  return hash;
 }
 
 }  // namespace
@@ -92,27 +106,54 @@ RelaxationStatus Relaxer<Dim>::advance() {
   return status;
 }
 
-/// Motion has stopped when the density is still, the kinetic energy small, and the cell has answered to its load: the
-/// imbalance of stress on each axis has changed sign since the start, or is within tolerance. Without the last
-/// condition a small increment would count as equilibrium before anything has moved.
+/// The imbalance of stress on each axis has changed sign since the start, or is within tolerance. Without this a small
+/// increment would count as equilibrium before anything has moved.
 template <int Dim>
-RelaxationStatus Relaxer<Dim>::judge_motion() {
+bool Relaxer<Dim>::answered_to_load() {
   const Vec<Dim> imbalance = static_stress(packing_).diagonal() - target_;
-  for (int a = 0; a < Dim; ++a)
+  bool answered = true;
+  for (int a = 0; a < Dim; ++a) {
     if (imbalance[a] * progress_.imbalance_sign[a] < 0.0) progress_.imbalance_sign[a] = 0.0;
-  const bool answered = std::all_of(progress_.imbalance_sign.begin(), progress_.imbalance_sign.end(),
-                                    [](double sign) { return sign == 0.0; }) ||
-                        residuals_.stress < options_.tolerance.stress;
+    answered = answered && progress_.imbalance_sign[a] == 0.0;
+  }
+  return answered || residuals_.stress < options_.tolerance.stress;
+}
 
+template <int Dim>
+bool Relaxer<Dim>::density_still() {
   std::vector<double>& phi = progress_.solid_fraction;
   phi.push_back(solid_fraction(packing_));
-  const auto window = static_cast<std::size_t>(std::ceil(kStillWindow * time_unit_ / (kStretch * time_step_))) + 1;
+  const std::size_t window = stretches_in(kStillWindow) + 1;
   if (phi.size() > window) phi.erase(phi.begin());
-  if (phi.size() < window) return RelaxationStatus::running;
   const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
-  if (*high - *low < kStillPhi && residuals_.energy < options_.tolerance.energy && answered) {
+  return phi.size() == window && *high - *low < kStillPhi;
+}
+
+/// Without any load a floppy packing coasts on for ever at the speed its assembly left it; that no contact opens or
+/// closes is then what tells that nothing happens any more.
+template <int Dim>
+bool Relaxer<Dim>::contacts_still() {
+  const std::uint64_t set = contact_fingerprint(packing_);
+  progress_.unchanged_stretches = set == progress_.contact_set ? progress_.unchanged_stretches + 1 : 0;
+  progress_.contact_set = set;
+  return target_.isZero(0.0) && progress_.unchanged_stretches >= static_cast<int>(stretches_in(kStillContactsWindow));
+}
+
+template <int Dim>
+std::size_t Relaxer<Dim>::stretches_in(double time_units) const {
+  return static_cast<std::size_t>(std::ceil(time_units * time_unit_ / (kStretch * time_step_)));
+}
+
+/// Motion has stopped when the packing is still, its kinetic energy small, and the cell has answered to its load.
+template <int Dim>
+RelaxationStatus Relaxer<Dim>::judge_motion() {
+  const bool answered = answered_to_load();
+  const bool still_density = density_still();
+  const bool still_contacts = contacts_still();
+  const bool still = (still_density && answered) || still_contacts;
+  if (still && residuals_.energy < options_.tolerance.energy) {
     progress_.stage = RelaxationProgress::finishing;
-    progress_.finishing_since_phi = phi.back();
+    progress_.finishing_since_phi = progress_.solid_fraction.back();
     progress_.finishing_stretches = 0;
     progress_.next_polish = 1;
   }

@@ -19,6 +19,8 @@ struct RelaxationProgress {
   double skin = 0.0;                     ///< of the Verlet list; 0 before the first stretch
   std::vector<double> solid_fraction;    ///< at the end of each recent stretch, the oldest first
   std::vector<double> imbalance_sign;    ///< of each axis: sign of stress - target at the start; 0 once it has changed
+  std::uint64_t contact_set = 0;         ///< fingerprint of the contact list
+  int unchanged_stretches = 0;           ///< stretches since that last changed
   double finishing_since_phi = 0.0;      ///< solid fraction when finishing began
   int finishing_stretches = 0;
   int next_polish = 0;                   ///< stretch of the finish at which the static polisher is tried next
@@ -52,6 +54,10 @@ class Relaxer {
   RelaxationReport report() const;
 
  private:
+  bool answered_to_load();
+  bool density_still();
+  bool contacts_still();
+  std::size_t stretches_in(double time_units) const;
   RelaxationStatus judge_motion();
   RelaxationStatus judge_finish();
   bool polish();

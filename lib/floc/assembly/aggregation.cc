@@ -1,0 +1,77 @@
+#include "floc/assembly/aggregation.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "floc/relaxation/dynamics.h"
+
+namespace floc {
+namespace {
+
+constexpr int kStretch = 500;
+/// Steps in which two grains that approach at twice the r.m.s. speed cross the tail, at least (`v dt << D0`).
+constexpr double kStepsAcrossTail = 4.0;
+
+}  // namespace
+
+template <int Dim>
+int count_clusters(const Packing<Dim>& packing) {
+  std::vector<int> parent(packing.grains.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  int clusters = packing.grains.size();
+  for (const Contact<Dim>& c : packing.contacts) {
+    const int a = root(c.i);
+    const int b = root(c.j);
+    if (a == b) continue;
+    parent[std::max(a, b)] = std::min(a, b);
+    --clusters;
+  }
+  return clusters;
+}
+
+template <int Dim>
+Aggregation<Dim>::Aggregation(const RelaxationOptions& options, const Packing<Dim>& packing, double rms_speed,
+                              double skin)
+    : options_(options),
+      packing_(packing),
+      time_step_(time_step_of(packing, options.time_step)),
+      skin_(skin),
+      n_clusters_(count_clusters(packing)) {
+  const double range = packing.law.range();
+  if (range > 0.0 && rms_speed > 0.0) time_step_ = std::min(time_step_, range / (kStepsAcrossTail * 2.0 * rms_speed));
+  const double a = 2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end());
+  if (options.skin) skin_ = *options.skin * a;
+  if (skin_ == 0.0) skin_ = 0.1 * a;
+}
+
+template <int Dim>
+bool Aggregation<Dim>::advance() {
+  CellControl<Dim> control;
+  control.fixed = true;
+  const auto dynamics = make_dynamics(packing_, control, {time_step_, skin_, options_.threads});
+  dynamics->advance(kStretch, Motion::free);
+  packing_ = dynamics->packing();
+  if (!options_.skin) skin_ = dynamics->skin();
+  n_clusters_ = count_clusters(packing_);
+  return n_clusters_ == 1;
+}
+
+template <int Dim>
+double Aggregation<Dim>::stretch_time() const {
+  return kStretch * time_step_;
+}
+
+template <int Dim>
+int Aggregation<Dim>::stretch_steps() {
+  return kStretch;
+}
+
+template int count_clusters(const Packing<2>&);
+template int count_clusters(const Packing<3>&);
+template class Aggregation<2>;
+
+}  // namespace floc

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "floc/packing/packing.h"
+#include "floc/relaxation/relaxation_options.h"
+
+namespace floc {
+
+/// Clusters of grains joined by contacts or by tails (PHYSICS section 1, type 2): number of connected components of the
+/// interactions, a lone grain being one.
+template <int Dim>
+int count_clusters(const Packing<Dim>& packing);
+
+/// The second stage of the type 2 assembly: agitated grains in a fixed cell collide and stick until they are one
+/// cluster. State to state in stretches, like Relaxer.
+template <int Dim>
+class Aggregation {
+ public:
+  /// @param rms_speed  of the agitation (length/time): the step is shortened where a grain would cross the tail of the
+  ///                   adhesion in a few steps
+  Aggregation(const RelaxationOptions& options, const Packing<Dim>& packing, double rms_speed, double skin);
+
+  /// One stretch. @return true when all grains form one cluster
+  bool advance();
+
+  const Packing<Dim>& packing() const { return packing_; }
+  int n_clusters() const { return n_clusters_; }
+  double skin() const { return skin_; }
+  double stretch_time() const;
+  static int stretch_steps();
+
+ private:
+  RelaxationOptions options_;
+  Packing<Dim> packing_;
+  double time_step_;
+  double skin_;
+  int n_clusters_;
+};
+
+}  // namespace floc

@@ -1,0 +1,117 @@
+#include "floc/loading/run.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "floc/assembly/gas.h"
+#include "floc/base/version.h"
+
+namespace floc {
+namespace {
+
+/// Purposes of the random streams of one seed.
+constexpr std::uint64_t kAssemblyStream = 1;
+
+}  // namespace
+
+template <int Dim>
+Run<Dim>::Run(RunOptions options)
+    : options_(std::move(options)), plan_(plan_run(options_.assembly, options_.law, options_.load)) {
+  RandomStream random(options_.seed, kAssemblyStream);
+  point_.packing = make_gas<Dim>(options_.grains, options_.law, options_.assembly.solid_fraction, random);
+  point_.aggregating = options_.assembly.protocol == AssemblyOptions::Protocol::aggregation;
+  if (point_.aggregating) agitate(point_.packing, agitation_speed(), random);
+  point_.stream_state = random.state();
+  start_step();
+}
+
+template <int Dim>
+Run<Dim>::Run(RunOptions options, RunPoint<Dim> point)
+    : options_(std::move(options)),
+      plan_(plan_run(options_.assembly, options_.law, options_.load)),
+      point_(std::move(point)) {
+  if (!finished()) start_step();
+}
+
+template <int Dim>
+RunPoint<Dim> Run<Dim>::after(const State<Dim>& state, const std::string& sha256) {
+  RunPoint<Dim> point;
+  point.step = state.path.step + 1;
+  point.packing = state.packing;
+  point.stream_state = state.provenance.stream_state;
+  point.time = state.path.time;
+  point.n_steps = state.path.n_steps;
+  point.parent_sha256 = sha256;
+  return point;
+}
+
+/// V0 = agitation * V*, V* = sqrt(F0 D0/m), m the mass of the largest grain (PHYSICS section 1).
+template <int Dim>
+double Run<Dim>::agitation_speed() const {
+  const std::vector<double>& mass = point_.packing.grains.mass;
+  const double m = *std::max_element(mass.begin(), mass.end());
+  return options_.assembly.agitation * std::sqrt(options_.law.pull_off_force() * options_.law.range() / m);
+}
+
+template <int Dim>
+void Run<Dim>::start_step() {
+  if (point_.aggregating) {
+    aggregation_ = std::make_unique<Aggregation<Dim>>(options_.relaxation, point_.packing, agitation_speed(),
+                                                      point_.aggregation_skin);
+    return;
+  }
+  aggregation_.reset();
+  point_.packing.law = target().law;
+  relaxer_ = std::make_unique<Relaxer<Dim>>(options_.relaxation, point_.packing,
+                                            Vec<Dim>::Constant(target().pressure), point_.relaxation);
+}
+
+template <int Dim>
+RunEvent Run<Dim>::advance() {
+  assert(!finished());
+  if (point_.aggregating) {
+    point_.aggregating = !aggregation_->advance();
+    point_.packing = aggregation_->packing();
+    point_.aggregation_skin = aggregation_->skin();
+    point_.time += aggregation_->stretch_time();
+    point_.n_steps += Aggregation<Dim>::stretch_steps();
+    if (!point_.aggregating) start_step();
+    return RunEvent::stretch;
+  }
+  const RelaxationStatus status = relaxer_->advance();
+  point_.packing = relaxer_->packing();
+  point_.relaxation = relaxer_->progress();
+  if (status == RelaxationStatus::running) return RunEvent::stretch;
+  return status == RelaxationStatus::converged ? RunEvent::equilibrium : RunEvent::gave_up;
+}
+
+template <int Dim>
+State<Dim> Run<Dim>::state() const {
+  State<Dim> state;
+  state.units = options_.units;
+  state.packing = point_.packing;
+  state.target_stress = Vec<Dim>::Constant(target().pressure);
+  state.tolerance = options_.relaxation.tolerance;
+  state.residuals = residuals(point_.packing, state.target_stress);
+  state.path = {point_.step, target().branch, point_.time + point_.relaxation.time,
+                point_.n_steps + point_.relaxation.n_steps};
+  state.scene = options_.scene;
+  state.provenance.program = "floc " + version();
+  state.provenance.commit = commit();
+  state.provenance.compiler = compiler();
+  state.provenance.seed = options_.seed;
+  state.provenance.stream_state = point_.stream_state;
+  state.provenance.parent_sha256 = point_.parent_sha256;
+  return state;
+}
+
+template <int Dim>
+void Run<Dim>::saved(const std::string& sha256) {
+  point_ = after(state(), sha256);
+  if (!finished()) start_step();
+}
+
+template class Run<2>;
+
+}  // namespace floc

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "floc/assembly/aggregation.h"
+#include "floc/assembly/assembly_options.h"
+#include "floc/loading/run_plan.h"
+#include "floc/packing/state.h"
+#include "floc/relaxation/relaxer.h"
+
+namespace floc {
+
+/// Everything that says what a run does; with the same options a run gives the same bits.
+struct RunOptions {
+  std::string units;
+  GrainOptions grains;
+  LawParameters law;
+  AssemblyOptions assembly;
+  std::vector<LoadTurn> load;
+  RelaxationOptions relaxation;
+  std::uint64_t seed = 1;
+  std::string scene;  ///< text, stored in every state
+};
+
+/// Where a run stands between two stretches: with the options, all that decides how it goes on. This is what a
+/// checkpoint holds.
+template <int Dim>
+struct RunPoint {
+  int step = 0;                ///< number of the equilibrium being made
+  bool aggregating = false;    ///< grains still collide and stick
+  Packing<Dim> packing;
+  RelaxationProgress relaxation;
+  std::uint64_t stream_state = 0;
+  double time = 0.0;           ///< simulated time before this relaxation (time)
+  std::int64_t n_steps = 0;    ///< time steps before it
+  double aggregation_skin = 0.0;
+  std::string parent_sha256;   ///< of the last saved state
+};
+
+/// What a stretch of a run came to.
+enum class RunEvent {
+  stretch,      ///< nothing yet; between two stretches a run may be stopped and continued without a trace
+  equilibrium,  ///< `state()` is the next equilibrium; save it, then call `saved()`
+  gave_up,      ///< the present step does not converge; `report()` says what blocks
+};
+
+/// A whole run: assembly, then every equilibrium of the load path. It never touches a file: whoever drives it saves the
+/// states it makes.
+template <int Dim>
+class Run {
+ public:
+  /// A run from its beginning. @throws InputError for options that cannot be run.
+  explicit Run(RunOptions options);
+  /// A run from a point inside.
+  Run(RunOptions options, RunPoint<Dim> point);
+  /// The point after a saved equilibrium: what a run continues from when there is no checkpoint.
+  static RunPoint<Dim> after(const State<Dim>& state, const std::string& sha256);
+
+  const std::vector<PlannedEquilibrium>& plan() const { return plan_; }
+  bool finished() const { return point_.step == static_cast<int>(plan_.size()); }
+
+  /// One stretch. @pre not finished, and `saved()` was called after the last equilibrium.
+  RunEvent advance();
+  /// The equilibrium just reached.
+  State<Dim> state() const;
+  /// Goes on to the next step. @param sha256 of the file the state was saved in
+  void saved(const std::string& sha256);
+
+  const RunPoint<Dim>& point() const { return point_; }
+  const PlannedEquilibrium& target() const { return plan_[point_.step]; }
+  /// Of the present relaxation; not while aggregating.
+  RelaxationReport report() const { return relaxer_->report(); }
+  int n_clusters() const { return aggregation_ ? aggregation_->n_clusters() : 1; }
+
+ private:
+  void start_step();
+  double agitation_speed() const;
+
+  RunOptions options_;
+  std::vector<PlannedEquilibrium> plan_;
+  RunPoint<Dim> point_;
+  std::unique_ptr<Aggregation<Dim>> aggregation_;
+  std::unique_ptr<Relaxer<Dim>> relaxer_;
+};
+
+}  // namespace floc

@@ -1,0 +1,53 @@
+#include "floc/loading/run_plan.h"
+
+#include <fmt/format.h>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+/// The parameter a key names, or null when its slot is absent or there is no such key.
+double* parameter(LawParameters& law, const std::string& key) {
+  if (key == "normal.stiffness") return &law.normal_stiffness;
+  if (law.adhesion && key == "adhesion.force") return &law.adhesion->force;
+  if (law.adhesion && key == "adhesion.range") return &law.adhesion->range;
+  if (law.damping && key == "damping.restitution") return &law.damping->restitution;
+  if (law.friction && key == "friction.coefficient") return &law.friction->coefficient;
+  if (law.friction && key == "friction.stiffness") return &law.friction->stiffness;
+  if (law.rolling && key == "rolling.coefficient") return &law.rolling->coefficient;
+  if (law.rolling && key == "rolling.stiffness") return &law.rolling->stiffness;
+  return nullptr;
+}
+
+}  // namespace
+
+void change_law(LawParameters& law, const std::string& key, double value) {
+  double* const target = parameter(law, key);
+  if (target == nullptr)
+    throw InputError("load.set", fmt::format("{} = {}: the scene's contact law has no such parameter", key, value));
+  *target = value;
+  const std::vector<std::string> faults = law.validate();
+  if (!faults.empty()) throw InputError("load.set", faults.front());
+}
+
+std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
+                                         const std::vector<LoadTurn>& load) {
+  std::vector<PlannedEquilibrium> plan;
+  if (assembly.protocol == AssemblyOptions::Protocol::aggregation) plan.push_back({"assembly", 0.0, law});
+  if (plan.empty() || assembly.pressure > 0.0) plan.push_back({"assembly", assembly.pressure, law});
+  LawParameters present = law;
+  for (const LoadTurn& turn : load) {
+    for (const auto& [key, value] : turn.set) change_law(present, key, value);
+    for (const double pressure : turn_pressures(plan.back().pressure, turn))
+      plan.push_back({turn.name, pressure, present});
+  }
+  for (const PlannedEquilibrium& equilibrium : plan)
+    if (equilibrium.pressure == 0.0 && equilibrium.law.pull_off_force() == 0.0)
+      throw InputError("load", fmt::format("branch \"{}\" asks for equilibrium at zero pressure without adhesion: nothing "
+                                           "holds the grains together, expected a pressure > 0",
+                                           equilibrium.branch));
+  return plan;
+}
+
+}  // namespace floc

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/assembly/assembly_options.h"
+#include "floc/contact/law_parameters.h"
+#include "floc/loading/load_path.h"
+
+namespace floc {
+
+/// One equilibrium a run will make.
+struct PlannedEquilibrium {
+  std::string branch;   ///< "assembly" or the name of the turn
+  double pressure;      ///< (unit of stress of the scene)
+  LawParameters law;    ///< with the changes made so far
+};
+
+/// All equilibria of a run, in order: those of the assembly (aggregation: P = 0, then the first pressure), then every step
+/// of every turn.
+/// @throws InputError if a turn changes something the law does not have
+std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
+                                         const std::vector<LoadTurn>& load);
+
+/// Makes one change of a contact law: "adhesion.force" = 0, "friction.coefficient" = 0.3, ...
+/// @param key  path below [contact]
+/// @throws InputError if the key is unknown, its slot absent, or the law would be invalid
+void change_law(LawParameters& law, const std::string& key, double value);
+
+}  // namespace floc

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Who touches whom, counted (PHYSICS section 3). Coordination numbers are 2 Nc/N over surfaces that touch; distant
+/// attractions are counted apart (G08 counts them in z and z-: add 2 n_distant/N to compare).
+struct Coordination {
+  int n_contacts = 0;             ///< surfaces that touch
+  int n_distant = 0;              ///< attractions across a gap
+  double z = 0.0;                 ///< 2 n_contacts/N
+  double z_plus = 0.0;            ///< of contacts in compression
+  double z_minus = 0.0;           ///< of contacts in tension
+  double z_zero = 0.0;            ///< of contacts whose normal force is zero within the tolerance
+  double rattler_fraction = 0.0;  ///< x0
+};
+
+/// @param zero_force  largest normal force that counts as zero (force)
+template <int Dim>
+Coordination coordination(const Packing<Dim>& packing, double zero_force);
+
+}  // namespace floc

@@ -1,0 +1,105 @@
+#include "support/layers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+
+namespace floc::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+const std::filesystem::path kLibrary = std::filesystem::path(FLOC_SOURCE_DIR) / "lib" / "floc";
+
+TEST(Layers, NoSourceIncludesWhatTheOrderForbids) {
+  EXPECT_THAT(layer_faults(kLibrary), IsEmpty());
+}
+
+TEST(Layers, TheLibraryIsReallyRead) {
+  int n_files = 0, n_includes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kLibrary)) {
+    if (entry.path().extension() != ".h") continue;
+    std::ifstream in(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    for (const Include& include : includes_of(text)) n_includes += include.name.starts_with("floc/");
+    ++n_files;
+  }
+  EXPECT_GT(n_files, 30);
+  EXPECT_GT(n_includes, n_files);
+}
+
+TEST(Layers, TheOrderHasNoCycle) {
+  for (const auto& [folder, below] : layer_order())
+    for (const std::string& other : below)
+      EXPECT_FALSE(reachable(layer_order(), other).contains(folder)) << folder << " and " << other;
+}
+
+TEST(Library, NeverPrints) {
+  const std::regex printing(R"re(std::(cout|cerr|clog|puts|printf|perror)\b|\bf?printf *\(|fmt::print)re");
+  ASSERT_TRUE(std::regex_search("  std::cerr << 1;", printing));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kLibrary)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream in(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_FALSE(std::regex_search(text, printing)) << entry.path();
+  }
+}
+
+TEST(Layers, EveryFolderHasItsPlace) {
+  for (const auto& entry : std::filesystem::directory_iterator(kLibrary))
+    if (entry.is_directory()) {
+      EXPECT_TRUE(layer_order().contains(entry.path().filename().string())) << entry.path();
+    }
+}
+
+TEST(Layers, WhatALayerUsesMayBeUsedThroughIt) {
+  EXPECT_FALSE(fault_of("loading", {"floc/contact/contact_law.h", true}));
+  EXPECT_FALSE(fault_of("elasticity", {"floc/linalg/symmetric_factor.h", true}));
+}
+
+TEST(Layers, AForbiddenIncludeIsRejected) {
+  EXPECT_TRUE(fault_of("contact", {"floc/packing/packing.h", true}));
+  EXPECT_TRUE(fault_of("network", {"floc/relaxation/relaxation_options.h", true}));
+  EXPECT_TRUE(fault_of("loading", {"floc/io/state_file.h", true}));
+  EXPECT_TRUE(fault_of("structure", {"floc/elasticity/moduli.h", true}));
+  EXPECT_TRUE(fault_of("packing", {"floc/nowhere/thing.h", true}));
+  EXPECT_TRUE(fault_of("nowhere", {"vector", false}));
+}
+
+TEST(Layers, AForeignLibraryHasOneOwner) {
+  EXPECT_FALSE(fault_of("linalg", {"cholmod.h", false}));
+  EXPECT_TRUE(fault_of("network", {"cholmod.h", false}));
+  EXPECT_TRUE(fault_of("relaxation", {"suitesparse/umfpack.h", false}));
+  EXPECT_TRUE(fault_of("contact", {"ceres/jet.h", false}));
+  EXPECT_TRUE(fault_of("packing", {"hdf5.h", false}));
+  EXPECT_TRUE(fault_of("loading", {"toml++/toml.h", false}));
+  EXPECT_TRUE(fault_of("base", {"CLI/CLI.hpp", false}));
+  EXPECT_FALSE(fault_of("io", {"vector", false}));
+}
+
+TEST(Layers, AForbiddenIncludeInATreeIsFoundAndNamed) {
+  const std::filesystem::path root =
+      std::filesystem::temp_directory_path() / ("floc_layers_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(root / "contact" / "normal");
+  std::ofstream(root / "contact" / "normal" / "bad.h")
+      << "#pragma once\n"
+         "// #include \"floc/io/table.h\" in a comment is none\n"
+         "#include <vector>\n"
+         "  #  include \"floc/packing/packing.h\"\n"
+         "#include \"floc/base/vec.h\"\n"
+         "#include \"bad.h\"\n"
+         "#include \"generated.h\"\n";
+  const std::vector<std::string> faults = layer_faults(root);
+  std::filesystem::remove_all(root);
+  EXPECT_THAT(faults, ElementsAre("contact/normal/bad.h: \"bad.h\" is to be included as \"floc/...\"",
+                                  "contact/normal/bad.h: contact may not include floc/packing/packing.h"));
+}
+
+}  // namespace
+}  // namespace floc::testing

@@ -1,10 +1,71 @@
+#include <spdlog/spdlog.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
 #include "command.h"
+#include "floc/base/error.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/read_scene.h"
+#include "floc/scene/starting_scene.h"
+#include "output.h"
 
 namespace floc {
+namespace {
+
+struct SceneArguments {
+  CLI::App* check = nullptr;
+  CLI::App* start = nullptr;
+  std::string path;
+  std::vector<std::string> overrides;
+  std::string format;
+  std::string name;
+};
+
+int check_scene(const SceneArguments& arguments) {
+  const Scene scene = read_scene(arguments.path, arguments.overrides);
+  Table table{{"group", "value", "meaning"}, {}};
+  for (const DerivedGroup& g : derived_groups(scene)) table.rows.push_back({g.name, g.value, g.meaning});
+  print_table(table, arguments.format);
+  spdlog::info("{}: no faults", arguments.path);
+  return kDone;
+}
+
+/// Writes NAME.toml; a file of that name stays as it is.
+int start_scene(const std::string& name) {
+  std::filesystem::path path(name);
+  if (path.extension() != ".toml") path += ".toml";
+  const std::string text = starting_scene(path.stem().string());
+  std::FILE* file = std::fopen(path.c_str(), "wx");
+  if (!file && errno == EEXIST) throw InputError(path.string(), "exists; expected a name that is not taken");
+  if (!file) throw IoError(path.string(), std::strerror(errno));
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (std::fclose(file) != 0 || !written) throw IoError(path.string(), "cannot be written: disk full?");
+  spdlog::info("wrote {0}; next: floc scene check {0}, floc run {0} -o {1}", path.string(),
+               path.stem().string());
+  return kDone;
+}
+
+}  // namespace
 
 Command add_scene(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("scene", "not built yet");
-  return {app, [] { return int{kFailure}; }};
+  auto arguments = std::make_shared<SceneArguments>();
+  CLI::App* app = program.add_subcommand("scene", "check a scene file, or start a new one");
+  app->require_subcommand(1);
+  arguments->check =
+      app->add_subcommand("check", "list every fault; print the dimensionless groups and the cost");
+  arguments->check->add_option("SCENE", arguments->path, "scene file (TOML)")->required();
+  arguments->check->add_option("--set", arguments->overrides, "key.path=value, instead of what the file says")
+      ->allow_extra_args(false);
+  add_format_option(*arguments->check, arguments->format);
+  arguments->start = app->add_subcommand("new", "write a commented starting scene NAME.toml");
+  arguments->start->add_option("NAME", arguments->name, "its name")->required();
+  return {app, [arguments] {
+            return arguments->check->parsed() ? check_scene(*arguments) : start_scene(arguments->name);
+          }};
 }
 
 }  // namespace floc

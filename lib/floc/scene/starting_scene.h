@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace floc {
+
+/// Text of a commented scene to start from: the shipped demo under another name.
+/// @param name  letters, digits, '.', '_' and '-' only  @throws InputError otherwise.
+std::string starting_scene(const std::string& name);
+
+}  // namespace floc

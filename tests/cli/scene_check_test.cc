@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.h"
+
+namespace floc::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kDemo = std::string(FLOC_SOURCE_DIR) + "/data/scenes/demo.toml";
+
+double group(const std::string& json, const std::string& name) {
+  for (const auto& row : nlohmann::json::parse(json))
+    if (row["group"] == name) return row["value"];
+  return std::nan("");
+}
+
+TEST(SceneCheck, PrintsTheGroupsOfTheDemo) {
+  const Outcome o = run_floc("scene check " + kDemo + " --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(group(o.out, "kappa"), 1e5);
+  EXPECT_EQ(group(o.out, "h0/a"), 1e-5);
+  EXPECT_EQ(group(o.out, "D0/a"), 1e-3);
+  EXPECT_EQ(group(o.out, "K_T/K_N"), 1.0);
+  EXPECT_NEAR(group(o.out, "K_R/(K_N a^2)"), 1e-4, 1e-19);
+  EXPECT_EQ(group(o.out, "T0"), 1.0);
+  // 0.2 sqrt(m_min/K_N) with m_min = 1/4.
+  EXPECT_NEAR(group(o.out, "time_step"), 0.1 / std::sqrt(1e5), 1e-18);
+  // One at assembly, 25 up, 13 down.
+  EXPECT_EQ(group(o.out, "equilibria"), 39);
+}
+
+TEST(SceneCheck, OverridesAreSeen) {
+  const Outcome o = run_floc("scene check " + kDemo + " --set contact.adhesion.force=2 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(group(o.out, "kappa"), 5e4);
+}
+
+TEST(SceneCheck, ListsEveryFaultAndExitsWithBadInput) {
+  const ScratchDirectory dir;
+  std::string text = content_of(kDemo);
+  text.replace(text.find("stiffness = 1e5}"), 16, "stifness = 1e5}");
+  text.replace(text.find("count = 400"), 11, "count = -1");
+  write_text(dir.file("bad.toml"), text);
+  const Outcome o = run_floc("scene check bad.toml", dir.path());
+  EXPECT_EQ(o.code, 4);
+  EXPECT_EQ(o.out, "");
+  EXPECT_THAT(o.err, HasSubstr("bad.toml:13: grains.count = -1: expected a whole number"));
+  EXPECT_THAT(o.err, HasSubstr("bad.toml:18: unknown key contact.normal.stifness"));
+  EXPECT_THAT(o.err, HasSubstr("contact.normal.stiffness is missing"));
+}
+
+TEST(SceneCheck, MissingFilesAndArgumentsHaveTheirOwnCodes) {
+  EXPECT_EQ(run_floc("scene check no-such.toml").code, 4);
+  EXPECT_EQ(run_floc("scene check").code, 2);
+  EXPECT_EQ(run_floc("scene").code, 2);
+}
+
+TEST(SceneNew, WritesASceneThatIsValidAndCommented) {
+  const ScratchDirectory dir;
+  const Outcome o = run_floc("scene new mine", dir.path());
+  ASSERT_EQ(o.code, 0) << o.err;
+  const std::string text = content_of(dir.file("mine.toml"));
+  EXPECT_THAT(text, HasSubstr("name = \"mine\""));
+  EXPECT_THAT(text, HasSubstr("# "));
+  EXPECT_EQ(run_floc("scene check mine.toml", dir.path()).code, 0);
+}
+
+TEST(SceneNew, NeverOverwrites) {
+  const ScratchDirectory dir;
+  write_text(dir.file("mine.toml"), "precious");
+  const Outcome o = run_floc("scene new mine", dir.path());
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, HasSubstr("mine.toml: exists"));
+  EXPECT_EQ(content_of(dir.file("mine.toml")), "precious");
+}
+
+TEST(SceneNew, RefusesNamesThatNeedQuotingAndDirectoriesThatAreNotThere) {
+  const ScratchDirectory dir;
+  EXPECT_EQ(run_floc("scene new 'a\"b'", dir.path()).code, 4);
+  EXPECT_EQ(run_floc("scene new nowhere/a", dir.path()).code, 1);
+  EXPECT_TRUE(std::filesystem::is_empty(dir.path()));
+}
+
+}  // namespace
+}  // namespace floc::test

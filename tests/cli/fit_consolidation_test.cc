@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "floc/fitting/consolidation_law.h"
+#include "support/run_program.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+/// lambda, alpha, Phi_max of a published fit (G08) and the P1* that follows; regime I ends at P0* = 10^(-13/8).
+const ConsolidationLawParameters kLaw{0.349, 0.91, 0.7808, 0.27};
+const double kP0 = std::pow(10.0, -13.0 / 8);
+
+/// A path table of this law: P* = 0, assembly, loading by 10^(1/8), unloading; `shift` moves 1/Phi everywhere.
+std::string path_table(double shift = 0.0) {
+  std::string text = "step,branch,P_star,phi\n0,assembly,0,0.45\n";
+  for (int k = 0; k <= 25; ++k) {
+    const double P = 0.01 * std::pow(10.0, k / 8.0);
+    const double y = kLaw.inverse_phi(std::max(P, kP0)) + shift;
+    text += fmt::format("{},{},{},{}\n", k + 1, k == 0 ? "assembly" : "load", P, 1 / y);
+  }
+  return text + "27,unload,1,0.77\n28,unload,0.01,0.76\n";
+}
+
+TEST(FitConsolidation, RecoversTheLawBehindATableAndSaysWhichRowsItUsed) {
+  const Outcome o = run_floc("fit consolidation - --format json", ".", path_table());
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fit = json::parse(o.out).at(0);
+  EXPECT_NEAR(fit["parameters"]["lambda"]["value"], kLaw.lambda, 1e-8);
+  EXPECT_NEAR(fit["parameters"]["alpha"]["value"], kLaw.alpha, 1e-8);
+  EXPECT_NEAR(fit["parameters"]["Phi_max"]["value"], kLaw.phi_max, 1e-8);
+  EXPECT_NEAR(fit["parameters"]["P1_star"]["value"], kLaw.P1_star, 1e-8);
+  for (const char* key : {"law", "window", "n_points", "correlation", "rms", "rows_used", "warnings"})
+    EXPECT_TRUE(fit.contains(key)) << key;
+  for (const char* key : {"value", "stderr", "low95", "high95", "identified"})
+    EXPECT_TRUE(fit["parameters"]["lambda"].contains(key)) << key;
+  EXPECT_EQ(fit["rows_used"].size(), fit["n_points"]);
+  // Row 26 is the last of the loading; the unloading is not fitted.
+  EXPECT_EQ(fit["rows_used"].back(), 26);
+  EXPECT_THAT(o.err, HasSubstr("1 row(s) at P* = 0 left out"));
+  EXPECT_THAT(o.err, HasSubstr("plateau of regime I"));
+}
+
+TEST(FitConsolidation, AnEnsembleIsFittedSampleBySampleAndPooled) {
+  const ScratchDirectory dir;
+  for (const auto& [seed, shift] : {std::pair{"seed-2", 0.01}, {"seed-10", -0.01}}) {
+    std::filesystem::create_directories(dir.file(seed));
+    write_text(dir.file(seed) + "/path.csv", path_table(shift));
+  }
+  const Outcome o = run_floc("fit consolidation . --format json", dir.path());
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fits = json::parse(o.out);
+  ASSERT_EQ(fits.size(), 3u);
+  EXPECT_THAT(fits[0]["sample"], HasSubstr("seed-2/"));
+  EXPECT_THAT(fits[1]["sample"], HasSubstr("seed-10/"));
+  EXPECT_EQ(fits[2]["sample"], "pooled");
+  // The shifts of 1/Phi cancel in the mean and move only the limits of each sample.
+  EXPECT_NEAR(fits[2]["parameters"]["Phi_max"]["value"], kLaw.phi_max, 1e-8);
+  EXPECT_NEAR(fits[0]["parameters"]["Phi_max"]["value"], 1 / (1 / kLaw.phi_max + 0.01), 1e-8);
+  for (const json& fit : fits) EXPECT_NEAR(fit["parameters"]["lambda"]["value"], kLaw.lambda, 1e-8);
+}
+
+TEST(FitConsolidation, PublishedProtocolHoldsP0OnTheGridAndKeepsTheIdentity) {
+  const Outcome o = run_floc("fit consolidation - --protocol published --window 0.0237,13.4 --format json", ".",
+                             path_table());
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json p = json::parse(o.out).at(0)["parameters"];
+  EXPECT_NEAR(p["P0_star"]["value"], kP0, 1e-12);
+  EXPECT_TRUE(p["P0_star"]["stderr"].is_null());
+  const auto value = [&](const char* name) { return p[name]["value"].get<double>(); };
+  EXPECT_NEAR(std::log(value("P1_star") / value("P0_star")),
+              (1 / value("Phi0") - 1 / value("Phi_max")) / value("lambda"), 1e-10);
+}
+
+TEST(FitConsolidation, TheTableShowsLambdaWithItsError) {
+  const Outcome o = run_floc("fit consolidation - --format table", ".", path_table());
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("stderr"));
+  EXPECT_THAT(o.out, HasSubstr("lambda"));
+  EXPECT_THAT(o.out, HasSubstr("0.349"));
+}
+
+TEST(FitConsolidation, TooFewPressuresAreRefusedInWords) {
+  const Outcome o =
+      run_floc("fit consolidation - --law log --window 0.03,0.05 --format csv", ".", path_table());
+  EXPECT_EQ(o.code, 3);
+  EXPECT_THAT(o.err, HasSubstr("2 pressures in regime II, the log law needs 3"));
+  EXPECT_THAT(o.out, Not(HasSubstr("lambda")));
+}
+
+TEST(FitConsolidation, BadTablesAreNamedAndTheOthersStillDone) {
+  const ScratchDirectory dir;
+  write_text(dir.file("good.csv"), path_table());
+  write_text(dir.file("text.csv"), "P_star,phi\n0.1,0.5\n0.2,dense\n");
+  write_text(dir.file("column.csv"), "P,phi\n0.1,0.5\n");
+  write_text(dir.file("negative.csv"), "P_star,phi\n-0.1,0.5\n");
+  write_text(dir.file("falls.csv"), "branch,P_star,phi\nload,0.2,0.5\nload,0.1,0.5\n");
+  const Outcome o = run_floc(
+      "fit consolidation missing.csv text.csv column.csv negative.csv falls.csv good.csv --format json",
+      dir.path());
+  EXPECT_EQ(o.code, 4);
+  EXPECT_EQ(json::parse(o.out).size(), 1u);
+  EXPECT_THAT(o.err, HasSubstr("missing.csv"));
+  EXPECT_THAT(o.err, HasSubstr("text.csv:3"));
+  EXPECT_THAT(o.err, HasSubstr("column.csv"));
+  EXPECT_THAT(o.err, HasSubstr("negative.csv:2: P_star = -0.1: expected a pressure >= 0"));
+  EXPECT_THAT(o.err, HasSubstr("falls.csv:3"));
+}
+
+TEST(FitConsolidation, BadOptionsAreBadUsageOrBadInput) {
+  EXPECT_EQ(run_floc("fit consolidation").code, 2);
+  EXPECT_EQ(run_floc("fit consolidation - --law cubic").code, 2);
+  EXPECT_EQ(run_floc("fit consolidation - --window 2,1").code, 4);
+  EXPECT_EQ(run_floc("fit consolidation - --law log --protocol published").code, 4);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,10 +1,147 @@
+#include <csignal>
+
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
 #include "command.h"
+#include "floc/scene/read_scene.h"
+#include "run_directory.h"
+#include "run_monitor.h"
 
 namespace floc {
+namespace {
+
+volatile std::sig_atomic_t g_interrupted = 0;
+
+void interrupt(int) { g_interrupted = 1; }
+
+struct RunArguments {
+  std::string scene;
+  std::string directory;
+  std::vector<std::string> overrides;
+  std::optional<std::uint64_t> seed;
+  std::optional<int> threads;
+  std::optional<int> until;
+  bool resume = false;
+  bool overwrite = false;
+};
+
+RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
+  RunOptions options{scene.units, scene.grains,     scene.law,  scene.assembly,
+                     scene.load,  scene.relaxation, scene.seed, scene.text};
+  if (arguments.seed) options.seed = *arguments.seed;
+  if (arguments.threads) options.relaxation.threads = *arguments.threads;
+  return options;
+}
+
+/// Drives a run and keeps its directory: a state and a row for each equilibrium, a checkpoint now and then.
+class RunDriver {
+ public:
+  RunDriver(Run<2>& run, RunDirectory& directory, double checkpoint_every, int until)
+      : run_(run), directory_(directory), checkpoint_every_(checkpoint_every), until_(until),
+        monitor_(static_cast<int>(run.plan().size())) {}
+
+  int drive() {
+    step_began_ = last_checkpoint_ = Clock::now();
+    while (!run_.finished() && run_.point().step <= until_) {
+      const RunEvent event = run_.advance();
+      if (event == RunEvent::equilibrium) save();
+      if (event == RunEvent::gave_up) return give_up();
+      if (event == RunEvent::stretch) monitor_.stretch(run_);
+      if (g_interrupted) return stop();
+      if (seconds_since(last_checkpoint_) > checkpoint_every_) checkpoint();
+    }
+    directory_.remove_checkpoint();
+    return kDone;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static double seconds_since(Clock::time_point since) {
+    return std::chrono::duration<double>(Clock::now() - since).count();
+  }
+
+  void save() {
+    const double seconds = seconds_since(step_began_);
+    const State<2> state = run_.state();
+    const std::string sha256 = directory_.save(state, seconds);
+    monitor_.equilibrium(state, run_.report(), seconds);
+    run_.saved(sha256);
+    step_began_ = Clock::now();
+  }
+
+  void checkpoint() {
+    if (!run_.finished()) directory_.save_checkpoint(run_.state(), run_.point());
+    last_checkpoint_ = Clock::now();
+  }
+
+  int stop() {
+    checkpoint();
+    fmt::print(stderr, "\ninterrupted; --resume continues from here\n");
+    return kInterrupted;
+  }
+
+  int give_up() {
+    checkpoint();
+    fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}\n", run_.point().step, run_.target().branch,
+               run_.target().pressure, run_.report().blocking);
+    return kNotConverged;
+  }
+
+  Run<2>& run_;
+  RunDirectory& directory_;
+  double checkpoint_every_;
+  int until_;
+  RunMonitor monitor_;
+  Clock::time_point step_began_, last_checkpoint_;
+};
+
+int run_scene(const RunArguments& arguments) {
+  const Scene scene = read_scene(arguments.scene, arguments.overrides);
+  const RunOptions options = run_options(scene, arguments);
+  const Existing existing = arguments.resume      ? Existing::resume
+                            : arguments.overwrite ? Existing::overwrite
+                                                  : Existing::refuse;
+  const std::vector<PlannedEquilibrium> plan = plan_run(options.assembly, options.law, options.load);
+  RunDirectory directory(arguments.directory, existing, options);
+  std::optional<RunPoint<2>> point = directory.resume_point();
+  Run<2> run = point ? Run<2>(options, std::move(*point)) : Run<2>(options);
+
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  const int code =
+      RunDriver(run, directory, scene.checkpoint_every, arguments.until.value_or(std::numeric_limits<int>::max())).drive();
+  if (code == kDone)
+    fmt::print(stderr,
+               "{} equilibria in {}. Next:\n  floc moduli {}/state-*.h5\n  floc fit consolidation {}\n"
+               "  floc verify {}/state-*.h5\n",
+               run.point().step, arguments.directory, arguments.directory, arguments.directory, arguments.directory);
+  return code;
+}
+
+}  // namespace
 
 Command add_run(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("run", "not built yet");
-  return {app, [] { return int{kFailure}; }};
+  CLI::App* app = program.add_subcommand("run", "Assemble, equilibrate and load a packing as a scene says");
+  auto arguments = std::make_shared<RunArguments>();
+  app->add_option("scene", arguments->scene, "Scene file (TOML)")->required();
+  app->add_option("-o,--output", arguments->directory, "Directory for states, path.csv and checkpoints")->required();
+  CLI::Option* resume = app->add_flag("--resume", arguments->resume, "Continue the run in the directory (harmless on a first run)");
+  app->add_flag("--overwrite", arguments->overwrite, "Replace the run in the directory")->excludes(resume);
+  app->add_option("--seed", arguments->seed, "Seed of the random numbers, instead of run.seed");
+  app->add_option("--threads", arguments->threads, "Threads; results are the same for any number")
+      ->check(CLI::Range(1, 1024));
+  app->add_option("--set", arguments->overrides, "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
+      ->allow_extra_args(false);
+  app->add_option("--until", arguments->until, "Stop after the equilibrium of this number")->check(CLI::NonNegativeNumber);
+  return {app, [arguments] { return run_scene(*arguments); }};
 }
 
 }  // namespace floc

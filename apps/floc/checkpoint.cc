@@ -1,0 +1,56 @@
+#include "checkpoint.h"
+
+#include <nlohmann/json.hpp>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Visits every member of a point but the packing under its name, so that writing and reading cannot differ.
+template <class Point, class Visit>
+void for_each_member(Point& point, const Visit& visit) {
+  visit("step", point.step);
+  visit("aggregating", point.aggregating);
+  visit("stream_state", point.stream_state);
+  visit("time", point.time);
+  visit("n_steps", point.n_steps);
+  visit("aggregation_skin", point.aggregation_skin);
+  visit("parent_sha256", point.parent_sha256);
+  auto& relaxation = point.relaxation;
+  visit("stage", relaxation.stage);
+  visit("relaxation_steps", relaxation.n_steps);
+  visit("relaxation_time", relaxation.time);
+  visit("skin", relaxation.skin);
+  visit("solid_fraction", relaxation.solid_fraction);
+  visit("imbalance_sign", relaxation.imbalance_sign);
+  visit("contact_set", relaxation.contact_set);
+  visit("unchanged_stretches", relaxation.unchanged_stretches);
+  visit("finishing_since_phi", relaxation.finishing_since_phi);
+  visit("finishing_stretches", relaxation.finishing_stretches);
+  visit("next_polish", relaxation.next_polish);
+  visit("force_residual", relaxation.force_residual);
+}
+
+}  // namespace
+
+std::string progress_text(const RunPoint<2>& point) {
+  Json json;
+  for_each_member(point, [&json](const char* name, const auto& value) { json[name] = value; });
+  return json.dump();
+}
+
+RunPoint<2> parse_progress(const std::string& text, const std::string& place) {
+  RunPoint<2> point;
+  try {
+    const Json json = Json::parse(text);
+    for_each_member(point, [&json](const char* name, auto& value) { json.at(name).get_to(value); });
+  } catch (const Json::exception& error) {
+    throw InputError(place, std::string("is no checkpoint of this version: ") + error.what());
+  }
+  return point;
+}
+
+}  // namespace floc

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "floc/loading/run.h"
+
+namespace floc {
+
+/// A run's point as text (JSON; numbers round-trip), without its packing, and back.
+std::string progress_text(const RunPoint<2>& point);
+
+/// @param place  file the text came from, for messages
+/// @throws InputError if the text is not one of a checkpoint
+RunPoint<2> parse_progress(const std::string& text, const std::string& place);
+
+}  // namespace floc

@@ -1,0 +1,120 @@
+#include "run_directory.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "checkpoint.h"
+#include "floc/base/error.h"
+#include "floc/base/sha256.h"
+#include "floc/elasticity/stability.h"
+#include "floc/io/atomic_file.h"
+#include "path_row.h"
+
+namespace floc {
+namespace fs = std::filesystem;
+namespace {
+
+/// Reads a state of a 2D run. @throws InputError for any other
+State<2> read_run_state(const std::string& file) {
+  AnyState any = read_state(file);
+  if (State<2>* state = std::get_if<State<2>>(&any)) return std::move(*state);
+  throw InputError(file, "dimension = 3: expected a state of a run in 2D");
+}
+
+}  // namespace
+
+RunDirectory::RunDirectory(const std::string& path, Existing existing, const RunOptions& options) : path_(path) {
+  std::error_code failed;
+  const bool used = fs::exists(path) && !fs::is_empty(path, failed);
+  if (fs::exists(path) && !fs::is_directory(path)) throw InputError(path, "is a file, expected a directory");
+  if (used && existing == Existing::refuse)
+    throw InputError(path, "is not empty: give --resume to continue the run in it or --overwrite to replace it");
+  fs::create_directories(fs::path(path) / "checkpoint", failed);
+  if (failed) throw IoError(path, "cannot make the directory: " + failed.message());
+  if (existing == Existing::overwrite) {
+    for (int step = 0; fs::exists(state_path(step)); ++step) fs::remove(state_path(step));
+    fs::remove(path_table());
+    remove_checkpoint();
+  }
+  if (count_states() > 0) check_scene(read_run_state(state_path(0)), state_path(0), options);
+  else if (fs::exists(checkpoint_path())) check_scene(read_run_state(checkpoint_path()), checkpoint_path(), options);
+}
+
+void RunDirectory::check_scene(const State<2>& state, const std::string& file, const RunOptions& options) const {
+  if (state.scene != options.scene || state.provenance.seed != options.seed)
+    throw InputError(file, fmt::format("was made by another scene or seed ({} here, {} there): a run can only be "
+                                       "continued with the scene, settings and seed it began with",
+                                       options.seed, state.provenance.seed));
+}
+
+std::string RunDirectory::state_path(int step) const { return fmt::format("{}/state-{:04d}.h5", path_, step); }
+std::string RunDirectory::path_table() const { return path_ + "/path.csv"; }
+std::string RunDirectory::checkpoint_path() const { return path_ + "/checkpoint/checkpoint.h5"; }
+
+int RunDirectory::count_states() const {
+  int n = 0;
+  while (fs::exists(state_path(n))) ++n;
+  return n;
+}
+
+std::optional<RunPoint<2>> RunDirectory::resume_point() {
+  read_rows();
+  std::optional<RunPoint<2>> point;
+  const int n_states = count_states();
+  for (int step = 0; step < n_states; ++step) {
+    if (rows_.contains(step) && step + 1 < n_states) continue;
+    const State<2> state = read_run_state(state_path(step));
+    // The time its step took died with the process that measured it.
+    if (!rows_.contains(step)) rows_[step] = path_row(state, std::nullopt, fs::path(state_path(step)).filename());
+    if (step + 1 == n_states) point = Run<2>::after(state, sha256_of_file(state_path(step)));
+  }
+  rows_.erase(rows_.lower_bound(n_states), rows_.end());
+  if (n_states > 0) write_rows();
+  if (fs::exists(checkpoint_path())) {
+    RunPoint<2> inside = parse_progress(read_progress(checkpoint_path()), checkpoint_path());
+    if (inside.step >= n_states) {
+      inside.packing = read_run_state(checkpoint_path()).packing;
+      point = std::move(inside);
+    }
+  }
+  return point;
+}
+
+std::string RunDirectory::save(State<2> state, double seconds) {
+  state.n_negative = count_negative_eigenvalues(state.packing);
+  const std::string file = state_path(state.path.step);
+  write_state(file, state);
+  rows_[state.path.step] = path_row(state, seconds, fs::path(file).filename());
+  write_rows();
+  return sha256_of_file(file);
+}
+
+void RunDirectory::save_checkpoint(const State<2>& state, const RunPoint<2>& point) {
+  write_state(checkpoint_path(), state, progress_text(point));
+}
+
+void RunDirectory::remove_checkpoint() { fs::remove(checkpoint_path()); }
+
+void RunDirectory::read_rows() {
+  std::ifstream in(path_table());
+  std::string line;
+  if (!std::getline(in, line)) return;
+  if (line != path_header())
+    throw InputError(path_table() + ":1", "columns are not those of this version of floc: " + line);
+  while (std::getline(in, line)) {
+    int step = -1;
+    std::istringstream first(line);
+    if (first >> step && step >= 0) rows_[step] = line;
+  }
+}
+
+void RunDirectory::write_rows() const {
+  std::string text = path_header() + "\n";
+  for (const auto& [step, line] : rows_) text += line + "\n";
+  write_bytes_atomically(path_table(), text);
+}
+
+}  // namespace floc

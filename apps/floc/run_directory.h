@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "floc/io/state_file.h"
+#include "floc/loading/run.h"
+
+namespace floc {
+
+/// What to do with a run's directory that is there already.
+enum class Existing { refuse, resume, overwrite };
+
+/// The directory of one run: DIR/state-NNNN.h5, DIR/path.csv and DIR/checkpoint/. Every file is replaced whole, and in
+/// an order that lets a run be taken up after being killed at any moment.
+class RunDirectory {
+ public:
+  /// Opens or makes the directory; with `overwrite`, removes what an earlier run left.
+  /// @throws InputError if it holds a run and neither resume nor overwrite was asked for, or another scene's run
+  /// @throws IoError if it cannot be written
+  RunDirectory(const std::string& path, Existing existing, const RunOptions& options);
+
+  /// The point an earlier run reached: its checkpoint, or the last saved state if that is further.
+  /// Completes path.csv where the run was killed between saving a state and its row. Empty for a new run.
+  std::optional<RunPoint<2>> resume_point();
+
+  /// Saves an equilibrium and its row. @return SHA-256 of the state's file
+  std::string save(State<2> state, double seconds);
+  void save_checkpoint(const State<2>& state, const RunPoint<2>& point);
+  void remove_checkpoint();
+
+  std::string state_path(int step) const;
+  std::string path_table() const;
+
+ private:
+  int count_states() const;
+  void check_scene(const State<2>& state, const std::string& file, const RunOptions& options) const;
+  void read_rows();
+  void write_rows() const;
+  std::string checkpoint_path() const;
+
+  std::string path_;
+  std::map<int, std::string> rows_;  ///< lines of path.csv by step
+};
+
+}  // namespace floc

@@ -1,0 +1,63 @@
+#include "run_monitor.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "floc/packing/equilibrium.h"
+
+namespace floc {
+namespace {
+
+constexpr double kSecondsBetweenRedraws = 0.5;
+constexpr double kSecondsBetweenLines = 10.0;
+
+std::string duration(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+std::string stage_of(const Run<2>& run) {
+  if (run.point().aggregating) return fmt::format("aggregating, {} clusters", run.n_clusters());
+  const RelaxationReport report = run.report();
+  const bool finishing = run.point().relaxation.stage == RelaxationProgress::finishing;
+  std::string text = fmt::format("{}, {}", finishing ? "finishing" : "moving", report.blocking);
+  if (finishing && report.decay_rate > 0.0) text += fmt::format(", falls at {:.2g} per unit time", report.decay_rate);
+  return text;
+}
+
+}  // namespace
+
+RunMonitor::RunMonitor(int n_steps)
+    : n_steps_(n_steps), terminal_(isatty(STDERR_FILENO) == 1), last_line_(Clock::now()) {}
+
+/// Collapses are longer than quiet steps and come unannounced: the mean of the steps done is all there is.
+double RunMonitor::expected_seconds_left(int steps_left) const { return seconds_done_ / steps_done_ * steps_left; }
+
+void RunMonitor::stretch(const Run<2>& run) {
+  const Clock::time_point now = Clock::now();
+  const double since = std::chrono::duration<double>(now - last_line_).count();
+  if (since < (terminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines)) return;
+  last_line_ = now;
+  const int step = run.point().step;
+  std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {:.0f}, {}", step + 1, n_steps_,
+                                 run.target().branch, run.target().pressure, solid_fraction(run.point().packing),
+                                 run.point().time + run.point().relaxation.time, stage_of(run));
+  if (steps_done_ > 0) line += fmt::format("; about {} left", duration(expected_seconds_left(n_steps_ - step)));
+  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
+  std::fflush(stderr);
+}
+
+void RunMonitor::equilibrium(const State<2>& state, const RelaxationReport& report, double seconds) {
+  ++steps_done_;
+  seconds_done_ += seconds;
+  fmt::print(stderr, "{}step {}/{} {} P = {:.4g}: phi {:.5f}, {} contacts, residual {:.1e} ({}), {:.1f} s\n",
+             terminal_ ? "\r\033[K" : "", state.path.step + 1, n_steps_, state.path.branch,
+             state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
+             state.residuals.force, report.ending, seconds);
+}
+
+}  // namespace floc

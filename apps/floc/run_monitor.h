@@ -1,0 +1,30 @@
+#pragma once
+
+#include <chrono>
+
+#include "floc/loading/run.h"
+
+namespace floc {
+
+/// Tells the user on stderr where a run stands: on a terminal one line that is redrawn, else a line now and then.
+class RunMonitor {
+ public:
+  explicit RunMonitor(int n_steps);
+
+  void stretch(const Run<2>& run);
+  /// @param seconds  wall time of the step
+  void equilibrium(const State<2>& state, const RelaxationReport& report, double seconds);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  double expected_seconds_left(int steps_left) const;
+
+  int n_steps_;
+  bool terminal_;
+  Clock::time_point last_line_;
+  double seconds_done_ = 0.0;
+  int steps_done_ = 0;
+};
+
+}  // namespace floc

@@ -34,7 +34,9 @@ class RandomStream {
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
   /// Uniform integer in [0, n), n > 0; the bias for n < 2^32 is below 2^-32.
-  std::uint64_t below(std::uint64_t n) { return static_cast<std::uint64_t>(uniform() * static_cast<double>(n)); }
+  std::uint64_t below(std::uint64_t n) {
+    return static_cast<std::uint64_t>(uniform() * static_cast<double>(n));
+  }
 
   /// Standard normal deviate (Box-Muller, one of the pair).
   double normal() {

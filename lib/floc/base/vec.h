@@ -14,7 +14,7 @@ using Mat = Eigen::Matrix<T, Dim, Dim>;
 
 /// Number of independent rotations: 1 in 2D (about the normal of the plane), 3 in 3D.
 template <int Dim>
-inline constexpr int kRotations = Dim * (Dim - 1) / 2;
+inline constexpr int kRotations = Dim*(Dim - 1) / 2;
 
 /// Degrees of freedom of one grain: translations, then rotations.
 template <int Dim>
@@ -26,6 +26,6 @@ using Spin = Eigen::Matrix<T, kRotations<Dim>, 1>;
 
 /// Number of diagonal strains of a cell, and of components of the symmetric strain.
 template <int Dim>
-inline constexpr int kSymmetric = Dim * (Dim + 1) / 2;
+inline constexpr int kSymmetric = Dim*(Dim + 1) / 2;
 
 }  // namespace floc

@@ -4,9 +4,13 @@
 
 namespace floc {
 
-std::string version() { return FLOC_VERSION; }
+std::string version() {
+  return FLOC_VERSION;
+}
 
-std::string commit() { return FLOC_COMMIT; }
+std::string commit() {
+  return FLOC_COMMIT;
+}
 
 std::string compiler() {
 #if defined(__clang__)

@@ -34,11 +34,11 @@ struct ContactHistory {
 /// Relative motion of the two surfaces of a contact.
 template <int Dim, class T = double>
 struct ContactMotion {
-  T gap;                      ///< h (length), negative when the grains overlap
-  T gap_rate;                 ///< dh/dt (length/time)
-  T damping;                  ///< damping coefficient of the pair (force * time/length)
-  Shear<Dim, T> slip;         ///< tangential displacement of j against i since the history was last updated
-  Spin<Dim, T> relative_turn; ///< rotation of i against j since then (radians)
+  T gap;                       ///< h (length), negative when the grains overlap
+  T gap_rate;                  ///< dh/dt (length/time)
+  T damping;                   ///< damping coefficient of the pair (force * time/length)
+  Shear<Dim, T> slip;          ///< tangential displacement of j against i since the history was last updated
+  Spin<Dim, T> relative_turn;  ///< rotation of i against j since then (radians)
 };
 
 /// What a contact does to its grains. On j act +normal along n and -shear; on i the opposite. On i acts the moment
@@ -107,17 +107,20 @@ struct ContactLaw {
   /// Updates the history by one motion and returns the forces. Springs are cut back to their caps, and vanish when
   /// the surfaces part.
   template <int Dim, class T>
-  ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion, ContactHistory<ContactLaw, Dim, T>& history) const {
+  ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion,
+                                ContactHistory<ContactLaw, Dim, T>& history) const {
     ContactForces<Dim, T> forces{normal(motion.gap), T(0), Shear<Dim, T>::Zero(), Spin<Dim, T>::Zero()};
     if constexpr (kHasDamping)
       forces.viscous = lanes::select(motion.gap < T(0), T(-motion.damping * motion.gap_rate), T(0));
     // A parted contact has no elastic force, so the caps also clear its springs.
     if constexpr (kHasFriction) {
-      history.shear = capped(Shear<Dim, T>(history.shear + motion.slip), friction.spring_limit(forces.normal.elastic));
+      history.shear =
+          capped(Shear<Dim, T>(history.shear + motion.slip), friction.spring_limit(forces.normal.elastic));
       forces.shear = T(friction.tangential_stiffness) * history.shear;
     }
     if constexpr (kHasRolling) {
-      history.roll = capped(Spin<Dim, T>(history.roll + motion.relative_turn), rolling.spring_limit(forces.normal.elastic));
+      history.roll = capped(Spin<Dim, T>(history.roll + motion.relative_turn),
+                            rolling.spring_limit(forces.normal.elastic));
       forces.rolling = T(rolling.rolling_stiffness) * history.roll;
     }
     return forces;

@@ -1,13 +1,14 @@
 #include "floc/contact/law_parameters.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace floc {
 namespace {
 
-void require(std::vector<std::string>& faults, const char* key, double value, bool holds, const char* requirement) {
+void require(std::vector<std::string>& faults, const char* key, double value, bool holds,
+             const char* requirement) {
   if (!std::isfinite(value) || !holds) faults.push_back(fmt::format("{} = {}: {}", key, value, requirement));
 }
 
@@ -15,7 +16,8 @@ void require(std::vector<std::string>& faults, const char* key, double value, bo
 
 std::vector<std::string> LawParameters::validate() const {
   std::vector<std::string> faults;
-  require(faults, "contact.normal.stiffness", normal_stiffness, normal_stiffness > 0, "must be positive and finite");
+  require(faults, "contact.normal.stiffness", normal_stiffness, normal_stiffness > 0,
+          "must be positive and finite");
   if (adhesion) {
     require(faults, "contact.adhesion.force", adhesion->force, adhesion->force >= 0, "must be >= 0 and finite");
     require(faults, "contact.adhesion.range", adhesion->range, adhesion->range >= 0, "must be >= 0 and finite");

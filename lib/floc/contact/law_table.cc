@@ -8,7 +8,8 @@ AnyContactLaw with_friction(const LawParameters& p, const Adhesion& adhesion, co
   const LinearRepulsion repulsion{p.normal_stiffness};
   if (!p.friction) return laws::Linear<Adhesion, Damping>{repulsion, adhesion, damping, {}, {}};
   const CoulombFriction friction{p.friction->coefficient, p.friction->stiffness};
-  if (!p.rolling) return laws::Linear<Adhesion, Damping, CoulombFriction>{repulsion, adhesion, damping, friction, {}};
+  if (!p.rolling)
+    return laws::Linear<Adhesion, Damping, CoulombFriction>{repulsion, adhesion, damping, friction, {}};
   const RollingSpring rolling{p.rolling->coefficient, p.rolling->stiffness};
   return laws::Linear<Adhesion, Damping, CoulombFriction, RollingSpring>{repulsion, adhesion, damping, friction,
                                                                          rolling};

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cmath>
-
 #include <Eigen/LU>
+#include <cmath>
 
 #include "floc/base/vec.h"
 
@@ -20,7 +19,9 @@ struct Cell {
   double volume() const { return std::abs(matrix.determinant()); }
 
   /// Vector by which an image is displaced: image * matrix.
-  Vec<Dim> shift(const Vec<Dim, int>& image) const { return matrix.transpose() * image.template cast<double>(); }
+  Vec<Dim> shift(const Vec<Dim, int>& image) const {
+    return matrix.transpose() * image.template cast<double>();
+  }
 
   /// Coordinates in units of the lattice vectors.
   Vec<Dim> reduced(const Vec<Dim>& x) const { return matrix.transpose().inverse() * x; }

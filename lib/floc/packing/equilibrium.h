@@ -9,10 +9,10 @@ namespace floc {
 /// How strict an equilibrium is asked to be. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1)) and
 /// the matching power of the length a, the largest diameter (PHYSICS section 1; defaults of G08).
 struct EquilibriumTolerance {
-  double force = 1e-5;    ///< net force on any grain / F1
-  double moment = 1e-5;   ///< net moment on any grain / (F1 a)
-  double stress = 1e-5;   ///< |sigma_aa - Sigma_aa| / (F1/a^(Dim-1))
-  double energy = 5e-8;   ///< mean kinetic energy per grain / (F1 a)
+  double force = 1e-5;   ///< net force on any grain / F1
+  double moment = 1e-5;  ///< net moment on any grain / (F1 a)
+  double stress = 1e-5;  ///< |sigma_aa - Sigma_aa| / (F1/a^(Dim-1))
+  double energy = 5e-8;  ///< mean kinetic energy per grain / (F1 a)
 
   bool operator==(const EquilibriumTolerance&) const = default;
 };

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <string>
 #include <type_traits>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 #include "floc/base/vec.h"
 #include "floc/contact/law_parameters.h"
@@ -30,12 +29,12 @@ inline Orientation<Dim> no_rotation() {
 /// Round grains, one entry of each array a grain. The identifier of a grain in a state file is its index here.
 template <int Dim>
 struct Grains {
-  std::vector<Vec<Dim>> position;          ///< centre (length), inside the cell in a saved state
-  std::vector<Vec<Dim>> velocity;          ///< peculiar: without the affine part of the cell (length/time)
-  std::vector<double> radius;              ///< (length)
-  std::vector<double> mass;                ///< (mass)
+  std::vector<Vec<Dim>> position;  ///< centre (length), inside the cell in a saved state
+  std::vector<Vec<Dim>> velocity;  ///< peculiar: without the affine part of the cell (length/time)
+  std::vector<double> radius;      ///< (length)
+  std::vector<double> mass;        ///< (mass)
   std::vector<Orientation<Dim>> orientation;
-  std::vector<Spin<Dim>> angular_velocity; ///< (1/time)
+  std::vector<Spin<Dim>> angular_velocity;  ///< (1/time)
 
   int size() const { return static_cast<int>(radius.size()); }
 

@@ -10,34 +10,34 @@ namespace floc {
 
 /// Where a state stands on its load path.
 struct PathPosition {
-  int step = 0;               ///< number of the equilibrium, 0 the first saved
-  std::string branch;         ///< "assembly", "load", "unload", ...
-  double time = 0.0;          ///< simulated time since the start (time unit of the scene)
-  std::int64_t n_steps = 0;   ///< time steps since the start
+  int step = 0;              ///< number of the equilibrium, 0 the first saved
+  std::string branch;        ///< "assembly", "load", "unload", ...
+  double time = 0.0;         ///< simulated time since the start (time unit of the scene)
+  std::int64_t n_steps = 0;  ///< time steps since the start
 };
 
 /// Who made a state, from what. No clock time: repeated runs give identical files.
 struct Provenance {
-  std::string program;         ///< "floc 0.1.0", or the program a converted packing came from
+  std::string program;  ///< "floc 0.1.0", or the program a converted packing came from
   std::string commit;
   std::string compiler;
   std::uint64_t seed = 0;
   std::uint64_t stream_state = 0;  ///< of the random stream that continues from here
-  std::string parent_sha256;   ///< of the state file this one was loaded from; empty for the first
-  std::string source;          ///< converted packings: the file they came from
+  std::string parent_sha256;       ///< of the state file this one was loaded from; empty for the first
+  std::string source;              ///< converted packings: the file they came from
 };
 
 /// A saved state: all that decides its future and all that an analysis needs.
 template <int Dim>
 struct State {
-  std::string units = "reduced";      ///< "reduced" or "SI"
+  std::string units = "reduced";  ///< "reduced" or "SI"
   Packing<Dim> packing;
   Vec<Dim> target_stress = Vec<Dim>::Zero();  ///< diagonal stress imposed, compression positive
   EquilibriumTolerance tolerance;
-  Residuals residuals;                ///< reached when saved
-  int n_negative = -1;                ///< negative eigenvalues of the stiffness matrix; -1: not determined
+  Residuals residuals;  ///< reached when saved
+  int n_negative = -1;  ///< negative eigenvalues of the stiffness matrix; -1: not determined
   PathPosition path;
-  std::string scene;                  ///< text of the scene, empty for converted packings
+  std::string scene;  ///< text of the scene, empty for converted packings
   Provenance provenance;
 };
 

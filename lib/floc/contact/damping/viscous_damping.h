@@ -21,7 +21,7 @@ inline double damping_ratio(double restitution) {
 /// Viscous normal force -c dh/dt while the surfaces overlap, c = 2 zeta sqrt(m K_N). It may pull: cutting its tension
 /// changes the restitution. It is no part of the static force.
 struct ViscousDamping {
-  double restitution;                               ///< of a binary collision without adhesion, in (0, 1]
+  double restitution;  ///< of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;
 
   /// Damping coefficient c of a pair (force * time/length).

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "floc/geometry/frame.h"
 #include "floc/base/lanes.h"
+#include "floc/geometry/frame.h"
 
 namespace floc {
 

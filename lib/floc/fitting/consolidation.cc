@@ -101,9 +101,14 @@ struct Draft {
   std::optional<double> plateau;  ///< mean of 1/Phi over the plateau
   double t95;
 
+  /// Of a function of theta with this gradient.
   double standard_error(const Eigen::VectorXd& gradient) const {
-    const double variance = gradient.dot(solution.covariance * gradient);
-    return std::isnan(variance) ? std::numeric_limits<double>::infinity() : std::sqrt(variance);
+    double variance = 0.0;
+    for (int i = 0; i < gradient.size(); ++i)
+      for (int j = 0; j < gradient.size(); ++j)
+        if (gradient[i] != 0.0 && gradient[j] != 0.0)
+          variance += gradient[i] * solution.covariance(i, j) * gradient[j];
+    return std::sqrt(variance);
   }
 };
 

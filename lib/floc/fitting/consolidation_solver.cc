@@ -115,20 +115,24 @@ std::vector<Start> full_starts(const Eigen::VectorXd& log_P, const Eigen::Vector
   return starts;
 }
 
-/// Covariance of the parameters from the Jacobian; a direction the data do not see has infinite variance.
+/// Covariance of the parameters from the Jacobian; a parameter with a part along a direction that the data do not see
+/// has infinite variance.
 Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& jacobian, double variance) {
-  const Eigen::VectorXd scale = jacobian.colwise().norm();
-  const double infinite = std::numeric_limits<double>::infinity();
-  if (!scale.allFinite() || scale.minCoeff() == 0.0)
-    return Eigen::MatrixXd::Constant(jacobian.cols(), jacobian.cols(), infinite);
+  constexpr double kRounding = 1e-13;
+  Eigen::VectorXd scale = jacobian.colwise().norm();
+  for (double& s : scale)
+    if (s == 0.0) s = 1.0;
   const Eigen::MatrixXd scaled = jacobian * scale.cwiseInverse().asDiagonal();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
-  const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(jacobian.rows());
-  if (svd.singularValues().minCoeff() < rounding * svd.singularValues().maxCoeff())
-    return Eigen::MatrixXd::Constant(jacobian.cols(), jacobian.cols(), infinite);
-  const Eigen::MatrixXd half =
-      scale.cwiseInverse().asDiagonal() * svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal();
-  return variance * half * half.transpose();
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  const Eigen::Index n_seen = (sigma.array() > kRounding * sigma[0]).count();
+  const Eigen::MatrixXd half = scale.cwiseInverse().asDiagonal() * svd.matrixV().leftCols(n_seen) *
+                               sigma.head(n_seen).cwiseInverse().asDiagonal();
+  Eigen::MatrixXd covariance = variance * half * half.transpose();
+  const Eigen::VectorXd unseen = svd.matrixV().rightCols(sigma.size() - n_seen).rowwise().squaredNorm();
+  for (int k = 0; k < unseen.size(); ++k)
+    if (unseen[k] > 1e-6) covariance(k, k) = std::numeric_limits<double>::infinity();
+  return covariance;
 }
 
 template <class Residual>

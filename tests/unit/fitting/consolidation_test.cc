@@ -219,6 +219,22 @@ TEST(FitConsolidation, DataThatEndBeforeRegimeThreeBoundItOnly) {
   EXPECT_THAT(fit.warnings[0], HasSubstr("before P1*"));
 }
 
+TEST(FitConsolidation, ASharpKneeLeavesAlphaOpenAndTheRestKnown) {
+  // A line that ends on a constant between two pressures is the law for every large alpha.
+  RandomStream random(4, 0);
+  ConsolidationCurve knee;
+  for (const double P : published_pressures(0.01)) {
+    knee.P_star.push_back(P);
+    knee.phi.push_back(1 / (std::max(1.3, 2.0 - 0.2 * std::log(P / 0.01)) + 1e-5 * random.normal()));
+  }
+  const auto fit = fit_consolidation(knee, on(0.01, 14));
+  ASSERT_TRUE(fit.found()) << fit.refusal;
+  EXPECT_FALSE(fit.find("alpha")->identified);
+  for (const char* name : {"lambda", "Phi_max"}) EXPECT_TRUE(fit.find(name)->identified) << name;
+  EXPECT_NEAR(value(fit, "lambda"), 0.2, 1e-3);
+  EXPECT_NEAR(value(fit, "Phi_max"), 1 / 1.3, 1e-4);
+}
+
 TEST(FitConsolidation, LogAndPowerLawsRecoverTheirOwnData) {
   ConsolidationCurve line, power;
   for (const double P : published_pressures(0.01)) {

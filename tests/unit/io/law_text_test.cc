@@ -1,0 +1,48 @@
+#include "floc/io/law_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+TEST(LawText, GivesBackEveryLawItWrites) {
+  LawParameters law;
+  law.normal_stiffness = 1e5 / 3.0;
+  EXPECT_EQ(parse_law("", law_text(law)), law);
+  law.adhesion = {1.0, 0.0};
+  law.friction = {0.5, 1e5};
+  EXPECT_EQ(parse_law("", law_text(law)), law);
+  law.adhesion = {1.0, 1e-3};
+  law.damping = {0.015, DampingMass::grain};
+  law.rolling = {0.005, 10.0};
+  EXPECT_EQ(parse_law("", law_text(law)), law);
+}
+
+TEST(LawText, NamesWhatIsWrongAndWhatWasExpected) {
+  const auto refusal = [](const std::string& text) { return [text] { parse_law("--law", text); }; };
+  EXPECT_THAT(refusal(""), ThrowsMessage<InputError>(HasSubstr("--law: normal.stiffness is missing")));
+  EXPECT_THAT(refusal("normal.stifness=1"),
+              ThrowsMessage<InputError>(HasSubstr("\"normal.stifness\" is no parameter")));
+  EXPECT_THAT(refusal("normal.stiffness"), ThrowsMessage<InputError>(HasSubstr("has no value")));
+  EXPECT_THAT(refusal("normal.stiffness=stiff"),
+              ThrowsMessage<InputError>(HasSubstr("\"stiff\", expected a finite")));
+  EXPECT_THAT(refusal("normal.stiffness=nan"), ThrowsMessage<InputError>(HasSubstr("\"nan\"")));
+  EXPECT_THAT(refusal("normal.stiffness=-1"), ThrowsMessage<InputError>(HasSubstr("must be positive")));
+  EXPECT_THAT(refusal("normal.stiffness=1,normal.stiffness=2"),
+              ThrowsMessage<InputError>(HasSubstr("given twice")));
+  EXPECT_THAT(refusal("normal.stiffness=1,friction.coefficient=0.5"),
+              ThrowsMessage<InputError>(HasSubstr("friction.stiffness is missing")));
+  EXPECT_THAT(refusal("normal.stiffness=1,adhesion.range=0.1"),
+              ThrowsMessage<InputError>(HasSubstr("adhesion.force is missing")));
+  EXPECT_THAT(refusal("normal.stiffness=1,damping.restitution=0.5,damping.mass=heavy"),
+              ThrowsMessage<InputError>(HasSubstr("expected effective or grain")));
+}
+
+}  // namespace
+}  // namespace floc

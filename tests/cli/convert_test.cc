@@ -1,0 +1,114 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "floc/base/read_file.h"
+#include "support/run_arguments.h"
+
+namespace floc::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kJambashbulk = std::string(FLOC_SOURCE_DIR) + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+const std::string kTwoGrains = "X,Y,R\n1,1,0.5\n1.9,1,0.5\n";
+
+nlohmann::json info(const std::string& state) {
+  return nlohmann::json::parse(floc_arguments({"info", state, "--format", "json"}).out).at(0);
+}
+
+TEST(Convert, OfTheSameFileGivesTheSameBytes) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("a.h5")}).code, 0);
+  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("b.h5")}).code, 0);
+  EXPECT_EQ(read_file(scratch.file("a.h5")), read_file(scratch.file("b.h5")));
+}
+
+TEST(Convert, TakesAPackingFromStdin) {
+  const ScratchDirectory scratch;
+  const Outcome result =
+      floc_arguments({"convert", "-", scratch.file("s.h5"), "--law", "normal.stiffness=2", "--cell", "4,0;0,4",
+                      "--columns", "x=X,y=Y,radius=R", "--stress", "0.01,0.02"},
+                     kTwoGrains);
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  const auto said = info(scratch.file("s.h5"));
+  EXPECT_EQ(said["n_contacts"], 1);
+  EXPECT_EQ(said["law"], "normal.stiffness=2");
+  EXPECT_EQ(said["source"], "stdin");
+  EXPECT_EQ(said["target"], "0.01,0.02");
+  // One contact of force 0.2 and branch 0.9 in an area of 16, along x: P = 0.18/16/2.
+  EXPECT_NEAR(said["P"].get<double>(), 0.18 / 32.0, 1e-16);
+}
+
+TEST(Convert, LeavesAnExistingFileAloneUnlessToldTo) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.file("s.h5")) << "mine";
+  const Outcome refused = floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")});
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("s.h5"), HasSubstr("exists already; --overwrite")));
+  EXPECT_EQ(read_file(scratch.file("s.h5")), "mine");
+  EXPECT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5"), "--overwrite"}).code, 0);
+  EXPECT_EQ(info(scratch.file("s.h5"))["n_grains"], 16);
+}
+
+TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.file("g.csv")) << kTwoGrains;
+  std::ofstream(scratch.file("g.xyz")) << kTwoGrains;
+  const std::string out = scratch.file("s.h5");
+  const auto expect = [&](int code, const std::string& words, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "convert");
+    const Outcome result = floc_arguments(arguments);
+    EXPECT_EQ(result.code, code) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(words));
+    EXPECT_FALSE(std::filesystem::exists(out));
+  };
+  expect(4, "nowhere.csv: No such file",
+         {scratch.file("nowhere.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,0;0,4"});
+  expect(4, "g.xyz: its format is not recognised; say one of csv", {scratch.file("g.xyz"), out});
+  expect(4, "\"lammps\" is no format", {scratch.file("g.xyz"), out, "--from", "lammps"});
+  expect(4, "--law: \"stiffness\" is no parameter", {scratch.file("g.csv"), out, "--law", "stiffness=1"});
+  expect(4, "--cell: \"4:\"",
+         {scratch.file("g.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,4:;0,4"});
+  expect(4, "--columns: \"x\"", {scratch.file("g.csv"), out, "--columns", "x"});
+  expect(4, "has no column \"x\"",
+         {scratch.file("g.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,0;0,4"});
+  expect(4, "ends in .h5", {kJambashbulk, scratch.file("s.vtu")});
+  expect(4, "--stress: has 1 numbers, expected 2", {kJambashbulk, out, "--stress", "1"});
+  expect(4, "leave out --law", {kJambashbulk, out, "--law", "normal.stiffness=2"});
+  expect(1, "cannot be written", {kJambashbulk, scratch.file("g.csv/s.h5")});
+  expect(2, "IN is required", {});
+  expect(2, "--units", {kJambashbulk, out, "--units", "imperial"});
+}
+
+TEST(Info, SaysWhereAStateComesFrom) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")}).code, 0);
+  const auto said = info(scratch.file("s.h5"));
+  EXPECT_THAT(said["program"].get<std::string>(), StartsWith("floc "));
+  EXPECT_THAT(said["source"].get<std::string>(), StartsWith("N16~P1e-3~0001.txt, SHA-256 c63c0a8c380f85a0"));
+  EXPECT_TRUE(said["P_star"].is_null());
+  EXPECT_EQ(said["z"], 4.125);
+  EXPECT_THAT(floc_arguments({"info", scratch.file("s.h5"), "--format", "table"}).out,
+              HasSubstr("n_grains        16\n"));
+}
+
+TEST(Info, OfManyStatesSkipsTheBadOneAndSaysSo) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")}).code, 0);
+  const Outcome result =
+      floc_arguments({"info", scratch.file("s.h5"), scratch.file("none.h5"), scratch.file("s.h5")});
+  EXPECT_EQ(result.code, 4);
+  EXPECT_THAT(result.err, HasSubstr("none.h5: No such file"));
+  EXPECT_THAT(result.out, StartsWith("file,dimension,units,n_grains,"));
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 3);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "floc/io/state_file.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/packing/contact_forces.h"
+#include "support/run_arguments.h"
+#include "support/states.h"
+
+namespace floc::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::string kJambashbulk = std::string(FLOC_SOURCE_DIR) + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+
+/// What `floc verify` says of the jamBashbulk packing after `spoil` changed it.
+template <class Spoil>
+Outcome verify_spoiled(const Spoil& spoil) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.file("s.h5");
+  EXPECT_EQ(floc_arguments({"convert", kJambashbulk, path}).code, 0);
+  auto state = std::get<State<2>>(read_state(path));
+  spoil(state);
+  write_state(path, state);
+  return floc_arguments({"verify", path, "--format", "json"});
+}
+
+/// Expects exit code 5, the criteria that fail, and words on stderr.
+void expect_failed(const Outcome& result, const std::string& criteria, const std::string& words) {
+  EXPECT_EQ(result.code, 5);
+  const auto row = nlohmann::json::parse(result.out).at(0);
+  EXPECT_EQ(row["equilibrium"], false);
+  EXPECT_EQ(row["failed"], criteria);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("s.h5"), HasSubstr(words)));
+}
+
+TEST(Verify, PassesARealPacking) {
+  const Outcome result = verify_spoiled([](State<2>&) {});
+  EXPECT_EQ(result.code, 0) << result.err;
+  const auto row = nlohmann::json::parse(result.out).at(0);
+  EXPECT_EQ(row["equilibrium"], true);
+  EXPECT_LT(row["force"].get<double>(), 1e-11);
+  EXPECT_LT(row["stress"].get<double>(), 1e-11);
+  EXPECT_LT(row["mean_stress"].get<double>(), 1e-10);
+  EXPECT_EQ(row["stability"], 0);
+}
+
+TEST(Verify, NamesTheGrainsOutOfBalance) {
+  const auto result = verify_spoiled([](State<2>& s) {
+    s.packing.grains.position[3][0] += 1e-5;
+    find_contacts(s.packing);
+  });
+  expect_failed(result, "force stress", "force does not hold");
+  EXPECT_THAT(result.err, HasSubstr("grain 3 with"));
+}
+
+TEST(Verify, NamesTheContactsThatTheListMisses) {
+  const auto result = verify_spoiled([](State<2>& s) { s.packing.contacts.erase(s.packing.contacts.begin()); });
+  EXPECT_EQ(result.code, 5);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("list does not hold"), HasSubstr("missing at a gap of -")));
+}
+
+TEST(Verify, NamesTheContactsThatTheListHasTooMany) {
+  expect_failed(verify_spoiled([](State<2>& s) {
+                  Contact<2> far;
+                  far.i = 0;
+                  far.j = 1;
+                  refresh_contact(s.packing, far);
+                  s.packing.contacts.push_back(far);
+                }),
+                "list", "grains 0-1 listed at a gap of");
+  const auto twice =
+      verify_spoiled([](State<2>& s) { s.packing.contacts.push_back(s.packing.contacts.front()); });
+  EXPECT_THAT(twice.err, HasSubstr("listed twice"));
+}
+
+TEST(Verify, NamesTheContactsWhoseGapOrForceIsNotThatOfThePositions) {
+  expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].gap *= 1.001; }), "geometry",
+                "geometry");
+  expect_failed(
+      verify_spoiled([](State<2>& s) { s.packing.contacts[5].normal = s.packing.contacts[6].normal; }),
+      "geometry", "grains ");
+  expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].normal_force *= 1.001; }), "law", "law");
+  expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].kn = 2.0; }), "law", "in a stiffness");
+}
+
+TEST(Verify, MeasuresAgainstTheStressAndTheTolerancesAskedFor) {
+  expect_failed(verify_spoiled([](State<2>& s) { s.target_stress[0] *= 1.001; }), "stress",
+                "sigma_1 = 0.001 against 0.001001");
+  EXPECT_EQ(verify_spoiled([](State<2>& s) { s.tolerance.stress = 2e-3, s.target_stress[0] *= 1.001; }).code,
+            0);
+  expect_failed(verify_spoiled([](State<2>& s) { s.packing.grains.velocity[0][0] = 1e-3; }), "energy",
+                "still move");
+}
+
+/// A ring of four equal disks of diameter 1 around the cell that only distant attractions hold: pushed sideways it buckles.
+TEST(Verify, NamesAnUnstableState) {
+  const ScratchDirectory scratch;
+  State<2> s;
+  s.packing.law.normal_stiffness = 1e5;
+  s.packing.law.adhesion = {1.0, 1e-3};
+  s.packing.cell.matrix << 4.002, 0.0, 0.0, 3.0;
+  s.packing.grains = Grains<2>::with_size(4);
+  for (int i = 0; i < 4; ++i) {
+    s.packing.grains.position[i] = {1.0005 * i + 0.1, 1.0};
+    s.packing.grains.radius[i] = 0.5;
+    s.packing.grains.mass[i] = 1.0;
+  }
+  find_contacts(s.packing);
+  s.target_stress.setZero();
+  s.tolerance = {1.0, 1.0, 10.0, 1.0};
+  write_state(scratch.file("s.h5"), s);
+  expect_failed(floc_arguments({"verify", scratch.file("s.h5"), "--format", "json"}), "stability",
+                "negative eigenvalue");
+}
+
+TEST(Verify, OfManyExitsWithTheWorst) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("good.h5")}).code, 0);
+  write_state(scratch.file("bad.h5"), busy_state<3>());
+  const auto two = floc_arguments({"verify", scratch.file("bad.h5"), scratch.file("good.h5")});
+  EXPECT_EQ(two.code, 5);
+  EXPECT_EQ(std::count(two.out.begin(), two.out.end(), '\n'), 3);
+  const auto three =
+      floc_arguments({"verify", scratch.file("bad.h5"), scratch.file("none.h5"), scratch.file("good.h5")});
+  EXPECT_EQ(three.code, 4);
+  EXPECT_EQ(three.out, two.out);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -53,6 +54,33 @@ TEST(SceneCheck, ListsEveryFaultAndExitsWithBadInput) {
   EXPECT_THAT(o.err, HasSubstr("bad.toml:18: unknown key contact.normal.stifness"));
   EXPECT_THAT(o.err, HasSubstr("contact.normal.stiffness is missing"));
 }
+
+struct Mistake {
+  const char* set;
+  const char* expectation;
+};
+
+class BadScene : public testing::TestWithParam<Mistake> {};
+
+TEST_P(BadScene, IsBadInputWithPlaceValueAndExpectation) {
+  const Outcome o = run_floc("scene check " + kDemo + " --set '" + GetParam().set + "'");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_EQ(o.out, "");
+  EXPECT_THAT(o.err, HasSubstr(GetParam().expectation));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SceneCheck, BadScene,
+    testing::Values(
+        Mistake{"contact.frction.coefficient=1", "unknown key contact.frction"},
+        Mistake{"contact.rolling={coefficient=1}", "contact.rolling.stiffness is missing"},
+        Mistake{"grains.count=many", "grains.count = 'many': expected a whole number"},
+        Mistake{"assembly.pressure=nan", "assembly.pressure = nan: expected a positive number"},
+        Mistake{"contact.normal.stiffness=-1", "contact.normal.stiffness = -1: expected a positive number"},
+        Mistake{"grains.diameter.min=2", "grains.diameter.min = 2: expected at most max = 1"},
+        Mistake{"cell.solid_fraction=0.9", "cell.solid_fraction = 0.9: expected a solid fraction in (0, 0.6]"},
+        Mistake{"contact.adhesion={law=\"tail\", range=1e-3}", "contact.adhesion.force is missing"},
+        Mistake{"scene.dimension=3", "scene.dimension = 3: expected 2"}));
 
 TEST(SceneCheck, MissingFilesAndArgumentsHaveTheirOwnCodes) {
   EXPECT_EQ(run_floc("scene check no-such.toml").code, 4);

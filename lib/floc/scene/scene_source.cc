@@ -151,6 +151,8 @@ void SceneSource::throw_faults() const {
 
 std::string as_written(const toml::node& node) {
   if (node.is_table()) return "a table";
+  // The shortest form that reads back; toml++ writes 17 digits.
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   std::ostringstream out;
   node.visit([&](const auto& n) { out << n; });
   return out.str();

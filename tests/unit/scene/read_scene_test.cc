@@ -208,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"protocol = \"aggregation\"", "protocol = \"direct\"",
                  "assembly.agitation: grains start at rest"},
         BadScene{"agitation = 9.5\n", "", "assembly.agitation is missing"},
-        BadScene{"to = 1.0", "to = -1.0", "load.0.to = -1.0: expected a pressure"},
+        BadScene{"to = 1.0", "to = -1.0", "load.0.to = -1: expected a pressure"},
         BadScene{"steps_per_decade = 8", "", "load.0.steps_per_decade is missing"},
         BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nsteps = 3", "load.0.steps: expected either"},
         BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nset = {adhesion = {forc = 0}}",

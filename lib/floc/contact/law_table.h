@@ -10,7 +10,8 @@
 ///      normal/linear_repulsion.h) and, if it has parameters, its fields in law_parameters.h with their validation;
 ///   2. add the compositions that make sense to `AnyContactLaw` below, and how keywords choose them to
 ///      `compose_law()` in law_table.cc;
-///   3. write a unit test with a closed form. The conformance suite enumerates this table by itself.
+///   3. write a unit test with a closed form. The conformance suite enumerates this table by itself; all it asks for is
+///      one set of sample parameters of a new kind of slot, in tests/support/laws.h.
 namespace floc {
 
 namespace laws {

@@ -189,8 +189,8 @@ void say(const std::string& name, const Sample& sample, const ConsolidationFit& 
   for (const int i : fit.used)
     if (!sample.loading.rows.empty()) rows.push_back(sample.loading.rows[i]);
   spdlog::info(
-      "{}: fitted {} pressures, P* = {:.6g} to {:.6g}{}{}", name, fit.used.size(), fit.window_low,
-      fit.window_high, rows.empty() ? "" : ", rows " + ranges(rows),
+      "{}: fitted {} pressures, P* = {:.6g} to {:.6g}{}{}; r.m.s. residual of 1/Phi {:.3g}", name,
+      fit.used.size(), fit.window_low, fit.window_high, rows.empty() ? "" : ", rows " + ranges(rows),
       fit.n_plateau > 0 ? fmt::format("; the {} before them are the plateau of regime I", fit.n_plateau) : "",
       fit.rms);
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);

@@ -48,6 +48,7 @@ TEST(FitConsolidation, RecoversTheLawBehindATableAndSaysWhichRowsItUsed) {
   EXPECT_EQ(fit["rows_used"].back(), 26);
   EXPECT_THAT(o.err, HasSubstr("1 row(s) at P* = 0 left out"));
   EXPECT_THAT(o.err, HasSubstr("plateau of regime I"));
+  EXPECT_THAT(o.err, HasSubstr("r.m.s. residual of 1/Phi"));
 }
 
 TEST(FitConsolidation, AnEnsembleIsFittedSampleBySampleAndPooled) {

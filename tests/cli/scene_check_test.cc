@@ -31,8 +31,8 @@ TEST(SceneCheck, PrintsTheGroupsOfTheDemo) {
   EXPECT_EQ(group(o.out, "T0"), 1.0);
   // 0.2 sqrt(m_min/K_N) with m_min = 1/4.
   EXPECT_NEAR(group(o.out, "time_step"), 0.1 / std::sqrt(1e5), 1e-18);
-  // One at assembly, 25 up, 13 down.
-  EXPECT_EQ(group(o.out, "equilibria"), 39);
+  // Two at assembly (P* = 0 and 0.01), 25 up, 13 down.
+  EXPECT_EQ(group(o.out, "equilibria"), 40);
 }
 
 TEST(SceneCheck, OverridesAreSeen) {

@@ -26,6 +26,9 @@ constexpr double kRounding = 1e-9;
 /// A parameter known to less than this factor either way is not identified.
 constexpr double kIdentifiedFactor = 10.0;
 
+/// P0* should lie at the end of the plateau to within this factor.
+constexpr double kFarFromTheEnd = 2.0;
+
 /// The points of a curve as the laws see them.
 struct Points {
   Eigen::VectorXd log_P, y;
@@ -153,6 +156,14 @@ void add_start_of_regime_two(const Draft& d, double log_P_line, int at_log_P, do
     const double error = std::hypot(d.standard_error(gradient), std::sqrt(variance) / lambda);
     fit.parameters.push_back(from_inverse("Phi0", *d.plateau, std::sqrt(variance), d.t95));
     fit.parameters.push_back(from_log("P0_star", log_P_line + drop, error, d.t95));
+    // The plateau ends between its last point and the first of the window, where the line should meet it.
+    const double P0 = std::exp(log_P_line + drop);
+    if (P0 < fit.plateau_high / kFarFromTheEnd || P0 > fit.window_low * kFarFromTheEnd)
+      fit.warnings.push_back(
+          fmt::format("the line of regime II meets the plateau at P0* = {:.4g}, but the plateau ends between "
+                      "{:.4g} and {:.4g}: the "
+                      "density jumps there; a mean over samples, or --window, gives a better P0*",
+                      P0, fit.plateau_high, fit.window_low));
     return;
   }
   const double distance = d.points.log_P[0] - log_P_line;
@@ -294,6 +305,7 @@ std::string too_few(Law law, int n) {
 
 void describe_window(const ConsolidationCurve& curve, const Window& window, ConsolidationFit& fit) {
   fit.n_plateau = window.n_plateau;
+  if (window.n_plateau > 0) fit.plateau_high = curve.P_star[window.first - 1];
   for (int i = 0; i < window.n; ++i) fit.used.push_back(window.first + i);
   fit.window_low = curve.P_star[window.first];
   fit.window_high = curve.P_star[window.first + window.n - 1];

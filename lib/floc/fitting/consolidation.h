@@ -47,6 +47,7 @@ struct ConsolidationFit {
   double window_low = 0.0, window_high = 0.0;  ///< first and last pressure fitted
   std::vector<int> used;                       ///< indices of the points fitted
   int n_plateau = 0;                           ///< points before the window taken as the plateau of regime I
+  double plateau_high = 0.0;                   ///< last pressure of the plateau, 0 without one
   std::vector<FittedParameter> parameters;     ///< the free ones first
   std::vector<std::string> correlated;         ///< names of the rows and columns of `correlation`
   Eigen::MatrixXd correlation;                 ///< free parameters x free parameters

@@ -165,6 +165,19 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
   }
 }
 
+TEST(FitConsolidation, AJumpAtTheEndOfThePlateauIsSaid) {
+  ConsolidationCurve jump = curve_of(kNoRolling.law(), published_pressures(0.01));
+  // A plateau up to P* = 0.1 that holds the density of P* = 0.0237, then the law.
+  for (std::size_t i = 0; i < 9; ++i) jump.phi[i] = kNoRolling.phi0;
+  const auto fit = fit_consolidation(jump, {});
+  ASSERT_TRUE(fit.found()) << fit.refusal;
+  EXPECT_EQ(fit.n_plateau, 9);
+  EXPECT_NEAR(fit.plateau_high, 0.1, 1e-12);
+  EXPECT_NEAR(value(fit, "lambda"), kNoRolling.lambda, 1e-8);
+  ASSERT_EQ(fit.warnings.size(), 1u);
+  EXPECT_THAT(fit.warnings[0], HasSubstr("the density jumps there"));
+}
+
 TEST(FitConsolidation, WithoutAPlateauEveryPointIsFitted) {
   const auto fit = fit_consolidation(curve_of(kNoRolling.law(), published_pressures(0.02)), {});
   ASSERT_TRUE(fit.found());

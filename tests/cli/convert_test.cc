@@ -110,5 +110,14 @@ TEST(Info, OfManyStatesSkipsTheBadOneAndSaysSo) {
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 3);
 }
 
+TEST(Info, ThatCannotBePrintedIsAFailure) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")}).code, 0);
+  const Outcome result = run_arguments(
+      "/bin/sh", {"-c", "exec \"$0\" info \"$1\" >/dev/full", FLOC_PROGRAM, scratch.file("s.h5")});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, HasSubstr("standard output: cannot be written"));
+}
+
 }  // namespace
 }  // namespace floc::test

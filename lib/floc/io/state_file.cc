@@ -274,6 +274,7 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
 template <int Dim>
 void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std::vector<std::int32_t>& id) {
   if (!(packing.cell.volume() > 0.0)) throw InputError(file.place("cell/matrix"), "the cell has no volume");
+  if (id.empty()) throw InputError(file.place("grains/radius"), "holds no grains");
   for (std::size_t i = 0; i < id.size(); ++i) {
     if (id[i] != static_cast<std::int32_t>(i))
       refuse(file, "grains/id", i, fmt::format("{}, expected {}", id[i], i));

@@ -201,6 +201,11 @@ TEST(StateFileRefuses, NumbersThatNoStateHolds) {
               HasSubstr("touch itself"));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.law.normal_stiffness = -1.0; }),
               AllOf(HasSubstr("/law"), HasSubstr("contact.normal.stiffness = -1"), HasSubstr("positive")));
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) {
+                s.packing.grains = Grains<2>::with_size(0);
+                s.packing.contacts.clear();
+              }),
+              HasSubstr("holds no grains"));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.units = "imperial"; }), HasSubstr("imperial"));
 }
 

@@ -16,6 +16,23 @@ namespace {
 constexpr int kShortListLife = 60;
 constexpr int kLongListLife = 400;
 
+/// Sum (or largest) of a term over the grains of a block, in eight interleaved parts: a fixed order that a processor
+/// of any vector width can follow, and no chain of additions to wait for.
+template <int kBlock, class Term>
+double block_sum(const Term& term) {
+  std::array<double, 8> part{};
+  for (int k = 0; k < kBlock; k += 8)
+    for (int l = 0; l < 8; ++l) part[l] += term(k + l);
+  return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+}
+template <int kBlock, class Term>
+double block_max(const Term& term) {
+  std::array<double, 8> part{};
+  for (int k = 0; k < kBlock; k += 8)
+    for (int l = 0; l < 8; ++l) part[l] = lanes::max(part[l], term(k + l));
+  return *std::max_element(part.begin(), part.end());
+}
+
 /// The same contact seen from the other grain.
 template <int Dim>
 NeighborPair<Dim> swapped(const NeighborPair<Dim>& p) {
@@ -39,7 +56,8 @@ ExplicitDynamics<Dim, Law>::ExplicitDynamics(const Packing<Dim>& packing, const 
       dt_(settings.time_step),
       skin_(settings.skin),
       threads_(settings.threads),
-      grains_(packing.grains, space_order(packing.cell, packing.grains)),
+      largest_(2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end())),
+      grains_(packing.grains, space_order(packing.cell, packing.grains), kBlock),
       side_(packing.cell.matrix.diagonal()),
       side_rate_(packing.cell.velocity.diagonal()),
       strain_rate_(side_rate_.cwiseQuotient(side_)) {
@@ -119,35 +137,48 @@ typename ExplicitDynamics<Dim, Law>::Kick ExplicitDynamics<Dim, Law>::kick_over(
 }
 
 template <int Dim, class Law>
-inline void ExplicitDynamics<Dim, Law>::apply(const Kick& kick, int k) {
-  const double per_mass = kick.half_step * grains_.inverse_mass[k];
-  for (int a = 0; a < Dim; ++a)
-    grains_.v[a][k] = grains_.v[a][k] * kick.keep[a] + grains_.force[a][k] * per_mass * kick.gain[a];
-  if constexpr (kTurns) {
-    const double per_inertia = kick.half_step * grains_.inverse_inertia[k];
-    for (int a = 0; a < kRotations<Dim>; ++a) grains_.spin[a][k] += grains_.torque[a][k] * per_inertia;
+void ExplicitDynamics<Dim, Law>::turn(const Kick& kick, int begin) {
+  const double* const inverse_inertia = grains_.inverse_inertia.data() + begin;
+  for (int a = 0; a < kRotations<Dim>; ++a) {
+    const double* const torque = grains_.torque[a].data() + begin;
+    double* const spin = grains_.spin[a].data() + begin;
+#pragma omp simd
+    for (int k = 0; k < kBlock; ++k) spin[k] += torque[k] * (kick.half_step * inverse_inertia[k]);
   }
 }
 
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::kick_and_drift(int block) {
+  const int begin = block * kBlock;
   const Kick half = kick_over(0.5 * dt_);
-  double largest = 0.0;
-  for (int k = block * kBlock; k < block_end(block); ++k) {
-    apply(half, k);
-    const double per_mass = half.half_step * grains_.inverse_mass[k];
-    double squared = 0.0;
-    for (int a = 0; a < Dim; ++a) {
-      const double v = grains_.v[a][k];
-      grains_.v_next[a][k] = v + per_mass * grains_.force[a][k];
-      grains_.x[a][k] = stretch_[a] * grains_.x[a][k] + drift_[a] * v;
-      const double moved = grains_.x[a][k] - list_stretch_[a] * x_list_[a][k];
-      squared += moved * moved;
+  const double* const inverse_mass = grains_.inverse_mass.data() + begin;
+  std::array<double, kBlock> moved_squared{};
+  for (int a = 0; a < Dim; ++a) {
+    const double* const force = grains_.force[a].data() + begin;
+    const double* const x_list = x_list_[a].data() + begin;
+    double* const v = grains_.v[a].data() + begin;
+    double* const v_next = grains_.v_next[a].data() + begin;
+    double* const x = grains_.x[a].data() + begin;
+    const double keep = half.keep[a], gain = half.gain[a], stretch = stretch_[a], drift = drift_[a];
+    const double list_stretch = list_stretch_[a];
+#pragma omp simd
+    for (int k = 0; k < kBlock; ++k) {
+      const double kick = half.half_step * inverse_mass[k] * force[k];
+      v[k] = v[k] * keep + kick * gain;
+      v_next[k] = v[k] + kick;
+      x[k] = stretch * x[k] + drift * v[k];
+      const double moved = x[k] - list_stretch * x_list[k];
+      moved_squared[k] += moved * moved;
     }
-    largest = std::max(largest, squared);
-    if constexpr (kTurns) grains_.angle[k] += dt_ * grains_.spin[0][k];
   }
-  sums_[block].displacement_squared = largest;
+  if constexpr (kTurns) {
+    turn(half, begin);
+    const double* const spin = grains_.spin[0].data() + begin;
+    double* const angle = grains_.angle.data() + begin;
+#pragma omp simd
+    for (int k = 0; k < kBlock; ++k) angle[k] += dt_ * spin[k];
+  }
+  sums_[block].displacement_squared = block_max<kBlock>([&](int k) { return moved_squared[k]; });
 }
 
 /// Nothing outside the list can interact while the affine shrinking and twice the largest displacement relative to it
@@ -156,17 +187,15 @@ template <int Dim, class Law>
 bool ExplicitDynamics<Dim, Law>::list_is_stale() const {
   double squared = 0.0;
   for (const BlockSums& s : sums_) squared = std::max(squared, s.displacement_squared);
-  const double largest = 2.0 * *std::max_element(grains_.radius.begin(), grains_.radius.end());
   const double shrink = std::max(0.0, 1.0 - list_stretch_.minCoeff());
-  return 2.0 * std::sqrt(squared) + shrink * (largest + law_.range() + skin_) >= skin_;
+  return 2.0 * std::sqrt(squared) + shrink * (largest_ + law_.range() + skin_) >= skin_;
 }
 
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::adapt_skin() {
   if (pairs_.size() == 0 || steps_since_list_ == 0) return;
-  const double a = 2.0 * *std::max_element(grains_.radius.begin(), grains_.radius.end());
-  if (steps_since_list_ < kShortListLife) skin_ = std::min(1.3 * skin_, 0.5 * a);
-  if (steps_since_list_ > kLongListLife) skin_ = std::max(0.7 * skin_, 1e-3 * a);
+  if (steps_since_list_ < kShortListLife) skin_ = std::min(1.3 * skin_, 0.5 * largest_);
+  if (steps_since_list_ > kLongListLife) skin_ = std::max(0.7 * skin_, 1e-3 * largest_);
 }
 
 template <int Dim, class Law>
@@ -174,10 +203,10 @@ void ExplicitDynamics<Dim, Law>::rebuild_list() {
   adapt_skin();
   Grains<Dim> now = Grains<Dim>::with_size(grains_.size());
   grains_.copy_positions_to(now);
-  now.radius = grains_.radius;
+  now.radius.assign(grains_.radius.begin(), grains_.radius.begin() + grains_.size());
   Cell<Dim> cell;
   cell.matrix = side_.asDiagonal();
-  HotPairs<Law, Dim> pairs(find_pairs(cell, now, law_.range() + skin_), grains_.radius, grains_.mass, law_);
+  HotPairs<Law, Dim> pairs(find_pairs(cell, now, law_.range() + skin_), now.radius, grains_.mass, law_);
   pairs.inherit(pairs_);
   pairs_ = std::move(pairs);
   x_list_ = grains_.x;
@@ -188,34 +217,39 @@ void ExplicitDynamics<Dim, Law>::rebuild_list() {
 
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::compute_pairs(int block, double slip_time) {
-  for (int p = pairs_.first_of_i[block * kBlock]; p < pairs_.first_of_i[block_end(block)]; ++p)
-    compute_pair(p, slip_time);
+  // Copies that no store of the loop can alias, so that their constants stay in registers.
+  const Law law = law_;
+  const Vec<Dim> side = side_;
+  const Vec<Dim> rate = strain_rate_;
+  Vec<Dim> virial = Vec<Dim>::Zero();
+  const int end = pairs_.first_of_i[block_end(block)];
+  for (int p = pairs_.first_of_i[block * kBlock]; p < end; ++p) compute_pair(p, law, side, rate, slip_time, virial);
+  sums_[block].virial = virial;
 }
 
 template <int Dim, class Law>
-inline void ExplicitDynamics<Dim, Law>::compute_pair(int p, double slip_time) {
+[[gnu::always_inline]] inline void ExplicitDynamics<Dim, Law>::compute_pair(int p, const Law& law, const Vec<Dim>& side,
+                                                                           const Vec<Dim>& rate, double slip_time,
+                                                                           Vec<Dim>& virial) {
   const int i = pairs_.key[p].i;
   const int j = pairs_.key[p].j;
   Vec<Dim> r;
-  for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][j] - grains_.x[a][i] + pairs_.image[a][p] * side_[a];
+  for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][j] - grains_.x[a][i] + pairs_.image[a][p] * side[a];
   const double squared = r.squaredNorm();
   if (squared >= pairs_.reach_squared[p]) {
-    for (int a = 0; a < Dim; ++a) pairs_.row_force[a][p] = pairs_.row_virial[a][p] = 0.0;
-    for (int a = 0; a < kRotations<Dim>; ++a) pairs_.row_torque_i[a][p] = pairs_.row_torque_j[a][p] = 0.0;
+    for (int a = 0; a < Dim; ++a) pairs_.row_force[a][p] = 0.0;
+    if constexpr (kTurns)
+      for (int a = 0; a < kRotations<Dim>; ++a) pairs_.row_torque_i[a][p] = pairs_.row_torque_j[a][p] = 0.0;
     pairs_.history[p] = {};
     return;
   }
   const double distance = std::sqrt(squared);
-  const Vec<Dim> n = r / distance;
-  const Vec<Dim> affine = strain_rate_.cwiseProduct(r);
+  const Vec<Dim> n = r * (1.0 / distance);
+  const Vec<Dim> affine = rate.cwiseProduct(r);
 
   ContactMotion<Dim> motion{distance - pairs_.radii[p], 0.0, pairs_.damping[p], Shear<Dim>::Zero(), Spin<Dim>::Zero()};
-  Vec<Dim> closing, centres;
-  for (int a = 0; a < Dim; ++a) {
-    closing[a] = grains_.v_next[a][j] - grains_.v_next[a][i] + affine[a];
-    centres[a] = grains_.v[a][j] - grains_.v[a][i] + affine[a];
-  }
-  motion.gap_rate = n.dot(closing);
+  for (int a = 0; a < Dim; ++a)
+    motion.gap_rate += n[a] * (grains_.v_next[a][j] - grains_.v_next[a][i] + affine[a]);
   const double arm_i = pairs_.share_i[p] * distance;
   const double arm_j = distance - arm_i;
   if constexpr (kTurns) {
@@ -224,12 +258,14 @@ inline void ExplicitDynamics<Dim, Law>::compute_pair(int p, double slip_time) {
       spin_i[a] = grains_.spin[a][i];
       spin_j[a] = grains_.spin[a][j];
     }
+    Vec<Dim> centres;
+    for (int a = 0; a < Dim; ++a) centres[a] = grains_.v[a][j] - grains_.v[a][i] + affine[a];
     // Velocity of j's surface point against i's: both turn their surfaces the same way round.
     const Vec<Dim> surfaces = centres - cross<double>(Spin<Dim>(arm_i * spin_i + arm_j * spin_j), n);
     motion.slip = slip_time * to_shear<double>(n, surfaces);
     motion.relative_turn = slip_time * (spin_i - spin_j);
   }
-  const ContactForces<Dim> f = law_.respond(motion, pairs_.history[p]);
+  const ContactForces<Dim> f = law.respond(motion, pairs_.history[p]);
 
   Vec<Dim> on_j = (f.normal.force() + f.viscous) * n;
   if constexpr (kTurns) {
@@ -243,14 +279,14 @@ inline void ExplicitDynamics<Dim, Law>::compute_pair(int p, double slip_time) {
   }
   for (int a = 0; a < Dim; ++a) {
     pairs_.row_force[a][p] = on_j[a];
-    pairs_.row_virial[a][p] = on_j[a] * r[a];
+    virial[a] += on_j[a] * r[a];
   }
 }
 
 /// Sums the rows of one grain in the order of the pairs. Rows of pairs that do not interact are zero and leave no trace,
-/// so the result does not depend on which of them the list holds.
+/// so the result does not depend on which of them the list holds. (The same holds for the virial of a block.)
 template <int Dim, class Law>
-inline void ExplicitDynamics<Dim, Law>::sum_forces(int k, Vec<Dim>& virial) {
+inline void ExplicitDynamics<Dim, Law>::sum_forces(int k) {
   Vec<Dim> force = Vec<Dim>::Zero();
   Spin<Dim> torque = Spin<Dim>::Zero();
   for (int e = pairs_.first_with_j[k]; e < pairs_.first_with_j[k + 1]; ++e) {
@@ -260,10 +296,7 @@ inline void ExplicitDynamics<Dim, Law>::sum_forces(int k, Vec<Dim>& virial) {
       for (int a = 0; a < kRotations<Dim>; ++a) torque[a] += pairs_.row_torque_j[a][p];
   }
   for (int p = pairs_.first_of_i[k]; p < pairs_.first_of_i[k + 1]; ++p) {
-    for (int a = 0; a < Dim; ++a) {
-      force[a] -= pairs_.row_force[a][p];
-      virial[a] += pairs_.row_virial[a][p];
-    }
+    for (int a = 0; a < Dim; ++a) force[a] -= pairs_.row_force[a][p];
     if constexpr (kTurns)
       for (int a = 0; a < kRotations<Dim>; ++a) torque[a] += pairs_.row_torque_i[a][p];
   }
@@ -274,17 +307,30 @@ inline void ExplicitDynamics<Dim, Law>::sum_forces(int k, Vec<Dim>& virial) {
 
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::sum_and_kick(int block, double half_step) {
+  const int begin = block * kBlock;
+  for (int k = begin; k < block_end(block); ++k) sum_forces(k);
+
   const Kick half = kick_over(half_step);
-  BlockSums sums;
-  for (int k = block * kBlock; k < block_end(block); ++k) {
-    sum_forces(k, sums.virial);
-    apply(half, k);
-    for (int a = 0; a < Dim; ++a) sums.momentum_flux[a] += grains_.mass[k] * grains_.v[a][k] * grains_.v[a][k];
-    if constexpr (kTurns)
-      for (int a = 0; a < kRotations<Dim>; ++a)
-        sums.rotation += grains_.inertia[k] * grains_.spin[a][k] * grains_.spin[a][k];
+  const double* const mass = grains_.mass.data() + begin;
+  const double* const inverse_mass = grains_.inverse_mass.data() + begin;
+  BlockSums& sums = sums_[block];
+  for (int a = 0; a < Dim; ++a) {
+    const double* const force = grains_.force[a].data() + begin;
+    double* const v = grains_.v[a].data() + begin;
+    const double keep = half.keep[a], gain = half.gain[a];
+#pragma omp simd
+    for (int k = 0; k < kBlock; ++k) v[k] = v[k] * keep + half.half_step * inverse_mass[k] * force[k] * gain;
+    sums.momentum_flux[a] = block_sum<kBlock>([&](int k) { return mass[k] * v[k] * v[k]; });
   }
-  sums_[block] = sums;
+  if constexpr (kTurns) {
+    turn(half, begin);
+    sums.rotation = 0.0;
+    const double* const inertia = grains_.inertia.data() + begin;
+    for (int a = 0; a < kRotations<Dim>; ++a) {
+      const double* const spin = grains_.spin[a].data() + begin;
+      sums.rotation += block_sum<kBlock>([&](int k) { return inertia[k] * spin[k] * spin[k]; });
+    }
+  }
 }
 
 template <int Dim, class Law>
@@ -338,13 +384,11 @@ Packing<Dim> ExplicitDynamics<Dim, Law>::packing() const {
     out.grains.orientation[i] = grains_.angle[k];
   }
   for (int p = 0; p < pairs_.size(); ++p) {
-    if (pairs_.row_virial[0][p] == 0.0 && pairs_.row_virial[Dim - 1][p] == 0.0) {
-      Vec<Dim> r;
-      for (int a = 0; a < Dim; ++a)
-        r[a] = grains_.x[a][pairs_.key[p].j] - grains_.x[a][pairs_.key[p].i] + pairs_.image[a][p] * side_[a];
-      if (r.squaredNorm() >= pairs_.reach_squared[p]) continue;
-    }
     NeighborPair<Dim> key = pairs_.key[p];
+    Vec<Dim> r;
+    for (int a = 0; a < Dim; ++a)
+      r[a] = grains_.x[a][key.j] - grains_.x[a][key.i] + pairs_.image[a][p] * side_[a];
+    if (r.squaredNorm() >= pairs_.reach_squared[p]) continue;
     ContactHistory<Law, Dim> history = pairs_.history[p];
     key = {grains_.index[key.i], grains_.index[key.j], key.image + wrap[key.i] - wrap[key.j]};
     if (key.j < key.i) {

@@ -45,11 +45,12 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void load_histories(const Packing<Dim>& packing);
   void begin_step();
   Kick kick_over(double half_step) const;
-  void apply(const Kick& kick, int k);
+  void turn(const Kick& kick, int begin);
   void kick_and_drift(int block);
   void compute_pairs(int block, double slip_time);
-  void compute_pair(int p, double slip_time);
-  void sum_forces(int k, Vec<Dim>& virial);
+  void compute_pair(int p, const Law& law, const Vec<Dim>& side, const Vec<Dim>& rate, double slip_time,
+                    Vec<Dim>& virial);
+  void sum_forces(int k);
   void sum_and_kick(int block, double half_step);
   void end_step(Motion motion);
   void refresh_forces();
@@ -63,6 +64,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double dt_;
   double skin_;
   int threads_;
+  double largest_;  ///< diameter
 
   HotGrains<Dim> grains_;
   HotPairs<Law, Dim> pairs_;

@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// The grains as the force loop reads them: one array a component, in the order of a space-filling curve.
+/// The grains as the force loop reads them: one array a component, in the order of a space-filling curve. The
+/// arrays are padded to whole blocks with grains that nothing moves.
 template <int Dim>
 struct HotGrains {
   using Component = std::vector<double>;
@@ -23,21 +24,24 @@ struct HotGrains {
   Component radius, mass, inertia;
   Component inverse_mass, inverse_inertia;
 
-  HotGrains(const Grains<Dim>& grains, const std::vector<int>& order);
+  /// @param block  the arrays are as long as the next multiple of this
+  HotGrains(const Grains<Dim>& grains, const std::vector<int>& order, int block);
 
   int size() const { return static_cast<int>(index.size()); }
   void copy_positions_to(Grains<Dim>& grains) const;
 };
 
 template <int Dim>
-HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& order) : index(order) {
+HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& order, int block) : index(order) {
   static_assert(Dim == 2, "orientations in 3D are not integrated yet");
   const std::size_t n = order.size();
-  for (auto* component : {&angle, &radius, &mass, &inertia, &inverse_mass, &inverse_inertia}) component->resize(n);
+  const std::size_t padded = (n + block - 1) / block * block;
+  for (auto* component : {&angle, &radius, &mass, &inertia, &inverse_mass, &inverse_inertia})
+    component->assign(padded, 0.0);
   for (auto* vector : {&x, &v, &v_next, &force})
-    for (auto& component : *vector) component.assign(n, 0.0);
+    for (auto& component : *vector) component.assign(padded, 0.0);
   for (auto* vector : {&spin, &torque})
-    for (auto& component : *vector) component.assign(n, 0.0);
+    for (auto& component : *vector) component.assign(padded, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
     const int i = order[k];
     for (int a = 0; a < Dim; ++a) {

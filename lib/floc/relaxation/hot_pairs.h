@@ -23,7 +23,6 @@ struct HotPairs {
   std::vector<ContactHistory<Law, Dim>> history;
 
   std::array<Component, Dim> row_force;             ///< on j
-  std::array<Component, Dim> row_virial;            ///< force on j times branch, component by component
   std::array<Component, kRotations<Dim>> row_torque_i, row_torque_j;
 
   std::vector<int> first_of_i;    ///< pairs of grain i are first_of_i[i] .. first_of_i[i + 1] - 1
@@ -55,7 +54,7 @@ HotPairs<Law, Dim>::HotPairs(std::vector<NeighborPair<Dim>> pairs, const std::ve
   const std::size_t n = key.size();
   const std::size_t n_grains = radius.size();
   for (auto* component : {&radii, &reach_squared, &share_i, &damping}) component->resize(n);
-  for (auto* vector : {&image, &row_force, &row_virial})
+  for (auto* vector : {&image, &row_force})
     for (auto& component : *vector) component.assign(n, 0.0);
   for (auto* vector : {&row_torque_i, &row_torque_j})
     for (auto& component : *vector) component.assign(n, 0.0);

@@ -1,10 +1,208 @@
+#include "floc/elasticity/moduli.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
 #include "command.h"
+#include "floc/base/error.h"
+#include "floc/packing/equilibrium.h"
+#include "output.h"
 
 namespace floc {
+namespace {
+
+struct ModuliCommand {
+  std::vector<std::string> files;
+  std::string strains = "diagonal";
+  bool prestress = false;
+  ModuliOptions options;
+  std::vector<double> rolling_stiffness;
+  std::string format;
+};
+
+/// One row: what a state is and its moduli.
+struct ModuliRow {
+  std::string file;
+  std::string units;
+  int dimension;
+  std::int64_t n_grains;
+  std::int64_t n_contacts;
+  std::int64_t n_distant;
+  double reduced_pressure;
+  double solid_fraction;
+  Moduli moduli;
+  std::optional<double> rolling_stiffness;
+  double seconds;
+};
+
+template <int Dim>
+ModuliRow compute_row(const std::string& file, const State<Dim>& state, const ModuliOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const Packing<Dim>& packing = state.packing;
+  if (packing.grains.size() == 0) throw InputError(file, "has no grains: moduli need a packing");
+  ModuliRow row;
+  row.file = file;
+  row.units = state.units;
+  row.dimension = Dim;
+  row.n_grains = packing.grains.size();
+  row.n_contacts = static_cast<std::int64_t>(packing.contacts.size());
+  row.n_distant =
+      std::count_if(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.distant; });
+  row.moduli = elastic_moduli(packing, options);
+  row.reduced_pressure = reduced_pressure<Dim>(packing, row.moduli.pressure);
+  row.solid_fraction = solid_fraction(packing);
+  row.rolling_stiffness = options.rolling_stiffness;
+  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (const std::string& warning : row.moduli.warnings)
+    std::cerr << "floc: " << file << ": warning: " << warning << '\n';
+  return row;
+}
+
+/// Name of an entry of C, "C12"; indices from 0.
+std::string entry_name(int a, int b) {
+  return fmt::format("C{}{}", a + 1, b + 1);
+}
+
+/// Entries of the upper triangle beyond C11, C22, C12: diagonal first, then row by row.
+std::vector<std::pair<int, int>> further_entries(int size) {
+  std::vector<std::pair<int, int>> entries;
+  for (int a = 2; a < size; ++a) entries.emplace_back(a, a);
+  for (int a = 0; a < size; ++a)
+    for (int b = std::max(a + 1, 2); b < size; ++b) entries.emplace_back(a, b);
+  return entries;
+}
+
+TableValue entry(const Eigen::MatrixXd& c, int a, int b) {
+  if (a >= c.rows() || b >= c.rows()) return {};
+  return c(a, b);
+}
+
+TableValue maybe(const std::optional<double>& value) {
+  return value ? TableValue{*value} : TableValue{};
+}
+
+/// A column of the table: its name and how a row fills it.
+using Column = std::pair<std::string, std::function<TableValue(const ModuliRow&)>>;
+
+std::vector<Column> contract_columns() {
+  const auto count = [](int n) { return TableValue{std::int64_t{n}}; };
+  return {
+      {"file", [](const ModuliRow& r) { return r.file; }},
+      {"dimension", [count](const ModuliRow& r) { return count(r.dimension); }},
+      {"n_grains", [](const ModuliRow& r) { return r.n_grains; }},
+      {"n_contacts", [](const ModuliRow& r) { return r.n_contacts; }},
+      {"n_distant", [](const ModuliRow& r) { return r.n_distant; }},
+      {"P", [](const ModuliRow& r) { return r.moduli.pressure; }},
+      {"P_star", [](const ModuliRow& r) { return r.reduced_pressure; }},
+      {"phi", [](const ModuliRow& r) { return r.solid_fraction; }},
+      {"z",
+       [](const ModuliRow& r) {
+         return 2.0 * static_cast<double>(r.n_contacts) / static_cast<double>(r.n_grains);
+       }},
+      {"C11", [](const ModuliRow& r) { return r.moduli.C(0, 0); }},
+      {"C22", [](const ModuliRow& r) { return r.moduli.C(1, 1); }},
+      {"C12", [](const ModuliRow& r) { return r.moduli.C(0, 1); }},
+      {"B", [](const ModuliRow& r) { return r.moduli.B; }},
+      {"B_S", [](const ModuliRow& r) { return r.moduli.B_S; }},
+      {"G", [](const ModuliRow& r) { return r.moduli.G; }},
+      {"isotropy_defect", [](const ModuliRow& r) { return r.moduli.isotropy_defect; }},
+      {"B_voigt", [](const ModuliRow& r) { return r.moduli.bounds.B_voigt; }},
+      {"G_voigt", [](const ModuliRow& r) { return r.moduli.bounds.G_voigt; }},
+      {"B_reuss", [](const ModuliRow& r) { return r.moduli.bounds.B_reuss; }},
+      {"B_voigt_printed", [](const ModuliRow& r) { return r.moduli.bounds.B_voigt_printed; }},
+      {"G_voigt_printed", [](const ModuliRow& r) { return r.moduli.bounds.G_voigt_printed; }},
+      {"B_reuss_printed", [](const ModuliRow& r) { return r.moduli.bounds.B_reuss_printed; }},
+      {"Z2", [](const ModuliRow& r) { return r.moduli.bounds.Z2; }},
+      {"n_negative", [count](const ModuliRow& r) { return count(r.moduli.n_negative); }},
+      {"n_mechanisms", [count](const ModuliRow& r) { return count(r.moduli.n_mechanisms); }},
+      {"n_coupled_mechanisms", [count](const ModuliRow& r) { return count(r.moduli.n_coupled_mechanisms); }},
+      {"residual", [](const ModuliRow& r) { return r.moduli.residual; }},
+      {"condition", [](const ModuliRow& r) { return r.moduli.condition; }},
+      {"seconds", [](const ModuliRow& r) { return r.seconds; }},
+      {"units", [](const ModuliRow& r) { return r.units; }},
+      {"n_rattlers", [count](const ModuliRow& r) { return count(r.moduli.n_rattlers); }},
+      {"n_free_rollers", [count](const ModuliRow& r) { return count(r.moduli.n_free_rollers); }},
+      {"n_at_cap", [count](const ModuliRow& r) { return count(r.moduli.n_at_cap); }}};
+}
+
+std::vector<Column> columns_for(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
+  std::vector<Column> columns = contract_columns();
+  int size = 2;
+  for (const ModuliRow& r : rows) size = std::max(size, static_cast<int>(r.moduli.C.rows()));
+  for (const auto& [a, b] : further_entries(size))
+    columns.emplace_back(entry_name(a, b), [a, b](const ModuliRow& r) { return entry(r.moduli.C, a, b); });
+  if (!command.rolling_stiffness.empty())
+    columns.emplace_back("rolling_stiffness", [](const ModuliRow& r) { return maybe(r.rolling_stiffness); });
+  if (command.prestress) {
+    columns.emplace_back("B_without_prestress",
+                         [](const ModuliRow& r) { return maybe(r.moduli.B_without_prestress); });
+    columns.emplace_back("G_without_prestress",
+                         [](const ModuliRow& r) { return maybe(r.moduli.G_without_prestress); });
+  }
+  return columns;
+}
+
+Table to_table(const std::vector<Column>& columns, const std::vector<ModuliRow>& rows) {
+  Table table;
+  for (const auto& [name, value] : columns) table.columns.push_back(name);
+  for (const ModuliRow& row : rows) {
+    std::vector<TableValue> values;
+    for (const auto& [name, value] : columns) values.push_back(value(row));
+    table.rows.push_back(std::move(values));
+  }
+  return table;
+}
+
+/// One set of options for each rolling stiffness asked for, or the state's own.
+std::vector<ModuliOptions> variants(const ModuliCommand& command) {
+  ModuliOptions base = command.options;
+  base.strains = command.strains == "full" ? StrainSet::full : StrainSet::diagonal;
+  base.prestress = command.prestress;
+  std::vector<ModuliOptions> all(std::max<std::size_t>(1, command.rolling_stiffness.size()), base);
+  for (std::size_t k = 0; k < command.rolling_stiffness.size(); ++k)
+    all[k].rolling_stiffness = command.rolling_stiffness[k];
+  for (const ModuliOptions& options : all)
+    for (const std::string& fault : options.validate()) throw InputError("floc moduli", "--" + fault);
+  return all;
+}
+
+int run_moduli(const ModuliCommand& command) {
+  const std::vector<ModuliOptions> all = variants(command);
+  std::vector<ModuliRow> rows;
+  const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
+    for (const ModuliOptions& options : all)
+      rows.push_back(std::visit([&](const auto& state) { return compute_row(file, state, options); }, any));
+    return int{kDone};
+  });
+  print_table(to_table(columns_for(command, rows), rows), command.format);
+  return code;
+}
+
+}  // namespace
 
 Command add_moduli(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("moduli", "not built yet");
-  return {app, [] { return int{kFailure}; }};
+  CLI::App* app = program.add_subcommand("moduli", "Elastic moduli, bounds and stability of saved states");
+  const auto command = std::make_shared<ModuliCommand>();
+  add_states_argument(*app, command->files);
+  app->add_option("--strains", command->strains,
+                  "diagonal: shear strains clamped; full: every component, which adds the shear moduli")
+      ->check(CLI::IsMember({"diagonal", "full"}))
+      ->capture_default_str();
+  app->add_flag("--prestress", command->prestress,
+                "add the geometric terms of the forces (those of F_T left out); stress is the Cauchy stress");
+  app->add_option("--tolerance", command->options.force_tolerance,
+                  "cohesionless: a contact below this force carries nothing, in max(F0, P a^(d-1))")
+      ->capture_default_str();
+  app->add_option("--rolling-stiffness", command->rolling_stiffness,
+                  "K_R of every touching contact, in the state's units; a row for each value")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_format_option(*app, command->format);
+  return {app, [command] { return run_moduli(*command); }};
 }
 
 }  // namespace floc

@@ -90,11 +90,13 @@ template <int Dim>
 ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const ResponseOptions& options) {
   ElasticResponse out;
   out.free = find_free_motions(network);
-  const StiffnessMatrix k = stiffness_matrix(network, {options.strains, options.prestress});
-  const ReducedStiffness reduced = reduce(network, k, out.free.kept);
+  // Eliminating a dead end takes its contact with it.
+  const ContactNetwork<Dim> core = without_grains(network, out.free.dead_end);
+  const StiffnessMatrix k = stiffness_matrix(core, {options.strains, options.prestress});
+  const ReducedStiffness reduced = reduce(core, k, out.free.kept);
   SymmetricFactor factor(options.ordering);
   factor.set_matrix(reduced.grains);
-  const int refinements = factorize(factor, may_be_indefinite(network, options), options.mechanism_bound, out);
+  const int refinements = factorize(factor, may_be_indefinite(core, options), options.mechanism_bound, out);
   out.n_negative += out.free.n_unstable_ends;
 
   const Eigen::MatrixXd y = factor.solve(reduced.border, refinements);

@@ -56,7 +56,7 @@ void remove_dead_ends(const ContactNetwork<Dim>& network, const Adjacency& of, s
     const int neighbour = contact.i == tip ? contact.j : contact.i;
     degree[tip] = 0;
     if (--degree[neighbour] == 1) tips.push_back(neighbour);
-    if (degree[neighbour] == 0) keep_grain<Dim>(free, neighbour, false), free.dead_end[neighbour] = true;
+    if (degree[neighbour] == 0) ++free.n_alone, keep_grain<Dim>(free, neighbour, false);
   }
 }
 

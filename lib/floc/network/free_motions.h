@@ -14,7 +14,7 @@ struct FreeMotions {
   /// Grains that hang on a single contact, or on a chain of such: they take no part in the response to a
   /// strain.
   std::vector<bool> dead_end;
-  int n_alone = 0;           ///< grains without any contact
+  int n_alone = 0;           ///< grains without contact, or left so once their dead ends are gone
   int n_free_rollers = 0;    ///< dead ends that roll on their contact or slide along it at no cost
   int n_free_spins = 0;      ///< other grains whose rotation no contact resists (frictionless)
   int n_components = 0;      ///< connected parts of what is left; each can translate

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cmath>
+
+#include "support/network_packings.h"
+
+namespace floc::test {
+
+/// Equal disks at the given places of a cell, touching their neighbours at `spacing` with an overlap of 2 %.
+inline Packing<2> disks(const Mat<2>& cell, const std::vector<Vec<2>>& places, double spacing,
+                        const LawParameters& law) {
+  Packing<2> packing;
+  packing.law = law;
+  packing.cell.matrix = cell;
+  packing.grains = Grains<2>::with_size(static_cast<int>(places.size()));
+  packing.grains.position = places;
+  packing.grains.radius.assign(places.size(), 0.51 * spacing);
+  packing.grains.mass.assign(places.size(), 1.0);
+  find_contacts(packing);
+  return packing;
+}
+
+/// Square lattice of frames: nodes joined by straight chains of n disks, both nodes counted. n = 2 is the plain lattice.
+inline Packing<2> square_frames(int n, double spacing, const LawParameters& law) {
+  std::vector<Vec<2>> places{Vec<2>::Zero()};
+  for (int k = 1; k < n - 1; ++k) {
+    places.emplace_back(k * spacing, 0.0);
+    places.emplace_back(0.0, k * spacing);
+  }
+  return disks((n - 1) * spacing * Mat<2>::Identity(), places, spacing, law);
+}
+
+/// Triangular lattice, one disk a cell.
+inline Packing<2> triangular(double spacing, const LawParameters& law) {
+  Mat<2> cell;
+  cell << spacing, 0.0, 0.5 * spacing, std::sqrt(0.75) * spacing;
+  return disks(cell, {Vec<2>::Zero()}, spacing, law);
+}
+
+/// Honeycomb, two disks a cell.
+inline Packing<2> honeycomb(double spacing, const LawParameters& law) {
+  Mat<2> cell;
+  cell << std::sqrt(3.0) * spacing, 0.0, std::sqrt(0.75) * spacing, 1.5 * spacing;
+  return disks(cell, {Vec<2>::Zero(), Vec<2>(0.0, spacing)}, spacing, law);
+}
+
+/// Straight chain of n disks along x that meets its own image; `height` is the other side of the cell.
+inline Packing<2> chain_across(int n, double spacing, double height, const LawParameters& law) {
+  std::vector<Vec<2>> places;
+  for (int k = 0; k < n; ++k) places.emplace_back(k * spacing, 0.0);
+  Mat<2> cell;
+  cell << n * spacing, 0.0, 0.0, height;
+  return disks(cell, places, spacing, law);
+}
+
+}  // namespace floc::test

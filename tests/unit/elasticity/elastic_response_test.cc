@@ -1,0 +1,131 @@
+#include "floc/elasticity/elastic_response.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "floc/elasticity/force_increments.h"
+#include "support/lattices.h"
+
+namespace floc {
+namespace {
+
+struct DenseAnswer {
+  Eigen::MatrixXd relaxed;
+  int nullity;
+  int n_negative;
+};
+
+/// The same by brute force: pseudo-inverse of the block of the grains.
+template <int Dim>
+DenseAnswer dense_response(const ContactNetwork<Dim>& network, bool prestress) {
+  const StiffnessMatrix k = stiffness_matrix(network, {StrainSet::full, prestress});
+  const int n = network.n_unknowns();
+  const Eigen::MatrixXd grains = Eigen::MatrixXd(k.whole()).topLeftCorner(n, n);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(grains);
+  DenseAnswer answer{k.boundary, 0, 0};
+  for (int m = 0; m < n; ++m) {
+    const double value = eigen.eigenvalues()[m];
+    if (value < -1e-11) ++answer.n_negative;
+    if (std::abs(value) < 1e-11) {
+      ++answer.nullity;
+      continue;
+    }
+    const Eigen::VectorXd b = k.border.transpose() * eigen.eigenvectors().col(m);
+    answer.relaxed -= b * b.transpose() / value;
+  }
+  return answer;
+}
+
+int structural_zero_modes(const FreeMotions& free, int dofs) {
+  int removed = 0;
+  for (const bool kept : free.kept) removed += kept ? 0 : 1;
+  int dead = 0;
+  for (const bool d : free.dead_end) dead += d ? 1 : 0;
+  return removed - dofs * dead;
+}
+
+template <int Dim>
+void expect_dense_answer(const ContactNetwork<Dim>& network, double tolerance) {
+  ResponseOptions options;
+  options.strains = StrainSet::full;
+  const ElasticResponse response = elastic_response(network, options);
+  const DenseAnswer dense = dense_response(network, false);
+  EXPECT_LT((response.relaxed - dense.relaxed).cwiseAbs().maxCoeff(), tolerance);
+  EXPECT_EQ(response.n_negative, dense.n_negative);
+  EXPECT_LT(response.residual, 1e-12);
+}
+
+/// Rounding times condition numbers of up to 1e4, on both sides.
+constexpr double kTolerance = 1e-10;
+
+TEST(ElasticResponse, EqualsThePseudoInverseWithEveryKindOfContact) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    expect_dense_answer(contact_network(test::random_packing<2>(25, seed, test::elastic_law(1.0, 0.6, 0.1))),
+                        kTolerance);
+    expect_dense_answer(contact_network(test::random_packing<3>(12, seed, test::elastic_law(1.0, 0.6, 0.1))),
+                        kTolerance);
+  }
+}
+
+TEST(ElasticResponse, EqualsThePseudoInverseWithMechanismsInPlenty) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    expect_dense_answer(
+        contact_network(test::random_packing<2>(25, seed, test::elastic_law(1.0, 0.6, 0.0), 1.3)), 1e-7);
+    expect_dense_answer(
+        contact_network(test::random_packing<2>(25, seed, test::elastic_law(1.0, 0.0, 0.0), 1.8)), 1e-7);
+    expect_dense_answer(contact_network(test::random_packing<3>(12, seed, test::elastic_law(1.0, 0.6, 0.0))),
+                        1e-7);
+  }
+}
+
+TEST(ElasticResponse, CountsEveryZeroModeOnceByStructureOrAsAMechanism) {
+  int n_mechanisms = 0;
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    // No dead ends counted by the dense matrix if every contact is stiff in every way.
+    for (const double kr : {0.0, 0.1}) {
+      const auto network =
+          contact_network(test::random_packing<2>(20, seed, test::elastic_law(1.0, 0.6, kr), 1.5));
+      const ElasticResponse response = elastic_response(network, {});
+      const int found =
+          structural_zero_modes(response.free, 3) + response.free.n_free_rollers + response.n_mechanisms;
+      EXPECT_EQ(found, dense_response(network, false).nullity) << "seed " << seed;
+      n_mechanisms += response.n_mechanisms;
+      if (kr > 0.0) {
+        EXPECT_EQ(response.n_mechanisms, 0);
+      }
+    }
+  }
+  EXPECT_GT(n_mechanisms, 0);
+}
+
+TEST(ElasticResponse, CountsNegativeEigenvaluesOfDistantBonds) {
+  LawParameters law = test::elastic_law(1.0, 0.6, 0.1);
+  law.adhesion = LawParameters::Adhesion{0.05, 0.1};
+  int n_negative = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const auto network = contact_network(test::random_packing<2>(20, seed, law, 1.0));
+    const ElasticResponse response = elastic_response(network, {});
+    EXPECT_EQ(response.n_negative, dense_response(network, false).n_negative) << "seed " << seed;
+    n_negative += response.n_negative;
+  }
+  EXPECT_GT(n_negative, 0);
+}
+
+TEST(ForceIncrements, BalanceOnEveryGrainAndAddUpToTheStress) {
+  const auto network = contact_network(test::random_packing<2>(30, 4, test::elastic_law(1.0, 0.6, 0.1), 1.6));
+  ResponseOptions options;
+  options.strains = StrainSet::full;
+  const ElasticResponse response = elastic_response(network, options);
+  const Eigen::Vector3d strain(0.3, -0.2, 0.5);
+  const auto increments = force_increments<2>(network, response, strain);
+  Eigen::VectorXd forces(3 * increments.size());
+  for (int c = 0; c < static_cast<int>(increments.size()); ++c)
+    forces.segment<3>(3 * c) << increments[c].normal, increments[c].shear[0], increments[c].rolling_moment[0];
+  const Eigen::VectorXd loads = rigidity_matrix(network, StrainSet::full).transpose() * forces;
+  EXPECT_LT(loads.head(network.n_unknowns()).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((loads.tail(3) - response.relaxed * strain).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,106 @@
+#include "floc/linalg/symmetric_factor.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+namespace floc {
+namespace {
+
+/// Lower triangle of the chain matrix: 2 on the diagonal, -1 beside it. Eigenvalues 2 - 2 cos(k pi/(n+1)).
+Eigen::SparseMatrix<double> chain(int n) {
+  std::vector<Eigen::Triplet<double>> t;
+  for (int i = 0; i < n; ++i) {
+    t.emplace_back(i, i, 2.0);
+    if (i + 1 < n) t.emplace_back(i + 1, i, -1.0);
+  }
+  Eigen::SparseMatrix<double> m(n, n);
+  m.setFromTriplets(t.begin(), t.end());
+  return m;
+}
+
+/// The chain closed to a ring: the constant vector is its null space.
+Eigen::SparseMatrix<double> ring(int n) {
+  Eigen::SparseMatrix<double> m = chain(n);
+  m.coeffRef(n - 1, 0) = -1.0;
+  return m;
+}
+
+TEST(SymmetricFactor, SolvesWithEitherOrderingAndEitherFactor) {
+  const Eigen::MatrixXd X = Eigen::MatrixXd::Random(60, 2);
+  for (const Ordering ordering : {Ordering::amd, Ordering::metis}) {
+    SymmetricFactor factor(ordering);
+    factor.set_matrix(chain(60));
+    const Eigen::MatrixXd B = factor.multiply(X);
+    ASSERT_TRUE(factor.factorize_positive());
+    // Condition number 1.5e3 times rounding.
+    EXPECT_LT((factor.solve(B) - X).norm(), 1e-12);
+    ASSERT_TRUE(factor.factorize_indefinite());
+    EXPECT_LT((factor.solve(B) - X).norm(), 1e-12);
+    EXPECT_LT(factor.backward_error(factor.solve(B), B), 1e-15);
+  }
+}
+
+TEST(SymmetricFactor, CountsEigenvaluesBelowABound) {
+  constexpr int n = 25;
+  SymmetricFactor factor;
+  factor.set_matrix(chain(n));
+  const auto eigenvalue = [](int k) { return 2.0 - 2.0 * std::cos(k * std::numbers::pi / (n + 1)); };
+  EXPECT_EQ(factor.count_eigenvalues_below(0.0), 0);
+  for (int k = 1; k < n; ++k)
+    EXPECT_EQ(factor.count_eigenvalues_below(0.5 * (eigenvalue(k) + eigenvalue(k + 1))), k);
+  EXPECT_EQ(factor.count_eigenvalues_below(4.0), n);
+}
+
+TEST(SymmetricFactor, AnswersThatAMatrixIsNotPositiveDefinite) {
+  SymmetricFactor factor;
+  factor.set_matrix(chain(10));
+  EXPECT_FALSE(factor.factorize_positive(-1.0));
+  EXPECT_TRUE(factor.factorize_positive());
+  Eigen::SparseMatrix<double> negative = -chain(10);
+  factor.set_matrix(negative);
+  EXPECT_FALSE(factor.factorize_positive());
+  EXPECT_TRUE(factor.factorize_indefinite());
+}
+
+TEST(SymmetricFactor, ASmallShiftSolvesASingularSystemOnItsRange) {
+  SymmetricFactor factor;
+  factor.set_matrix(ring(30));
+  Eigen::MatrixXd X = Eigen::MatrixXd::Random(30, 1);
+  X.array() -= X.mean();
+  const Eigen::MatrixXd B = factor.multiply(X);
+  ASSERT_TRUE(factor.factorize_positive(1e-10));
+  Eigen::MatrixXd found = factor.solve(B, 20);
+  found.array() -= found.mean();
+  // What the null vector takes from rounding is 1e-16/1e-10; it is removed with the mean.
+  EXPECT_LT((found - X).norm(), 1e-9);
+  EXPECT_LT(factor.backward_error(found, B), 1e-12);
+  EXPECT_EQ(factor.count_eigenvalues_below(1e-12), 1);
+  EXPECT_EQ(factor.count_eigenvalues_below(-1e-12), 0);
+}
+
+TEST(SymmetricFactor, EstimatesTheConditionNumber) {
+  SymmetricFactor factor;
+  factor.set_matrix(chain(40));
+  ASSERT_TRUE(factor.factorize_positive());
+  const Eigen::MatrixXd dense = Eigen::MatrixXd(chain(40)).selfadjointView<Eigen::Lower>();
+  const double exact =
+      dense.cwiseAbs().colwise().sum().maxCoeff() * dense.inverse().cwiseAbs().colwise().sum().maxCoeff();
+  EXPECT_LE(factor.condition_estimate(), exact * (1.0 + 1e-12));
+  EXPECT_GT(factor.condition_estimate(), exact / 3.0);
+  EXPECT_GT(factor.pivot_ratio(), 1.0 / exact);
+}
+
+TEST(SymmetricFactor, TakesAnEmptyMatrix) {
+  SymmetricFactor factor;
+  factor.set_matrix(Eigen::SparseMatrix<double>(0, 0));
+  EXPECT_TRUE(factor.factorize_positive());
+  EXPECT_EQ(factor.solve(Eigen::MatrixXd(0, 2)).cols(), 2);
+  EXPECT_EQ(factor.count_eigenvalues_below(1.0), 0);
+  EXPECT_EQ(factor.condition_estimate(), 1.0);
+}
+
+}  // namespace
+}  // namespace floc

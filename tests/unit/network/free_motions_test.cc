@@ -1,0 +1,100 @@
+#include "floc/network/free_motions.h"
+
+#include <gtest/gtest.h>
+
+#include "floc/network/rattlers.h"
+#include "support/lattices.h"
+
+namespace floc {
+namespace {
+
+int n_kept(const FreeMotions& free) {
+  return static_cast<int>(std::count(free.kept.begin(), free.kept.end(), true));
+}
+
+TEST(FreeMotions, PinOneGrainOfANetworkThatWrapsBothWays) {
+  const auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 0.5, 0.1)));
+  const FreeMotions free = find_free_motions(network);
+  EXPECT_EQ(free.n_components, 1);
+  EXPECT_EQ(free.n_free_rotations, 0);
+  EXPECT_EQ(n_kept(free), network.n_unknowns() - 2);
+}
+
+TEST(FreeMotions, LoneTriangleAlsoTurns) {
+  Packing<2> packing;
+  packing.law = test::elastic_law(1.0, 0.5, 0.1);
+  packing.cell.matrix *= 10.0;
+  for (const double kt : {0.5, 0.0}) {
+    packing = test::disks(10.0 * Mat<2>::Identity(), {{1, 1}, {2, 1}, {1.5, 1.0 + std::sqrt(0.75)}}, 1.0,
+                          test::elastic_law(1.0, kt, 0.0));
+    const FreeMotions free = find_free_motions(contact_network(packing));
+    EXPECT_EQ(free.n_components, 1);
+    EXPECT_EQ(free.n_free_rotations, 1);
+    EXPECT_EQ(free.n_free_spins, kt > 0.0 ? 0 : 3);
+    EXPECT_EQ(n_kept(free), 9 - 3 - free.n_free_spins);
+  }
+}
+
+TEST(FreeMotions, ColumnOfSpheresKeepsItsTurnAboutItsOwnAxis) {
+  Packing<3> packing;
+  packing.law = test::elastic_law(1.0, 0.5, 0.1);
+  packing.cell.matrix = Vec<3>(4.0, 4.0, 3.0).asDiagonal();
+  packing.grains = Grains<3>::with_size(3);
+  for (int k = 0; k < 3; ++k) packing.grains.position[k] = Vec<3>(1.0, 1.0, k);
+  packing.grains.radius.assign(3, 0.51);
+  test::find_contacts(packing);
+  const FreeMotions free = find_free_motions(contact_network(packing));
+  EXPECT_EQ(free.n_free_rotations, 1);
+  EXPECT_EQ(n_kept(free), 18 - 4);
+}
+
+TEST(FreeMotions, BranchesAndTreesAreDeadEnds) {
+  // A chain across the cell with a side branch of two disks, and a dimer apart.
+  Packing<2> packing = test::chain_across(6, 1.0, 8.0, test::elastic_law(1.0, 0.5, 0.0));
+  for (const Vec<2>& x : {Vec<2>(2, 1), Vec<2>(2, 2), Vec<2>(4, 4), Vec<2>(4, 5), Vec<2>(1, 5)}) {
+    packing.grains.position.push_back(x);
+    packing.grains.radius.push_back(0.51);
+  }
+  packing.grains.mass.resize(packing.grains.radius.size(), 1.0);
+  test::find_contacts(packing);
+  const FreeMotions free = find_free_motions(contact_network(packing));
+  EXPECT_EQ(std::count(free.dead_end.begin(), free.dead_end.end(), true), 3);
+  EXPECT_EQ(free.n_alone, 2);  // the disk apart and what is left of the dimer
+  EXPECT_EQ(free.n_free_rollers, 3);
+  EXPECT_EQ(free.n_components, 1);
+  EXPECT_EQ(n_kept(free), 6 * 3 - 2);
+}
+
+TEST(Rattlers, OfACohesivePackingAreAlone) {
+  Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
+  packing.law.adhesion = LawParameters::Adhesion{0.02, 0.1};  // F_N = 0 at the overlap of 0.02
+  packing.grains.position.emplace_back(1.0, 2.0);
+  packing.grains.radius.push_back(0.51);
+  packing.grains.mass.push_back(1.0);
+  test::find_contacts(packing);
+  const std::vector<bool> rattlers = find_rattlers(packing, 1e-3);
+  EXPECT_EQ(rattlers, (std::vector<bool>{false, false, false, false, true}));
+}
+
+TEST(Rattlers, OfACohesionlessPackingCarryNothingOrHangOnOneContact) {
+  Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
+  // One disk leans on the chain with two contacts of hardly any force, one on that disk, one on the chain with force.
+  const double lean = std::sqrt(1.02 * 1.02 - 0.25) - 1e-9;
+  for (const Vec<2>& x : {Vec<2>(0.5, lean), Vec<2>(0.5, lean + 1.0), Vec<2>(3.0, -1.0)}) {
+    packing.grains.position.push_back(x);
+    packing.grains.radius.push_back(0.51);
+  }
+  packing.grains.mass.resize(7, 1.0);
+  test::find_contacts(packing);
+  const std::vector<bool> rattlers = find_rattlers(packing, 1e-4);
+  EXPECT_EQ(rattlers, (std::vector<bool>{false, false, false, false, true, true, true}));
+}
+
+TEST(Rattlers, UnstressedPackingDoesNotTell) {
+  Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
+  for (Contact<2>& c : packing.contacts) c.normal_force = 0.0;
+  EXPECT_EQ(find_rattlers(packing, 0.0), std::vector<bool>(4, false));
+}
+
+}  // namespace
+}  // namespace floc

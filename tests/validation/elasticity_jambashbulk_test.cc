@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "floc/elasticity/moduli.h"
+#include "floc/io/jambashbulk.h"
+#include "floc/packing/balance.h"
+#include "support/network_packings.h"
+
+namespace floc {
+namespace {
+
+/// 16 frictionless disks in a skewed cell that another program compressed (data/packings/jambashbulk).
+class JamBashbulk : public ::testing::Test {
+ protected:
+  JamBashbulk() {
+    const Imported file = read_jambashbulk(FLOC_SOURCE_DIR "/data/packings/jambashbulk/N16~P1e-3~0001.txt", {});
+    packing_ = std::get<State<2>>(file.state).packing;
+    test::find_contacts(packing_);
+  }
+  Moduli moduli(bool prestress) const {
+    ModuliOptions options;
+    options.strains = StrainSet::full;
+    options.prestress = prestress;
+    return elastic_moduli(packing_, options);
+  }
+  Packing<2> packing_;
+};
+
+TEST_F(JamBashbulk, IsUnderTheIsotropicPressureItsHeaderSays) {
+  const Mat<2> stress = static_stress(packing_);
+  EXPECT_EQ(packing_.contacts.size(), 33u);
+  EXPECT_LT((stress - 1e-3 * Mat<2>::Identity()).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST_F(JamBashbulk, ShearModulusAgreesWithTheProgramThatMadeIt) {
+  // Its shear log gives 0.1086306 in a strain measure that carries a factor 1 - 0.00157, known to the digits given.
+  EXPECT_NEAR(moduli(true).C(2, 2), 0.1088011, 1e-6);
+  EXPECT_NEAR(moduli(true).C(2, 2) * (1.0 - 0.00157), 0.1086306, 1e-6);
+  EXPECT_NEAR(moduli(false).C(2, 2), 0.11056, 5e-6);
+}
+
+TEST_F(JamBashbulk, IsStableAndWithinTheBounds) {
+  const Moduli m = moduli(false);
+  EXPECT_EQ(m.n_negative, 0);
+  EXPECT_EQ(m.n_mechanisms, 0);
+  EXPECT_EQ(m.n_rattlers, 0);
+  EXPECT_LE(m.bounds.B_reuss, m.B_S);
+  EXPECT_LE(m.B_S, m.B);
+  EXPECT_LE(m.B, m.bounds.B_voigt);
+  EXPECT_EQ(moduli(true).n_negative, 0);
+}
+
+/// Strains the cell and brings the frictionless disks back to balance by Newton's method.
+Packing<2> strained(Packing<2> packing, const Mat<2>& strain) {
+  const Mat<2> deformation = Mat<2>::Identity() - strain;
+  packing.cell.matrix = packing.cell.matrix * deformation;
+  for (Vec<2>& x : packing.grains.position) x = deformation * x;
+  refresh_contacts(packing);
+  const int n = packing.grains.size();
+  for (int step = 0; step < 6; ++step) {
+    const Balance<2> net = net_forces(packing);
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(3 * n);
+    for (int i = 0; i < n; ++i) force.segment<2>(3 * i) = net.force[i];
+    const StiffnessMatrix k = stiffness_matrix(contact_network(packing), {StrainSet::diagonal, true});
+    const Eigen::MatrixXd whole = Eigen::MatrixXd(k.whole()).topLeftCorner(3 * n, 3 * n);
+    const Eigen::VectorXd move = whole.completeOrthogonalDecomposition().solve(force);
+    for (int i = 0; i < n; ++i) packing.grains.position[i] += move.segment<2>(3 * i);
+    refresh_contacts(packing);
+  }
+  return packing;
+}
+
+TEST_F(JamBashbulk, ModuliWithPrestressAreDerivativesOfTheCauchyStress) {
+  constexpr double kStep = 1e-6;
+  const Moduli m = moduli(true);
+  for (int b = 0; b < 3; ++b) {
+    const Mat<2> e = unit_strain<2>(b);
+    const Mat<2> change =
+        (static_stress(strained(packing_, kStep * e)) - static_stress(strained(packing_, -kStep * e))) /
+        (2.0 * kStep);
+    for (int a = 0; a < 3; ++a) {
+      // Rounding of positions of order 10 over the step leaves 1e-9; truncation is step^2 over overlaps of 1e-3.
+      EXPECT_NEAR((change * unit_strain<2>(a)).trace(), m.C(a, b), 1e-7) << a << " " << b;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace floc

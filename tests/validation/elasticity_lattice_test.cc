@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include "floc/elasticity/moduli.h"
+#include "support/lattices.h"
+
+namespace floc {
+namespace {
+
+constexpr double kN = 1.0;
+constexpr double kT = 0.7;
+constexpr double kR = 0.03;
+constexpr double kSpacing = 1.3;
+/// Rounding of sums of a few terms; the smallest condition numbers here are of order 10.
+constexpr double kRounding = 1e-12;
+
+Moduli full_moduli(const Packing<2>& packing) {
+  ModuliOptions options;
+  options.strains = StrainSet::full;
+  return elastic_moduli(packing, options);
+}
+
+TEST(Lattice, SquareHasItsClosedForm) {
+  const Moduli m = full_moduli(test::square_frames(2, kSpacing, test::elastic_law(kN, kT, kR)));
+  const Eigen::Matrix3d expected = Eigen::Vector3d(kN, kN, kT / 2.0).asDiagonal();
+  EXPECT_LT((m.C - expected).cwiseAbs().maxCoeff(), kRounding);
+  EXPECT_EQ(m.n_mechanisms, 0);
+}
+
+TEST(Lattice, TriangularIsIsotropicWithItsClosedForm) {
+  const Moduli m = full_moduli(test::triangular(kSpacing, test::elastic_law(kN, kT, kR)));
+  const double B = std::sqrt(3.0) / 2.0 * kN;
+  const double G = std::sqrt(3.0) / 4.0 * (kN + kT);
+  Eigen::Matrix3d expected;
+  expected << B + G, B - G, 0.0, B - G, B + G, 0.0, 0.0, 0.0, G;
+  EXPECT_LT((m.C - expected).cwiseAbs().maxCoeff(), kRounding);
+  EXPECT_NEAR(m.B, B, kRounding);
+  EXPECT_NEAR(m.B_S, B, kRounding);
+  EXPECT_NEAR(m.G, G, kRounding);
+  EXPECT_LT(m.isotropy_defect, kRounding);
+  // Nothing fluctuates, and every contact carries the same force: all bounds are met.
+  EXPECT_NEAR(m.bounds.B_voigt, B, kRounding);
+  EXPECT_NEAR(m.bounds.G_voigt, G, kRounding);
+  EXPECT_NEAR(m.bounds.B_reuss, B, kRounding);
+  EXPECT_NEAR(m.bounds.Z2, 1.0, kRounding);
+}
+
+TEST(Lattice, HoneycombRelaxesToItsClosedForm) {
+  const Moduli m = full_moduli(test::honeycomb(kSpacing, test::elastic_law(kN, kT, kR)));
+  const double B = kN / (2.0 * std::sqrt(3.0));
+  // Minimum over the relative displacement of the two sublattices of the energy of a pure shear.
+  const double G = kN * kT / (std::sqrt(3.0) * (kN + kT));
+  EXPECT_NEAR(m.B, B, kRounding);
+  EXPECT_NEAR(m.G, G, kRounding);
+  EXPECT_NEAR(m.C(2, 2), G, kRounding);
+  EXPECT_LT(m.G, m.bounds.G_voigt);
+}
+
+TEST(Lattice, FramesOfChainsBendAsTheTwoDiskEquivalentSays) {
+  for (const int n : {2, 3, 4, 7}) {
+    const Moduli m = full_moduli(test::square_frames(n, kSpacing, test::elastic_law(kN, kT, kR)));
+    const double R = kSpacing / 2.0;
+    const double transverse = (n - 1) / kT + n * (n - 1) * (n - 2) * R * R / (3.0 * kR);
+    EXPECT_NEAR(m.C(0, 0), kN / (n - 1), kRounding);
+    EXPECT_NEAR(m.C(0, 1), 0.0, kRounding);
+    EXPECT_NEAR(m.C(2, 2), 0.5 / transverse, kRounding) << "n = " << n;
+  }
+}
+
+TEST(Lattice, CubicSpheresHaveTheirClosedForm) {
+  Packing<3> packing;
+  packing.law = test::elastic_law(kN, kT, kR);
+  packing.cell.matrix *= kSpacing;
+  packing.grains = Grains<3>::with_size(1);
+  packing.grains.radius[0] = 0.51 * kSpacing;
+  test::find_contacts(packing);
+  ModuliOptions options;
+  options.strains = StrainSet::full;
+  const Moduli m = elastic_moduli(packing, options);
+  Eigen::VectorXd expected(6);
+  expected << kN, kN, kN, kT / 2.0, kT / 2.0, kT / 2.0;
+  const Eigen::MatrixXd closed = Eigen::MatrixXd(expected.asDiagonal()) / kSpacing;
+  EXPECT_LT((m.C - closed).cwiseAbs().maxCoeff(), kRounding);
+  EXPECT_NEAR(m.B, kN / (3.0 * kSpacing), kRounding);
+  EXPECT_NEAR(m.bounds.B_voigt, m.B, kRounding);
+  EXPECT_NEAR(m.bounds.B_reuss, m.B, kRounding);
+}
+
+TEST(Chain, OfThreeDisksIsASeriesOfSpringsThatHoldsOnlyItsOwnLine) {
+  Packing<2> packing = test::chain_across(3, kSpacing, 2.0, test::elastic_law(kN, kT, 0.0));
+  ASSERT_EQ(packing.contacts.size(), 3u);
+  double compliance = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    packing.contacts[c].kn = 1.0 + c;
+    compliance += 1.0 / (1.0 + c);
+  }
+  const Moduli m = elastic_moduli(packing, {});
+  EXPECT_NEAR(m.C(0, 0), 3.0 * kSpacing / (2.0 * compliance), kRounding);
+  EXPECT_EQ(m.C(1, 1), 0.0);
+  EXPECT_EQ(m.n_coupled_mechanisms, 1);
+  // Transverse motion: 3 displacements and 3 rotations, 3 springs, 1 translation: 2 ways to wriggle.
+  EXPECT_EQ(m.n_mechanisms, 3);
+  EXPECT_EQ(m.n_negative, 0);
+  EXPECT_EQ(m.B_S, 0.0);
+  EXPECT_FALSE(m.warnings.empty());
+}
+
+TEST(Chain, WithRollingStiffnessOnlyTheCellIsAMechanism) {
+  const Moduli m = elastic_moduli(test::chain_across(5, kSpacing, 2.0, test::elastic_law(kN, kT, kR)), {});
+  EXPECT_NEAR(m.C(0, 0), kN * kSpacing / 2.0, kRounding);
+  EXPECT_EQ(m.n_mechanisms, 1);
+  EXPECT_EQ(m.n_coupled_mechanisms, 1);
+}
+
+}  // namespace
+}  // namespace floc

@@ -60,16 +60,38 @@ void remove_dead_ends(const ContactNetwork<Dim>& network, const Adjacency& of, s
   }
 }
 
+/// Grains joined to `start` by rolling stiffness, itself included; says whether a tangential spring holds any of them.
 template <int Dim>
-void remove_free_spins(const ContactNetwork<Dim>& network, const Adjacency& of, const std::vector<bool>& active,
-                       FreeMotions& free) {
+bool walk_rolling_group(const ContactNetwork<Dim>& network, const Adjacency& of,
+                        const std::vector<bool>& active, int start, std::vector<bool>& seen) {
+  bool held = false;
+  std::vector<int> queue{start};
+  seen[start] = true;
+  while (!queue.empty()) {
+    const int grain = queue.back();
+    queue.pop_back();
+    for (const int k : of[grain]) {
+      if (!active[k]) continue;
+      const NetworkContact<Dim>& c = network.contacts[k];
+      if (c.kt != 0.0) held = true;
+      const int other = c.i == grain ? c.j : c.i;
+      if (c.kr == 0.0 || seen[other]) continue;
+      seen[other] = true;
+      queue.push_back(other);
+    }
+  }
+  return held;
+}
+
+/// Without tangential springs a grain spins freely, and grains joined by rolling stiffness do so together.
+template <int Dim>
+void pin_free_spins(const ContactNetwork<Dim>& network, const Adjacency& of, const std::vector<bool>& active,
+                    FreeMotions& free) {
+  std::vector<bool> seen(network.n_grains, false);
   for (int i = 0; i < network.n_grains; ++i) {
     const int first = first_unknown<Dim>(i);
-    if (!free.kept[first]) continue;
-    const bool resisted = std::any_of(of[i].begin(), of[i].end(), [&](int c) {
-      return active[c] && (network.contacts[c].kt != 0.0 || network.contacts[c].kr != 0.0);
-    });
-    if (resisted) continue;
+    if (seen[i] || !free.kept[first]) continue;
+    if (walk_rolling_group(network, of, active, i, seen)) continue;
     ++free.n_free_spins;
     std::fill_n(free.kept.begin() + first + Dim, kRotations<Dim>, false);
   }
@@ -178,7 +200,7 @@ FreeMotions find_free_motions(const ContactNetwork<Dim>& network) {
   std::vector<bool> active(network.contacts.size(), true);
   const Adjacency of = contacts_of_grains(network);
   remove_dead_ends(network, of, active, free);
-  remove_free_spins(network, of, active, free);
+  pin_free_spins(network, of, active, free);
   std::vector<int> index(network.n_grains, -1);
   for (int i = 0; i < network.n_grains; ++i) {
     if (index[i] >= 0 || !free.kept[first_unknown<Dim>(i)]) continue;

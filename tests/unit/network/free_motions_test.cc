@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "floc/network/rattlers.h"
 #include "support/lattices.h"
 
@@ -33,6 +35,15 @@ TEST(FreeMotions, LoneTriangleAlsoTurns) {
     EXPECT_EQ(free.n_free_spins, kt > 0.0 ? 0 : 3);
     EXPECT_EQ(n_kept(free), 9 - 3 - free.n_free_spins);
   }
+}
+
+TEST(FreeMotions, FrictionlessGrainsWithRollingStiffnessSpinTogether) {
+  auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 0.0, 0.0)));
+  EXPECT_EQ(find_free_motions(network).n_free_spins, network.n_grains);
+  set_rolling_stiffness(network, 0.1);
+  const FreeMotions free = find_free_motions(network);
+  EXPECT_EQ(free.n_free_spins, 1);
+  EXPECT_EQ(n_kept(free), network.n_unknowns() - 3);
 }
 
 TEST(FreeMotions, ColumnOfSpheresKeepsItsTurnAboutItsOwnAxis) {

@@ -1,0 +1,76 @@
+#include "floc/elasticity/moduli.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "floc/elasticity/stability.h"
+#include "support/lattices.h"
+
+namespace floc {
+namespace {
+
+TEST(Moduli, RollingStiffnessIsReplacedInEveryTouchingContact) {
+  const Packing<2> soft = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.01));
+  const Packing<2> stiff = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.2));
+  ModuliOptions options;
+  options.strains = StrainSet::full;
+  const Eigen::MatrixXd expected = elastic_moduli(stiff, options).C;
+  options.rolling_stiffness = 0.2;
+  // The same sums of the same numbers.
+  EXPECT_EQ((elastic_moduli(soft, options).C - expected).cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST(Moduli, CountContactsAtTheirCap) {
+  Packing<2> packing = test::square_frames(3, 1.0, test::elastic_law(1.0, 0.7, 0.01));
+  packing.contacts[0].sliding = true;
+  packing.contacts[1].rolling_yield = true;
+  const Moduli m = elastic_moduli(packing, {});
+  EXPECT_EQ(m.n_at_cap, 2);
+  EXPECT_EQ(m.warnings.size(), 1u);
+}
+
+TEST(Moduli, OptionsSayEveryFault) {
+  ModuliOptions options;
+  options.force_tolerance = -1.0;
+  options.rolling_stiffness = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(options.validate().size(), 2u);
+  EXPECT_TRUE(ModuliOptions{}.validate().empty());
+}
+
+TEST(Moduli, OfAPackingWithoutContactsAreZero) {
+  Packing<2> packing = test::square_frames(2, 1.0, test::elastic_law(1.0, 0.7, 0.01));
+  packing.contacts.clear();
+  const Moduli m = elastic_moduli(packing, {});
+  EXPECT_EQ(m.C.cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ(m.B_S, 0.0);
+  EXPECT_EQ(m.n_rattlers, 1);
+  EXPECT_EQ(m.n_coupled_mechanisms, 2);
+}
+
+TEST(Moduli, ShearOfAnIsotropicNetworkIsReadAlikeFromEitherKindOfStrain) {
+  Packing<2> packing = test::triangular(1.0, test::elastic_law(1.0, 0.7, 0.01));
+  ModuliOptions options;
+  options.strains = StrainSet::full;
+  options.prestress = true;
+  const Moduli m = elastic_moduli(packing, options);
+  // The prestress of an isotropic lattice keeps it isotropic: rounding of a few sums.
+  EXPECT_NEAR(m.G, m.C(2, 2), 1e-13);
+  EXPECT_NE(m.G, *m.G_without_prestress);
+}
+
+TEST(Stability, OfALineOfDistantBondsIsLost) {
+  // Two rows of a square lattice held apart by contacts along x alone would slide; along y a tail pulls.
+  LawParameters law = test::elastic_law(1.0, 0.7, 0.1);
+  law.adhesion = LawParameters::Adhesion{0.02, 0.1};
+  Packing<2> packing = test::chain_across(3, 1.0, 1.05, law);
+  const auto distant = [](const Contact<2>& c) { return c.distant; };
+  ASSERT_EQ(std::count_if(packing.contacts.begin(), packing.contacts.end(), distant), 3);
+  // The strain along y has nothing but the tails' negative stiffness.
+  EXPECT_EQ(count_negative_eigenvalues(packing), 1);
+  std::erase_if(packing.contacts, distant);
+  EXPECT_EQ(count_negative_eigenvalues(packing), 0);
+}
+
+}  // namespace
+}  // namespace floc

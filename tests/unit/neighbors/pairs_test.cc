@@ -1,0 +1,104 @@
+#include "floc/neighbors/pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "floc/base/error.h"
+#include "floc/base/random.h"
+#include "floc/neighbors/space_order.h"
+
+namespace floc {
+namespace {
+
+template <int Dim>
+Grains<Dim> random_grains(int n, const Cell<Dim>& cell, double largest_radius, std::uint64_t seed) {
+  Grains<Dim> grains = Grains<Dim>::with_size(n);
+  RandomStream random(seed, 1);
+  for (int i = 0; i < n; ++i) {
+    Vec<Dim> s;
+    for (int a = 0; a < Dim; ++a) s[a] = random.uniform(-1.0, 2.0);  // outside the cell too
+    grains.position[i] = cell.matrix.transpose() * s;
+    grains.radius[i] = random.uniform(0.3, 1.0) * largest_radius;
+  }
+  return grains;
+}
+
+/// Every pair by trying all images within `reach` cells: slow, and without any of the code under test.
+template <int Dim>
+std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap,
+                                              int reach) {
+  std::vector<NeighborPair<Dim>> found;
+  const int per_axis = 2 * reach + 1;
+  const int n_images = static_cast<int>(std::pow(per_axis, Dim));
+  for (int i = 0; i < grains.size(); ++i)
+    for (int j = i; j < grains.size(); ++j)
+      for (int code = 0; code < n_images; ++code) {
+        Vec<Dim, int> image;
+        for (int a = Dim - 1, rest = code; a >= 0; --a, rest /= per_axis) image[a] = rest % per_axis - reach;
+        // Of a grain's own images one of each two opposite ones: those in the upper half of the codes.
+        if (i == j && code <= n_images / 2) continue;
+        const Vec<Dim> r = grains.position[j] + cell.shift(image) - grains.position[i];
+        if (r.norm() < grains.radius[i] + grains.radius[j] + gap) found.push_back({i, j, image});
+      }
+  return found;
+}
+
+template <int Dim>
+void expect_all_found(const Cell<Dim>& cell, int n, double largest_radius, double gap) {
+  const Grains<Dim> grains = random_grains(n, cell, largest_radius, 11);
+  const auto expected = by_brute_force(cell, grains, gap, 6);
+  ASSERT_FALSE(expected.empty());
+  EXPECT_EQ(find_pairs(cell, grains, gap), expected);
+}
+
+TEST(Pairs, AreThoseOfABruteForceSearch) {
+  Cell<2> square;
+  square.matrix << 10.0, 0.0, 0.0, 8.0;
+  expect_all_found(square, 120, 0.5, 0.1);
+  Cell<2> skewed;
+  skewed.matrix << 9.0, 0.0, 4.0, 7.0;
+  expect_all_found(skewed, 90, 0.5, 0.05);
+  Cell<3> tilted;
+  tilted.matrix << 5.0, 0.0, 0.0, 1.0, 4.0, 0.0, -0.5, 0.7, 6.0;
+  expect_all_found(tilted, 80, 0.5, 0.1);
+}
+
+TEST(Pairs, OfASmallCellIncludeSeveralImagesAndTheGrainsOwn) {
+  Cell<2> small;
+  small.matrix << 1.1, 0.0, 0.2, 0.9;
+  expect_all_found(small, 3, 0.6, 0.3);
+  expect_all_found(small, 1, 0.6, 1.5);
+}
+
+TEST(Pairs, OfNoGrainsAreNone) {
+  EXPECT_TRUE(find_pairs(Cell<2>{}, Grains<2>{}, 0.1).empty());
+}
+
+TEST(Pairs, RefuseValuesThatAreNotFinite) {
+  Cell<2> cell;
+  Grains<2> grains = Grains<2>::with_size(1);
+  grains.position[0][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)find_pairs(cell, grains, 0.1), InputError);
+  cell.matrix.setZero();
+  EXPECT_THROW((void)find_pairs(cell, Grains<2>::with_size(1), 0.1), InputError);
+}
+
+TEST(SpaceOrder, IsAPermutationThatKeepsNeighboursClose) {
+  Cell<2> cell;
+  cell.matrix *= 32.0;
+  const Grains<2> grains = random_grains(1000, cell, 0.5, 2);
+  std::vector<int> order = space_order(cell, grains);
+  double along = 0.0, unordered = 0.0;
+  for (int k = 1; k < grains.size(); ++k) {
+    along += (cell.wrapped(grains.position[order[k]]) - cell.wrapped(grains.position[order[k - 1]])).norm();
+    unordered += (cell.wrapped(grains.position[k]) - cell.wrapped(grains.position[k - 1])).norm();
+  }
+  EXPECT_LT(along, 0.2 * unordered);
+  std::sort(order.begin(), order.end());
+  for (int k = 0; k < grains.size(); ++k) ASSERT_EQ(order[k], k);
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,178 @@
+#include "floc/relaxation/dynamics.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "floc/contact/law_table.h"
+#include "floc/relaxation/relaxation_options.h"
+#include "support/dynamics.h"
+
+namespace floc {
+namespace {
+
+using test::agitated_gas;
+using test::cohesive_law;
+using test::pressed;
+
+Packing<2> after(const Packing<2>& start, const DynamicsSettings& settings,
+                 std::initializer_list<int> stretches) {
+  const auto dynamics = make_dynamics(start, pressed(start, 0.1), settings);
+  for (const int n : stretches) dynamics->advance(n, Motion::free);
+  return dynamics->packing();
+}
+
+void expect_same_bits(const Packing<2>& p, const Packing<2>& q) {
+  EXPECT_EQ(p.grains.position, q.grains.position);
+  EXPECT_EQ(p.grains.velocity, q.grains.velocity);
+  EXPECT_EQ(p.grains.angular_velocity, q.grains.angular_velocity);
+  EXPECT_EQ(p.grains.orientation, q.grains.orientation);
+  EXPECT_EQ(p.cell.matrix, q.cell.matrix);
+  EXPECT_EQ(p.cell.velocity, q.cell.velocity);
+  ASSERT_EQ(p.contacts.size(), q.contacts.size());
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+    EXPECT_EQ(p.contacts[c].shear_spring, q.contacts[c].shear_spring);
+    EXPECT_EQ(p.contacts[c].rolling_spring, q.contacts[c].rolling_spring);
+  }
+}
+
+TEST(Dynamics, ListsLeaveNoTraceInTheBits) {
+  const Packing<2> gas = agitated_gas(200, cohesive_law());
+  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+  const Packing<2> tight = after(gas, {dt, 1e-3}, {600});
+  ASSERT_GT(tight.contacts.size(), 50u);
+  expect_same_bits(tight, after(gas, {dt, 0.3}, {600}));
+  expect_same_bits(tight, after(gas, {dt, 0.05}, {100, 250, 250}));
+}
+
+TEST(Dynamics, ThreadsLeaveNoTraceInTheBits) {
+  const Packing<2> gas = agitated_gas(300, cohesive_law());
+  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+  const Packing<2> one = after(gas, {dt, 0.05, 1}, {600});
+  const Packing<2> two = after(gas, {dt, 0.05, 2}, {600});
+  // The team's second thread stays alive after its work.
+  const auto tasks = std::filesystem::directory_iterator("/proc/self/task");
+  EXPECT_GE(std::distance(begin(tasks), end(tasks)), 2);
+  expect_same_bits(one, two);
+}
+
+/// Total energy of a packing in a cell of inertia M under a pressure (PHYSICS section 1, "Cell").
+double total_energy(const Packing<2>& packing, const CellControl<2>& control) {
+  const double kn = packing.law.normal_stiffness;
+  double energy =
+      0.5 * control.mass * packing.cell.velocity.squaredNorm() + control.target[0] * packing.cell.volume();
+  for (int i = 0; i < packing.grains.size(); ++i)
+    energy += 0.5 * packing.grains.mass[i] * packing.grains.velocity[i].squaredNorm();
+  for (const Contact<2>& c : packing.contacts) energy += 0.5 * kn * c.gap * c.gap;
+  return energy;
+}
+
+/// Largest relative change of the energy over the same time, in steps of dt.
+double energy_drift(double dt, int n_steps) {
+  LawParameters law;
+  law.normal_stiffness = 1.0;
+  Packing<2> gas = test::gas_of(100, law, 0.7, 3);
+  RandomStream random(4, 2);
+  agitate(gas, 0.02, random);
+  const CellControl<2> control = pressed(gas, 1e-3);
+  const double initial = total_energy(gas, control);
+  const auto dynamics = make_dynamics(gas, control, {dt, 0.1});
+  double largest = 0.0;
+  for (int k = 0; k < 20; ++k) {
+    dynamics->advance(n_steps / 20, Motion::free);
+    largest = std::max(largest, std::abs(total_energy(dynamics->packing(), control) / initial - 1.0));
+  }
+  return largest;
+}
+
+TEST(Dynamics, FrictionlessUndampedCellConservesEnergyToSecondOrder) {
+  const double coarse = energy_drift(0.1, 4000);
+  const double fine = energy_drift(0.025, 16000);
+  EXPECT_LT(coarse, 2e-3);
+  // Second order: a quarter of the step has a sixteenth of the error. Contacts that open and close break the
+  // smoothness the order rests on, so half of that gain is asked for.
+  EXPECT_LT(fine, coarse / 8.0);
+}
+
+/// Restitution of two of the largest disks that meet head on without adhesion, the first overlap of which falls at
+/// `phase` of a step.
+double measured_restitution(double phase) {
+  LawParameters law;
+  law.normal_stiffness = 1e5;
+  law.damping = {0.015, DampingMass::effective};
+  law.friction = {0.5, 1e5};
+  Packing<2> pair;
+  pair.law = law;
+  pair.cell.matrix *= 10.0;
+  pair.grains = Grains<2>::with_size(3);
+  // The third disk, of half the diameter, sets the time step of a scene with diameters in [1/2, 1].
+  pair.grains.radius = {0.5, 0.5, 0.25};
+  pair.grains.mass = {1.0, 1.0, 0.25};
+  const double dt = time_step_of(pair, RelaxationOptions{}.time_step);
+  const double speed = 1e-3;
+  pair.grains.position = {Vec<2>(4.0, 4.0), Vec<2>(5.0 + 2.0 * speed * dt * (1.0 + phase), 4.0),
+                          Vec<2>(1.0, 1.0)};
+  pair.grains.velocity[0] = Vec<2>(speed, 0.0);
+  pair.grains.velocity[1] = Vec<2>(-speed, 0.0);
+  CellControl<2> fixed;
+  fixed.fixed = true;
+  const auto dynamics = make_dynamics(pair, fixed, {dt, 0.1});
+  dynamics->advance(400, Motion::free);
+  const Packing<2> parted = dynamics->packing();
+  EXPECT_TRUE(parted.contacts.empty());
+  return (parted.grains.velocity[1] - parted.grains.velocity[0])[0] / (2.0 * speed);
+}
+
+TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
+  constexpr int kPhases = 1000;
+  double sum = 0.0;
+  for (int k = 0; k < kPhases; ++k) sum += measured_restitution((k + 0.5) / kPhases);
+  EXPECT_NEAR(sum / kPhases, 0.015, 0.02 * 0.015);
+}
+
+TEST(Dynamics, CohesivePairRestsAtThePullOffOverlap) {
+  Packing<2> pair;
+  pair.law = cohesive_law();
+  pair.cell.matrix *= 10.0;
+  pair.grains = Grains<2>::with_size(2);
+  pair.grains.radius = {0.5, 0.5};
+  pair.grains.mass = {1.0, 1.0};
+  pair.grains.position = {Vec<2>(4.0, 4.0), Vec<2>(5.0, 4.0)};
+  CellControl<2> fixed;
+  fixed.fixed = true;
+  const auto dynamics = make_dynamics(pair, fixed, {time_step_of(pair, 0.2), 0.1});
+  dynamics->advance(2000, Motion::free);
+  const Packing<2> rest = dynamics->packing();
+  ASSERT_EQ(rest.contacts.size(), 1u);
+  EXPECT_NEAR(rest.contacts[0].gap, -1e-5, 1e-12);  // h0 = F0/K_N; 2000 steps damp the vibration to rounding
+  EXPECT_NEAR(rest.contacts[0].normal_force, 0.0, 1e-7);
+}
+
+TEST(Dynamics, GrainTouchesItsOwnImage) {
+  Packing<2> one;
+  one.law.normal_stiffness = 1.0;
+  one.cell.matrix *= 0.99;
+  one.grains = Grains<2>::with_size(1);
+  one.grains.radius = {0.5};
+  one.grains.mass = {1.0};
+  one.grains.position = {Vec<2>(0.3, 0.4)};
+  CellControl<2> fixed;
+  fixed.fixed = true;
+  const auto dynamics = make_dynamics(one, fixed, {0.1, 0.05});
+  dynamics->advance(10, Motion::free);
+  const Packing<2> still = dynamics->packing();
+  ASSERT_EQ(still.contacts.size(), 2u);
+  for (const Contact<2>& c : still.contacts) EXPECT_NEAR(c.normal_force, 0.01, 1e-15);
+  EXPECT_EQ(still.grains.velocity[0], Vec<2>::Zero());
+}
+
+TEST(TimeStep, IsShortenedWhereRollingIsFast) {
+  Packing<2> packing = test::gas_of(10, cohesive_law(), 0.3);
+  const double vibration = time_step_of(packing, 0.2);
+  EXPECT_NEAR(vibration, 0.2 * std::sqrt(0.25 / 1e5), 1e-15);
+  packing.law.rolling->stiffness = 1e5;
+  EXPECT_LT(time_step_of(packing, 0.2), 0.5 * vibration);
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,102 @@
+#include "floc/relaxation/relaxer.h"
+
+#include <gtest/gtest.h>
+
+#include "floc/packing/balance.h"
+#include "floc/relaxation/static_solver.h"
+#include "support/dynamics.h"
+
+namespace floc {
+namespace {
+
+RelaxationOptions options() {
+  RelaxationOptions o;
+  o.strain_rate_cap = 0.05;
+  return o;
+}
+
+Packing<2> relaxed(const Packing<2>& start, double pressure) {
+  Relaxer<2> relaxer(options(), start, Vec<2>::Constant(pressure));
+  RelaxationStatus status = RelaxationStatus::running;
+  while (status == RelaxationStatus::running) status = relaxer.advance();
+  EXPECT_EQ(status, RelaxationStatus::converged) << relaxer.report().blocking;
+  return relaxer.packing();
+}
+
+/// One equilibrium that several claims are checked on.
+const Packing<2>& equilibrium() {
+  static const Packing<2> packing = relaxed(test::gas_of(60, test::cohesive_law(), 0.5), 0.1);
+  return packing;
+}
+
+TEST(Relaxer, ReachesAllFourCriteria) {
+  const Residuals r = residuals(equilibrium(), Vec<2>(0.1, 0.1));
+  EXPECT_TRUE(r.within(EquilibriumTolerance{}));
+  EXPECT_LT(r.force, 1e-8);  // the polisher's target
+}
+
+TEST(Relaxer, NormalForcesOverBranchesGiveTheMeanStressExactly) {
+  double sum = 0.0;
+  for (const Contact<2>& c : equilibrium().contacts) sum += c.normal_force * branch(equilibrium(), c).norm();
+  EXPECT_NEAR(sum / (2.0 * equilibrium().cell.volume()) / 0.1, 1.0, 1e-10);
+}
+
+TEST(Relaxer, ContinuedFromItsProgressGivesTheSameBits) {
+  const Packing<2> gas = test::gas_of(60, test::cohesive_law(), 0.5);
+  const Vec<2> target(0.1, 0.1);
+  Relaxer<2> unbroken(options(), gas, target);
+  for (int k = 0; k < 7; ++k) (void)unbroken.advance();
+  const Relaxer<2> stopped = unbroken;
+  for (int k = 0; k < 9; ++k) (void)unbroken.advance();
+  Relaxer<2> continued(options(), stopped.packing(), target, stopped.progress());
+  for (int k = 0; k < 9; ++k) (void)continued.advance();
+  EXPECT_EQ(continued.packing().grains.position, unbroken.packing().grains.position);
+  EXPECT_EQ(continued.packing().grains.velocity, unbroken.packing().grains.velocity);
+  EXPECT_EQ(continued.progress().solid_fraction, unbroken.progress().solid_fraction);
+}
+
+TEST(Relaxer, ASmallIncrementIsNotEquilibriumBeforeTheCellHasMoved) {
+  const Packing<2> after = relaxed(equilibrium(), 0.11);
+  const Mat<2> stress = static_stress(after);
+  EXPECT_NEAR(stress(0, 0), 0.11, 1e-6);
+  EXPECT_NEAR(stress(1, 1), 0.11, 1e-6);
+}
+
+TEST(Relaxer, SaysWhichCriterionBlocks) {
+  Relaxer<2> relaxer(options(), equilibrium(), Vec<2>::Constant(0.5));
+  EXPECT_EQ(relaxer.report().blocking.substr(0, 6), "stress");
+}
+
+TEST(StaticSolver, ReturnsToEquilibriumFromASmallDisturbance) {
+  Packing<2> disturbed = equilibrium();
+  RandomStream random(5, 1);
+  for (Vec<2>& x : disturbed.grains.position)
+    for (int a = 0; a < 2; ++a)
+      x[a] += 2e-9 * random.normal();  // overlaps are 1e-5: springs keep their side of the caps
+  const Vec<2> target(0.1, 0.1);
+  const StaticSolution<2> solution = solve_statics(disturbed, target, StaticSolverOptions{});
+  ASSERT_TRUE(solution.converged) << solution.reason;
+  EXPECT_LE(solution.iterations, 5);  // quadratic convergence: the tangent is the derivative
+  EXPECT_LT(residuals(solution.packing, target).force, 1e-8);
+}
+
+TEST(StaticSolver, SaysWhyItFailsFarFromEquilibrium) {
+  const Packing<2> gas = test::gas_of(60, test::cohesive_law(), 0.5);
+  const StaticSolution<2> solution = solve_statics(gas, Vec<2>(0.1, 0.1), StaticSolverOptions{});
+  EXPECT_FALSE(solution.converged);
+  EXPECT_FALSE(solution.reason.empty());
+}
+
+TEST(StrainRateCap, FollowsTheUnitTheSceneNames) {
+  const Packing<2> cohesive = test::gas_of(10, test::cohesive_law(), 0.3);
+  EXPECT_NEAR(strain_rate_cap(options(), cohesive, Vec<2>(Vec<2>::Constant(4.0))), 0.05, 1e-15);
+  LawParameters law;
+  law.normal_stiffness = 1.0;
+  RelaxationOptions inertial;
+  inertial.inertial_number_cap = 1e-3;
+  EXPECT_NEAR(strain_rate_cap(inertial, test::gas_of(10, law, 0.3), Vec<2>(Vec<2>::Constant(4e-4))), 2e-5,
+              1e-18);
+}
+
+}  // namespace
+}  // namespace floc

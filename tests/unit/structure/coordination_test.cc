@@ -1,0 +1,31 @@
+#include "floc/structure/coordination.h"
+
+#include <gtest/gtest.h>
+
+namespace floc {
+namespace {
+
+TEST(Coordination, CountsContactsBySignAndDistantOnesApart) {
+  Packing<2> packing;
+  packing.law.normal_stiffness = 1.0;
+  packing.law.adhesion = {1.0, 0.1};
+  packing.grains = Grains<2>::with_size(5);
+  const auto contact = [](int i, int j, double force, bool distant) {
+    Contact<2> c;
+    c.i = i, c.j = j, c.normal_force = force, c.distant = distant;
+    return c;
+  };
+  packing.contacts = {contact(0, 1, 2.0, false), contact(0, 2, -1.0, false), contact(1, 2, 1e-9, false),
+                      contact(1, 3, -0.5, true)};
+  const Coordination c = coordination(packing, 1e-6);
+  EXPECT_EQ(c.n_contacts, 3);
+  EXPECT_EQ(c.n_distant, 1);
+  EXPECT_DOUBLE_EQ(c.z, 6.0 / 5.0);
+  EXPECT_DOUBLE_EQ(c.z_plus, 2.0 / 5.0);
+  EXPECT_DOUBLE_EQ(c.z_minus, 2.0 / 5.0);
+  EXPECT_DOUBLE_EQ(c.z_zero, 2.0 / 5.0);
+  EXPECT_DOUBLE_EQ(c.rattler_fraction, 1.0 / 5.0);  // grain 4; grain 3 is held by a tail
+}
+
+}  // namespace
+}  // namespace floc

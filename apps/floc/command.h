@@ -1,20 +1,19 @@
 #pragma once
 
-#include <functional>
-
 #include <CLI/CLI.hpp>
+#include <functional>
 
 namespace floc {
 
 /// Exit codes of the program.
 enum ExitCode {
   kDone = 0,
-  kFailure = 1,            ///< failure inside: disk full, not writable
-  kUsage = 2,              ///< bad usage of the command line
+  kFailure = 1,  ///< failure inside: disk full, not writable
+  kUsage = 2,    ///< bad usage of the command line
   kNotConverged = 3,
   kBadInput = 4,
   kVerificationFailed = 5,
-  kInterrupted = 130,      ///< a checkpoint was written
+  kInterrupted = 130,  ///< a checkpoint was written
 };
 
 /// A subcommand: its command line, and what it does once that is parsed.

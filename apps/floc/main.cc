@@ -1,10 +1,10 @@
-#include <array>
-#include <exception>
-#include <iostream>
-
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+
+#include <array>
+#include <exception>
+#include <iostream>
 
 #include "command.h"
 #include "floc/base/error.h"
@@ -13,8 +13,9 @@
 namespace {
 
 using AddCommand = floc::Command (*)(CLI::App&);
-constexpr std::array<AddCommand, 7> kCommands = {floc::add_run,     floc::add_scene,  floc::add_moduli, floc::add_fit,
-                                                 floc::add_verify, floc::add_info, floc::add_convert};
+constexpr std::array<AddCommand, 7> kCommands = {floc::add_run,    floc::add_scene,  floc::add_moduli,
+                                                 floc::add_fit,    floc::add_verify, floc::add_info,
+                                                 floc::add_convert};
 
 int run_command(const std::vector<floc::Command>& commands) {
   for (const floc::Command& command : commands)
@@ -33,7 +34,8 @@ int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_logger_st("floc"));
   spdlog::set_pattern("%v");
 
-  CLI::App program{"Static equilibria of granular packings and the mechanics of their contact networks", "floc"};
+  CLI::App program{"Static equilibria of granular packings and the mechanics of their contact networks",
+                   "floc"};
   program.set_version_flag("--version", fmt::format("floc {} ({})", floc::version(), floc::commit()));
   program.require_subcommand(1);
   std::vector<floc::Command> commands;

@@ -12,16 +12,36 @@
 namespace floc {
 namespace {
 
-const std::vector<std::string> kColumns = {
-    "step",          "branch",         "P_star",         "P",               "phi",
-    "void_ratio",    "L1",             "L2",             "z",               "z_plus",
-    "z_minus",       "z_zero",         "n_contacts",     "n_distant",       "x0",
-    "residual_force", "residual_moment", "residual_stress", "kinetic_energy", "n_negative",
-    "time",          "n_steps",        "seconds",        "state"};
+const std::vector<std::string> kColumns = {"step",
+                                           "branch",
+                                           "P_star",
+                                           "P",
+                                           "phi",
+                                           "void_ratio",
+                                           "L1",
+                                           "L2",
+                                           "z",
+                                           "z_plus",
+                                           "z_minus",
+                                           "z_zero",
+                                           "n_contacts",
+                                           "n_distant",
+                                           "x0",
+                                           "residual_force",
+                                           "residual_moment",
+                                           "residual_stress",
+                                           "kinetic_energy",
+                                           "n_negative",
+                                           "time",
+                                           "n_steps",
+                                           "seconds",
+                                           "state"};
 
 }  // namespace
 
-std::string path_header() { return fmt::format("{}", fmt::join(kColumns, ",")); }
+std::string path_header() {
+  return fmt::format("{}", fmt::join(kColumns, ","));
+}
 
 std::string path_row(const State<2>& state, std::optional<double> seconds, const std::string& file) {
   const double pressure = state.target_stress.mean();

@@ -1,13 +1,12 @@
-#include <csignal>
+#include <fmt/format.h>
 
 #include <chrono>
+#include <csignal>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "command.h"
 #include "floc/scene/read_scene.h"
@@ -19,7 +18,9 @@ namespace {
 
 volatile std::sig_atomic_t g_interrupted = 0;
 
-void interrupt(int) { g_interrupted = 1; }
+void interrupt(int) {
+  g_interrupted = 1;
+}
 
 struct RunArguments {
   std::string scene;
@@ -44,7 +45,10 @@ RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
 class RunDriver {
  public:
   RunDriver(Run<2>& run, RunDirectory& directory, double checkpoint_every, int until)
-      : run_(run), directory_(directory), checkpoint_every_(checkpoint_every), until_(until),
+      : run_(run),
+        directory_(directory),
+        checkpoint_every_(checkpoint_every),
+        until_(until),
         monitor_(static_cast<int>(run.plan().size())) {}
 
   int drive() {
@@ -90,8 +94,8 @@ class RunDriver {
 
   int give_up() {
     checkpoint();
-    fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}\n", run_.point().step, run_.target().branch,
-               run_.target().pressure, run_.report().blocking);
+    fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}\n", run_.point().step,
+               run_.target().branch, run_.target().pressure, run_.report().blocking);
     return kNotConverged;
   }
 
@@ -116,13 +120,15 @@ int run_scene(const RunArguments& arguments) {
 
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  const int code =
-      RunDriver(run, directory, scene.checkpoint_every, arguments.until.value_or(std::numeric_limits<int>::max())).drive();
+  const int code = RunDriver(run, directory, scene.checkpoint_every,
+                             arguments.until.value_or(std::numeric_limits<int>::max()))
+                       .drive();
   if (code == kDone)
     fmt::print(stderr,
                "{} equilibria in {}. Next:\n  floc moduli {}/state-*.h5\n  floc fit consolidation {}\n"
                "  floc verify {}/state-*.h5\n",
-               run.point().step, arguments.directory, arguments.directory, arguments.directory, arguments.directory);
+               run.point().step, arguments.directory, arguments.directory, arguments.directory,
+               arguments.directory);
   return code;
 }
 
@@ -132,15 +138,19 @@ Command add_run(CLI::App& program) {
   CLI::App* app = program.add_subcommand("run", "Assemble, equilibrate and load a packing as a scene says");
   auto arguments = std::make_shared<RunArguments>();
   app->add_option("scene", arguments->scene, "Scene file (TOML)")->required();
-  app->add_option("-o,--output", arguments->directory, "Directory for states, path.csv and checkpoints")->required();
-  CLI::Option* resume = app->add_flag("--resume", arguments->resume, "Continue the run in the directory (harmless on a first run)");
+  app->add_option("-o,--output", arguments->directory, "Directory for states, path.csv and checkpoints")
+      ->required();
+  CLI::Option* resume = app->add_flag("--resume", arguments->resume,
+                                      "Continue the run in the directory (harmless on a first run)");
   app->add_flag("--overwrite", arguments->overwrite, "Replace the run in the directory")->excludes(resume);
   app->add_option("--seed", arguments->seed, "Seed of the random numbers, instead of run.seed");
   app->add_option("--threads", arguments->threads, "Threads; results are the same for any number")
       ->check(CLI::Range(1, 1024));
-  app->add_option("--set", arguments->overrides, "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
+  app->add_option("--set", arguments->overrides,
+                  "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
       ->allow_extra_args(false);
-  app->add_option("--until", arguments->until, "Stop after the equilibrium of this number")->check(CLI::NonNegativeNumber);
+  app->add_option("--until", arguments->until, "Stop after the equilibrium of this number")
+      ->check(CLI::NonNegativeNumber);
   return {app, [arguments] { return run_scene(*arguments); }};
 }
 

@@ -1,10 +1,10 @@
 #include "run_directory.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-
-#include <fmt/format.h>
 
 #include "checkpoint.h"
 #include "floc/base/error.h"
@@ -26,12 +26,14 @@ State<2> read_run_state(const std::string& file) {
 
 }  // namespace
 
-RunDirectory::RunDirectory(const std::string& path, Existing existing, const RunOptions& options) : path_(path) {
+RunDirectory::RunDirectory(const std::string& path, Existing existing, const RunOptions& options)
+    : path_(path) {
   std::error_code failed;
   const bool used = fs::exists(path) && !fs::is_empty(path, failed);
   if (fs::exists(path) && !fs::is_directory(path)) throw InputError(path, "is a file, expected a directory");
   if (used && existing == Existing::refuse)
-    throw InputError(path, "is not empty: give --resume to continue the run in it or --overwrite to replace it");
+    throw InputError(path,
+                     "is not empty: give --resume to continue the run in it or --overwrite to replace it");
   fs::create_directories(fs::path(path) / "checkpoint", failed);
   if (failed) throw IoError(path, "cannot make the directory: " + failed.message());
   if (existing == Existing::overwrite) {
@@ -39,20 +41,30 @@ RunDirectory::RunDirectory(const std::string& path, Existing existing, const Run
     fs::remove(path_table());
     remove_checkpoint();
   }
-  if (count_states() > 0) check_scene(read_run_state(state_path(0)), state_path(0), options);
-  else if (fs::exists(checkpoint_path())) check_scene(read_run_state(checkpoint_path()), checkpoint_path(), options);
+  if (count_states() > 0)
+    check_scene(read_run_state(state_path(0)), state_path(0), options);
+  else if (fs::exists(checkpoint_path()))
+    check_scene(read_run_state(checkpoint_path()), checkpoint_path(), options);
 }
 
-void RunDirectory::check_scene(const State<2>& state, const std::string& file, const RunOptions& options) const {
+void RunDirectory::check_scene(const State<2>& state, const std::string& file,
+                               const RunOptions& options) const {
   if (state.scene != options.scene || state.provenance.seed != options.seed)
-    throw InputError(file, fmt::format("was made by another scene or seed ({} here, {} there): a run can only be "
-                                       "continued with the scene, settings and seed it began with",
-                                       options.seed, state.provenance.seed));
+    throw InputError(file,
+                     fmt::format("was made by another scene or seed ({} here, {} there): a run can only be "
+                                 "continued with the scene, settings and seed it began with",
+                                 options.seed, state.provenance.seed));
 }
 
-std::string RunDirectory::state_path(int step) const { return fmt::format("{}/state-{:04d}.h5", path_, step); }
-std::string RunDirectory::path_table() const { return path_ + "/path.csv"; }
-std::string RunDirectory::checkpoint_path() const { return path_ + "/checkpoint/checkpoint.h5"; }
+std::string RunDirectory::state_path(int step) const {
+  return fmt::format("{}/state-{:04d}.h5", path_, step);
+}
+std::string RunDirectory::path_table() const {
+  return path_ + "/path.csv";
+}
+std::string RunDirectory::checkpoint_path() const {
+  return path_ + "/checkpoint/checkpoint.h5";
+}
 
 int RunDirectory::count_states() const {
   int n = 0;
@@ -68,7 +80,8 @@ std::optional<RunPoint<2>> RunDirectory::resume_point() {
     if (rows_.contains(step) && step + 1 < n_states) continue;
     const State<2> state = read_run_state(state_path(step));
     // The time its step took died with the process that measured it.
-    if (!rows_.contains(step)) rows_[step] = path_row(state, std::nullopt, fs::path(state_path(step)).filename());
+    if (!rows_.contains(step))
+      rows_[step] = path_row(state, std::nullopt, fs::path(state_path(step)).filename());
     if (step + 1 == n_states) point = Run<2>::after(state, sha256_of_file(state_path(step)));
   }
   rows_.erase(rows_.lower_bound(n_states), rows_.end());
@@ -96,7 +109,9 @@ void RunDirectory::save_checkpoint(const State<2>& state, const RunPoint<2>& poi
   write_state(checkpoint_path(), state, progress_text(point));
 }
 
-void RunDirectory::remove_checkpoint() { fs::remove(checkpoint_path()); }
+void RunDirectory::remove_checkpoint() {
+  fs::remove(checkpoint_path());
+}
 
 void RunDirectory::read_rows() {
   std::ifstream in(path_table());

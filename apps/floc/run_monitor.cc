@@ -1,10 +1,9 @@
 #include "run_monitor.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
-
-#include <fmt/format.h>
 
 #include "floc/packing/equilibrium.h"
 
@@ -25,7 +24,8 @@ std::string stage_of(const Run<2>& run) {
   const RelaxationReport report = run.report();
   const bool finishing = run.point().relaxation.stage == RelaxationProgress::finishing;
   std::string text = fmt::format("{}, {}", finishing ? "finishing" : "moving", report.blocking);
-  if (finishing && report.decay_rate > 0.0) text += fmt::format(", falls at {:.2g} per unit time", report.decay_rate);
+  if (finishing && report.decay_rate > 0.0)
+    text += fmt::format(", falls at {:.2g} per unit time", report.decay_rate);
   return text;
 }
 
@@ -35,7 +35,9 @@ RunMonitor::RunMonitor(int n_steps)
     : n_steps_(n_steps), terminal_(isatty(STDERR_FILENO) == 1), last_line_(Clock::now()) {}
 
 /// Collapses are longer than quiet steps and come unannounced: the mean of the steps done is all there is.
-double RunMonitor::expected_seconds_left(int steps_left) const { return seconds_done_ / steps_done_ * steps_left; }
+double RunMonitor::expected_seconds_left(int steps_left) const {
+  return seconds_done_ / steps_done_ * steps_left;
+}
 
 void RunMonitor::stretch(const Run<2>& run) {
   const Clock::time_point now = Clock::now();
@@ -43,9 +45,10 @@ void RunMonitor::stretch(const Run<2>& run) {
   if (since < (terminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines)) return;
   last_line_ = now;
   const int step = run.point().step;
-  std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {:.0f}, {}", step + 1, n_steps_,
-                                 run.target().branch, run.target().pressure, solid_fraction(run.point().packing),
-                                 run.point().time + run.point().relaxation.time, stage_of(run));
+  std::string line =
+      fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {:.0f}, {}", step + 1, n_steps_, run.target().branch,
+                  run.target().pressure, solid_fraction(run.point().packing),
+                  run.point().time + run.point().relaxation.time, stage_of(run));
   if (steps_done_ > 0) line += fmt::format("; about {} left", duration(expected_seconds_left(n_steps_ - step)));
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
   std::fflush(stderr);

@@ -42,7 +42,8 @@ Aggregation<Dim>::Aggregation(const RelaxationOptions& options, const Packing<Di
       skin_(skin),
       n_clusters_(count_clusters(packing)) {
   const double range = packing.law.range();
-  if (range > 0.0 && rms_speed > 0.0) time_step_ = std::min(time_step_, range / (kStepsAcrossTail * 2.0 * rms_speed));
+  if (range > 0.0 && rms_speed > 0.0)
+    time_step_ = std::min(time_step_, range / (kStepsAcrossTail * 2.0 * rms_speed));
   const double a = 2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end());
   if (options.skin) skin_ = *options.skin * a;
   if (skin_ == 0.0) skin_ = 0.1 * a;

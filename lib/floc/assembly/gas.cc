@@ -1,10 +1,10 @@
 #include "floc/assembly/gas.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <fmt/format.h>
 
 #include "floc/base/error.h"
 #include "floc/neighbors/pairs.h"
@@ -12,14 +12,16 @@
 namespace floc {
 namespace {
 
-constexpr double kRandomPlacingLimit = 0.4;   ///< solid fraction that placing one by one reaches without long searches
-constexpr int kShuffleSweeps = 200;           ///< moves a grain: several mean free paths, the placing is forgotten
-constexpr int kMostSweeps = 20000;            ///< growing takes longer near freezing; beyond this it has failed
+constexpr double kRandomPlacingLimit =
+    0.4;                             ///< solid fraction that placing one by one reaches without long searches
+constexpr int kShuffleSweeps = 200;  ///< moves a grain: several mean free paths, the placing is forgotten
+constexpr int kMostSweeps = 20000;   ///< growing takes longer near freezing; beyond this it has failed
 
 template <int Dim>
 double solid_volume(const std::vector<double>& diameter) {
   double sum = 0.0;
-  for (const double d : diameter) sum += Dim == 2 ? std::numbers::pi / 4.0 * d * d : std::numbers::pi / 6.0 * d * d * d;
+  for (const double d : diameter)
+    sum += Dim == 2 ? std::numbers::pi / 4.0 * d * d : std::numbers::pi / 6.0 * d * d * d;
   return sum;
 }
 
@@ -105,7 +107,8 @@ void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diamete
     int tries = 0;
     Vec<Dim> x = random_point<Dim>(side, random);
     while (!grains.free_at(i, x, scale)) {
-      if (++tries > kMostTries) throw InputError("assembly", "cell.solid_fraction: no room left to place the grains");
+      if (++tries > kMostTries)
+        throw InputError("assembly", "cell.solid_fraction: no room left to place the grains");
       x = random_point<Dim>(side, random);
     }
     grains.place(i, x);
@@ -114,8 +117,8 @@ void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diamete
 
 /// One Monte Carlo sweep: a trial move of every grain.
 template <int Dim>
-void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, double side, double scale, double reach,
-             RandomStream& random) {
+void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, double side, double scale,
+             double reach, RandomStream& random) {
   const int n = static_cast<int>(diameter.size());
   for (int trial = 0; trial < n; ++trial) {
     const int i = static_cast<int>(random.below(n));
@@ -150,7 +153,8 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
   for (int i = 0; i < n; ++i) {
     if (d.kind == DiameterDistribution::Kind::uniform)
       diameter[i] = n == 1 ? d.max : d.min + (d.max - d.min) * i / (n - 1);
-    if (d.kind == DiameterDistribution::Kind::bidisperse) diameter[i] = i < d.share_of_large * n ? d.max : d.min;
+    if (d.kind == DiameterDistribution::Kind::bidisperse)
+      diameter[i] = i < d.share_of_large * n ? d.max : d.min;
   }
   for (int i = n - 1; i > 0; --i) std::swap(diameter[i], diameter[random.below(i + 1)]);
   return diameter;
@@ -165,11 +169,13 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
   HardGrains<Dim> hard(side, diameter);
   place_at_random(hard, diameter, side, scale, random);
 
-  const double mean_diameter = std::pow(solid_volume<Dim>(diameter) / static_cast<double>(diameter.size()), 1.0 / Dim);
+  const double mean_diameter =
+      std::pow(solid_volume<Dim>(diameter) / static_cast<double>(diameter.size()), 1.0 / Dim);
   for (int sweep = 0, at_size = 0; at_size < kShuffleSweeps; ++sweep) {
     if (sweep > kMostSweeps)
-      throw InputError("assembly", fmt::format("cell.solid_fraction = {}: grains without overlap got stuck at {:.3f}",
-                                               solid_fraction, solid_fraction * std::pow(scale, Dim)));
+      throw InputError("assembly",
+                       fmt::format("cell.solid_fraction = {}: grains without overlap got stuck at {:.3f}",
+                                   solid_fraction, solid_fraction * std::pow(scale, Dim)));
     shuffle(hard, diameter, side, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
     if (scale < 1.0) scale = std::min(1.0, scale * room_to_grow(hard, diameter, scale));
     at_size += scale == 1.0;

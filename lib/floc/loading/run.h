@@ -29,15 +29,15 @@ struct RunOptions {
 /// checkpoint holds.
 template <int Dim>
 struct RunPoint {
-  int step = 0;                ///< number of the equilibrium being made
-  bool aggregating = false;    ///< grains still collide and stick
+  int step = 0;              ///< number of the equilibrium being made
+  bool aggregating = false;  ///< grains still collide and stick
   Packing<Dim> packing;
   RelaxationProgress relaxation;
   std::uint64_t stream_state = 0;
-  double time = 0.0;           ///< simulated time before this relaxation (time)
-  std::int64_t n_steps = 0;    ///< time steps before it
+  double time = 0.0;         ///< simulated time before this relaxation (time)
+  std::int64_t n_steps = 0;  ///< time steps before it
   double aggregation_skin = 0.0;
-  std::string parent_sha256;   ///< of the last saved state
+  std::string parent_sha256;  ///< of the last saved state
 };
 
 /// What a stretch of a run came to.

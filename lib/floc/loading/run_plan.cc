@@ -25,7 +25,8 @@ double* parameter(LawParameters& law, const std::string& key) {
 void change_law(LawParameters& law, const std::string& key, double value) {
   double* const target = parameter(law, key);
   if (target == nullptr)
-    throw InputError("load.set", fmt::format("{} = {}: the scene's contact law has no such parameter", key, value));
+    throw InputError("load.set",
+                     fmt::format("{} = {}: the scene's contact law has no such parameter", key, value));
   *target = value;
   const std::vector<std::string> faults = law.validate();
   if (!faults.empty()) throw InputError("load.set", faults.front());
@@ -44,9 +45,10 @@ std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const 
   }
   for (const PlannedEquilibrium& equilibrium : plan)
     if (equilibrium.pressure == 0.0 && equilibrium.law.pull_off_force() == 0.0)
-      throw InputError("load", fmt::format("branch \"{}\" asks for equilibrium at zero pressure without adhesion: nothing "
-                                           "holds the grains together, expected a pressure > 0",
-                                           equilibrium.branch));
+      throw InputError(
+          "load", fmt::format("branch \"{}\" asks for equilibrium at zero pressure without adhesion: nothing "
+                              "holds the grains together, expected a pressure > 0",
+                              equilibrium.branch));
   return plan;
 }
 

@@ -11,9 +11,9 @@ namespace floc {
 
 /// One equilibrium a run will make.
 struct PlannedEquilibrium {
-  std::string branch;   ///< "assembly" or the name of the turn
-  double pressure;      ///< (unit of stress of the scene)
-  LawParameters law;    ///< with the changes made so far
+  std::string branch;  ///< "assembly" or the name of the turn
+  double pressure;     ///< (unit of stress of the scene)
+  LawParameters law;   ///< with the changes made so far
 };
 
 /// All equilibria of a run, in order: those of the assembly (aggregation: P = 0, then the first pressure), then every step

@@ -128,7 +128,8 @@ std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Di
     std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(),
               [](const NeighborPair<Dim>& p, const NeighborPair<Dim>& q) {
                 if (p.j != q.j) return p.j < q.j;
-                return std::lexicographical_compare(p.image.begin(), p.image.end(), q.image.begin(), q.image.end());
+                return std::lexicographical_compare(p.image.begin(), p.image.end(), q.image.begin(),
+                                                    q.image.end());
               });
   }
   return pairs;

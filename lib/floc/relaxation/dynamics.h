@@ -10,9 +10,9 @@ namespace floc {
 /// How the sides of a rectangular periodic cell move (PHYSICS section 1, "Cell").
 template <int Dim>
 struct CellControl {
-  bool fixed = false;                                       ///< the sides do not move
-  Vec<Dim> target = Vec<Dim>::Zero();                       ///< stress imposed on each axis, compression positive
-  double mass = 0.0;                                        ///< inertia M of a side's length (mass)
+  bool fixed = false;                  ///< the sides do not move
+  Vec<Dim> target = Vec<Dim>::Zero();  ///< stress imposed on each axis, compression positive
+  double mass = 0.0;                   ///< inertia M of a side's length (mass)
   double rate_cap = std::numeric_limits<double>::infinity();  ///< largest |L'/L| (1/time)
 };
 

@@ -223,14 +223,14 @@ void ExplicitDynamics<Dim, Law>::compute_pairs(int block, double slip_time) {
   const Vec<Dim> rate = strain_rate_;
   Vec<Dim> virial = Vec<Dim>::Zero();
   const int end = pairs_.first_of_i[block_end(block)];
-  for (int p = pairs_.first_of_i[block * kBlock]; p < end; ++p) compute_pair(p, law, side, rate, slip_time, virial);
+  for (int p = pairs_.first_of_i[block * kBlock]; p < end; ++p)
+    compute_pair(p, law, side, rate, slip_time, virial);
   sums_[block].virial = virial;
 }
 
 template <int Dim, class Law>
-[[gnu::always_inline]] inline void ExplicitDynamics<Dim, Law>::compute_pair(int p, const Law& law, const Vec<Dim>& side,
-                                                                           const Vec<Dim>& rate, double slip_time,
-                                                                           Vec<Dim>& virial) {
+[[gnu::always_inline]] inline void ExplicitDynamics<Dim, Law>::compute_pair(
+    int p, const Law& law, const Vec<Dim>& side, const Vec<Dim>& rate, double slip_time, Vec<Dim>& virial) {
   const int i = pairs_.key[p].i;
   const int j = pairs_.key[p].j;
   Vec<Dim> r;
@@ -247,7 +247,8 @@ template <int Dim, class Law>
   const Vec<Dim> n = r * (1.0 / distance);
   const Vec<Dim> affine = rate.cwiseProduct(r);
 
-  ContactMotion<Dim> motion{distance - pairs_.radii[p], 0.0, pairs_.damping[p], Shear<Dim>::Zero(), Spin<Dim>::Zero()};
+  ContactMotion<Dim> motion{distance - pairs_.radii[p], 0.0, pairs_.damping[p], Shear<Dim>::Zero(),
+                            Spin<Dim>::Zero()};
   for (int a = 0; a < Dim; ++a)
     motion.gap_rate += n[a] * (grains_.v_next[a][j] - grains_.v_next[a][i] + affine[a]);
   const double arm_i = pairs_.share_i[p] * distance;
@@ -433,7 +434,8 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
   return time_step_in_contact_times * shortest;
 }
 
-template std::unique_ptr<Dynamics<2>> make_dynamics(const Packing<2>&, const CellControl<2>&, const DynamicsSettings&);
+template std::unique_ptr<Dynamics<2>> make_dynamics(const Packing<2>&, const CellControl<2>&,
+                                                    const DynamicsSettings&);
 template double time_step_of(const Packing<2>&, double);
 
 }  // namespace floc

@@ -68,11 +68,11 @@ class ExplicitDynamics final : public Dynamics<Dim> {
 
   HotGrains<Dim> grains_;
   HotPairs<Law, Dim> pairs_;
-  Vec<Dim> side_, side_rate_;    ///< L and L'
-  Vec<Dim> strain_rate_;         ///< L'/L at mid-step
-  Vec<Dim> stretch_, drift_;     ///< of this step: x <- stretch x + drift v
+  Vec<Dim> side_, side_rate_;  ///< L and L'
+  Vec<Dim> strain_rate_;       ///< L'/L at mid-step
+  Vec<Dim> stretch_, drift_;   ///< of this step: x <- stretch x + drift v
   std::vector<BlockSums> sums_;
-  double kinetic_ = 0.0;         ///< total kinetic energy with the cell's, for the power control
+  double kinetic_ = 0.0;  ///< total kinetic energy with the cell's, for the power control
 
   std::array<std::vector<double>, Dim> x_list_;  ///< positions when the list was built
   Vec<Dim> side_list_;

@@ -13,10 +13,10 @@ template <int Dim>
 struct HotGrains {
   using Component = std::vector<double>;
 
-  std::vector<int> index;                         ///< index in the packing of the k-th grain here
-  std::array<Component, Dim> x;                   ///< position, not wrapped while this lives
-  std::array<Component, Dim> v;                   ///< peculiar velocity
-  std::array<Component, Dim> v_next;              ///< predicted velocity at the end of the step, for the dashpots
+  std::vector<int> index;             ///< index in the packing of the k-th grain here
+  std::array<Component, Dim> x;       ///< position, not wrapped while this lives
+  std::array<Component, Dim> v;       ///< peculiar velocity
+  std::array<Component, Dim> v_next;  ///< predicted velocity at the end of the step, for the dashpots
   std::array<Component, Dim> force;
   std::array<Component, kRotations<Dim>> spin;
   std::array<Component, kRotations<Dim>> torque;

@@ -22,7 +22,7 @@ struct HotPairs {
   Component damping;
   std::vector<ContactHistory<Law, Dim>> history;
 
-  std::array<Component, Dim> row_force;             ///< on j
+  std::array<Component, Dim> row_force;  ///< on j
   std::array<Component, kRotations<Dim>> row_torque_i, row_torque_j;
 
   std::vector<int> first_of_i;    ///< pairs of grain i are first_of_i[i] .. first_of_i[i + 1] - 1
@@ -30,8 +30,8 @@ struct HotPairs {
   std::vector<int> with_j;        ///< pairs in which a grain is the second, ascending
 
   HotPairs() = default;
-  HotPairs(std::vector<NeighborPair<Dim>> pairs, const std::vector<double>& radius, const std::vector<double>& mass,
-           const Law& law);
+  HotPairs(std::vector<NeighborPair<Dim>> pairs, const std::vector<double>& radius,
+           const std::vector<double>& mass, const Law& law);
 
   int size() const { return static_cast<int>(key.size()); }
   /// Takes over the histories of an older list of the same grains.

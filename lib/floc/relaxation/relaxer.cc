@@ -1,11 +1,11 @@
 #include "floc/relaxation/relaxer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-
-#include <fmt/format.h>
 
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/static_solver.h"
@@ -28,7 +28,9 @@ constexpr int kPolishPause = 8;
 /// A relaxation that takes longer than this many time units is given up.
 constexpr double kLongest = 2e4;
 
-double first_skin(const RelaxationOptions& options, double a) { return options.skin ? *options.skin * a : 0.05 * a; }
+double first_skin(const RelaxationOptions& options, double a) {
+  return options.skin ? *options.skin * a : 0.05 * a;
+}
 
 template <int Dim>
 double heaviest(const Packing<Dim>& packing) {
@@ -57,7 +59,8 @@ double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress)
 }
 
 template <int Dim>
-double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
+double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
+                       const Vec<Dim>& target_stress) {
   const double a = force_scale(packing, target_stress).length;
   const double m = heaviest(packing);
   if (options.strain_rate_cap && packing.law.pull_off_force() > 0.0)
@@ -68,8 +71,8 @@ double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& pac
 }
 
 template <int Dim>
-Relaxer<Dim>::Relaxer(const RelaxationOptions& options, const Packing<Dim>& packing, const Vec<Dim>& target_stress,
-                      RelaxationProgress progress)
+Relaxer<Dim>::Relaxer(const RelaxationOptions& options, const Packing<Dim>& packing,
+                      const Vec<Dim>& target_stress, RelaxationProgress progress)
     : options_(options),
       packing_(packing),
       target_(target_stress),
@@ -88,7 +91,8 @@ template <int Dim>
 RelaxationStatus Relaxer<Dim>::advance() {
   CellControl<Dim> control;
   control.target = target_;
-  control.mass = options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0);
+  control.mass =
+      options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0);
   control.rate_cap = strain_rate_cap(options_, packing_, target_);
   const auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
   const bool finishing = progress_.stage == RelaxationProgress::finishing;
@@ -102,7 +106,8 @@ RelaxationStatus Relaxer<Dim>::advance() {
   progress_.force_residual.push_back(residuals_.force);
   if (progress_.force_residual.size() > 10) progress_.force_residual.erase(progress_.force_residual.begin());
   const RelaxationStatus status = finishing ? judge_finish() : judge_motion();
-  if (status == RelaxationStatus::running && progress_.time > kLongest * time_unit_) return RelaxationStatus::gave_up;
+  if (status == RelaxationStatus::running && progress_.time > kLongest * time_unit_)
+    return RelaxationStatus::gave_up;
   return status;
 }
 
@@ -136,7 +141,8 @@ bool Relaxer<Dim>::contacts_still() {
   const std::uint64_t set = contact_fingerprint(packing_);
   progress_.unchanged_stretches = set == progress_.contact_set ? progress_.unchanged_stretches + 1 : 0;
   progress_.contact_set = set;
-  return target_.isZero(0.0) && progress_.unchanged_stretches >= static_cast<int>(stretches_in(kStillContactsWindow));
+  return target_.isZero(0.0) &&
+         progress_.unchanged_stretches >= static_cast<int>(stretches_in(kStillContactsWindow));
 }
 
 template <int Dim>
@@ -207,9 +213,9 @@ RelaxationReport Relaxer<Dim>::report() const {
                                 {"moment", residuals_.moment, t.moment, residuals_.worst_moment_grain},
                                 {"stress", residuals_.stress, t.stress, -1},
                                 {"energy", residuals_.energy, t.energy, -1}};
-  const Criterion* worst = std::max_element(std::begin(criteria), std::end(criteria), [](const auto& p, const auto& q) {
-    return p.value * q.tolerance < q.value * p.tolerance;
-  });
+  const Criterion* worst = std::max_element(
+      std::begin(criteria), std::end(criteria),
+      [](const auto& p, const auto& q) { return p.value * q.tolerance < q.value * p.tolerance; });
   report.blocking = fmt::format("{} {:.2e} against {:.0e}", worst->name, worst->value, worst->tolerance);
   if (worst->grain >= 0) report.blocking += fmt::format(" (grain {})", worst->grain);
   const std::vector<double>& history = progress_.force_residual;

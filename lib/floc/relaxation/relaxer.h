@@ -14,17 +14,18 @@ namespace floc {
 struct RelaxationProgress {
   enum Stage { moving, finishing };
   int stage = moving;
-  std::int64_t n_steps = 0;              ///< time steps of this relaxation so far
-  double time = 0.0;                     ///< simulated time of this relaxation so far
-  double skin = 0.0;                     ///< of the Verlet list; 0 before the first stretch
-  std::vector<double> solid_fraction;    ///< at the end of each recent stretch, the oldest first
-  std::vector<double> imbalance_sign;    ///< of each axis: sign of stress - target at the start; 0 once it has changed
-  std::uint64_t contact_set = 0;         ///< fingerprint of the contact list
-  int unchanged_stretches = 0;           ///< stretches since that last changed
-  double finishing_since_phi = 0.0;      ///< solid fraction when finishing began
+  std::int64_t n_steps = 0;            ///< time steps of this relaxation so far
+  double time = 0.0;                   ///< simulated time of this relaxation so far
+  double skin = 0.0;                   ///< of the Verlet list; 0 before the first stretch
+  std::vector<double> solid_fraction;  ///< at the end of each recent stretch, the oldest first
+  std::vector<double>
+      imbalance_sign;             ///< of each axis: sign of stress - target at the start; 0 once it has changed
+  std::uint64_t contact_set = 0;  ///< fingerprint of the contact list
+  int unchanged_stretches = 0;    ///< stretches since that last changed
+  double finishing_since_phi = 0.0;  ///< solid fraction when finishing began
   int finishing_stretches = 0;
-  int next_polish = 0;                   ///< stretch of the finish at which the static polisher is tried next
-  std::vector<double> force_residual;    ///< at the end of each recent stretch, for the decay rate
+  int next_polish = 0;                 ///< stretch of the finish at which the static polisher is tried next
+  std::vector<double> force_residual;  ///< at the end of each recent stretch, for the decay rate
 };
 
 enum class RelaxationStatus { running, converged, gave_up };
@@ -32,8 +33,8 @@ enum class RelaxationStatus { running, converged, gave_up };
 /// How a relaxation ended or where it stands, in numbers and words.
 struct RelaxationReport {
   Residuals residuals;
-  std::string ending;      ///< "polished", "dynamic"; empty while it runs
-  std::string blocking;    ///< criterion that is worst against its tolerance, with its grain
+  std::string ending;       ///< "polished", "dynamic"; empty while it runs
+  std::string blocking;     ///< criterion that is worst against its tolerance, with its grain
   double decay_rate = 0.0;  ///< of the force residual (1/time); positive when it falls
 };
 
@@ -78,6 +79,7 @@ double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress)
 
 /// Largest |L'/L| (1/time) the options allow under this stress; infinite when they name no cap.
 template <int Dim>
-double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing, const Vec<Dim>& target_stress);
+double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
+                       const Vec<Dim>& target_stress);
 
 }  // namespace floc

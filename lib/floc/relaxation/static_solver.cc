@@ -1,14 +1,14 @@
 #include "floc/relaxation/static_solver.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 #include <variant>
 #include <vector>
-
-#include <Eigen/SparseCore>
-#include <fmt/format.h>
 
 #include "floc/contact/law_table.h"
 #include "floc/linalg/unsymmetric_factor.h"
@@ -42,14 +42,16 @@ class StaticProblem {
   static constexpr int kLocal = 8;  ///< dofs of one contact: two grains and two strains
   using LocalMatrix = Eigen::Matrix<double, kLocal, kLocal>;
 
-  StaticProblem(const Packing<2>& start, const Law& law, const Vec<2>& target, const StaticSolverOptions& options)
+  StaticProblem(const Packing<2>& start, const Law& law, const Vec<2>& target,
+                const StaticSolverOptions& options)
       : start_(start), law_(law), target_(target), scale_(force_scale(start, target)) {
     const double margin = 2.0 * options.largest_displacement * scale_.length;
     std::map<std::tuple<int, int, int, int>, const Contact<2>*> remembered;
     for (const Contact<2>& c : start.contacts) remembered[{c.i, c.j, c.image[0], c.image[1]}] = &c;
     for (const NeighborPair<2>& p : find_pairs(start.cell, start.grains, law.range() + margin)) {
       Contact<2> c;
-      if (const auto old = remembered.find({p.i, p.j, p.image[0], p.image[1]}); old != remembered.end()) c = *old->second;
+      if (const auto old = remembered.find({p.i, p.j, p.image[0], p.image[1]}); old != remembered.end())
+        c = *old->second;
       c.i = p.i;
       c.j = p.j;
       c.image = p.image;
@@ -160,7 +162,8 @@ class StaticProblem {
     return at.position[c.j] + c.image.template cast<double>().cwiseProduct(at.side) - at.position[c.i];
   }
 
-  Vec<2> relative_displacement(const Configuration& at, const Contact<2>& c, const Eigen::VectorXd& step) const {
+  Vec<2> relative_displacement(const Configuration& at, const Contact<2>& c,
+                               const Eigen::VectorXd& step) const {
     const Vec<2> strain = step.tail<2>() / scale_.length;
     return step.segment<2>(3 * c.j) - step.segment<2>(3 * c.i) + strain.cwiseProduct(branch_of(at, c));
   }
@@ -216,12 +219,14 @@ class StaticProblem {
   /// A spring that came out of the mapping at its cap.
   bool slides(const ContactForces<2>& f) const {
     if constexpr (Law::kHasFriction)
-      return f.normal.elastic > 0.0 && std::abs(f.shear[0]) >= (1.0 - 1e-12) * law_.friction.coefficient * f.normal.elastic;
+      return f.normal.elastic > 0.0 &&
+             std::abs(f.shear[0]) >= (1.0 - 1e-12) * law_.friction.coefficient * f.normal.elastic;
     return false;
   }
   bool rolls(const ContactForces<2>& f) const {
     if constexpr (Law::kHasRolling)
-      return f.normal.elastic > 0.0 && std::abs(f.rolling[0]) >= (1.0 - 1e-12) * law_.rolling.coefficient * f.normal.elastic;
+      return f.normal.elastic > 0.0 &&
+             std::abs(f.rolling[0]) >= (1.0 - 1e-12) * law_.rolling.coefficient * f.normal.elastic;
     return false;
   }
   bool yields(const ContactForces<2>& f) const { return slides(f) || rolls(f); }
@@ -259,8 +264,9 @@ class StaticProblem {
       else if (f.normal.elastic > 0.0)
         rolling = law_.rolling.rolling_stiffness * Row(0.0, 0.0, 1.0 / radius_i, -1.0 / radius_j);
     }
-    Eigen::Matrix<double, 2, 4> force = n * (f.normal.stiffness * gap) - t * (f.normal.force() / distance * across) +
-                                        t * shear - n * (f.shear[0] / distance * across);
+    Eigen::Matrix<double, 2, 4> force = n * (f.normal.stiffness * gap) -
+                                        t * (f.normal.force() / distance * across) + t * shear -
+                                        n * (f.shear[0] / distance * across);
     const Row arm = per_radius * shear + f.shear[0] / radii(c) * gap;
 
     Eigen::Matrix<double, kLocal, 4> rows;  // minus the derivative of each equation
@@ -333,7 +339,8 @@ StaticSolution<2> solve(const Packing<2>& start, const Law& law, const Vec<2>& t
     }
     travelled += length;
     if (next.worst >= now.worst || travelled > options.largest_displacement) {
-      solution.reason = next.worst >= now.worst ? "the residual stopped falling" : "the state lies too far away";
+      solution.reason =
+          next.worst >= now.worst ? "the residual stopped falling" : "the state lies too far away";
       break;
     }
     now = std::move(next);

@@ -9,7 +9,7 @@ namespace floc {
 
 /// Limits within which Newton steps are trusted; measured as those that polish and do not jump to another equilibrium.
 struct StaticSolverOptions {
-  double target = 1e-8;                  ///< force, moment and stress residuals wanted, in units of F1 and a
+  double target = 1e-8;  ///< force, moment and stress residuals wanted, in units of F1 and a
   int max_iterations = 12;
   int max_backtracking = 6;
   double largest_step = 2e-3;            ///< relative displacement of two grains in contact, an iteration / a
@@ -20,11 +20,11 @@ struct StaticSolverOptions {
 /// Outcome of a static solution.
 template <int Dim>
 struct StaticSolution {
-  bool converged = false;      ///< the target was reached; `packing` is then the equilibrium, at rest
-  std::string reason;          ///< why not, in words
+  bool converged = false;  ///< the target was reached; `packing` is then the equilibrium, at rest
+  std::string reason;      ///< why not, in words
   int iterations = 0;
-  double residual = 0.0;       ///< largest of the three residuals reached
-  Packing<Dim> packing;        ///< best configuration found
+  double residual = 0.0;  ///< largest of the three residuals reached
+  Packing<Dim> packing;   ///< best configuration found
 };
 
 /// Solves force, moment and stress balance of a rectangular periodic packing by Newton iterations from where it is:

@@ -193,10 +193,6 @@ TEST(StateFileRefuses, NumbersThatNoStateHolds) {
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.grains.mass[1] = 0.0; }),
               HasSubstr("/grains/mass"));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.cell.matrix.setOnes(); }), HasSubstr("no volume"));
-  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.contacts[2].j = 3; }),
-              AllOf(HasSubstr("/contacts/id2"), HasSubstr("entry 2 is 3"), HasSubstr("from 0 to 2")));
-  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.contacts[1].i = -1; }),
-              HasSubstr("/contacts/id1"));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.contacts[0].image.setZero(); }),
               HasSubstr("touch itself"));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.law.normal_stiffness = -1.0; }),
@@ -207,6 +203,43 @@ TEST(StateFileRefuses, NumbersThatNoStateHolds) {
               }),
               HasSubstr("holds no grains"));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.units = "imperial"; }), HasSubstr("imperial"));
+}
+
+/// Where some integers lie in a file.
+std::size_t find_integers(const std::string& bytes, const std::vector<std::int32_t>& values) {
+  return bytes.find(
+      std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]));
+}
+
+/// The refusal of a state whose contact list had `good` in one of its columns, and has `bad` in the file.
+std::string refusal_of_index(const std::vector<std::int32_t>& good, std::int32_t bad) {
+  const ScratchDirectory scratch;
+  State<2> s = busy_state<2>();
+  Grains<2> grains = Grains<2>::with_size(300);
+  grains.radius.assign(300, 0.5);
+  grains.mass.assign(300, 1.0);
+  s.packing.grains = grains;
+  constexpr int kFirst[] = {251, 253, 256};
+  for (int k = 0; k < 3; ++k) {
+    s.packing.contacts[k].i = kFirst[k];
+    s.packing.contacts[k].j = kFirst[k] + 1;
+  }
+  write_state(scratch.file("s.h5"), s);
+  const std::string whole = read_file(scratch.file("s.h5"));
+  std::string content(unseal("s.h5", whole));
+  const std::size_t at = find_integers(content, good);
+  EXPECT_NE(at, std::string::npos);
+  content.replace(at + 8, 4, reinterpret_cast<const char*>(&bad), 4);
+  std::ofstream(scratch.file("s.h5"), std::ios::binary) << seal(content);
+  return refusal(scratch.file("s.h5"));
+}
+
+TEST(StateFileRefuses, AContactOfAGrainThatIsNotThere) {
+  EXPECT_THAT(refusal_of_index({251, 253, 256}, -1),
+              AllOf(HasSubstr("s.h5:/contacts/id1"), HasSubstr("entry 2 is -1"), HasSubstr("from 0 to 299")));
+  EXPECT_THAT(refusal_of_index({252, 254, 257}, 300),
+              AllOf(HasSubstr("s.h5:/contacts/id2"), HasSubstr("entry 2 is 300"), HasSubstr("from 0 to 299")));
+  EXPECT_EQ(refusal_of_index({252, 254, 257}, 299), "");
 }
 
 TEST(StateFileWriting, IntoADirectoryThatIsMissingIsAnErrorByName) {

@@ -44,6 +44,7 @@ ReducedStiffness reduce(const ContactNetwork<Dim>& network, const StiffnessMatri
     r.border.row(a) = k.border.row(u) / r.scale[a];
   }
   r.grains.resize(n, n);
+  if (n == 0) return r;  // Eigen cannot compress a matrix without columns
   Eigen::VectorXi column_sizes = Eigen::VectorXi::Zero(n);
   for (int b = 0; b < n; ++b)
     for (Eigen::SparseMatrix<double>::InnerIterator it(k.grains, r.unknown[b]); it; ++it)

@@ -15,6 +15,9 @@ double compliance_term(double squared_force, double stiffness) {
   return squared_force == 0.0 ? 0.0 : squared_force / stiffness;
 }
 
+/// A pressure below this share of what the forces could sum up to is what rounding leaves of zero.
+constexpr double kNoPressure = 1e-10;
+
 struct Sums {
   int n = 0;  // touching contacts
   double kn = 0.0;
@@ -22,6 +25,7 @@ struct Sums {
   double force = 0.0;  // F_N
   double complementary = 0.0;
   double scaled = 0.0;  // of complementary terms times K_N
+  double virial = 0.0;  // |F_N| r
 };
 
 template <int Dim>
@@ -36,6 +40,7 @@ Sums sum_over_contacts(const ContactNetwork<Dim>& network) {
     s.kn += c.kn;
     s.kt += c.kt;
     s.force += c.normal_force;
+    s.virial += std::abs(c.normal_force) * c.branch.norm();
     s.complementary += terms;
     s.scaled += c.kn * terms;
   }
@@ -77,8 +82,8 @@ Bounds elastic_bounds(const ContactNetwork<Dim>& network, double pressure, const
   b.G_voigt = pure_shear_modulus(affine);
   const Sums s = sum_over_contacts(network);
   if (s.n == 0) return b;
-  if (pressure != 0.0 && s.complementary > 0.0)
-    b.B_reuss = network.volume * pressure * pressure / s.complementary;
+  const bool loaded = std::abs(pressure) * Dim * network.volume > kNoPressure * s.virial;
+  if (loaded && s.complementary > 0.0) b.B_reuss = network.volume * pressure * pressure / s.complementary;
   add_printed_forms(network, mean_field, s, b);
   return b;
 }

@@ -59,6 +59,15 @@ TEST(Moduli, ShearOfAnIsotropicNetworkIsReadAlikeFromEitherKindOfStrain) {
   EXPECT_NE(m.G, *m.G_without_prestress);
 }
 
+TEST(Bounds, ReussVanishesWhereForcesCancelInThePressure) {
+  Packing<2> packing = test::square_frames(2, 1.0, test::elastic_law(1.0, 0.7, 0.01));
+  packing.contacts[0].normal_force = 1.0;
+  packing.contacts[1].normal_force = -1.0 + 1e-15;
+  EXPECT_EQ(elastic_moduli(packing, {}).bounds.B_reuss, 0.0);
+  packing.contacts[1].normal_force = -1.0 + 1e-3;
+  EXPECT_GT(elastic_moduli(packing, {}).bounds.B_reuss, 0.0);
+}
+
 TEST(Stability, OfALineOfDistantBondsIsLost) {
   // Two rows of a square lattice held apart by contacts along x alone would slide; along y a tail pulls.
   LawParameters law = test::elastic_law(1.0, 0.7, 0.1);

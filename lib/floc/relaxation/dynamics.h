@@ -30,8 +30,9 @@ enum class Motion {
 };
 
 /// Explicit time integration of a packing under its law: half kick, drift, forces, half kick (velocity Verlet), with
-/// the sides of the cell as degrees of freedom and peculiar velocities. Second order, the dashpot's velocity included,
-/// which is predicted to the end of the step.
+/// the sides of the cell as degrees of freedom and peculiar velocities. Second order. The dashpots see the velocity of
+/// the middle of the step, with a coefficient corrected for that lag: stable to twice the step that a predicted
+/// velocity allows, and the restitution is right all the same.
 ///
 /// Results depend on the packing it was made from and on the number of steps alone: neighbour lists, their skin and
 /// the number of threads leave no trace in the bits, since every grain sums its forces in the order of its neighbours.

@@ -89,7 +89,8 @@ void ExplicitDynamics<Dim, Law>::load_histories(const Packing<Dim>& packing) {
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::advance(int n_steps, Motion motion) {
   const int blocks = n_blocks();
-#pragma omp parallel num_threads(threads_) if (threads_ > 1)
+  const int threads = std::min(threads_, blocks);  // a thread without a block would only wait
+#pragma omp parallel num_threads(threads) if (threads > 1)
   for (int step = 0; step < n_steps; ++step) {
 #pragma omp single
     begin_step();
@@ -157,7 +158,6 @@ void ExplicitDynamics<Dim, Law>::kick_and_drift(int block) {
     const double* const force = grains_.force[a].data() + begin;
     const double* const x_list = x_list_[a].data() + begin;
     double* const v = grains_.v[a].data() + begin;
-    double* const v_next = grains_.v_next[a].data() + begin;
     double* const x = grains_.x[a].data() + begin;
     const double keep = half.keep[a], gain = half.gain[a], stretch = stretch_[a], drift = drift_[a];
     const double list_stretch = list_stretch_[a];
@@ -165,7 +165,6 @@ void ExplicitDynamics<Dim, Law>::kick_and_drift(int block) {
     for (int k = 0; k < kBlock; ++k) {
       const double kick = half.half_step * inverse_mass[k] * force[k];
       v[k] = v[k] * keep + kick * gain;
-      v_next[k] = v[k] + kick;
       x[k] = stretch * x[k] + drift * v[k];
       const double moved = x[k] - list_stretch * x_list[k];
       moved_squared[k] += moved * moved;
@@ -206,7 +205,7 @@ void ExplicitDynamics<Dim, Law>::rebuild_list() {
   now.radius.assign(grains_.radius.begin(), grains_.radius.begin() + grains_.size());
   Cell<Dim> cell;
   cell.matrix = side_.asDiagonal();
-  HotPairs<Law, Dim> pairs(find_pairs(cell, now, law_.range() + skin_), now.radius, grains_.mass, law_);
+  HotPairs<Law, Dim> pairs(find_pairs(cell, now, law_.range() + skin_), now.radius, grains_.mass, law_, dt_);
   pairs.inherit(pairs_);
   pairs_ = std::move(pairs);
   x_list_ = grains_.x;
@@ -249,8 +248,9 @@ template <int Dim, class Law>
 
   ContactMotion<Dim> motion{distance - pairs_.radii[p], 0.0, pairs_.damping[p], Shear<Dim>::Zero(),
                             Spin<Dim>::Zero()};
-  for (int a = 0; a < Dim; ++a)
-    motion.gap_rate += n[a] * (grains_.v_next[a][j] - grains_.v_next[a][i] + affine[a]);
+  Vec<Dim> centres;
+  for (int a = 0; a < Dim; ++a) centres[a] = grains_.v[a][j] - grains_.v[a][i] + affine[a];
+  motion.gap_rate = n.dot(centres);
   const double arm_i = pairs_.share_i[p] * distance;
   const double arm_j = distance - arm_i;
   if constexpr (kTurns) {
@@ -259,8 +259,6 @@ template <int Dim, class Law>
       spin_i[a] = grains_.spin[a][i];
       spin_j[a] = grains_.spin[a][j];
     }
-    Vec<Dim> centres;
-    for (int a = 0; a < Dim; ++a) centres[a] = grains_.v[a][j] - grains_.v[a][i] + affine[a];
     // Velocity of j's surface point against i's: both turn their surfaces the same way round.
     const Vec<Dim> surfaces = centres - cross<double>(Spin<Dim>(arm_i * spin_i + arm_j * spin_j), n);
     motion.slip = slip_time * to_shear<double>(n, surfaces);

@@ -16,7 +16,6 @@ struct HotGrains {
   std::vector<int> index;             ///< index in the packing of the k-th grain here
   std::array<Component, Dim> x;       ///< position, not wrapped while this lives
   std::array<Component, Dim> v;       ///< peculiar velocity
-  std::array<Component, Dim> v_next;  ///< predicted velocity at the end of the step, for the dashpots
   std::array<Component, Dim> force;
   std::array<Component, kRotations<Dim>> spin;
   std::array<Component, kRotations<Dim>> torque;
@@ -38,7 +37,7 @@ HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& ord
   const std::size_t padded = (n + block - 1) / block * block;
   for (auto* component : {&angle, &radius, &mass, &inertia, &inverse_mass, &inverse_inertia})
     component->assign(padded, 0.0);
-  for (auto* vector : {&x, &v, &v_next, &force})
+  for (auto* vector : {&x, &v, &force})
     for (auto& component : *vector) component.assign(padded, 0.0);
   for (auto* vector : {&spin, &torque})
     for (auto& component : *vector) component.assign(padded, 0.0);
@@ -46,7 +45,7 @@ HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& ord
     const int i = order[k];
     for (int a = 0; a < Dim; ++a) {
       x[a][k] = grains.position[i][a];
-      v[a][k] = v_next[a][k] = grains.velocity[i][a];
+      v[a][k] = grains.velocity[i][a];
     }
     for (int a = 0; a < kRotations<Dim>; ++a) spin[a][k] = grains.angular_velocity[i][a];
     angle[k] = grains.orientation[i];

@@ -1,12 +1,21 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "floc/contact/contact_law.h"
 #include "floc/neighbors/pairs.h"
 
 namespace floc {
+
+/// Dashpot coefficient to use with the velocity half a step before its force acts. The lag lets a dashpot damp more than
+/// its coefficient says, by the factor exp(c dt/(4 m_eff)) to second order in the step; without this correction a
+/// restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N).
+inline double lagging_damping(double coefficient, double mass_i, double mass_j, double time_step) {
+  const double effective_mass = mass_i * mass_j / (mass_i + mass_j);
+  return coefficient * std::exp(-0.25 * coefficient * time_step / effective_mass);
+}
 
 /// The neighbour pairs as the force loop reads them, sorted by (i, j, image), i <= j, and the row of forces that each
 /// pair writes. Pairs of one grain i are consecutive, so a block of grains owns a block of pairs.
@@ -31,7 +40,7 @@ struct HotPairs {
 
   HotPairs() = default;
   HotPairs(std::vector<NeighborPair<Dim>> pairs, const std::vector<double>& radius,
-           const std::vector<double>& mass, const Law& law);
+           const std::vector<double>& mass, const Law& law, double time_step);
 
   int size() const { return static_cast<int>(key.size()); }
   /// Takes over the histories of an older list of the same grains.
@@ -49,7 +58,7 @@ inline bool before(const NeighborPair<Dim>& p, const NeighborPair<Dim>& q) {
 
 template <class Law, int Dim>
 HotPairs<Law, Dim>::HotPairs(std::vector<NeighborPair<Dim>> pairs, const std::vector<double>& radius,
-                             const std::vector<double>& mass, const Law& law)
+                             const std::vector<double>& mass, const Law& law, double time_step)
     : key(std::move(pairs)) {
   const std::size_t n = key.size();
   const std::size_t n_grains = radius.size();
@@ -68,7 +77,7 @@ HotPairs<Law, Dim>::HotPairs(std::vector<NeighborPair<Dim>> pairs, const std::ve
     const double reach = radii[p] + law.range();
     reach_squared[p] = reach * reach;
     share_i[p] = radius[i] / radii[p];
-    damping[p] = law.damping_coefficient(mass[i], mass[j]);
+    damping[p] = lagging_damping(law.damping_coefficient(mass[i], mass[j]), mass[i], mass[j], time_step);
     ++first_of_i[i + 1];
     ++first_with_j[j + 1];
   }

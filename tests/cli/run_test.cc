@@ -1,0 +1,155 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "support/kill_and_resume.h"
+
+namespace floc::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory with the small scene in it, and a whole run of it that several claims look at.
+class RunCommand : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scratch_ = new ScratchDirectory;
+    write_text(scratch_->file("small.toml"), small_scene());
+    whole_ = new Outcome(run_floc("run small.toml -o whole", scratch_->path()));
+  }
+  static void TearDownTestSuite() {
+    delete whole_;
+    delete scratch_;
+  }
+
+  static Outcome run(const std::string& arguments) { return run_floc("run " + arguments, scratch_->path()); }
+  static std::string file(const std::string& name) { return scratch_->file(name); }
+
+  static ScratchDirectory* scratch_;
+  static Outcome* whole_;
+};
+ScratchDirectory* RunCommand::scratch_ = nullptr;
+Outcome* RunCommand::whole_ = nullptr;
+
+TEST_F(RunCommand, SavesAStateAndARowForEachEquilibriumAndNamesWhatComesNext) {
+  EXPECT_EQ(whole_->code, 0) << whole_->err;
+  EXPECT_TRUE(whole_->out.empty());
+  for (int k = 0; k < 9; ++k) EXPECT_TRUE(fs::exists(file("whole/state-000" + std::to_string(k) + ".h5"))) << k;
+  EXPECT_TRUE(fs::is_empty(file("whole/checkpoint")));
+  EXPECT_THAT(whole_->err, ::testing::HasSubstr("floc moduli whole/state-*.h5"));
+  const std::string table = content_of(file("whole/path.csv"));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 10);
+  EXPECT_THAT(table, ::testing::StartsWith("step,branch,P_star,P,phi,void_ratio,L1,L2,z,z_plus,z_minus,z_zero,n_contacts,"
+                                           "n_distant,x0,residual_force,residual_moment,residual_stress,kinetic_energy,"
+                                           "n_negative,time,n_steps,seconds,state\n0,assembly,0,"));
+}
+
+TEST_F(RunCommand, MakesStatesThatVerify) {
+  const Outcome verify = run_floc("verify whole/state-*.h5", scratch_->path());
+  EXPECT_EQ(verify.code, 0) << verify.out << verify.err;
+}
+
+TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
+  // Three blocks of grains, so that both threads have work (tests/unit/relaxation sees them at it); up to the first
+  // equilibrium, since threads that share a core with other tests are slow.
+  const std::string scene = "small.toml --set grains.count=150 --until 0 ";
+  ASSERT_EQ(run(scene + "-o one").code, 0);
+  ASSERT_EQ(run(scene + "-o two --threads 2").code, 0);
+  EXPECT_TRUE(content_of(file("one/state-0000.h5")) == content_of(file("two/state-0000.h5")));
+}
+
+TEST_F(RunCommand, SurvivesTwentyKillsWithoutATrace) { kill_and_resume(20, 5); }
+
+TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    fs::remove_all(file("stopped"));
+    // No checkpoint by the clock: the one found is the signal's.
+    const pid_t child = start_run(scratch_->path(), "small.toml -o stopped --set run.checkpoint_every=1e6");
+    ::usleep(150000);
+    ::kill(child, signal);
+    const int status = wait_for(child);
+    ASSERT_TRUE(WIFEXITED(status));
+    ASSERT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_TRUE(fs::exists(file("stopped/checkpoint/checkpoint.h5")));
+    ASSERT_EQ(run("small.toml -o stopped --resume --set run.checkpoint_every=1e6").code, 0);
+  }
+  // The scene's text differs from the whole run's by the override, so files do too; the physics may not.
+  const Outcome whole = run_floc("moduli whole/state-0008.h5 --format json", scratch_->path());
+  const Outcome stopped = run_floc("moduli stopped/state-0008.h5 --format json", scratch_->path());
+  const auto C11 = [](const Outcome& o) { return nlohmann::json::parse(o.out).at(0).at("C11").get<double>(); };
+  EXPECT_EQ(C11(whole), C11(stopped));
+}
+
+TEST_F(RunCommand, StopsAfterTheStepAskedForAndGoesOn) {
+  ASSERT_EQ(run("small.toml -o until --until 2").code, 0);
+  EXPECT_TRUE(fs::exists(file("until/state-0002.h5")));
+  EXPECT_FALSE(fs::exists(file("until/state-0003.h5")));
+  ASSERT_EQ(run("small.toml -o until --resume").code, 0);
+  expect_same_results(file("whole"), file("until"));
+}
+
+TEST_F(RunCommand, RefusesADirectoryThatHoldsARun) {
+  const Outcome refused = run("small.toml -o whole");
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, ::testing::AllOf(::testing::HasSubstr("whole"), ::testing::HasSubstr("--resume"),
+                                            ::testing::HasSubstr("--overwrite")));
+}
+
+TEST_F(RunCommand, RefusesToContinueAnotherScenesRun) {
+  const Outcome refused = run("small.toml -o whole --resume --set contact.friction.coefficient=0.4");
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, ::testing::HasSubstr("another scene"));
+  EXPECT_EQ(run("small.toml -o whole --resume --seed 4").code, 4);
+}
+
+TEST_F(RunCommand, OverwritesWhenAsked) {
+  ASSERT_EQ(run("small.toml -o over --seed 4 --until 1").code, 0);
+  ASSERT_EQ(run("small.toml -o over --overwrite").code, 0);
+  expect_same_results(file("whole"), file("over"));
+}
+
+TEST_F(RunCommand, CompletesARowThatAKillLeftOut) {
+  fs::copy(file("whole"), file("rowless"), fs::copy_options::recursive);
+  std::string table = content_of(file("whole/path.csv"));
+  table.erase(table.rfind('\n', table.size() - 2) + 1);
+  write_text(file("rowless/path.csv"), table);
+  ASSERT_EQ(run("small.toml -o rowless --resume").code, 0);
+  expect_same_results(file("whole"), file("rowless"));
+}
+
+TEST_F(RunCommand, ReportsADirectoryThatCannotBeWritten) {
+  const Outcome failed = run("small.toml -o /proc/floc");
+  EXPECT_EQ(failed.code, 1);
+  EXPECT_THAT(failed.err, ::testing::HasSubstr("/proc/floc"));
+}
+
+TEST_F(RunCommand, ReportsAFullDiskAndLeavesNoHalfWrittenFile) {
+  // A file-size limit stands in for the full disk: the kernel refuses the write in the same place.
+  const Outcome failed = run_floc("--version >/dev/null; trap '' XFSZ; ulimit -f 4; " + std::string(FLOC_PROGRAM) +
+                                      " run small.toml -o full",
+                                  scratch_->path());
+  EXPECT_EQ(failed.code, 1);
+  EXPECT_THAT(failed.err, ::testing::HasSubstr("full/"));
+  for (const auto& entry : fs::recursive_directory_iterator(file("full")))
+    EXPECT_TRUE(entry.is_directory()) << entry.path();
+}
+
+TEST_F(RunCommand, RefusesATruncatedStateByName) {
+  fs::copy(file("whole"), file("cut"), fs::copy_options::recursive);
+  fs::resize_file(file("cut/state-0008.h5"), 5000);
+  const Outcome refused = run("small.toml -o cut --resume");
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, ::testing::HasSubstr("state-0008.h5"));
+}
+
+TEST_F(RunCommand, SaysWhatIsWrongWithTheCommandLine) {
+  EXPECT_EQ(run("small.toml").code, 2);
+  EXPECT_EQ(run("small.toml -o x --threads 0").code, 2);
+  EXPECT_EQ(run("absent.toml -o x").code, 4);
+}
+
+}  // namespace
+}  // namespace floc::test

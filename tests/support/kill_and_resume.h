@@ -1,0 +1,120 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "floc/base/random.h"
+#include "support/run_program.h"
+
+namespace floc::test {
+
+/// A type 2 scene of a few dozen grains: assembly and nine equilibria in about a second.
+inline std::string small_scene() {
+  return R"([scene]
+name = "small"
+dimension = 2
+units = "reduced"
+[grains]
+count = 40
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e4}
+adhesion = {law = "tail", force = 1.0, range = 1e-2}
+damping = {restitution = 0.015, mass = "effective"}
+friction = {coefficient = 0.5, stiffness = 1e4}
+rolling = {coefficient = 0.005, stiffness = 1.0}
+[cell]
+solid_fraction = 0.4
+mass = 1.0
+strain_rate_cap = 0.05
+[assembly]
+protocol = "aggregation"
+agitation = 3.0
+pressure = 0.01
+[[load]]
+name = "load"
+to = 1.0
+steps_per_decade = 3
+[[load]]
+name = "unload"
+to = 0.1
+steps_per_decade = 1
+[run]
+seed = 3
+checkpoint_every = 0.02
+)";
+}
+
+/// Starts floc run in the background. @return its process
+inline pid_t start_run(const std::string& directory, const std::string& arguments) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const std::string command =
+        std::string("exec ") + FLOC_PROGRAM + " run " + arguments + " 2>/dev/null >/dev/null";
+    if (::chdir(directory.c_str()) == 0) ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    ::_exit(127);
+  }
+  return child;
+}
+
+/// Exit status of a process, as waitpid() gives it.
+inline int wait_for(pid_t child) {
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+/// path.csv without the column of wall times, the one thing that differs from run to run.
+inline std::string rows_without_seconds(const std::string& file) {
+  std::istringstream in(content_of(file));
+  std::string line, kept;
+  while (std::getline(in, line)) {
+    const auto last = line.rfind(',');
+    const auto before = line.rfind(',', last - 1);
+    kept += line.substr(0, before) + line.substr(last) + "\n";
+  }
+  return kept;
+}
+
+/// Every state is byte for byte the same, and every row but for its wall time.
+inline void expect_same_results(const std::string& a, const std::string& b) {
+  int n = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(a)) {
+    const std::string name = entry.path().filename();
+    if (entry.path().extension() != ".h5") continue;
+    ++n;
+    EXPECT_TRUE(content_of(a + "/" + name) == content_of(b + "/" + name)) << name;
+  }
+  EXPECT_EQ(n, 9);
+  EXPECT_EQ(rows_without_seconds(a + "/path.csv"), rows_without_seconds(b + "/path.csv"));
+}
+
+/// Kills a run with SIGKILL at random moments and resumes it each time; when it has ended before the kills are used up, it
+/// begins again. All that it leaves equals the unbroken run's.
+inline void kill_and_resume(int n_kills, std::uint64_t seed) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("small.toml"), small_scene());
+  ASSERT_EQ(run_floc("run small.toml -o whole", scratch.path()).code, 0);
+  RandomStream random(seed, 1);
+  for (int kills = 0; kills < n_kills;) {
+    const pid_t child = start_run(scratch.path(), "small.toml -o broken --resume");
+    ::usleep(static_cast<useconds_t>(1000.0 * random.uniform(1.0, 300.0)));
+    ::kill(child, SIGKILL);
+    const int status = wait_for(child);
+    kills += WIFSIGNALED(status);
+    if (WIFSIGNALED(status)) continue;
+    ASSERT_EQ(WEXITSTATUS(status), 0);
+    expect_same_results(scratch.file("whole"), scratch.file("broken"));
+    std::filesystem::remove_all(scratch.file("broken"));
+  }
+  ASSERT_EQ(run_floc("run small.toml -o broken --resume", scratch.path()).code, 0);
+  expect_same_results(scratch.file("whole"), scratch.file("broken"));
+}
+
+}  // namespace floc::test

@@ -55,7 +55,7 @@ TEST_F(RunCommand, MakesStatesThatVerify) {
 TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
   // Three blocks of grains, so that both threads have work (tests/unit/relaxation sees them at it); up to the first
   // equilibrium, since threads that share a core with other tests are slow.
-  const std::string scene = "small.toml --set grains.count=150 --until 0 ";
+  const std::string scene = "small.toml --set grains.count=130 --until 0 ";
   ASSERT_EQ(run(scene + "-o one").code, 0);
   ASSERT_EQ(run(scene + "-o two --threads 2").code, 0);
   EXPECT_TRUE(content_of(file("one/state-0000.h5")) == content_of(file("two/state-0000.h5")));

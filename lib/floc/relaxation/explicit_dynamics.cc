@@ -1,5 +1,7 @@
 #include "floc/relaxation/explicit_dynamics.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -7,6 +9,7 @@
 #include "floc/contact/law_table.h"
 #include "floc/neighbors/space_order.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/relaxation/barrier.h"
 
 namespace floc {
 namespace {
@@ -88,22 +91,30 @@ void ExplicitDynamics<Dim, Law>::load_histories(const Packing<Dim>& packing) {
 
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::advance(int n_steps, Motion motion) {
-  const int blocks = n_blocks();
-  const int threads = std::min(threads_, blocks);  // a thread without a block would only wait
+  const int threads = std::min(threads_, n_blocks());  // a thread without a block would only wait
+  Barrier barrier(threads);
 #pragma omp parallel num_threads(threads) if (threads > 1)
-  for (int step = 0; step < n_steps; ++step) {
-#pragma omp single
-    begin_step();
-#pragma omp for schedule(static)
-    for (int b = 0; b < blocks; ++b) kick_and_drift(b);
-#pragma omp single
-    if (list_is_stale()) rebuild_list();
-#pragma omp for schedule(static)
-    for (int b = 0; b < blocks; ++b) compute_pairs(b, dt_);
-#pragma omp for schedule(static)
-    for (int b = 0; b < blocks; ++b) sum_and_kick(b, 0.5 * dt_);
-#pragma omp single
-    end_step(motion);
+  {
+    const int thread = omp_get_thread_num();
+    const int first = n_blocks() * thread / threads;
+    const int last = n_blocks() * (thread + 1) / threads;
+    for (int step = 0; step < n_steps; ++step) {
+      if (thread == 0) begin_step();
+      barrier.wait();
+      for (int b = first; b < last; ++b) kick_and_drift(b);
+      barrier.wait();
+      const bool stale = list_is_stale();
+      barrier.wait();  // all have looked before the list changes
+      if (stale) {
+        if (thread == 0) rebuild_list();
+        barrier.wait();
+      }
+      for (int b = first; b < last; ++b) compute_pairs(b, dt_);
+      barrier.wait();
+      for (int b = first; b < last; ++b) sum_and_kick(b, 0.5 * dt_);
+      barrier.wait();
+      if (thread == 0) end_step(motion);
+    }
   }
 }
 

@@ -121,15 +121,17 @@ TEST_F(RunCommand, CompletesARowThatAKillLeftOut) {
 }
 
 TEST_F(RunCommand, ReportsADirectoryThatCannotBeWritten) {
-  const Outcome failed = run("small.toml -o /proc/floc");
+  // Not even root can make a directory below a file.
+  write_text(file("taken"), "a file, no directory");
+  const Outcome failed = run("small.toml -o taken/results");
   EXPECT_EQ(failed.code, 1);
-  EXPECT_THAT(failed.err, ::testing::HasSubstr("/proc/floc"));
+  EXPECT_THAT(failed.err, ::testing::HasSubstr("taken/results"));
 }
 
 TEST_F(RunCommand, ReportsAFullDiskAndLeavesNoHalfWrittenFile) {
   // A file-size limit stands in for the full disk: the kernel refuses the write in the same place.
-  const Outcome failed = run_floc("--version >/dev/null; trap '' XFSZ; ulimit -f 4; " + std::string(FLOC_PROGRAM) +
-                                      " run small.toml -o full",
+  const Outcome failed = run_floc("--version >/dev/null; trap '' XFSZ; ulimit -f 4; " +
+                                      std::string(FLOC_PROGRAM) + " run small.toml -o full",
                                   scratch_->path());
   EXPECT_EQ(failed.code, 1);
   EXPECT_THAT(failed.err, ::testing::HasSubstr("full/"));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "floc/relaxation/relaxation_options.h"
 #include "support/run_program.h"
 
 namespace floc::test {
@@ -29,8 +30,8 @@ TEST(SceneCheck, PrintsTheGroupsOfTheDemo) {
   EXPECT_EQ(group(o.out, "K_T/K_N"), 1.0);
   EXPECT_NEAR(group(o.out, "K_R/(K_N a^2)"), 1e-4, 1e-19);
   EXPECT_EQ(group(o.out, "T0"), 1.0);
-  // 0.2 sqrt(m_min/K_N) with m_min = 1/4.
-  EXPECT_NEAR(group(o.out, "time_step"), 0.1 / std::sqrt(1e5), 1e-18);
+  // The default step in sqrt(m_min/K_N), with m_min = 1/4.
+  EXPECT_NEAR(group(o.out, "time_step"), RelaxationOptions{}.time_step * 0.5 / std::sqrt(1e5), 1e-18);
   // Two at assembly (P* = 0 and 0.01), 25 up, 13 down.
   EXPECT_EQ(group(o.out, "equilibria"), 40);
 }

@@ -94,8 +94,10 @@ class RunDriver {
 
   int give_up() {
     checkpoint();
-    fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}\n", run_.point().step,
-               run_.target().branch, run_.target().pressure, run_.report().blocking);
+    const RelaxationReport report = run_.report();
+    fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time\n",
+               run_.point().step, run_.target().branch, run_.target().pressure, report.blocking,
+               report.decay_rate);
     return kNotConverged;
   }
 

@@ -42,9 +42,10 @@ TEST_F(RunCommand, SavesAStateAndARowForEachEquilibriumAndNamesWhatComesNext) {
   EXPECT_THAT(whole_->err, ::testing::HasSubstr("floc moduli whole/state-*.h5"));
   const std::string table = content_of(file("whole/path.csv"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 10);
-  EXPECT_THAT(table, ::testing::StartsWith("step,branch,P_star,P,phi,void_ratio,L1,L2,z,z_plus,z_minus,z_zero,n_contacts,"
-                                           "n_distant,x0,residual_force,residual_moment,residual_stress,kinetic_energy,"
-                                           "n_negative,time,n_steps,seconds,state\n0,assembly,0,"));
+  EXPECT_THAT(table, ::testing::StartsWith(
+                         "step,branch,P_star,P,phi,void_ratio,L1,L2,z,z_plus,z_minus,z_zero,n_contacts,"
+                         "n_distant,x0,residual_force,residual_moment,residual_stress,kinetic_energy,"
+                         "n_negative,time,n_steps,seconds,state\n0,assembly,0,"));
 }
 
 TEST_F(RunCommand, MakesStatesThatVerify) {
@@ -61,7 +62,9 @@ TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
   EXPECT_TRUE(content_of(file("one/state-0000.h5")) == content_of(file("two/state-0000.h5")));
 }
 
-TEST_F(RunCommand, SurvivesTwentyKillsWithoutATrace) { kill_and_resume(20, 5); }
+TEST_F(RunCommand, SurvivesTwentyKillsWithoutATrace) {
+  kill_and_resume(20, 5);
+}
 
 TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
   for (const int signal : {SIGINT, SIGTERM}) {
@@ -89,6 +92,21 @@ TEST_F(RunCommand, StopsAfterTheStepAskedForAndGoesOn) {
   EXPECT_FALSE(fs::exists(file("until/state-0003.h5")));
   ASSERT_EQ(run("small.toml -o until --resume").code, 0);
   expect_same_results(file("whole"), file("until"));
+}
+
+TEST_F(RunCommand, SaysWhatBlocksAStepThatDoesNotConverge) {
+  const Outcome moving = run("small.toml -o short --set equilibrium.max_time=150");
+  EXPECT_EQ(moving.code, 3);
+  EXPECT_THAT(moving.err,
+              ::testing::AllOf(::testing::HasSubstr("did not converge"), ::testing::HasSubstr("against")));
+  const Outcome apart = run("small.toml -o apart --set equilibrium.max_time=1");
+  EXPECT_EQ(apart.code, 3);
+  EXPECT_THAT(apart.err, ::testing::HasSubstr("clusters, expected one"));
+}
+
+TEST_F(RunCommand, TakesAStaticStepWhereNothingRearranges) {
+  ASSERT_EQ(run("small.toml -o static --set equilibrium.finish=static").code, 0);
+  EXPECT_EQ(run_floc("verify static/state-*.h5", scratch_->path()).code, 0);
 }
 
 TEST_F(RunCommand, RefusesADirectoryThatHoldsARun) {

@@ -30,7 +30,7 @@ damping = {restitution = 0.015, mass = "effective"}
 friction = {coefficient = 0.5, stiffness = 1e4}
 rolling = {coefficient = 0.005, stiffness = 1.0}
 [cell]
-solid_fraction = 0.4
+solid_fraction = 0.5
 mass = 1.0
 strain_rate_cap = 0.05
 [assembly]

@@ -1,5 +1,7 @@
 #include "floc/loading/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -76,8 +78,13 @@ RunEvent Run<Dim>::advance() {
     point_.aggregation_skin = aggregation_->skin();
     point_.time += aggregation_->stretch_time();
     point_.n_steps += Aggregation<Dim>::stretch_steps();
-    if (!point_.aggregating) start_step();
-    return RunEvent::stretch;
+    if (!point_.aggregating) {
+      start_step();
+      return RunEvent::stretch;
+    }
+    const double longest =
+        options_.relaxation.max_time * inertial_time(point_.packing, Vec<Dim>(Vec<Dim>::Zero()));
+    return point_.time > longest ? RunEvent::gave_up : RunEvent::stretch;
   }
   const RelaxationStatus status = relaxer_->advance();
   point_.packing = relaxer_->packing();
@@ -104,6 +111,14 @@ State<Dim> Run<Dim>::state() const {
   state.provenance.stream_state = point_.stream_state;
   state.provenance.parent_sha256 = point_.parent_sha256;
   return state;
+}
+
+template <int Dim>
+RelaxationReport Run<Dim>::report() const {
+  if (!point_.aggregating) return relaxer_->report();
+  RelaxationReport report;
+  report.blocking = fmt::format("{} clusters, expected one", aggregation_->n_clusters());
+  return report;
 }
 
 template <int Dim>

@@ -71,8 +71,8 @@ class Run {
 
   const RunPoint<Dim>& point() const { return point_; }
   const PlannedEquilibrium& target() const { return plan_[point_.step]; }
-  /// Of the present relaxation; not while aggregating.
-  RelaxationReport report() const { return relaxer_->report(); }
+  /// Where the present step stands.
+  RelaxationReport report() const;
   int n_clusters() const { return aggregation_ ? aggregation_->n_clusters() : 1; }
 
  private:

@@ -13,9 +13,9 @@ template <int Dim>
 struct HotGrains {
   using Component = std::vector<double>;
 
-  std::vector<int> index;             ///< index in the packing of the k-th grain here
-  std::array<Component, Dim> x;       ///< position, not wrapped while this lives
-  std::array<Component, Dim> v;       ///< peculiar velocity
+  std::vector<int> index;        ///< index in the packing of the k-th grain here
+  std::array<Component, Dim> x;  ///< position, not wrapped while this lives
+  std::array<Component, Dim> v;  ///< peculiar velocity
   std::array<Component, Dim> force;
   std::array<Component, kRotations<Dim>> spin;
   std::array<Component, kRotations<Dim>> torque;

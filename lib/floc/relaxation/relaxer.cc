@@ -25,8 +25,6 @@ constexpr double kFinishPhi = 1e-4;
 /// The polisher is tried where it is known to succeed, and after a failure again a while later.
 constexpr double kPolishResidual = 5e-3;
 constexpr int kPolishPause = 8;
-/// A relaxation that takes longer than this many time units is given up.
-constexpr double kLongest = 2e4;
 
 double first_skin(const RelaxationOptions& options, double a) {
   return options.skin ? *options.skin * a : 0.05 * a;
@@ -89,6 +87,8 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, const Packing<Dim>& pack
 
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::advance() {
+  if (options_.finish == Finish::statics && progress_.n_steps == 0 && solved_at_once())
+    return RelaxationStatus::converged;
   CellControl<Dim> control;
   control.target = target_;
   control.mass =
@@ -106,7 +106,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   progress_.force_residual.push_back(residuals_.force);
   if (progress_.force_residual.size() > 10) progress_.force_residual.erase(progress_.force_residual.begin());
   const RelaxationStatus status = finishing ? judge_finish() : judge_motion();
-  if (status == RelaxationStatus::running && progress_.time > kLongest * time_unit_)
+  if (status == RelaxationStatus::running && progress_.time > options_.max_time * time_unit_)
     return RelaxationStatus::gave_up;
   return status;
 }
@@ -134,15 +134,14 @@ bool Relaxer<Dim>::density_still() {
   return phi.size() == window && *high - *low < kStillPhi;
 }
 
-/// Without any load a floppy packing coasts on for ever at the speed its assembly left it; that no contact opens or
-/// closes is then what tells that nothing happens any more.
+/// Vibrations that nothing damps, and the coasting of a floppy packing without load, may move the density for ever; that
+/// no contact opens or closes for long is then what tells that nothing rearranges any more.
 template <int Dim>
 bool Relaxer<Dim>::contacts_still() {
   const std::uint64_t set = contact_fingerprint(packing_);
   progress_.unchanged_stretches = set == progress_.contact_set ? progress_.unchanged_stretches + 1 : 0;
   progress_.contact_set = set;
-  return target_.isZero(0.0) &&
-         progress_.unchanged_stretches >= static_cast<int>(stretches_in(kStillContactsWindow));
+  return progress_.unchanged_stretches >= static_cast<int>(stretches_in(kStillContactsWindow));
 }
 
 template <int Dim>
@@ -156,7 +155,8 @@ RelaxationStatus Relaxer<Dim>::judge_motion() {
   const bool answered = answered_to_load();
   const bool still_density = density_still();
   const bool still_contacts = contacts_still();
-  const bool still = (still_density && answered) || still_contacts;
+  const bool unloaded = target_.isZero(0.0);
+  const bool still = (answered && still_density) || ((answered || unloaded) && still_contacts);
   if (still && residuals_.energy < options_.tolerance.energy) {
     progress_.stage = RelaxationProgress::finishing;
     progress_.finishing_since_phi = progress_.solid_fraction.back();
@@ -185,16 +185,30 @@ RelaxationStatus Relaxer<Dim>::judge_finish() {
   return RelaxationStatus::converged;
 }
 
-/// Replaces the packing by the polished one where that is an equilibrium within tolerance.
 template <int Dim>
 bool Relaxer<Dim>::polish() {
+  return accept(solve_statics(packing_, target_, StaticSolverOptions{}), "polished");
+}
+
+/// A static step without dynamics. Contacts left at their cap would settle further in motion, so such a state is left
+/// to the dynamics.
+template <int Dim>
+bool Relaxer<Dim>::solved_at_once() {
   const StaticSolution<Dim> solution = solve_statics(packing_, target_, StaticSolverOptions{});
+  const auto& contacts = solution.packing.contacts;
+  const auto at_cap = [](const Contact<Dim>& c) { return c.sliding || c.rolling_yield; };
+  return std::none_of(contacts.begin(), contacts.end(), at_cap) && accept(solution, "static");
+}
+
+/// Takes a static solution over where it is an equilibrium within tolerance.
+template <int Dim>
+bool Relaxer<Dim>::accept(const StaticSolution<Dim>& solution, const char* ending) {
   if (!solution.converged) return false;
   const Residuals reached = residuals(solution.packing, target_);
   if (!reached.within(options_.tolerance)) return false;
   packing_ = solution.packing;
   residuals_ = reached;
-  ending_ = "polished";
+  ending_ = ending;
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/relaxation/relaxation_options.h"
+#include "floc/relaxation/static_solver.h"
 
 namespace floc {
 
@@ -33,7 +34,7 @@ enum class RelaxationStatus { running, converged, gave_up };
 /// How a relaxation ended or where it stands, in numbers and words.
 struct RelaxationReport {
   Residuals residuals;
-  std::string ending;       ///< "polished", "dynamic"; empty while it runs
+  std::string ending;       ///< "polished", "dynamic", "static"; empty while it runs
   std::string blocking;     ///< criterion that is worst against its tolerance, with its grain
   double decay_rate = 0.0;  ///< of the force residual (1/time); positive when it falls
 };
@@ -62,6 +63,8 @@ class Relaxer {
   RelaxationStatus judge_motion();
   RelaxationStatus judge_finish();
   bool polish();
+  bool solved_at_once();
+  bool accept(const StaticSolution<Dim>& solution, const char* ending);
 
   RelaxationOptions options_;
   Packing<Dim> packing_;

@@ -319,6 +319,8 @@ void read_equilibrium(TableReader& root, RelaxationOptions& relaxation) {
   tolerance.stress = t.number("stress", rule, Need::optional).value_or(tolerance.stress);
   tolerance.energy = t.number("energy", rule, Need::optional).value_or(tolerance.energy);
   const auto finish = t.choice("finish", {"auto", "dynamic", "static"}, Need::optional);
+  relaxation.max_time = t.number("max_time", {positive, "a positive number (in sqrt(a m/F1))"}, Need::optional)
+                            .value_or(relaxation.max_time);
   relaxation.finish = std::array{Finish::automatic, Finish::dynamic, Finish::statics}[finish.value_or(0)];
   t.refuse_other_keys();
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "floc/base/error.h"
@@ -39,12 +40,21 @@ constexpr bool is_stable_step(double x) {
   return x > 0 && x < 0.4;
 }
 
+constexpr bool is_steps_per_decade(double x) {
+  return x > 0 && x <= 1000;
+}
+constexpr std::int64_t kLargestInt = std::numeric_limits<int>::max();
+/// The unknowns of the packing, three a grain, are counted in an int.
+constexpr std::int64_t kMostGrains = 100'000'000;
+constexpr std::int64_t kMostSteps = 10'000;
+constexpr std::int64_t kMostThreads = 1024;
+
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 
 void read_scene_table(TableReader& root, Scene& scene) {
   TableReader t = root.table("scene", "a table [scene]");
   scene.name = t.text("name", "a string", Need::optional).value_or(scene.name);
-  scene.dimension = static_cast<int>(t.integer("dimension", 2, "2").value_or(2));
+  scene.dimension = static_cast<int>(t.integer("dimension", {2, kLargestInt, "2"}).value_or(2));
   if (scene.dimension != 2)
     t.fault("dimension", fmt::format("scene.dimension = {}: expected 2; scenes are assembled in the plane only",
                                      scene.dimension));
@@ -71,6 +81,7 @@ std::vector<double> read_list_file(const std::string& path, SceneSource& source)
                         fmt::format("'{}': expected a positive number", word));
     }
   }
+  if (in.eof() && values.empty()) source.fault_at(path, "holds no diameters: expected one a line");
   return values;
 }
 
@@ -120,7 +131,7 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
 
 void read_grains(TableReader& root, SceneSource& source, const std::string& directory, Scene& scene) {
   TableReader t = root.table("grains", "a table [grains]");
-  const auto count = t.integer("count", 2, "a whole number of grains, at least 2");
+  const auto count = t.integer("count", {2, kMostGrains, "a whole number of grains, 2 to 1e8"});
   scene.grains.count = static_cast<int>(count.value_or(0));
   scene.grains.density = t.number("density", {positive, "a positive number (mass per area in 2D)"},
                                   scene.units == "SI" ? Need::required : Need::optional);
@@ -281,8 +292,10 @@ LoadTurn read_turn(TableReader t, double from, LawParameters& law) {
                             : turn.to < from ? "unload"
                                              : "hold");
   turn.steps_per_decade = t.number(
-      "steps_per_decade", {positive, "a positive number of steps a factor ten of pressure"}, Need::optional);
-  if (const auto steps = t.integer("steps", 1, "a whole number of steps, at least 1", Need::optional))
+      "steps_per_decade", {is_steps_per_decade, "a number of steps a factor ten of pressure, in (0, 1000]"},
+      Need::optional);
+  if (const auto steps =
+          t.integer("steps", {1, kMostSteps, "a whole number of steps, 1 to 10000"}, Need::optional))
     turn.steps = static_cast<int>(*steps);
   const bool by_decade = t.has("steps_per_decade");
   const bool by_number = t.has("steps");
@@ -327,9 +340,11 @@ void read_equilibrium(TableReader& root, RelaxationOptions& relaxation) {
 
 void read_run(TableReader& root, Scene& scene) {
   TableReader t = root.table("run", "a table [run]", Need::optional);
-  const auto seed = t.integer("seed", 0, "a whole number >= 0", Need::optional);
+  const auto seed =
+      t.integer("seed", {0, std::numeric_limits<std::int64_t>::max(), "a whole number >= 0"}, Need::optional);
   scene.seed = static_cast<std::uint64_t>(seed.value_or(static_cast<std::int64_t>(scene.seed)));
-  const auto threads = t.integer("threads", 1, "a whole number of threads, at least 1", Need::optional);
+  const auto threads =
+      t.integer("threads", {1, kMostThreads, "a whole number of threads, 1 to 1024"}, Need::optional);
   scene.relaxation.threads = static_cast<int>(threads.value_or(scene.relaxation.threads));
   scene.relaxation.time_step =
       t.number("time_step", {is_stable_step, "a number in (0, 0.4) (in sqrt(m_min/K); unstable beyond)"},

@@ -52,12 +52,12 @@ std::optional<double> TableReader::number(const std::string& key, NumberRule rul
   return std::nullopt;
 }
 
-std::optional<std::int64_t> TableReader::integer(const std::string& key, std::int64_t at_least,
-                                                 const char* expectation, Need need) {
-  const toml::node* node = find(key, expectation, need);
+std::optional<std::int64_t> TableReader::integer(const std::string& key, IntegerRule rule, Need need) {
+  const toml::node* node = find(key, rule.expectation, need);
   if (!node) return std::nullopt;
-  if (node->is_integer() && node->as_integer()->get() >= at_least) return node->as_integer()->get();
-  refuse_value(key, *node, expectation);
+  const std::int64_t value = node->is_integer() ? node->as_integer()->get() : 0;
+  if (node->is_integer() && value >= rule.at_least && value <= rule.at_most) return value;
+  refuse_value(key, *node, rule.expectation);
   return std::nullopt;
 }
 
@@ -130,7 +130,7 @@ std::vector<double> TableReader::numbers(const std::string& key, NumberRule rule
     if (!value || !rule.holds(*value)) break;
     values.push_back(*value);
   }
-  if (!array || values.size() != array->size()) {
+  if (!array || array->empty() || values.size() != array->size()) {
     refuse_value(key, *node, rule.expectation);
     values.clear();
   }

@@ -15,6 +15,12 @@ struct NumberRule {
   const char* expectation;
 };
 
+/// What a whole number must be: its limits, and the same in words.
+struct IntegerRule {
+  std::int64_t at_least, at_most;
+  const char* expectation;
+};
+
 /// Reads the keys of one table of a scene and remembers which it was asked for, so that every other key is a
 /// fault. A fault is recorded, not thrown, and the value is then absent. A reader of a missing table answers
 /// nothing and adds no further faults.
@@ -33,8 +39,7 @@ class TableReader {
 
   bool has(const std::string& key) const { return table_ && table_->contains(key); }
   std::optional<double> number(const std::string& key, NumberRule rule, Need need = Need::required);
-  std::optional<std::int64_t> integer(const std::string& key, std::int64_t at_least, const char* expectation,
-                                      Need need = Need::required);
+  std::optional<std::int64_t> integer(const std::string& key, IntegerRule rule, Need need = Need::required);
   std::optional<std::string> text(const std::string& key, const char* expectation, Need need = Need::required);
   /// Index of the key's value among `choices`.
   std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& choices,
@@ -44,6 +49,7 @@ class TableReader {
   std::vector<TableReader> tables(const std::string& key, const char* expectation);
   /// Numbers of a table, tables in it flattened to dotted keys.
   std::vector<std::pair<std::string, double>> flat_numbers(const std::string& key);
+  /// An array of numbers that all hold the rule, at least one; empty if the key is missing or faulty.
   std::vector<double> numbers(const std::string& key, NumberRule rule);
 
   /// Records a fault about a key of this table, or about the table when it lacks the key.

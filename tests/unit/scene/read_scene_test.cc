@@ -216,6 +216,16 @@ INSTANTIATE_TEST_SUITE_P(
                  "adhesion.force"},
         BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nset = {normal.stiffness = -2}",
                  "contact.normal.stiffness = -2: must be positive"},
+        BadScene{
+            "steps_per_decade = 8", "steps_per_decade = 1e9",
+            "load.0.steps_per_decade = 1000000000: expected a number of steps a factor ten of pressure, in "
+            "(0, 1000]"},
+        BadScene{"steps_per_decade = 8", "steps = 1000000000",
+                 "load.0.steps = 1000000000: expected a whole number"},
+        BadScene{"count = 40", "count = 99999999999",
+                 "grains.count = 99999999999: expected a whole number of grains, 2 to 1e8"},
+        BadScene{"{distribution = \"uniform\", min = 0.5, max = 1.0}", "{distribution = \"list\", values = []}",
+                 "grains.diameter.values = []: expected an array of positive numbers"},
         BadScene{"[[load]]", "[load]", "load = a table: expected tables [[load]]"},
         BadScene{"[cell]", "[cell", "s.toml:13"}));
 
@@ -276,6 +286,9 @@ TEST(ReadScene, AListOfDiametersIsReadBesideTheSceneAndKeptInItsText) {
   std::ofstream(dir / "d.txt") << "0.5 0.75\n-1.0\n";
   EXPECT_THAT([&] { read_scene((dir / "s.toml").string()); },
               testing::ThrowsMessage<InputError>(HasSubstr("d.txt:2: '-1.0': expected a positive number")));
+  std::ofstream(dir / "d.txt") << "# nothing yet\n";
+  EXPECT_THAT([&] { read_scene((dir / "s.toml").string()); },
+              testing::ThrowsMessage<InputError>(HasSubstr("d.txt: holds no diameters")));
   std::filesystem::remove_all(dir);
 }
 

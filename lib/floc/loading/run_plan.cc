@@ -5,10 +5,8 @@
 #include "floc/base/error.h"
 
 namespace floc {
-namespace {
 
-/// The parameter a key names, or null when its slot is absent or there is no such key.
-double* parameter(LawParameters& law, const std::string& key) {
+double* law_number(LawParameters& law, const std::string& key) {
   if (key == "normal.stiffness") return &law.normal_stiffness;
   if (law.adhesion && key == "adhesion.force") return &law.adhesion->force;
   if (law.adhesion && key == "adhesion.range") return &law.adhesion->range;
@@ -20,10 +18,8 @@ double* parameter(LawParameters& law, const std::string& key) {
   return nullptr;
 }
 
-}  // namespace
-
 void change_law(LawParameters& law, const std::string& key, double value) {
-  double* const target = parameter(law, key);
+  double* const target = law_number(law, key);
   if (target == nullptr)
     throw InputError("load.set",
                      fmt::format("{} = {}: the scene's contact law has no such parameter", key, value));

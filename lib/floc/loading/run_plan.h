@@ -22,6 +22,10 @@ struct PlannedEquilibrium {
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
                                          const std::vector<LoadTurn>& load);
 
+/// The number of a contact law that a key names, or null when its slot is absent or there is no such key.
+/// @param key  path below [contact], e.g. "adhesion.force"
+double* law_number(LawParameters& law, const std::string& key);
+
 /// Makes one change of a contact law: "adhesion.force" = 0, "friction.coefficient" = 0.3, ...
 /// @param key  path below [contact]
 /// @throws InputError if the key is unknown, its slot absent, or the law would be invalid

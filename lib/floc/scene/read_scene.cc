@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "floc/base/error.h"
+#include "floc/loading/run_plan.h"
 #include "floc/scene/table_reader.h"
 
 namespace floc {
@@ -244,19 +245,6 @@ void read_assembly(TableReader& root, Scene& scene) {
              "assembly.agitation: grains start at rest with protocol = \"direct\"; expected "
              "\"aggregation\", or no agitation");
   t.refuse_other_keys();
-}
-
-/// The number of a contact law that a dotted key names; null if the law has none such.
-double* law_number(LawParameters& law, const std::string& key) {
-  if (key == "normal.stiffness") return &law.normal_stiffness;
-  if (key == "adhesion.force" && law.adhesion) return &law.adhesion->force;
-  if (key == "adhesion.range" && law.adhesion) return &law.adhesion->range;
-  if (key == "damping.restitution" && law.damping) return &law.damping->restitution;
-  if (key == "friction.coefficient" && law.friction) return &law.friction->coefficient;
-  if (key == "friction.stiffness" && law.friction) return &law.friction->stiffness;
-  if (key == "rolling.coefficient" && law.rolling) return &law.rolling->coefficient;
-  if (key == "rolling.stiffness" && law.rolling) return &law.rolling->stiffness;
-  return nullptr;
 }
 
 std::vector<std::string> law_keys(LawParameters law) {

@@ -1,0 +1,92 @@
+#include "floc/loading/run_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "floc/base/error.h"
+#include "support/dynamics.h"
+
+namespace floc {
+namespace {
+
+using testing::HasSubstr;
+
+AssemblyOptions assembly(AssemblyOptions::Protocol protocol) {
+  AssemblyOptions a;
+  a.protocol = protocol;
+  a.pressure = 0.01;
+  return a;
+}
+
+LoadTurn hold(double at, const std::string& key, double value) {
+  LoadTurn turn;
+  turn.name = "hold";
+  turn.to = at;
+  turn.set = {{key, value}};
+  return turn;
+}
+
+TEST(PlanRun, WithoutLoadIsTheAssemblyAlone) {
+  using Protocol = AssemblyOptions::Protocol;
+  const auto direct = plan_run(assembly(Protocol::direct), test::cohesive_law(), {});
+  ASSERT_EQ(direct.size(), 1u);
+  EXPECT_EQ(direct[0].pressure, 0.01);
+  const auto aggregation = plan_run(assembly(Protocol::aggregation), test::cohesive_law(), {});
+  ASSERT_EQ(aggregation.size(), 2u);
+  EXPECT_EQ(aggregation[0].pressure, 0.0);
+  EXPECT_EQ(aggregation[1].pressure, 0.01);
+  EXPECT_EQ(aggregation[1].branch, "assembly");
+}
+
+TEST(PlanRun, ChangesOfATurnHoldFromThereOn) {
+  LoadTurn up;
+  up.name = "load";
+  up.to = 1.0;
+  up.steps = 2;
+  const auto plan = plan_run(assembly(AssemblyOptions::Protocol::direct), test::cohesive_law(),
+                             {hold(0.01, "adhesion.force", 0.0), up});
+  ASSERT_EQ(plan.size(), 4u);
+  EXPECT_EQ(plan[0].law, test::cohesive_law());
+  for (int k = 1; k < 4; ++k) EXPECT_EQ(plan[k].law.pull_off_force(), 0.0) << k;
+  EXPECT_EQ(plan[1].pressure, 0.01);
+  EXPECT_EQ(plan[3].branch, "load");
+}
+
+TEST(PlanRun, RefusesChangesThatTheLawHasNoPlaceFor) {
+  const AssemblyOptions direct = assembly(AssemblyOptions::Protocol::direct);
+  LawParameters law = test::cohesive_law();
+  law.rolling.reset();
+  EXPECT_THAT(
+      [&] { (void)plan_run(direct, law, {hold(0.01, "rolling.coefficient", 0.1)}); },
+      testing::ThrowsMessage<InputError>(HasSubstr("rolling.coefficient = 0.1: the scene's contact law")));
+  EXPECT_THAT(
+      [&] { (void)plan_run(direct, law, {hold(0.01, "friction.stiffness", -1.0)}); },
+      testing::ThrowsMessage<InputError>(HasSubstr("contact.friction.stiffness = -1: must be positive")));
+}
+
+TEST(PlanRun, RefusesEquilibriumWithoutPressureAndAdhesion) {
+  EXPECT_THAT(
+      [] {
+        (void)plan_run(assembly(AssemblyOptions::Protocol::direct), test::cohesive_law(),
+                       {hold(0.0, "adhesion.force", 0.0)});
+      },
+      testing::ThrowsMessage<InputError>(HasSubstr("branch \"hold\" asks for equilibrium at zero pressure")));
+}
+
+TEST(LawNumber, IsFoundForEveryKeyOfAFullLaw) {
+  LawParameters law = test::cohesive_law();
+  for (const char* key :
+       {"normal.stiffness", "adhesion.force", "adhesion.range", "damping.restitution", "friction.coefficient",
+        "friction.stiffness", "rolling.coefficient", "rolling.stiffness"}) {
+    double* const number = law_number(law, key);
+    ASSERT_NE(number, nullptr) << key;
+    const LawParameters before = law;
+    *number *= 0.5;
+    EXPECT_NE(law, before) << key;
+  }
+  EXPECT_EQ(law_number(law, "friction"), nullptr);
+  EXPECT_EQ(law.rolling->stiffness, 0.5 * test::cohesive_law().rolling->stiffness);
+}
+
+}  // namespace
+}  // namespace floc

@@ -8,6 +8,7 @@
 
 #include "floc/assembly/gas.h"
 #include "floc/base/version.h"
+#include "floc/packing/contact_forces.h"
 
 namespace floc {
 namespace {
@@ -64,7 +65,11 @@ void Run<Dim>::start_step() {
     return;
   }
   aggregation_.reset();
-  point_.packing.law = target().law;
+  if (point_.packing.law != target().law) {
+    // The relaxer takes the imbalance it has to answer from the forces in the contact list.
+    point_.packing.law = target().law;
+    refresh_contacts(point_.packing);
+  }
   relaxer_ = std::make_unique<Relaxer<Dim>>(options_.relaxation, point_.packing,
                                             Vec<Dim>::Constant(target().pressure), point_.relaxation);
 }

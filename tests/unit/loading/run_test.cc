@@ -1,0 +1,54 @@
+#include "floc/loading/run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "floc/neighbors/find_contacts.h"
+#include "support/dynamics.h"
+
+namespace floc {
+namespace {
+
+/// A run that holds its first pressure and takes the adhesion away.
+RunOptions losing_adhesion() {
+  RunOptions options;
+  options.law = test::cohesive_law();
+  options.assembly.pressure = 0.5;
+  LoadTurn hold;
+  hold.name = "hold";
+  hold.to = 0.5;
+  hold.set = {{"adhesion.force", 0.0}};
+  options.load = {hold};
+  options.relaxation.strain_rate_cap = 0.05;
+  return options;
+}
+
+TEST(Run, StepsThatChangeTheLawStartFromTheForcesOfTheNewOne) {
+  RunPoint<2> point;
+  point.step = 1;
+  point.packing = test::gas_of(30, test::cohesive_law(), 0.6);
+  point.packing.cell.matrix *= 0.85;
+  for (Vec<2>& x : point.packing.grains.position) x *= 0.85;
+  find_contacts(point.packing);
+  const auto n_distant = [](const Packing<2>& packing) {
+    return std::count_if(packing.contacts.begin(), packing.contacts.end(),
+                         [](const auto& c) { return c.distant; });
+  };
+  const auto n_touching = point.packing.contacts.size() - n_distant(point.packing);
+  ASSERT_GT(n_touching, 10u);
+  const floc::Run<2> run(losing_adhesion(), point);
+  EXPECT_EQ(run.point().packing.contacts.size(), n_touching);
+  for (const Contact<2>& c : run.point().packing.contacts) EXPECT_EQ(c.normal_force, c.elastic_force);
+}
+
+TEST(Run, AtItsEndIsFinishedAndNeedsNoTarget) {
+  RunPoint<2> point;
+  point.step = 2;
+  point.packing = test::gas_of(30, test::cohesive_law(), 0.3);
+  const floc::Run<2> run(losing_adhesion(), point);
+  EXPECT_TRUE(run.finished());
+}
+
+}  // namespace
+}  // namespace floc

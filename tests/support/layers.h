@@ -28,7 +28,7 @@ inline const LayerOrder& layer_order() {
       {"neighbors", {"packing"}},
       {"network", {"packing", "contact"}},
       {"elasticity", {"network", "linalg"}},
-      {"relaxation", {"neighbors", "network", "linalg"}},
+      {"relaxation", {"neighbors", "elasticity"}},
       {"assembly", {"relaxation"}},
       {"loading", {"assembly", "relaxation"}},
       {"structure", {"packing", "network"}},

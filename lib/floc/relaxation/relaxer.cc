@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "floc/elasticity/stability.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/static_solver.h"
 
@@ -33,6 +34,13 @@ double first_skin(const RelaxationOptions& options, double a) {
 template <int Dim>
 double heaviest(const Packing<Dim>& packing) {
   return *std::max_element(packing.grains.mass.begin(), packing.grains.mass.end());
+}
+
+/// An equilibrium has to be stable (PHYSICS section 1). A static solution need not be: with a tail, a grain that could
+/// roll onto its neighbour has a saddle on the way.
+template <int Dim>
+bool stable(const Packing<Dim>& packing) {
+  return count_negative_eigenvalues(packing) == 0;
 }
 
 /// Fingerprint of which grains touch (FNV-1a over the pairs).
@@ -180,7 +188,7 @@ RelaxationStatus Relaxer<Dim>::judge_finish() {
     if (polish()) return RelaxationStatus::converged;
     progress_.next_polish = progress_.finishing_stretches + kPolishPause;
   }
-  if (!within) return RelaxationStatus::running;
+  if (!within || !stable(packing_)) return RelaxationStatus::running;
   ending_ = "dynamic";
   return RelaxationStatus::converged;
 }
@@ -205,7 +213,7 @@ template <int Dim>
 bool Relaxer<Dim>::accept(const StaticSolution<Dim>& solution, const char* ending) {
   if (!solution.converged) return false;
   const Residuals reached = residuals(solution.packing, target_);
-  if (!reached.within(options_.tolerance)) return false;
+  if (!reached.within(options_.tolerance) || !stable(solution.packing)) return false;
   packing_ = solution.packing;
   residuals_ = reached;
   ending_ = ending;

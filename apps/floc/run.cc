@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -9,8 +10,10 @@
 #include <vector>
 
 #include "command.h"
+#include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
 #include "run_directory.h"
+#include "run_ensemble.h"
 #include "run_monitor.h"
 
 namespace floc {
@@ -27,6 +30,8 @@ struct RunArguments {
   std::string directory;
   std::vector<std::string> overrides;
   std::optional<std::uint64_t> seed;
+  std::string seeds;
+  int jobs = 1;
   std::optional<int> threads;
   std::optional<int> until;
   bool resume = false;
@@ -134,6 +139,25 @@ int run_scene(const RunArguments& arguments) {
   return code;
 }
 
+/// One process a seed, each a run of this scene with these arguments.
+int run_seeds(const RunArguments& arguments) {
+  const SeedRange seeds = parse_seeds(arguments.seeds);
+  const Scene scene = read_scene(arguments.scene, arguments.overrides);
+  (void)plan_run(scene.assembly, scene.law, scene.load);  // a bad path is told once, before any sample starts
+  const std::string& directory = arguments.directory;
+  const bool used = std::filesystem::exists(directory) && !std::filesystem::is_empty(directory);
+  if (used && !arguments.resume && !arguments.overwrite)
+    throw InputError(directory,
+                     "is not empty: give --resume to continue the runs in it or --overwrite to replace them");
+  std::vector<std::string> words = {arguments.scene};
+  for (const std::string& change : arguments.overrides) words.insert(words.end(), {"--set", change});
+  if (arguments.threads) words.insert(words.end(), {"--threads", std::to_string(*arguments.threads)});
+  if (arguments.until) words.insert(words.end(), {"--until", std::to_string(*arguments.until)});
+  if (arguments.resume) words.emplace_back("--resume");
+  if (arguments.overwrite) words.emplace_back("--overwrite");
+  return run_ensemble(directory, seeds, arguments.jobs, words, arguments.resume);
+}
+
 }  // namespace
 
 Command add_run(CLI::App& program) {
@@ -145,7 +169,14 @@ Command add_run(CLI::App& program) {
   CLI::Option* resume = app->add_flag("--resume", arguments->resume,
                                       "Continue the run in the directory (harmless on a first run)");
   app->add_flag("--overwrite", arguments->overwrite, "Replace the run in the directory")->excludes(resume);
-  app->add_option("--seed", arguments->seed, "Seed of the random numbers, instead of run.seed");
+  CLI::Option* seed =
+      app->add_option("--seed", arguments->seed, "Seed of the random numbers, instead of run.seed");
+  CLI::Option* seeds = app->add_option("--seeds", arguments->seeds,
+                                       "A..B: an ensemble, one sample a seed in a directory seed-N of its own")
+                           ->excludes(seed);
+  app->add_option("--jobs", arguments->jobs, "Samples that run at the same time")
+      ->needs(seeds)
+      ->check(CLI::Range(1, 1024));
   app->add_option("--threads", arguments->threads, "Threads; results are the same for any number")
       ->check(CLI::Range(1, 1024));
   app->add_option("--set", arguments->overrides,
@@ -153,7 +184,8 @@ Command add_run(CLI::App& program) {
       ->allow_extra_args(false);
   app->add_option("--until", arguments->until, "Stop after the equilibrium of this number")
       ->check(CLI::NonNegativeNumber);
-  return {app, [arguments] { return run_scene(*arguments); }};
+  return {app,
+          [arguments] { return arguments->seeds.empty() ? run_scene(*arguments) : run_seeds(*arguments); }};
 }
 
 }  // namespace floc

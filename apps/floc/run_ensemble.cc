@@ -1,0 +1,135 @@
+#include "run_ensemble.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <map>
+
+#include "command.h"
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "output.h"
+
+namespace floc {
+namespace fs = std::filesystem;
+namespace {
+
+volatile std::sig_atomic_t g_signal = 0;
+
+void remember_signal(int signal) {
+  g_signal = signal;
+}
+
+/// Between two looks at the samples (microseconds): they run for seconds at least.
+constexpr useconds_t kPause = 20000;
+
+class Ensemble {
+ public:
+  Ensemble(std::string directory, const std::vector<std::string>& arguments, bool append)
+      : directory_(std::move(directory)),
+        program_(fs::read_symlink("/proc/self/exe").string()),
+        arguments_(arguments),
+        append_(append) {}
+
+  int n_running() const { return static_cast<int>(seed_of_.size()); }
+  int code() const { return code_; }
+
+  void start(std::uint64_t seed) {
+    const std::string sample = fmt::format("{}/seed-{}", directory_, seed);
+    std::vector<std::string> words = {program_, "run"};
+    words.insert(words.end(), arguments_.begin(), arguments_.end());
+    for (const std::string& word : {std::string("-o"), sample, std::string("--seed"), std::to_string(seed)})
+      words.push_back(word);
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const std::string log = sample + ".log";
+    const pid_t parent = ::getpid();
+    const pid_t child = ::fork();
+    if (child < 0) throw IoError(sample, "cannot start a process");
+    if (child == 0) become(argv, log, parent);
+    seed_of_[child] = seed;
+  }
+
+  /// Waits until one sample has ended, and passes a signal on meanwhile.
+  void wait() {
+    int status = 0;
+    pid_t ended = 0;
+    while ((ended = ::waitpid(-1, &status, WNOHANG)) == 0) {
+      if (g_signal != 0 && !signal_passed_on_) pass_signal_on();
+      ::usleep(kPause);
+    }
+    const auto found = seed_of_.find(ended);
+    if (found == seed_of_.end()) throw IoError(directory_, "lost the processes of its samples");
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : int{kFailure};
+    fmt::print(stderr, "seed {}: {}\n", found->second,
+               code == kDone
+                   ? "done"
+                   : fmt::format("exit code {}, see {}/seed-{}.log", code, directory_, found->second));
+    code_ = worse(code_, code);
+    seed_of_.erase(found);
+  }
+
+ private:
+  [[noreturn]] void become(const std::vector<char*>& argv, const std::string& log, pid_t parent) const {
+    // A sample does not outlive the ensemble: resuming would find two processes in one directory.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(kFailure);
+    const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | (append_ ? O_APPEND : O_TRUNC), 0666);
+    if (file < 0 || ::dup2(file, STDERR_FILENO) < 0) ::_exit(kFailure);
+    ::execv(argv.front(), argv.data());
+    ::_exit(kFailure);
+  }
+
+  void pass_signal_on() {
+    for (const auto& [child, seed] : seed_of_) ::kill(child, SIGTERM);
+    signal_passed_on_ = true;
+  }
+
+  std::string directory_;
+  std::string program_;
+  std::vector<std::string> arguments_;
+  bool append_;
+  std::map<pid_t, std::uint64_t> seed_of_;
+  bool signal_passed_on_ = false;
+  int code_ = kDone;
+};
+
+}  // namespace
+
+SeedRange parse_seeds(const std::string& text) {
+  const auto dots = text.find("..");
+  if (dots != std::string::npos) {
+    const auto first = parse_number<std::uint64_t>(text.substr(0, dots));
+    const auto last = parse_number<std::uint64_t>(text.substr(dots + 2));
+    if (first && last && *first <= *last) return {*first, *last};
+  }
+  throw InputError("--seeds " + text, "expected A..B, two whole numbers, A at most B");
+}
+
+int run_ensemble(const std::string& directory, const SeedRange& seeds, int jobs,
+                 const std::vector<std::string>& arguments, bool append) {
+  std::error_code failed;
+  fs::create_directories(directory, failed);
+  if (failed) throw IoError(directory, "cannot make the directory: " + failed.message());
+  std::signal(SIGINT, remember_signal);
+  std::signal(SIGTERM, remember_signal);
+  Ensemble ensemble(directory, arguments, append);
+  for (std::uint64_t n = 0; n <= seeds.last - seeds.first && g_signal == 0; ++n) {
+    while (ensemble.n_running() == jobs) ensemble.wait();
+    if (g_signal == 0) ensemble.start(seeds.first + n);
+  }
+  while (ensemble.n_running() > 0) ensemble.wait();
+  if (g_signal != 0) return kInterrupted;
+  fmt::print(stderr,
+             "{} samples in {}. Next:\n  floc moduli {}/seed-*/state-*.h5\n  floc fit consolidation {}\n",
+             seeds.last - seeds.first + 1, directory, directory, directory);
+  return ensemble.code();
+}
+
+}  // namespace floc

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace floc {
+
+/// Seeds of the samples of an ensemble, both ends included.
+struct SeedRange {
+  std::uint64_t first;
+  std::uint64_t last;
+};
+
+/// @throws InputError unless `text` is A..B with A <= B, two whole numbers
+SeedRange parse_seeds(const std::string& text);
+
+/// Runs one sample a seed, each a process of its own with the directory DIR/seed-N; what it says goes to
+/// DIR/seed-N.log. SIGINT and SIGTERM are passed on, so that every sample writes its checkpoint.
+///
+/// @param directory  DIR, made if missing
+/// @param jobs       processes at a time
+/// @param arguments  of `floc run` for each sample, without its directory and seed
+/// @param append     to the logs, instead of writing them anew
+/// @return the worst exit code of all
+/// @throws IoError if the directory cannot be made
+int run_ensemble(const std::string& directory, const SeedRange& seeds, int jobs,
+                 const std::vector<std::string>& arguments, bool append);
+
+}  // namespace floc

@@ -2,8 +2,7 @@
 
 #include <random>
 
-#include "floc/neighbors/pairs.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/neighbors/find_contacts.h"
 #include "floc/packing/packing.h"
 
 namespace floc::test {
@@ -15,20 +14,6 @@ inline LawParameters elastic_law(double kn, double kt, double kr) {
   if (kt > 0.0) law.friction = LawParameters::Friction{1e6, kt};
   if (kr > 0.0) law.rolling = LawParameters::Rolling{1e6, kr};
   return law;
-}
-
-/// Fills in the contact list of a packing from its positions, springs unstretched.
-template <int Dim>
-void find_contacts(Packing<Dim>& packing) {
-  packing.contacts.clear();
-  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, packing.grains, packing.law.range())) {
-    Contact<Dim> c;
-    c.i = pair.i;
-    c.j = pair.j;
-    c.image = pair.image;
-    packing.contacts.push_back(c);
-  }
-  refresh_contacts(packing);
 }
 
 /// Grains of radius 0.35 to 0.65 at random in a skewed cell, so dense that they hold each other; not in

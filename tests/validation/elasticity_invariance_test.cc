@@ -19,7 +19,7 @@ Eigen::MatrixXd full_matrix(const Packing<2>& packing) {
 class Invariance : public ::testing::Test {
  protected:
   void expect_same_moduli(Packing<2> changed) const {
-    test::find_contacts(changed);
+    find_contacts(changed);
     ASSERT_EQ(changed.contacts.size(), packing_.contacts.size());
     // Another order of the same sums: rounding times a condition number of some 1e3.
     EXPECT_LT((full_matrix(changed) - reference_).cwiseAbs().maxCoeff(), 1e-11);
@@ -62,7 +62,7 @@ TEST_F(Invariance, ModuliOfADoubledCellAreTheSame) {
     changed.grains.radius.push_back(packing_.grains.radius[i]);
   }
   changed.grains.mass.resize(80, 1.0);
-  test::find_contacts(changed);
+  find_contacts(changed);
   EXPECT_EQ(changed.contacts.size(), 2 * packing_.contacts.size());
   EXPECT_LT((full_matrix(changed) - reference_).cwiseAbs().maxCoeff(), 1e-11);
 }

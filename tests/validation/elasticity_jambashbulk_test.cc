@@ -5,6 +5,7 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/io/jambashbulk.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/contact_forces.h"
 #include "support/network_packings.h"
 
 namespace floc {
@@ -16,7 +17,7 @@ class JamBashbulk : public ::testing::Test {
   JamBashbulk() {
     const Imported file = read_jambashbulk(FLOC_SOURCE_DIR "/data/packings/jambashbulk/N16~P1e-3~0001.txt", {});
     packing_ = std::get<State<2>>(file.state).packing;
-    test::find_contacts(packing_);
+    find_contacts(packing_);
   }
   Moduli moduli(bool prestress) const {
     ModuliOptions options;

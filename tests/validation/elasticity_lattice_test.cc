@@ -72,7 +72,7 @@ TEST(Lattice, CubicSpheresHaveTheirClosedForm) {
   packing.cell.matrix *= kSpacing;
   packing.grains = Grains<3>::with_size(1);
   packing.grains.radius[0] = 0.51 * kSpacing;
-  test::find_contacts(packing);
+  find_contacts(packing);
   ModuliOptions options;
   options.strains = StrainSet::full;
   const Moduli m = elastic_moduli(packing, options);

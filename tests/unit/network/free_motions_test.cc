@@ -53,7 +53,7 @@ TEST(FreeMotions, ColumnOfSpheresKeepsItsTurnAboutItsOwnAxis) {
   packing.grains = Grains<3>::with_size(3);
   for (int k = 0; k < 3; ++k) packing.grains.position[k] = Vec<3>(1.0, 1.0, k);
   packing.grains.radius.assign(3, 0.51);
-  test::find_contacts(packing);
+  find_contacts(packing);
   const FreeMotions free = find_free_motions(contact_network(packing));
   EXPECT_EQ(free.n_free_rotations, 1);
   EXPECT_EQ(n_kept(free), 18 - 4);
@@ -67,7 +67,7 @@ TEST(FreeMotions, BranchesAndTreesAreDeadEnds) {
     packing.grains.radius.push_back(0.51);
   }
   packing.grains.mass.resize(packing.grains.radius.size(), 1.0);
-  test::find_contacts(packing);
+  find_contacts(packing);
   const FreeMotions free = find_free_motions(contact_network(packing));
   EXPECT_EQ(std::count(free.dead_end.begin(), free.dead_end.end(), true), 3);
   EXPECT_EQ(free.n_alone, 2);  // the disk apart and what is left of the dimer
@@ -82,7 +82,7 @@ TEST(Rattlers, OfACohesivePackingAreAlone) {
   packing.grains.position.emplace_back(1.0, 2.0);
   packing.grains.radius.push_back(0.51);
   packing.grains.mass.push_back(1.0);
-  test::find_contacts(packing);
+  find_contacts(packing);
   const std::vector<bool> rattlers = find_rattlers(packing, 1e-3);
   EXPECT_EQ(rattlers, (std::vector<bool>{false, false, false, false, true}));
 }
@@ -96,7 +96,7 @@ TEST(Rattlers, OfACohesionlessPackingCarryNothingOrHangOnOneContact) {
     packing.grains.radius.push_back(0.51);
   }
   packing.grains.mass.resize(7, 1.0);
-  test::find_contacts(packing);
+  find_contacts(packing);
   const std::vector<bool> rattlers = find_rattlers(packing, 1e-4);
   EXPECT_EQ(rattlers, (std::vector<bool>{false, false, false, false, true, true, true}));
 }

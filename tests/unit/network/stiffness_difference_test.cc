@@ -5,6 +5,7 @@
 
 #include "floc/network/stiffness_matrix.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/contact_forces.h"
 #include "support/network_packings.h"
 
 namespace floc {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "floc/network/contact_network.h"
 
 namespace floc {
@@ -18,8 +20,9 @@ struct Bounds {
   double B_voigt_printed = 0.0;
   double G_voigt_printed = 0.0;
   double B_reuss_printed = 0.0;
-  /// <F_N^2 + (K_N/K_T) F_T^2 + (K_N/K_R) Gamma^2>/<F_N>^2 over touching contacts; infinite where <F_N> = 0.
-  double Z2 = 0.0;
+  /// <F_N^2 + (K_N/K_T) F_T^2 + (K_N/K_R) Gamma^2>/<F_N>^2 over touching contacts; infinite where <F_N> = 0 and
+  /// where nothing touches.
+  double Z2 = std::numeric_limits<double>::infinity();
 };
 
 /// What the printed forms need beyond the network.

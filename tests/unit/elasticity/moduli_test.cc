@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "floc/elasticity/stability.h"
@@ -44,6 +45,7 @@ TEST(Moduli, OfAPackingWithoutContactsAreZero) {
   const Moduli m = elastic_moduli(packing, {});
   EXPECT_EQ(m.C.cwiseAbs().maxCoeff(), 0.0);
   EXPECT_EQ(m.B_S, 0.0);
+  EXPECT_TRUE(std::isinf(m.bounds.Z2));
   EXPECT_EQ(m.n_rattlers, 1);
   EXPECT_EQ(m.n_coupled_mechanisms, 2);
 }

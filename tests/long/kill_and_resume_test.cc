@@ -3,7 +3,9 @@
 namespace floc::test {
 namespace {
 
-TEST(KillAndResume, TwoHundredKillsLeaveNoTrace) { kill_and_resume(200, 6); }
+TEST(KillAndResume, TwoHundredKillsLeaveNoTrace) {
+  kill_and_resume(200, 6);
+}
 
 }  // namespace
 }  // namespace floc::test

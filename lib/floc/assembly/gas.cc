@@ -15,7 +15,8 @@ namespace {
 constexpr double kRandomPlacingLimit =
     0.4;                             ///< solid fraction that placing one by one reaches without long searches
 constexpr int kShuffleSweeps = 200;  ///< moves a grain: several mean free paths, the placing is forgotten
-constexpr int kMostSweeps = 20000;   ///< growing takes longer near freezing; beyond this it has failed
+constexpr int kMostSweeps = 20000;   ///< beyond this growing has failed
+constexpr double kGrowth = 1.01;     ///< of all diameters, whenever no grains overlap
 
 template <int Dim>
 double solid_volume(const std::vector<double>& diameter) {
@@ -128,17 +129,18 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
       x[a] -= side * std::floor(x[a] / side);
       if (x[a] >= side) x[a] = 0.0;
     }
-    if (grains.free_at(i, x, scale)) grains.move(i, x);
+    const double clearance = grains.clearance(i, x, scale);
+    // A grain that still overlaps after growing may move wherever it overlaps less.
+    if (clearance >= 1.0 || clearance > grains.clearance(i, grains.position()[i], scale)) grains.move(i, x);
   }
 }
 
-/// Factor by which all diameters can grow until the first pair touches.
+/// True if no two grains overlap with diameters times `scale`.
 template <int Dim>
-double room_to_grow(const HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale) {
-  double least = 2.0;
-  for (std::size_t i = 0; i < diameter.size(); ++i)
-    least = std::min(least, grains.clearance(static_cast<int>(i), grains.position()[i], scale));
-  return least;
+bool all_free(const HardGrains<Dim>& grains, int n, double scale) {
+  for (int i = 0; i < n; ++i)
+    if (!grains.free_at(i, grains.position()[i], scale)) return false;
+  return true;
 }
 
 }  // namespace
@@ -177,8 +179,9 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
                        fmt::format("cell.solid_fraction = {}: grains without overlap got stuck at {:.3f}",
                                    solid_fraction, solid_fraction * std::pow(scale, Dim)));
     shuffle(hard, diameter, side, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
-    if (scale < 1.0) scale = std::min(1.0, scale * room_to_grow(hard, diameter, scale));
-    at_size += scale == 1.0;
+    const bool grown = at_size > 0 || all_free(hard, static_cast<int>(diameter.size()), scale);
+    at_size += grown && scale == 1.0;
+    if (grown) scale = std::min(1.0, kGrowth * scale);
   }
 
   Packing<Dim> gas;

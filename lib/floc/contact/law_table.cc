@@ -6,9 +6,10 @@ namespace {
 template <class Adhesion, class Damping>
 AnyContactLaw with_friction(const LawParameters& p, const Adhesion& adhesion, const Damping& damping) {
   const LinearRepulsion repulsion{p.normal_stiffness};
-  if (!p.friction) return laws::Linear<Adhesion, Damping>{repulsion, adhesion, damping, {}, {}};
+  if (!p.friction || p.friction->coefficient == 0.0)
+    return laws::Linear<Adhesion, Damping>{repulsion, adhesion, damping, {}, {}};
   const CoulombFriction friction{p.friction->coefficient, p.friction->stiffness};
-  if (!p.rolling)
+  if (!p.rolling || p.rolling->coefficient == 0.0)
     return laws::Linear<Adhesion, Damping, CoulombFriction>{repulsion, adhesion, damping, friction, {}};
   const RollingSpring rolling{p.rolling->coefficient, p.rolling->stiffness};
   return laws::Linear<Adhesion, Damping, CoulombFriction, RollingSpring>{repulsion, adhesion, damping, friction,

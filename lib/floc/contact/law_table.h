@@ -44,7 +44,8 @@ using AnyContactLaw = std::variant<
     laws::Linear<ConstantAdhesion, ViscousDamping, CoulombFriction, RollingSpring>  //
     >;
 
-/// The composed law of a scene or saved state. Adhesion of zero force is no adhesion.
+/// The composed law of a scene or saved state. Adhesion of zero force is no adhesion, a coefficient of zero no friction and no
+/// rolling resistance: such a spring could carry nothing, and must not stiffen the network either.
 /// @pre parameters.validate() is empty.
 AnyContactLaw compose_law(const LawParameters& parameters);
 

@@ -43,7 +43,11 @@ class Dynamics {
 
   virtual void advance(int n_steps, Motion motion) = 0;
 
+  /// False when positions have run away to values that are not finite: the time step was too large.
+  virtual bool finite() const = 0;
+
   /// The packing as it is now, with its contact list; grains in the order of the packing this was made from.
+  /// @pre finite()
   virtual Packing<Dim> packing() const = 0;
 
   /// Present skin (length), a good first guess for the next stretch.

@@ -210,6 +210,7 @@ void ExplicitDynamics<Dim, Law>::adapt_skin() {
 
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::rebuild_list() {
+  if (!finite()) return;  // the caller will ask; there are no neighbours to find
   adapt_skin();
   Grains<Dim> now = Grains<Dim>::with_size(grains_.size());
   grains_.copy_positions_to(now);
@@ -374,6 +375,14 @@ template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::refresh_forces() {
   for (int b = 0; b < n_blocks(); ++b) compute_pairs(b, 0.0);
   for (int b = 0; b < n_blocks(); ++b) sum_and_kick(b, 0.0);
+}
+
+template <int Dim, class Law>
+bool ExplicitDynamics<Dim, Law>::finite() const {
+  bool all = side_.allFinite() && side_rate_.allFinite();
+  for (const auto& component : grains_.x)
+    for (const double x : component) all = all && std::isfinite(x);
+  return all;
 }
 
 template <int Dim, class Law>

@@ -18,6 +18,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
                    const DynamicsSettings& settings);
 
   void advance(int n_steps, Motion motion) override;
+  bool finite() const override;
   Packing<Dim> packing() const override;
   double skin() const override { return skin_; }
 

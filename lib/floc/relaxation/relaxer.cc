@@ -23,6 +23,8 @@ constexpr double kStillWindow = 5.0;
 constexpr double kStillContactsWindow = 20.0;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
 constexpr double kFinishPhi = 1e-4;
+/// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none (PHYSICS section 1).
+constexpr double kDefaultInertialNumber = 1e-3;
 /// The polisher is tried where it is known to succeed, and after a failure again a while later.
 constexpr double kPolishResidual = 5e-3;
 constexpr int kPolishPause = 8;
@@ -34,6 +36,21 @@ double first_skin(const RelaxationOptions& options, double a) {
 template <int Dim>
 double heaviest(const Packing<Dim>& packing) {
   return *std::max_element(packing.grains.mass.begin(), packing.grains.mass.end());
+}
+
+/// Mean kinetic energy per grain of those that interact with others (energy). A grain that touches nothing spins for
+/// ever, which says nothing about the packing.
+template <int Dim>
+double energy_of_connected_grains(const Packing<Dim>& packing) {
+  Packing<Dim> connected = packing;
+  std::vector<bool> touched(packing.grains.size(), false);
+  for (const Contact<Dim>& c : packing.contacts) touched[c.i] = touched[c.j] = true;
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    if (touched[i]) continue;
+    connected.grains.velocity[i].setZero();
+    connected.grains.angular_velocity[i].setZero();
+  }
+  return mean_kinetic_energy(connected);
 }
 
 /// An equilibrium has to be stable (PHYSICS section 1). A static solution need not be: with a tail, a grain that could
@@ -71,8 +88,9 @@ double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& pac
   const double m = heaviest(packing);
   if (options.strain_rate_cap && packing.law.pull_off_force() > 0.0)
     return *options.strain_rate_cap * std::sqrt(packing.law.pull_off_force() / (a * m));
-  if (options.inertial_number_cap)
-    return *options.inertial_number_cap * std::sqrt(target_stress.mean() * std::pow(a, Dim - 2) / m);
+  if (options.inertial_number_cap || packing.law.pull_off_force() == 0.0)
+    return options.inertial_number_cap.value_or(kDefaultInertialNumber) *
+           std::sqrt(target_stress.mean() * std::pow(a, Dim - 2) / m);
   return std::numeric_limits<double>::infinity();
 }
 
@@ -105,6 +123,10 @@ RelaxationStatus Relaxer<Dim>::advance() {
   const auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
   const bool finishing = progress_.stage == RelaxationProgress::finishing;
   dynamics->advance(kStretch, finishing ? Motion::power_control : Motion::free);
+  if (!dynamics->finite()) {
+    ending_ = "diverged";
+    return RelaxationStatus::gave_up;
+  }
   packing_ = dynamics->packing();
   if (!options_.skin) progress_.skin = dynamics->skin();
   progress_.n_steps += kStretch;
@@ -165,7 +187,8 @@ RelaxationStatus Relaxer<Dim>::judge_motion() {
   const bool still_contacts = contacts_still();
   const bool unloaded = target_.isZero(0.0);
   const bool still = (answered && still_density) || ((answered || unloaded) && still_contacts);
-  if (still && residuals_.energy < options_.tolerance.energy) {
+  const ForceScale scale = force_scale(packing_, target_);
+  if (still && energy_of_connected_grains(packing_) < options_.tolerance.energy * scale.force * scale.length) {
     progress_.stage = RelaxationProgress::finishing;
     progress_.finishing_since_phi = progress_.solid_fraction.back();
     progress_.finishing_stretches = 0;
@@ -240,6 +263,7 @@ RelaxationReport Relaxer<Dim>::report() const {
       [](const auto& p, const auto& q) { return p.value * q.tolerance < q.value * p.tolerance; });
   report.blocking = fmt::format("{} {:.2e} against {:.0e}", worst->name, worst->value, worst->tolerance);
   if (worst->grain >= 0) report.blocking += fmt::format(" (grain {})", worst->grain);
+  if (ending_ == "diverged") report.blocking = "the motion diverged, run.time_step is too large";
   const std::vector<double>& history = progress_.force_residual;
   if (history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)
     report.decay_rate = std::log(history.front() / history.back()) /

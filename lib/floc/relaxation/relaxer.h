@@ -34,7 +34,7 @@ enum class RelaxationStatus { running, converged, gave_up };
 /// How a relaxation ended or where it stands, in numbers and words.
 struct RelaxationReport {
   Residuals residuals;
-  std::string ending;       ///< "polished", "dynamic", "static"; empty while it runs
+  std::string ending;       ///< "polished", "dynamic", "static", "diverged"; empty while it runs
   std::string blocking;     ///< criterion that is worst against its tolerance, with its grain
   double decay_rate = 0.0;  ///< of the force residual (1/time); positive when it falls
 };
@@ -80,7 +80,8 @@ class Relaxer {
 template <int Dim>
 double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Largest |L'/L| (1/time) the options allow under this stress; infinite when they name no cap.
+/// Largest |L'/L| (1/time) the options allow under this stress. Without adhesion and without a cap of
+/// its own, that of the inertial number 1e-3; infinite where a cohesive scene names no cap.
 template <int Dim>
 double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
                        const Vec<Dim>& target_stress);

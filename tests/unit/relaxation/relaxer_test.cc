@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "floc/neighbors/pairs.h"
 #include "floc/packing/balance.h"
 #include "floc/relaxation/static_solver.h"
 #include "support/dynamics.h"
@@ -85,6 +88,39 @@ TEST(StaticSolver, SaysWhyItFailsFarFromEquilibrium) {
   const StaticSolution<2> solution = solve_statics(gas, Vec<2>(0.1, 0.1), StaticSolverOptions{});
   EXPECT_FALSE(solution.converged);
   EXPECT_FALSE(solution.reason.empty());
+}
+
+TEST(Relaxer, SaysThatTheMotionDiverged) {
+  Packing<2> wild = test::agitated_gas(60, test::cohesive_law());
+  wild.grains.velocity[0][0] = std::numeric_limits<double>::infinity();
+  Relaxer<2> relaxer(options(), wild, Vec<2>::Constant(0.1));
+  EXPECT_EQ(relaxer.advance(), RelaxationStatus::gave_up);
+  EXPECT_NE(relaxer.report().blocking.find("diverged"), std::string::npos) << relaxer.report().blocking;
+}
+
+TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
+  Packing<2> start = equilibrium();
+  Grains<2>& g = start.grains;
+  // One more grain in the largest hole would touch; a tiny one, spinning, fits anywhere the balance leaves room.
+  const Packing<2> rest = start;
+  for (double x = 0.0; g.size() == rest.grains.size(); x += 0.01) {
+    Grains<2> trial = rest.grains;
+    trial.position.push_back(Vec<2>(x, 0.37 * x));
+    trial.velocity.push_back(Vec<2>::Zero());
+    trial.radius.push_back(0.02);
+    trial.mass.push_back(0.0016);
+    trial.orientation.push_back(0.0);
+    trial.angular_velocity.push_back(Spin<2>(30.0));
+    if (find_pairs(start.cell, trial, 0.01).size() == find_pairs(rest.cell, rest.grains, 0.01).size())
+      g = trial;
+  }
+  EXPECT_GT(residuals(start, Vec<2>(0.1, 0.1)).energy, EquilibriumTolerance{}.energy);
+  RelaxationOptions coarse = options();
+  coarse.time_step = 2.0;  // in units of the tiny grain's contact time: that of the others
+  Relaxer<2> relaxer(coarse, start, Vec<2>::Constant(0.1));
+  RelaxationStatus status = RelaxationStatus::running;
+  for (int k = 0; k < 400 && status == RelaxationStatus::running; ++k) status = relaxer.advance();
+  EXPECT_EQ(status, RelaxationStatus::converged) << relaxer.report().blocking;
 }
 
 TEST(StrainRateCap, FollowsTheUnitTheSceneNames) {

@@ -11,6 +11,7 @@
 #include "floc/base/sha256.h"
 #include "floc/io/law_text.h"
 #include "floc/packing/balance.h"
+#include "floc/structure/coordination.h"
 #include "output.h"
 
 namespace floc {
@@ -42,22 +43,18 @@ std::string cell_text(const Cell<Dim>& cell) {
 template <int Dim>
 void add_packing(const State<Dim>& state, std::vector<Entry>& entries) {
   const Packing<Dim>& packing = state.packing;
-  const auto& contacts = packing.contacts;
-  const auto n_distant =
-      std::count_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.distant; });
+  const Coordination counted = coordination(packing, 0.0);
   const double pressure = static_stress(packing).diagonal().mean();
-  const double f0 = packing.law.pull_off_force();
-  const double a = 2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end());
   const int n = packing.grains.size();
   entries.push_back({"dimension", std::int64_t{Dim}});
   entries.push_back({"units", state.units});
   entries.push_back({"n_grains", std::int64_t{n}});
-  entries.push_back({"n_contacts", static_cast<std::int64_t>(contacts.size())});
-  entries.push_back({"n_distant", static_cast<std::int64_t>(n_distant)});
+  entries.push_back({"n_contacts", std::int64_t{counted.n_contacts}});
+  entries.push_back({"n_distant", std::int64_t{counted.n_distant}});
   entries.push_back({"phi", solid_fraction(packing)});
-  entries.push_back({"z", 2.0 * static_cast<double>(contacts.size()) / n});
+  entries.push_back({"z", counted.z});
   entries.push_back({"P", pressure});
-  entries.push_back({"P_star", f0 > 0.0 ? TableValue{pressure * std::pow(a, Dim - 1) / f0} : TableValue{}});
+  entries.push_back({"P_star", reduced_pressure(packing, pressure)});
   entries.push_back(
       {"target", fmt::format("{}", fmt::join(state.target_stress.begin(), state.target_stress.end(), ","))});
   entries.push_back({"cell", cell_text(packing.cell)});

@@ -10,6 +10,7 @@
 #include "command.h"
 #include "floc/base/error.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/structure/coordination.h"
 #include "output.h"
 
 namespace floc {
@@ -32,6 +33,7 @@ struct ModuliRow {
   std::int64_t n_grains;
   std::int64_t n_contacts;
   std::int64_t n_distant;
+  double z;
   double reduced_pressure;
   double solid_fraction;
   Moduli moduli;
@@ -49,9 +51,10 @@ ModuliRow compute_row(const std::string& file, const State<Dim>& state, const Mo
   row.units = state.units;
   row.dimension = Dim;
   row.n_grains = packing.grains.size();
-  row.n_contacts = static_cast<std::int64_t>(packing.contacts.size());
-  row.n_distant =
-      std::count_if(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.distant; });
+  const Coordination counted = coordination(packing, 0.0);
+  row.n_contacts = counted.n_contacts;
+  row.n_distant = counted.n_distant;
+  row.z = counted.z;
   row.moduli = elastic_moduli(packing, options);
   row.reduced_pressure = reduced_pressure<Dim>(packing, row.moduli.pressure);
   row.solid_fraction = solid_fraction(packing);
@@ -99,10 +102,7 @@ std::vector<Column> contract_columns() {
       {"P", [](const ModuliRow& r) { return r.moduli.pressure; }},
       {"P_star", [](const ModuliRow& r) { return r.reduced_pressure; }},
       {"phi", [](const ModuliRow& r) { return r.solid_fraction; }},
-      {"z",
-       [](const ModuliRow& r) {
-         return 2.0 * static_cast<double>(r.n_contacts) / static_cast<double>(r.n_grains);
-       }},
+      {"z", [](const ModuliRow& r) { return r.z; }},
       {"C11", [](const ModuliRow& r) { return r.moduli.C(0, 0); }},
       {"C22", [](const ModuliRow& r) { return r.moduli.C(1, 1); }},
       {"C12", [](const ModuliRow& r) { return r.moduli.C(0, 1); }},

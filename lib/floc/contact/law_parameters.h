@@ -42,8 +42,8 @@ struct LawParameters {
 
   /// F0, or 0 without adhesion.
   double pull_off_force() const { return adhesion ? adhesion->force : 0.0; }
-  /// Largest gap at which the law acts.
-  double range() const { return adhesion ? adhesion->range : 0.0; }
+  /// Largest gap at which the law acts; adhesion of zero force acts nowhere.
+  double range() const { return pull_off_force() > 0.0 ? adhesion->range : 0.0; }
 
   /// Every fault as "key = value: requirement"; empty when the law can be used.
   std::vector<std::string> validate() const;

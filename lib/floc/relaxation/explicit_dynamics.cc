@@ -118,18 +118,23 @@ void ExplicitDynamics<Dim, Law>::advance(int n_steps, Motion motion) {
   }
 }
 
+/// Half a step of acceleration of the sides: M L'' = (work - A Sigma)/L, the rate capped.
+template <int Dim, class Law>
+void ExplicitDynamics<Dim, Law>::kick_cell() {
+  if (control_.fixed) return;
+  Vec<Dim> work = Vec<Dim>::Zero();
+  for (const BlockSums& s : sums_) work += s.virial + s.momentum_flux;
+  const Vec<Dim> pull = work - side_.prod() * control_.target;
+  side_rate_ += 0.5 * dt_ / control_.mass * pull.cwiseQuotient(side_);
+  const Vec<Dim> limit = control_.rate_cap * side_;
+  side_rate_ = side_rate_.cwiseMin(limit).cwiseMax(-limit);
+}
+
 /// Half kick of the cell, and how this step's drift deforms it. In reduced coordinates s' = v/L with L at mid-step,
 /// which keeps the scheme symmetric in time.
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::begin_step() {
-  if (!control_.fixed) {
-    Vec<Dim> work = Vec<Dim>::Zero();
-    for (const BlockSums& s : sums_) work += s.virial + s.momentum_flux;
-    const Vec<Dim> pull = work - side_.prod() * control_.target;
-    side_rate_ += 0.5 * dt_ / control_.mass * pull.cwiseQuotient(side_);
-    const Vec<Dim> limit = control_.rate_cap * side_;
-    side_rate_ = side_rate_.cwiseMin(limit).cwiseMax(-limit);
-  }
+  kick_cell();
   const Vec<Dim> middle = side_ + 0.5 * dt_ * side_rate_;
   const Vec<Dim> next = side_ + dt_ * side_rate_;
   strain_rate_ = side_rate_.cwiseQuotient(middle);
@@ -346,20 +351,11 @@ void ExplicitDynamics<Dim, Law>::sum_and_kick(int block, double half_step) {
 
 template <int Dim, class Law>
 void ExplicitDynamics<Dim, Law>::end_step(Motion motion) {
-  double twice_kinetic = 0.0;
-  Vec<Dim> work = Vec<Dim>::Zero();
-  for (const BlockSums& s : sums_) {
-    work += s.virial + s.momentum_flux;
-    twice_kinetic += s.momentum_flux.sum() + s.rotation;
-  }
-  if (!control_.fixed) {
-    const Vec<Dim> pull = work - side_.prod() * control_.target;
-    side_rate_ += 0.5 * dt_ / control_.mass * pull.cwiseQuotient(side_);
-    const Vec<Dim> limit = control_.rate_cap * side_;
-    side_rate_ = side_rate_.cwiseMin(limit).cwiseMax(-limit);
-    twice_kinetic += control_.mass * side_rate_.squaredNorm();
-  }
+  kick_cell();
   if (motion != Motion::power_control) return;
+  double twice_kinetic = 0.0;
+  for (const BlockSums& s : sums_) twice_kinetic += s.momentum_flux.sum() + s.rotation;
+  if (!control_.fixed) twice_kinetic += control_.mass * side_rate_.squaredNorm();
   if (twice_kinetic < kinetic_) {
     for (auto& component : grains_.v) std::fill(component.begin(), component.end(), 0.0);
     for (auto& component : grains_.spin) std::fill(component.begin(), component.end(), 0.0);

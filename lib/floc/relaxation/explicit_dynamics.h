@@ -44,6 +44,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   int block_end(int b) const { return std::min(grains_.size(), (b + 1) * kBlock); }
 
   void load_histories(const Packing<Dim>& packing);
+  void kick_cell();
   void begin_step();
   Kick kick_over(double half_step) const;
   void turn(const Kick& kick, int begin);

@@ -54,7 +54,8 @@ TEST_F(ModuliCommand, OfAForeignPackingGiveTheShearModulusOfTheProgramThatMadeIt
     EXPECT_TRUE(row.at(key).is_number()) << key;
   const json diagonal = json::parse(moduli("packing.h5 --format json").out).at(0);
   EXPECT_FALSE(diagonal.contains("C33"));
-  EXPECT_EQ(diagonal.at("B"), row.at("B_without_prestress"));
+  // Two and three strains are solved for together, and the BLAS of the machine may round them differently.
+  EXPECT_NEAR(diagonal.at("B").get<double>() / row.at("B_without_prestress").get<double>(), 1.0, 1e-13);
 }
 
 TEST_F(ModuliCommand, OfManyStatesSkipTheBadOneAndSaySo) {

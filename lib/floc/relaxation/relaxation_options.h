@@ -28,8 +28,8 @@ struct RelaxationOptions {
   std::optional<double> inertial_number_cap;
   /// Skin of the Verlet list in units of the largest diameter; adapted to the motion when absent.
   std::optional<double> skin;
-  /// In time units sqrt(a m/F1): a relaxation that takes longer is given up. The slowest seen (no rolling resistance,
-  /// no pressure) took 1600.
+  /// In time units sqrt(a m/F1): a relaxation that takes longer is given up. The slowest seen without
+  /// load took 1600.
   double max_time = 1e4;
   int threads = 1;
 };

@@ -1,152 +1,130 @@
 #include "floc/network/stiffness_matrix.h"
 
-#include <array>
+#include <algorithm>
+#include <vector>
 
 namespace floc {
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
+/// Neighbours of each grain with a higher number, each once, in ascending order: the blocks below the diagonal.
+struct ContactGraph {
+  std::vector<int> start;  // of each grain in `neighbour`, and the end
+  std::vector<int> neighbour;
+};
 
-/// Index pairs of the shear unknowns in the order of Voigt: 23, 13, 12 in 3D, 12 in 2D.
 template <int Dim>
-constexpr std::array<int, 2> shear_pair(int shear) {
-  if constexpr (Dim == 2) return {0, 1};
-  constexpr std::array<std::array<int, 2>, 3> kPairs{{{1, 2}, {0, 2}, {0, 1}}};
-  return kPairs[shear];
+ContactGraph contact_graph(const ContactNetwork<Dim>& network) {
+  ContactGraph graph;
+  graph.start.assign(network.n_grains + 1, 0);
+  for (const NetworkContact<Dim>& c : network.contacts)
+    if (c.i != c.j) ++graph.start[std::min(c.i, c.j) + 1];
+  for (int g = 0; g < network.n_grains; ++g) graph.start[g + 1] += graph.start[g];
+  graph.neighbour.resize(graph.start.back());
+  std::vector<int> next(graph.start.begin(), graph.start.end() - 1);
+  for (const NetworkContact<Dim>& c : network.contacts)
+    if (c.i != c.j) graph.neighbour[next[std::min(c.i, c.j)]++] = std::max(c.i, c.j);
+  int kept = 0;  // several contacts of one pair share a block
+  for (int g = 0; g < network.n_grains; ++g) {
+    const auto first = graph.neighbour.begin() + graph.start[g];
+    const auto last = graph.neighbour.begin() + graph.start[g + 1];
+    std::sort(first, last);
+    graph.start[g] = kept;
+    kept = static_cast<int>(std::unique_copy(first, last, graph.neighbour.begin() + kept) -
+                            graph.neighbour.begin());
+  }
+  graph.start.back() = kept;
+  graph.neighbour.resize(kept);
+  return graph;
 }
 
+/// Adds blocks of kDofs x kDofs to the lower triangle of a matrix in compressed columns. The columns of a grain
+/// hold its diagonal block from the diagonal down, then a block for each neighbour.
 template <int Dim>
-using Block = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
+class LowerBlocks {
+ public:
+  using Block = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
-/// Rows of the relative translation alone, rotations left out, as the prestress feels them.
+  LowerBlocks(const ContactGraph& graph, int n_grains)
+      : graph_(graph), matrix_(kDofs<Dim> * n_grains, kDofs<Dim> * n_grains) {
+    lay_out(n_grains);
+  }
+
+  void add_diagonal(int grain, const Block& block) {
+    for (int b = 0; b < kDofs<Dim>; ++b) {
+      double* column = matrix_.valuePtr() + matrix_.outerIndexPtr()[first_unknown<Dim>(grain) + b];
+      for (int a = b; a < kDofs<Dim>; ++a) column[a - b] += block(a, b);
+    }
+  }
+
+  /// @param block  rows of grain `low`, columns of grain `high`, low < high; its transpose is stored
+  void add_pair(int low, int high, const Block& block) {
+    const auto first = graph_.neighbour.begin() + graph_.start[low];
+    const auto place = std::find(first, graph_.neighbour.begin() + graph_.start[low + 1], high) - first;
+    for (int b = 0; b < kDofs<Dim>; ++b) {
+      double* column = matrix_.valuePtr() + matrix_.outerIndexPtr()[first_unknown<Dim>(low) + b] +
+                       (kDofs<Dim> - b) + kDofs<Dim> * place;
+      for (int a = 0; a < kDofs<Dim>; ++a) column[a] += block(b, a);
+    }
+  }
+
+  Eigen::SparseMatrix<double> take() { return std::move(matrix_); }
+
+ private:
+  void lay_out(int n_grains) {
+    const int n_off = static_cast<int>(graph_.neighbour.size());
+    matrix_.resizeNonZeros(n_grains * (kDofs<Dim> * (kDofs<Dim> + 1) / 2) + n_off * kDofs<Dim> * kDofs<Dim>);
+    std::fill_n(matrix_.valuePtr(), matrix_.data().size(), 0.0);
+    int at = 0;
+    for (int g = 0; g < n_grains; ++g)
+      for (int b = 0; b < kDofs<Dim>; ++b) {
+        matrix_.outerIndexPtr()[first_unknown<Dim>(g) + b] = at;
+        for (int a = b; a < kDofs<Dim>; ++a) matrix_.innerIndexPtr()[at++] = first_unknown<Dim>(g) + a;
+        for (int k = graph_.start[g]; k < graph_.start[g + 1]; ++k)
+          for (int a = 0; a < kDofs<Dim>; ++a)
+            matrix_.innerIndexPtr()[at++] = first_unknown<Dim>(graph_.neighbour[k]) + a;
+      }
+    matrix_.outerIndexPtr()[kDofs<Dim> * n_grains] = at;
+  }
+
+  const ContactGraph& graph_;
+  Eigen::SparseMatrix<double> matrix_;
+};
+
 template <int Dim>
-ContactRows<Dim> translation_rows(ContactRows<Dim> rows) {
-  rows.on_i.template rightCols<kRotations<Dim>>().setZero();
-  rows.on_j.template rightCols<kRotations<Dim>>().setZero();
-  rows.on_i.template bottomRows<kRotations<Dim>>().setZero();
-  rows.on_j.template bottomRows<kRotations<Dim>>().setZero();
-  return rows;
-}
-
-/// Geometric stiffness of each row: -F_N/r along the tangents.
-template <int Dim>
-Eigen::Matrix<double, kDofs<Dim>, 1> row_prestress(const NetworkContact<Dim>& c) {
-  Eigen::Matrix<double, kDofs<Dim>, 1> k = Eigen::Matrix<double, kDofs<Dim>, 1>::Zero();
-  k.template segment<Dim - 1>(1).setConstant(-c.normal_force / c.branch.norm());
-  return k;
-}
-
-void add_block(Triplets& triplets, int row, int col, const auto& block) {
-  for (int a = 0; a < block.rows(); ++a)
-    for (int b = 0; b < block.cols(); ++b)
-      if (row + a >= col + b) triplets.emplace_back(row + a, col + b, block(a, b));
-}
-
-template <int Dim>
-void add_rows(const NetworkContact<Dim>& c, const ContactRows<Dim>& g,
-              const Eigen::Matrix<double, kDofs<Dim>, 1>& k, Triplets& triplets, StiffnessMatrix& out) {
-  const int i = first_unknown<Dim>(c.i);
-  const int j = first_unknown<Dim>(c.j);
-  const Block<Dim> k_i = k.asDiagonal() * g.on_i;
-  const Block<Dim> k_j = k.asDiagonal() * g.on_j;
+void add_rows(const NetworkContact<Dim>& c, const ContactRows<Dim>& g, const RowStiffness<Dim>& k,
+              LowerBlocks<Dim>& blocks, StiffnessMatrix& out) {
+  using Block = typename LowerBlocks<Dim>::Block;
+  const Block k_i = k.asDiagonal() * g.on_i;
   const auto strain_rows = g.on_strain.leftCols(out.boundary.cols());
-  add_block(triplets, i, i, Block<Dim>(g.on_i.transpose() * k_i));
-  out.border.middleRows<kDofs<Dim>>(i) += k_i.transpose() * strain_rows;
+  blocks.add_diagonal(c.i, g.on_i.transpose() * k_i);
+  out.border.middleRows<kDofs<Dim>>(first_unknown<Dim>(c.i)) += k_i.transpose() * strain_rows;
   out.boundary += strain_rows.transpose() * k.asDiagonal() * strain_rows;
   if (c.i == c.j) return;
-  add_block(triplets, j, j, Block<Dim>(g.on_j.transpose() * k_j));
-  if (i > j)
-    add_block(triplets, i, j, Block<Dim>(g.on_i.transpose() * k_j));
+  const Block k_j = k.asDiagonal() * g.on_j;
+  blocks.add_diagonal(c.j, g.on_j.transpose() * k_j);
+  if (c.i < c.j)
+    blocks.add_pair(c.i, c.j, g.on_i.transpose() * k_j);
   else
-    add_block(triplets, j, i, Block<Dim>(g.on_j.transpose() * k_i));
-  out.border.middleRows<kDofs<Dim>>(j) += k_j.transpose() * strain_rows;
+    blocks.add_pair(c.j, c.i, g.on_j.transpose() * k_i);
+  out.border.middleRows<kDofs<Dim>>(first_unknown<Dim>(c.j)) += k_j.transpose() * strain_rows;
 }
 
 }  // namespace
 
 template <int Dim>
-Mat<Dim> unit_strain(int column) {
-  Mat<Dim> e = Mat<Dim>::Zero();
-  if (column < Dim) {
-    e(column, column) = 1.0;
-  } else {
-    const auto [a, b] = shear_pair<Dim>(column - Dim);
-    e(a, b) = e(b, a) = 0.5;
-  }
-  return e;
-}
-
-template <int Dim>
-ContactRows<Dim> contact_rows(const NetworkContact<Dim>& c) {
-  constexpr int kTurn = kRotations<Dim>;
-  ContactRows<Dim> g;
-  g.on_i.setZero();
-  g.on_j.setZero();
-  g.on_strain.setZero();
-  for (int a = 0; a < Dim; ++a) {
-    // Overlap grows when j approaches i; tangential displacements count along the tangent.
-    const Vec<Dim> axis = a == 0 ? Vec<Dim>(-c.frame.col(0)) : Vec<Dim>(c.frame.col(a));
-    g.on_i.template block<1, Dim>(a, 0) = -axis.transpose();
-    g.on_j.template block<1, Dim>(a, 0) = axis.transpose();
-    g.on_i.template block<1, kTurn>(a, Dim) = -moment<double>(c.arm_i, axis).transpose();
-    g.on_j.template block<1, kTurn>(a, Dim) = moment<double>(c.arm_j, axis).transpose();
-    for (int e = 0; e < kSymmetric<Dim>; ++e) g.on_strain(a, e) = -axis.dot(unit_strain<Dim>(e) * c.branch);
-  }
-  g.on_i.template bottomRightCorner<kTurn, kTurn>() = -Mat<kTurn>::Identity();
-  g.on_j.template bottomRightCorner<kTurn, kTurn>() = Mat<kTurn>::Identity();
-  if (c.i == c.j) {
-    g.on_i += g.on_j;
-    g.on_j.setZero();
-  }
-  return g;
-}
-
-template <int Dim>
-Eigen::Matrix<double, kDofs<Dim>, 1> row_stiffness(const NetworkContact<Dim>& c) {
-  Eigen::Matrix<double, kDofs<Dim>, 1> k;
-  k[0] = c.kn;
-  k.template segment<Dim - 1>(1).setConstant(c.kt);
-  k.template tail<kRotations<Dim>>().setConstant(c.kr);
-  return k;
-}
-
-template <int Dim>
-Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains) {
-  const int n_columns = network.n_unknowns() + n_strains<Dim>(strains);
-  Triplets triplets;
-  int row = 0;
-  for (const NetworkContact<Dim>& c : network.contacts) {
-    const ContactRows<Dim> g = contact_rows(c);
-    for (int a = 0; a < kDofs<Dim>; ++a, ++row) {
-      for (int b = 0; b < kDofs<Dim>; ++b) {
-        triplets.emplace_back(row, first_unknown<Dim>(c.i) + b, g.on_i(a, b));
-        triplets.emplace_back(row, first_unknown<Dim>(c.j) + b, g.on_j(a, b));
-      }
-      for (int e = 0; e < n_strains<Dim>(strains); ++e)
-        triplets.emplace_back(row, network.n_unknowns() + e, g.on_strain(a, e));
-    }
-  }
-  Eigen::SparseMatrix<double> matrix(row, n_columns);
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  return matrix;
-}
-
-template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options) {
-  const int n = network.n_unknowns();
   const int n_boundary = n_strains<Dim>(options.strains);
   StiffnessMatrix out;
-  out.border = Eigen::MatrixXd::Zero(n, n_boundary);
+  out.border = Eigen::MatrixXd::Zero(network.n_unknowns(), n_boundary);
   out.boundary = Eigen::MatrixXd::Zero(n_boundary, n_boundary);
-  Triplets triplets;
-  triplets.reserve(network.contacts.size() * kDofs<Dim> * (2 * kDofs<Dim> + 1) * (options.prestress ? 2 : 1));
+  const ContactGraph graph = contact_graph(network);
+  LowerBlocks<Dim> blocks(graph, network.n_grains);
   for (const NetworkContact<Dim>& c : network.contacts) {
     const ContactRows<Dim> rows = contact_rows(c);
-    add_rows<Dim>(c, rows, row_stiffness(c), triplets, out);
-    if (options.prestress) add_rows<Dim>(c, translation_rows(rows), row_prestress(c), triplets, out);
+    add_rows<Dim>(c, rows, row_stiffness(c), blocks, out);
+    if (options.prestress) add_rows<Dim>(c, translation_rows(rows), row_prestress(c), blocks, out);
   }
-  out.grains.resize(n, n);
-  out.grains.setFromTriplets(triplets.begin(), triplets.end());
+  out.grains = blocks.take();
   return out;
 }
 
@@ -165,7 +143,7 @@ Eigen::MatrixXd affine_stiffness(const ContactNetwork<Dim>& network, StrainSet s
 Eigen::SparseMatrix<double> StiffnessMatrix::whole() const {
   const int n = static_cast<int>(grains.rows());
   const int m = static_cast<int>(boundary.rows());
-  Triplets triplets;
+  std::vector<Eigen::Triplet<double>> triplets;
   for (int c = 0; c < n; ++c)
     for (Eigen::SparseMatrix<double>::InnerIterator it(grains, c); it; ++it) {
       const int row = static_cast<int>(it.row());
@@ -184,15 +162,9 @@ Eigen::SparseMatrix<double> StiffnessMatrix::whole() const {
   return matrix;
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                                     \
-  template Mat<Dim> unit_strain<Dim>(int);                                                        \
-  template ContactRows<Dim> contact_rows(const NetworkContact<Dim>&);                             \
-  template Eigen::Matrix<double, kDofs<Dim>, 1> row_stiffness(const NetworkContact<Dim>&);        \
-  template Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>&, StrainSet);    \
-  template StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>&, const StiffnessOptions&); \
-  template Eigen::MatrixXd affine_stiffness(const ContactNetwork<Dim>&, StrainSet);
-FLOC_INSTANTIATE(2)
-FLOC_INSTANTIATE(3)
-#undef FLOC_INSTANTIATE
+template StiffnessMatrix stiffness_matrix(const ContactNetwork<2>&, const StiffnessOptions&);
+template StiffnessMatrix stiffness_matrix(const ContactNetwork<3>&, const StiffnessOptions&);
+template Eigen::MatrixXd affine_stiffness(const ContactNetwork<2>&, StrainSet);
+template Eigen::MatrixXd affine_stiffness(const ContactNetwork<3>&, StrainSet);
 
 }  // namespace floc

@@ -3,45 +3,9 @@
 #include <Eigen/SparseCore>
 
 #include "floc/network/contact_network.h"
+#include "floc/network/rigidity_matrix.h"
 
 namespace floc {
-
-/// Which strains of the cell are unknowns.
-enum class StrainSet {
-  diagonal,  ///< eps_11, eps_22 (, eps_33); shear strains clamped
-  full,      ///< then gamma_12 (2D), or gamma_23, gamma_13, gamma_12 (3D); gamma = 2 eps
-};
-
-template <int Dim>
-constexpr int n_strains(StrainSet set) {
-  return set == StrainSet::diagonal ? Dim : kSymmetric<Dim>;
-}
-
-/// Strain tensor of one unit of a strain unknown, in the order of `StrainSet`. Shortening positive.
-template <int Dim>
-Mat<Dim> unit_strain(int column);
-
-/// Relative motion of one contact, linear in the unknowns. Rows: overlap; tangential displacement of j against
-/// i along each tangent; rotation of j against i. Row by row they do work on normal force, tangential force on
-/// i and rolling moment on i: forces f are in balance with loads G^T f.
-template <int Dim>
-struct ContactRows {
-  Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_i;  ///< unknowns of i; those of j are added if i = j
-  Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_j;  ///< unknowns of j; zero if i = j
-  Eigen::Matrix<double, kDofs<Dim>, kSymmetric<Dim>> on_strain;  ///< strains in the order of StrainSet::full
-};
-
-template <int Dim>
-ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
-
-/// Normal, tangential and rolling stiffness of the rows of `ContactRows`.
-template <int Dim>
-Eigen::Matrix<double, kDofs<Dim>, 1> row_stiffness(const NetworkContact<Dim>& contact);
-
-/// Rigidity matrix G: kDofs rows a contact (order of `ContactRows`) x [kDofs columns a grain, then the
-/// strains]. K = G^T k G without prestress.
-template <int Dim>
-Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
 
 struct StiffnessOptions {
   StrainSet strains = StrainSet::diagonal;
@@ -63,6 +27,8 @@ struct StiffnessMatrix {
   Eigen::SparseMatrix<double> whole() const;
 };
 
+/// Assembled by compressed columns whose places follow from the contact graph: a full block for each pair of
+/// grains in contact, zeros included, so that the pattern does not depend on the stiffnesses.
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options);
 

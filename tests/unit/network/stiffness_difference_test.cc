@@ -114,6 +114,54 @@ TEST(Stiffness, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(three, StrainSet::full), kDifferenceTolerance);
 }
 
+/// A law one term of which outweighs the others, so that the largest entries of K are its own.
+std::vector<LawParameters> laws_by_term() {
+  LawParameters tails = test::elastic_law(1.0, 0.7, 0.05);
+  tails.adhesion = LawParameters::Adhesion{8.0, 0.08};  // F0/D0 = 100
+  return {test::elastic_law(1.0, 0.0, 0.0), test::elastic_law(0.01, 1.0, 0.01),
+          test::elastic_law(0.01, 0.01, 1.0), tails};
+}
+
+TEST(Stiffness, IsTheDerivativeOfTheForcesTermByTerm) {
+  for (const LawParameters& law : laws_by_term()) {
+    EXPECT_LT(difference_error(test::random_packing<2>(14, 7, law), StrainSet::full), kDifferenceTolerance);
+    EXPECT_LT(difference_error(test::random_packing<3>(8, 7, law), StrainSet::full), kDifferenceTolerance);
+  }
+}
+
+/// Every contact once more, as rough grains touch in two places.
+template <int Dim>
+Packing<Dim> doubly_in_contact(Packing<Dim> packing) {
+  std::vector<Contact<Dim>> twice;
+  for (Contact<Dim> c : packing.contacts)
+    for (c.key = 0; c.key < 2; ++c.key) twice.push_back(c);
+  packing.contacts = twice;
+  return packing;
+}
+
+TEST(Stiffness, AddsUpOverSeveralContactsOfOnePair) {
+  EXPECT_LT(
+      difference_error(doubly_in_contact(test::random_packing<2>(14, 1, cohesive_law())), StrainSet::full),
+      kDifferenceTolerance);
+  EXPECT_LT(difference_error(doubly_in_contact(test::random_packing<3>(8, 3, cohesive_law())), StrainSet::full),
+            kDifferenceTolerance);
+}
+
+TEST(Stiffness, OfAGrainWithHigherNumberFirstIsTheSame) {
+  const auto network = contact_network(test::random_packing<2>(12, 3, cohesive_law()));
+  ContactNetwork<2> turned = network;
+  for (NetworkContact<2>& c : turned.contacts) {
+    std::swap(c.i, c.j);
+    std::swap(c.arm_i, c.arm_j);
+    c.branch *= -1.0;
+    c.frame *= -1.0;
+  }
+  const Eigen::MatrixXd k = stiffness_matrix(network, {StrainSet::full, true}).whole();
+  const Eigen::MatrixXd same = stiffness_matrix(turned, {StrainSet::full, true}).whole();
+  // The same products of the same numbers.
+  EXPECT_LT((k - same).cwiseAbs().maxCoeff(), 1e-14);
+}
+
 TEST(Stiffness, IsTheSquareOfTheRigidityMatrix) {
   const auto network = contact_network(test::random_packing<3>(8, 2, cohesive_law()));
   const Eigen::MatrixXd g = rigidity_matrix(network, StrainSet::full);
@@ -123,6 +171,13 @@ TEST(Stiffness, IsTheSquareOfTheRigidityMatrix) {
   const Eigen::MatrixXd whole = stiffness_matrix(network, {StrainSet::full, false}).whole();
   // The same products summed in another order.
   EXPECT_LT((g.transpose() * k.asDiagonal() * g - whole).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(Rigidity, ScaledByTheRootsOfTheStiffnessesIsARootOfK) {
+  const auto network = contact_network(test::random_packing<2>(12, 2, test::elastic_law(1.0, 0.6, 0.05)));
+  const Eigen::MatrixXd root = scaled_rigidity_matrix(network, StrainSet::full);
+  const Eigen::MatrixXd whole = stiffness_matrix(network, {StrainSet::full, false}).whole();
+  EXPECT_LT((root.transpose() * root - whole).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 TEST(Rigidity, BalancesForcesWithLoads) {

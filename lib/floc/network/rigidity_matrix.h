@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "floc/network/contact_network.h"
+
+namespace floc {
+
+/// Which strains of the cell are unknowns.
+enum class StrainSet {
+  diagonal,  ///< eps_11, eps_22 (, eps_33); shear strains clamped
+  full,      ///< then gamma_12 (2D), or gamma_23, gamma_13, gamma_12 (3D); gamma = 2 eps
+};
+
+template <int Dim>
+constexpr int n_strains(StrainSet set) {
+  return set == StrainSet::diagonal ? Dim : kSymmetric<Dim>;
+}
+
+/// Strain tensor of one unit of a strain unknown, in the order of `StrainSet`. Shortening positive.
+template <int Dim>
+Mat<Dim> unit_strain(int column);
+
+/// Relative motion of one contact, linear in the unknowns. Rows: overlap; tangential displacement of j against
+/// i along each tangent; rotation of j against i. Row by row they do work on normal force, tangential force on
+/// i and rolling moment on i: forces f are in balance with loads G^T f.
+template <int Dim>
+struct ContactRows {
+  Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_i;  ///< unknowns of i; those of j are added if i = j
+  Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_j;  ///< unknowns of j; zero if i = j
+  Eigen::Matrix<double, kDofs<Dim>, kSymmetric<Dim>> on_strain;  ///< strains in the order of StrainSet::full
+};
+
+/// One stiffness for each row of `ContactRows`.
+template <int Dim>
+using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
+
+template <int Dim>
+ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
+
+/// Normal, tangential and rolling stiffness of the rows of `ContactRows`.
+template <int Dim>
+RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& contact);
+
+/// The rows that the force carried by a contact acts on: relative translation alone, rotations left out.
+template <int Dim>
+ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
+
+/// Geometric stiffness of those rows, -F_N/r along the tangents.
+template <int Dim>
+RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
+
+/// Rigidity matrix G: kDofs rows a contact (order of `ContactRows`) x [kDofs columns a grain, then the
+/// strains]. K = G^T k G without prestress.
+template <int Dim>
+Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
+
+/// sqrt(k) G, whose square is K: half the digits that K loses to soft modes are lost in it.
+/// @pre no stiffness is negative (a distant attraction's has no square root).
+template <int Dim>
+Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
+
+}  // namespace floc

@@ -28,6 +28,7 @@ NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<D
   NetworkContact<Dim> out;
   out.i = c.i;
   out.j = c.j;
+  out.image = c.image;
   out.branch = r;
   out.arm_i = share_i * r;
   out.arm_j = (share_i - 1.0) * r;

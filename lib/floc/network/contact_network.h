@@ -12,6 +12,7 @@ template <int Dim>
 struct NetworkContact {
   int i;                     ///< first grain
   int j;                     ///< second grain; may equal i (a grain and its own image)
+  Vec<Dim, int> image;       ///< lattice vectors by which the image of j is displaced
   Vec<Dim> branch;           ///< from the centre of i to that of the image of j (length)
   Vec<Dim> arm_i;            ///< from the centre of i to the contact point (length)
   Vec<Dim> arm_j;            ///< from the centre of the image of j to the contact point (length)

@@ -1,213 +1,316 @@
 #include "floc/network/free_motions.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "floc/network/components.h"
+#include "floc/network/rigidity_matrix.h"
 
 namespace floc {
 namespace {
 
-/// Two ways around a component differ by a lattice vector or by rounding; the smallest lattice vector is of the
-/// order of a grain.
-constexpr double kWraps = 1e-3;
 /// A rigid motion is distinct from those already pinned if it moves something by more than this share of its
 /// arm.
 constexpr double kDistinct = 1e-6;
 
-using Adjacency = std::vector<std::vector<int>>;
-
 template <int Dim>
-Adjacency contacts_of_grains(const ContactNetwork<Dim>& network) {
-  Adjacency of(network.n_grains);
-  for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c) {
-    of[network.contacts[c].i].push_back(c);
-    of[network.contacts[c].j].push_back(c);
-  }
-  return of;
-}
-
-template <int Dim>
-void keep_grain(FreeMotions& free, int grain, bool keep) {
-  std::fill_n(free.kept.begin() + first_unknown<Dim>(grain), kDofs<Dim>, keep);
-}
-
-/// Takes off the tips of dead ends; `active` contacts are those of the core that remains.
-template <int Dim>
-void remove_dead_ends(const ContactNetwork<Dim>& network, const Adjacency& of, std::vector<bool>& active,
-                      FreeMotions& free) {
-  std::vector<int> degree(network.n_grains);
-  std::vector<int> tips;
-  for (int i = 0; i < network.n_grains; ++i) {
-    degree[i] = static_cast<int>(of[i].size());
-    if (degree[i] == 0) ++free.n_alone, keep_grain<Dim>(free, i, false);
-    if (degree[i] == 1) tips.push_back(i);
-  }
-  while (!tips.empty()) {
-    const int tip = tips.back();
-    tips.pop_back();
-    if (degree[tip] != 1) continue;  // the last of a tree: its contact went with its neighbour
-    const int c = *std::find_if(of[tip].begin(), of[tip].end(), [&](int k) { return active[k]; });
-    const NetworkContact<Dim>& contact = network.contacts[c];
-    active[c] = false;
-    free.dead_end[tip] = true;
-    keep_grain<Dim>(free, tip, false);
-    if (contact.kt == 0.0 || contact.kr == 0.0) ++free.n_free_rollers;
-    if (contact.kn < 0.0) ++free.n_unstable_ends;
-    const int neighbour = contact.i == tip ? contact.j : contact.i;
-    degree[tip] = 0;
-    if (--degree[neighbour] == 1) tips.push_back(neighbour);
-    if (degree[neighbour] == 0) ++free.n_alone, keep_grain<Dim>(free, neighbour, false);
-  }
-}
-
-/// Grains joined to `start` by rolling stiffness, itself included; says whether a tangential spring holds any of them.
-template <int Dim>
-bool walk_rolling_group(const ContactNetwork<Dim>& network, const Adjacency& of,
-                        const std::vector<bool>& active, int start, std::vector<bool>& seen) {
-  bool held = false;
-  std::vector<int> queue{start};
-  seen[start] = true;
-  while (!queue.empty()) {
-    const int grain = queue.back();
-    queue.pop_back();
-    for (const int k : of[grain]) {
-      if (!active[k]) continue;
-      const NetworkContact<Dim>& c = network.contacts[k];
-      if (c.kt != 0.0) held = true;
-      const int other = c.i == grain ? c.j : c.i;
-      if (c.kr == 0.0 || seen[other]) continue;
-      seen[other] = true;
-      queue.push_back(other);
-    }
-  }
-  return held;
-}
-
-/// Without tangential springs a grain spins freely, and grains joined by rolling stiffness do so together.
-template <int Dim>
-void pin_free_spins(const ContactNetwork<Dim>& network, const Adjacency& of, const std::vector<bool>& active,
-                    FreeMotions& free) {
-  std::vector<bool> seen(network.n_grains, false);
-  for (int i = 0; i < network.n_grains; ++i) {
-    const int first = first_unknown<Dim>(i);
-    if (seen[i] || !free.kept[first]) continue;
-    if (walk_rolling_group(network, of, active, i, seen)) continue;
-    ++free.n_free_spins;
-    std::fill_n(free.kept.begin() + first + Dim, kRotations<Dim>, false);
-  }
-}
-
-/// A connected component, unwrapped from the cell.
-template <int Dim>
-struct Component {
-  std::vector<int> grains;
-  std::vector<Vec<Dim>> place;  ///< of each grain, the first at the origin
-  std::vector<Vec<Dim>> wraps;  ///< orthogonal directions in which it meets its own image
-};
-
-template <int Dim>
-void note_wrap(Component<Dim>& component, Vec<Dim> mismatch, double grain_size) {
-  const double length = mismatch.norm();
-  if (length < kWraps * grain_size) return;
-  for (const Vec<Dim>& w : component.wraps) mismatch -= w * w.dot(mismatch);
-  if (mismatch.norm() > kWraps * length) component.wraps.push_back(mismatch.normalized());
-}
-
-template <int Dim>
-Component<Dim> walk_component(const ContactNetwork<Dim>& network, const Adjacency& of,
-                              const std::vector<bool>& active, int start, std::vector<int>& index) {
-  Component<Dim> part{{start}, {Vec<Dim>::Zero()}, {}};
-  index[start] = 0;
-  for (std::size_t at = 0; at < part.grains.size(); ++at) {
-    const int grain = part.grains[at];
-    for (const int k : of[grain]) {
-      if (!active[k]) continue;
-      const NetworkContact<Dim>& c = network.contacts[k];
-      const bool forward = c.i == grain;
-      const int other = forward ? c.j : c.i;
-      const Vec<Dim> place =
-          forward ? Vec<Dim>(part.place[at] + c.branch) : Vec<Dim>(part.place[at] - c.branch);
-      if (index[other] < 0) {
-        index[other] = static_cast<int>(part.grains.size());
-        part.grains.push_back(other);
-        part.place.push_back(place);
-      } else {
-        note_wrap<Dim>(part, place - part.place[index[other]], network.grain_size[grain]);
-      }
-    }
-  }
-  return part;
-}
+using GrainMotion = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
 /// Axes about which a component can turn without straining its images.
 std::vector<Spin<2>> free_axes(const Component<2>& part) {
-  if (!part.wraps.empty()) return {};
+  if (!part.winding.empty()) return {};
   return {Spin<2>(1.0)};
 }
 std::vector<Spin<3>> free_axes(const Component<3>& part) {
-  if (part.wraps.size() > 1) return {};
-  if (part.wraps.size() == 1) return {part.wraps[0]};
+  if (part.winding.size() > 1) return {};
+  if (part.winding.size() == 1) return {part.winding[0].normalized()};
   return {Vec<3>::UnitX(), Vec<3>::UnitY(), Vec<3>::UnitZ()};
 }
 
-/// Rigid motions of a component: rows its unknowns (rotations times the grain's size), columns translations
-/// then turns.
 template <int Dim>
-Eigen::MatrixXd rigid_motions(const ContactNetwork<Dim>& network, const Component<Dim>& part,
-                              const FreeMotions& free) {
-  const std::vector<Spin<Dim>> axes = free_axes(part);
-  const int n = static_cast<int>(part.grains.size());
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(kDofs<Dim> * n, Dim + static_cast<int>(axes.size()));
-  for (int k = 0; k < n; ++k) {
-    motions.block(kDofs<Dim> * k, 0, Dim, Dim).setIdentity();
-    for (int a = 0; a < static_cast<int>(axes.size()); ++a) {
-      motions.col(Dim + a).segment<Dim>(kDofs<Dim> * k) = cross<double>(axes[a], part.place[k]);
-      motions.col(Dim + a).segment<kRotations<Dim>>(kDofs<Dim> * k + Dim) =
-          axes[a] * network.grain_size[part.grains[k]];
-    }
-    for (int u = 0; u < kDofs<Dim>; ++u)
-      if (!free.kept[first_unknown<Dim>(part.grains[k]) + u]) motions.row(kDofs<Dim> * k + u).setZero();
+class FreeMotionFinder {
+ public:
+  explicit FreeMotionFinder(const ContactNetwork<Dim>& network)
+      : network_(network),
+        of_(contacts_of_grains(network)),
+        active_(network.contacts.size(), true),
+        first_held_(network.n_grains, -1) {
+    free_.kept.assign(network.n_unknowns(), true);
+    free_.dead_end.assign(network.n_grains, false);
   }
-  return motions;
-}
 
-/// Pins the unknown that each rigid motion moves most, once the motions before it are pinned.
-template <int Dim>
-void pin_component(const ContactNetwork<Dim>& network, const Component<Dim>& part, FreeMotions& free) {
-  Eigen::MatrixXd motions = rigid_motions(network, part, free);
-  const Eigen::RowVectorXd extent = motions.cwiseAbs().colwise().maxCoeff();
-  for (int m = 0; m < motions.cols(); ++m) {
-    Eigen::Index row = 0;
-    const double most = motions.col(m).cwiseAbs().maxCoeff(&row);
-    if (!(most > kDistinct * extent[m])) continue;  // turning a straight part about its own axis moves nothing
-    const int grain = part.grains[row / kDofs<Dim>];
-    free.kept[first_unknown<Dim>(grain) + row % kDofs<Dim>] = false;
-    if (m >= Dim) ++free.n_free_rotations;
-    const Eigen::RowVectorXd pivot = motions.row(row) / motions(row, m);
-    const Eigen::VectorXd column = motions.col(m);
-    motions.noalias() -= column * pivot;
-    motions.row(row).setZero();
+  FreeMotions find() {
+    remove_dead_ends();
+    add_rolls();
+    find_free_spins();
+    find_axis_spins();
+    pin_components();
+    free_.modes.resize(network_.n_unknowns(), static_cast<int>(free_.kind.size()));
+    free_.modes.setFromTriplets(entries_.begin(), entries_.end());
+    return std::move(free_);
   }
-}
+
+ private:
+  /// A grain that hangs on one contact; those that the same grain holds form a linked list.
+  struct DeadEnd {
+    int grain;
+    int contact;
+    int next_held;  // -1: the last
+  };
+  /// The same motion of some grains of the core, at no cost.
+  struct CoreSpin {
+    std::vector<int> grains;
+    GrainMotion<Dim> motion;
+    int pinned;  // unknown of K
+  };
+
+  void keep_grain(int grain, bool keep) {
+    std::fill_n(free_.kept.begin() + first_unknown<Dim>(grain), kDofs<Dim>, keep);
+  }
+
+  int other_end(int contact, int grain) const {
+    const NetworkContact<Dim>& c = network_.contacts[contact];
+    return c.i == grain ? c.j : c.i;
+  }
+
+  void leave_alone(int grain) {
+    ++free_.n_alone;
+    keep_grain(grain, false);
+    alone_.push_back(grain);
+  }
+
+  /// Takes off the tips of dead ends; active contacts are those of the core that remains.
+  void remove_dead_ends() {
+    std::vector<int> degree(network_.n_grains);
+    std::vector<int> tips;
+    for (int i = 0; i < network_.n_grains; ++i) {
+      degree[i] = static_cast<int>(of_[i].size());
+      if (degree[i] == 0) leave_alone(i);
+      if (degree[i] == 1) tips.push_back(i);
+    }
+    while (!tips.empty()) {
+      const int tip = tips.back();
+      tips.pop_back();
+      if (degree[tip] != 1) continue;  // the last of a tree: its contact went with its neighbour
+      const int c = *std::find_if(of_[tip].begin(), of_[tip].end(), [&](int k) { return active_[k]; });
+      const int holder = other_end(c, tip);
+      active_[c] = false;
+      free_.dead_end[tip] = true;
+      keep_grain(tip, false);
+      if (network_.contacts[c].kn < 0.0) ++free_.n_unstable_ends;
+      dead_ends_.push_back({tip, c, first_held_[holder]});
+      first_held_[holder] = static_cast<int>(dead_ends_.size()) - 1;
+      degree[tip] = 0;
+      if (--degree[holder] == 1) tips.push_back(holder);
+      if (degree[holder] == 0) leave_alone(holder);
+    }
+  }
+
+  void add_grain(int grain, const GrainMotion<Dim>& motion) {
+    for (int u = 0; u < kDofs<Dim>; ++u)
+      if (motion[u] != 0.0)
+        entries_.emplace_back(first_unknown<Dim>(grain) + u, static_cast<int>(free_.kind.size()), motion[u]);
+  }
+
+  /// Adds a motion of one grain to the mode that is being made, and that of the dead ends it holds: their
+  /// contacts stay as they are.
+  void add_with_dead_ends(int grain, const GrainMotion<Dim>& motion) {
+    std::vector<std::pair<int, GrainMotion<Dim>>> moved{{grain, motion}};
+    while (!moved.empty()) {
+      const auto [holder, its_motion] = moved.back();
+      moved.pop_back();
+      add_grain(holder, its_motion);
+      for (int d = first_held_[holder]; d >= 0; d = dead_ends_[d].next_held) {
+        const ContactRows<Dim> g = contact_rows(network_.contacts[dead_ends_[d].contact]);
+        const bool tip_is_i = network_.contacts[dead_ends_[d].contact].i == dead_ends_[d].grain;
+        const auto& on_tip = tip_is_i ? g.on_i : g.on_j;
+        const auto& on_holder = tip_is_i ? g.on_j : g.on_i;
+        moved.emplace_back(dead_ends_[d].grain, -on_tip.partialPivLu().solve(on_holder * its_motion));
+      }
+    }
+  }
+
+  void finish_mode(FreeMotionKind kind) { free_.kind.push_back(kind); }
+
+  /// What is left alone moves as a whole; a tip moves along each row of its contact that has no stiffness.
+  void add_rolls() {
+    for (const int grain : alone_)
+      for (int u = 0; u < kDofs<Dim>; ++u) {
+        add_with_dead_ends(grain, GrainMotion<Dim>::Unit(u));
+        finish_mode(of_[grain].empty() ? FreeMotionKind::rattler
+                    : u < Dim          ? FreeMotionKind::translation
+                                       : FreeMotionKind::rotation);
+      }
+    for (const DeadEnd& end : dead_ends_) {
+      const NetworkContact<Dim>& c = network_.contacts[end.contact];
+      const ContactRows<Dim> g = contact_rows(c);
+      const RowStiffness<Dim> k = row_stiffness(c);
+      const auto on_tip = (c.i == end.grain ? g.on_i : g.on_j).partialPivLu();
+      for (int a = 0; a < kDofs<Dim>; ++a) {
+        if (k[a] != 0.0) continue;
+        add_with_dead_ends(end.grain, on_tip.solve(GrainMotion<Dim>::Unit(a)));
+        finish_mode(FreeMotionKind::roll);
+      }
+      free_.n_free_rollers += (k.array() == 0.0).any() ? 1 : 0;
+    }
+  }
+
+  void add_spin(const std::vector<int>& grains, const GrainMotion<Dim>& motion, int pinned) {
+    free_.kept[pinned] = false;
+    for (const int grain : grains) add_with_dead_ends(grain, motion);
+    finish_mode(FreeMotionKind::spin);
+    spins_.push_back({grains, motion, pinned});
+  }
+
+  /// Grains joined to `start` by rolling stiffness, itself included; empty if a tangential spring holds any.
+  std::vector<int> free_rolling_group(int start, std::vector<bool>& seen) const {
+    bool held = false;
+    std::vector<int> group{start};
+    seen[start] = true;
+    for (std::size_t at = 0; at < group.size(); ++at) {
+      for (const int k : of_[group[at]]) {
+        if (!active_[k]) continue;
+        const NetworkContact<Dim>& c = network_.contacts[k];
+        if (c.kt != 0.0) held = true;
+        const int other = other_end(k, group[at]);
+        if (c.kr == 0.0 || seen[other]) continue;
+        seen[other] = true;
+        group.push_back(other);
+      }
+    }
+    return held ? std::vector<int>{} : group;
+  }
+
+  /// Without tangential springs a grain spins freely, and grains joined by rolling stiffness do so together.
+  void find_free_spins() {
+    std::vector<bool> seen(network_.n_grains, false);
+    for (int i = 0; i < network_.n_grains; ++i) {
+      const int first = first_unknown<Dim>(i);
+      if (seen[i] || !free_.kept[first]) continue;
+      const std::vector<int> group = free_rolling_group(i, seen);
+      if (group.empty()) continue;
+      ++free_.n_free_spins;
+      for (int u = Dim; u < kDofs<Dim>; ++u) add_spin(group, GrainMotion<Dim>::Unit(u), first + u);
+    }
+  }
+
+  /// A sphere held by two contacts without rolling stiffness turns about the line through both.
+  void find_axis_spins() {
+    if constexpr (Dim == 3) {
+      for (int i = 0; i < network_.n_grains; ++i) {
+        if (!free_.kept[first_unknown<3>(i)]) continue;
+        std::vector<Vec<3>> points;
+        bool holds_spin = false;
+        for (const int k : of_[i]) {
+          if (!active_[k]) continue;
+          const NetworkContact<3>& c = network_.contacts[k];
+          points.push_back(c.i == i ? c.arm_i : c.arm_j);
+          holds_spin = holds_spin || c.kr != 0.0 || c.kt == 0.0 || c.i == c.j;
+        }
+        if (points.size() != 2 || holds_spin) continue;
+        const Vec<3> axis = (points[1] - points[0]).normalized();
+        GrainMotion<3> motion;
+        motion << -cross<double>(axis, points[0]), axis;
+        Eigen::Index largest = 0;
+        axis.cwiseAbs().maxCoeff(&largest);
+        ++free_.n_free_spins;
+        add_spin({i}, motion, first_unknown<3>(i) + 3 + static_cast<int>(largest));
+      }
+    }
+  }
+
+  /// Rigid motion of a part: `at` its grains, translation along an axis first, then turns.
+  GrainMotion<Dim> rigid_motion(const Vec<Dim>& place, int m, const std::vector<Spin<Dim>>& axes) const {
+    GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
+    if (m < Dim)
+      motion[m] = 1.0;
+    else
+      motion << cross<double>(axes[m - Dim], place), axes[m - Dim];
+    return motion;
+  }
+
+  double unit(int grain, int dof) const { return dof < Dim ? 1.0 : network_.grain_size[grain]; }
+
+  /// Takes a spin that is pinned already out of motions (rows: unknowns of a part, rotations times grain size).
+  void take_out(const CoreSpin& spin, const std::vector<int>& row_of, Eigen::MatrixXd& motions) const {
+    const int pinned_dof = spin.pinned % kDofs<Dim>;
+    const int pinned_grain = spin.pinned / kDofs<Dim>;
+    const Eigen::RowVectorXd share = motions.row(row_of[pinned_grain] + pinned_dof) /
+                                     (spin.motion[pinned_dof] * unit(pinned_grain, pinned_dof));
+    for (const int grain : spin.grains)
+      for (int u = 0; u < kDofs<Dim>; ++u)
+        motions.row(row_of[grain] + u) -= spin.motion[u] * unit(grain, u) * share;
+    motions.row(row_of[pinned_grain] + pinned_dof).setZero();
+  }
+
+  /// Pins the unknown that each rigid motion moves most, once the motions before it are pinned.
+  void pin(const Component<Dim>& part, const std::vector<CoreSpin>& spins, std::vector<int>& row_of) {
+    const std::vector<Spin<Dim>> axes = free_axes(part);
+    const int n = static_cast<int>(part.grains.size());
+    Eigen::MatrixXd motions(kDofs<Dim> * n, Dim + static_cast<int>(axes.size()));
+    for (int k = 0; k < n; ++k) {
+      row_of[part.grains[k]] = kDofs<Dim> * k;
+      for (int m = 0; m < motions.cols(); ++m) {
+        motions.col(m).segment<kDofs<Dim>>(kDofs<Dim> * k) = rigid_motion(part.place[k], m, axes);
+        motions.col(m).segment<kRotations<Dim>>(kDofs<Dim> * k + Dim) *= network_.grain_size[part.grains[k]];
+      }
+    }
+    const Eigen::RowVectorXd extent = motions.cwiseAbs().colwise().maxCoeff();
+    for (const CoreSpin& spin : spins) take_out(spin, row_of, motions);
+    for (int m = 0; m < motions.cols(); ++m) {
+      Eigen::Index row = 0;
+      const double most = motions.col(m).cwiseAbs().maxCoeff(&row);
+      // A straight part that turns about its own axis may do no more than spin its grains.
+      if (!(most > kDistinct * extent[m])) continue;
+      free_.kept[first_unknown<Dim>(part.grains[row / kDofs<Dim>]) + row % kDofs<Dim>] = false;
+      if (m >= Dim) ++free_.n_free_rotations;
+      for (int k = 0; k < n; ++k) add_with_dead_ends(part.grains[k], rigid_motion(part.place[k], m, axes));
+      finish_mode(m < Dim ? FreeMotionKind::translation : FreeMotionKind::rotation);
+      const Eigen::RowVectorXd pivot = motions.row(row) / motions(row, m);
+      const Eigen::VectorXd column = motions.col(m);
+      motions.noalias() -= column * pivot;
+      motions.row(row).setZero();
+    }
+  }
+
+  void pin_components() {
+    const std::vector<Component<Dim>> parts = find_components(network_, of_, active_);
+    free_.n_components = static_cast<int>(parts.size());
+    std::vector<int> part_of(network_.n_grains, -1);
+    for (int p = 0; p < free_.n_components; ++p)
+      for (const int grain : parts[p].grains) part_of[grain] = p;
+    std::vector<std::vector<CoreSpin>> spins(parts.size());
+    for (const CoreSpin& spin : spins_) spins[part_of[spin.grains[0]]].push_back(spin);
+    std::vector<int> row_of(network_.n_grains, -1);
+    for (int p = 0; p < free_.n_components; ++p) pin(parts[p], spins[p], row_of);
+  }
+
+  const ContactNetwork<Dim>& network_;
+  const Adjacency of_;
+  std::vector<bool> active_;
+  std::vector<int> first_held_;  // index of a dead end for each grain, -1: holds none
+  std::vector<int> alone_;
+  std::vector<DeadEnd> dead_ends_;  // the tips first
+  std::vector<CoreSpin> spins_;
+  std::vector<Eigen::Triplet<double>> entries_;
+  FreeMotions free_;
+};
 
 }  // namespace
 
+int FreeMotions::n_dead_ends() const {
+  return static_cast<int>(std::count(dead_end.begin(), dead_end.end(), true));
+}
+
+int FreeMotions::count(FreeMotionKind of_kind) const {
+  return static_cast<int>(std::count(kind.begin(), kind.end(), of_kind));
+}
+
 template <int Dim>
 FreeMotions find_free_motions(const ContactNetwork<Dim>& network) {
-  FreeMotions free;
-  free.kept.assign(network.n_unknowns(), true);
-  free.dead_end.assign(network.n_grains, false);
-  std::vector<bool> active(network.contacts.size(), true);
-  const Adjacency of = contacts_of_grains(network);
-  remove_dead_ends(network, of, active, free);
-  pin_free_spins(network, of, active, free);
-  std::vector<int> index(network.n_grains, -1);
-  for (int i = 0; i < network.n_grains; ++i) {
-    if (index[i] >= 0 || !free.kept[first_unknown<Dim>(i)]) continue;
-    pin_component(network, walk_component(network, of, active, i, index), free);
-    ++free.n_components;
-  }
-  return free;
+  return FreeMotionFinder<Dim>(network).find();
 }
 
 template FreeMotions find_free_motions(const ContactNetwork<2>&);

@@ -1,10 +1,19 @@
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "floc/network/contact_network.h"
 
 namespace floc {
+
+enum class FreeMotionKind {
+  rattler,      ///< any motion of a grain without contact
+  translation,  ///< of a connected part as a whole
+  rotation,     ///< likewise; of parts that do not wind around the cell in the plane of turning
+  roll,         ///< a dead end rolls on its one contact, slides along it or twists about it
+  spin,         ///< grains of the core spin: without friction, or about the line of two contacts (3D)
+};
 
 /// The motions that cost nothing because of how a network is connected, found without looking at any stiffness
 /// value but zero. What is left after them is regular unless the network has true mechanisms.
@@ -16,16 +25,23 @@ struct FreeMotions {
   std::vector<bool> dead_end;
   int n_alone = 0;           ///< grains without contact, or left so once their dead ends are gone
   int n_free_rollers = 0;    ///< dead ends that roll on their contact or slide along it at no cost
-  int n_free_spins = 0;      ///< groups of other grains that spin together at no cost (frictionless)
+  int n_free_spins = 0;      ///< groups of other grains that spin together at no cost
   int n_components = 0;      ///< connected parts of what is left; each can translate
   int n_free_rotations = 0;  ///< rigid rotations of parts that do not wrap around the cell
   /// Negative eigenvalues of K that left with the dead ends: grains held by one distant attraction.
   int n_unstable_ends = 0;
+  /// The motions themselves: rows the unknowns of K (length, radians), one column each, independent, K * modes = 0
+  /// to rounding (with prestress too for translations). Dead ends follow what holds them.
+  Eigen::SparseMatrix<double> modes;
+  std::vector<FreeMotionKind> kind;  ///< of each column
+
+  int n_dead_ends() const;
+  int count(FreeMotionKind of_kind) const;
 };
 
 /// Removes dead ends (grain by grain from the tips), then pins rotations that nothing resists, and one unknown
 /// for each rigid motion of each connected component: Dim translations, and the rotations that the ways in
-/// which the component wraps around the cell allow. The response to strain and the inertia of K, up to
+/// which the component winds around the cell allow. The response to strain and the inertia of K, up to
 /// `n_unstable_ends`, are not changed: the tip's own block of K is eliminated exactly and leaves nothing on its
 /// neighbour. With prestress this holds as far as the tip is in equilibrium, that is, carries no force.
 template <int Dim>

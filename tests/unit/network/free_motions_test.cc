@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 
 #include "floc/network/rattlers.h"
+#include "floc/network/stiffness_matrix.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -74,6 +76,84 @@ TEST(FreeMotions, BranchesAndTreesAreDeadEnds) {
   EXPECT_EQ(free.n_free_rollers, 3);
   EXPECT_EQ(free.n_components, 1);
   EXPECT_EQ(n_kept(free), 6 * 3 - 2);
+}
+
+/// Free motions of a network: independent, and of no energy. Returns how many.
+template <int Dim>
+int expect_modes_of_no_energy(const ContactNetwork<Dim>& network) {
+  const FreeMotions free = find_free_motions(network);
+  const StiffnessMatrix k = stiffness_matrix(network, {});
+  const int n = network.n_unknowns();
+  const Eigen::MatrixXd grains = Eigen::MatrixXd(k.whole()).topLeftCorner(n, n);
+  // Rounding of sums of a few terms of order one; motions of long dead ends reach some 10.
+  if (free.modes.cols() > 0) {
+    EXPECT_LT((grains * free.modes).cwiseAbs().maxCoeff(), 1e-12);
+  }
+  const Eigen::MatrixXd modes(free.modes);
+  EXPECT_EQ(modes.cols() == 0 ? 0 : modes.colPivHouseholderQr().rank(), modes.cols());
+  EXPECT_EQ(free.kind.size(), static_cast<std::size_t>(modes.cols()));
+  return static_cast<int>(modes.cols());
+}
+
+template <int Dim>
+int dense_nullity(const ContactNetwork<Dim>& network) {
+  const Eigen::MatrixXd g = scaled_rigidity_matrix(network, StrainSet::diagonal);
+  if (g.rows() == 0) return network.n_unknowns();
+  const Eigen::VectorXd s =
+      Eigen::JacobiSVD<Eigen::MatrixXd>(g.leftCols(network.n_unknowns())).singularValues();
+  return network.n_unknowns() - static_cast<int>((s.array() > 1e-9).count());
+}
+
+TEST(FreeMotions, AreTheWholeNullSpaceWhereEveryContactIsRigid) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    const auto law = test::elastic_law(1.0, 0.6, 0.1);
+    for (const double density : {0.4, 0.9, 1.5}) {
+      const auto disks = contact_network(test::random_packing<2>(20, seed, law, density));
+      EXPECT_EQ(expect_modes_of_no_energy(disks), dense_nullity(disks)) << "seed " << seed;
+      const auto spheres = contact_network(test::random_packing<3>(12, seed, law, density));
+      EXPECT_EQ(expect_modes_of_no_energy(spheres), dense_nullity(spheres)) << "seed " << seed;
+    }
+  }
+}
+
+TEST(FreeMotions, LeaveOnlyMechanismsOutWithFewerStiffnesses) {
+  int n_equal = 0;
+  for (unsigned seed = 0; seed < 30; ++seed)
+    for (const auto& law :
+         {test::elastic_law(1.0, 0.6, 0.0), test::elastic_law(1.0, 0.0, 0.1), test::elastic_law(1.0, 0.0, 0.0)})
+      for (const double density : {0.5, 1.2, 2.5}) {
+        const auto disks = contact_network(test::random_packing<2>(20, seed, law, density));
+        const auto spheres = contact_network(test::random_packing<3>(12, seed, law, density));
+        const int in_2d = expect_modes_of_no_energy(disks);
+        const int in_3d = expect_modes_of_no_energy(spheres);
+        EXPECT_LE(in_2d, dense_nullity(disks)) << "seed " << seed;
+        EXPECT_LE(in_3d, dense_nullity(spheres)) << "seed " << seed;
+        n_equal += (in_2d == dense_nullity(disks)) + (in_3d == dense_nullity(spheres));
+      }
+  EXPECT_GT(n_equal, 200);  // of 540
+}
+
+TEST(FreeMotions, SphereBetweenTwoContactsSpinsAboutTheLineThroughThem) {
+  // A zigzag column of spheres that winds around the cell.
+  Packing<3> packing;
+  packing.law = test::elastic_law(1.0, 0.5, 0.0);
+  packing.cell.matrix = Vec<3>(4.0, 4.0, 2.0 * std::sqrt(0.75)).asDiagonal();
+  packing.grains = Grains<3>::with_size(2);
+  packing.grains.position = {Vec<3>(1.0, 1.0, 0.0), Vec<3>(1.5, 1.0, std::sqrt(0.75))};
+  packing.grains.radius.assign(2, 0.51);
+  find_contacts(packing);
+  const auto zigzag = contact_network(packing);
+  const FreeMotions free = find_free_motions(zigzag);
+  EXPECT_EQ(free.count(FreeMotionKind::spin), 2);
+  EXPECT_EQ(free.count(FreeMotionKind::translation), 3);
+  expect_modes_of_no_energy(zigzag);
+  // Straight, its turn about its own axis is the spins of its spheres.
+  packing.grains.position[1] = Vec<3>(1.0, 1.0, 1.0);
+  packing.cell.matrix(2, 2) = 2.0;
+  find_contacts(packing);
+  const auto straight = contact_network(packing);
+  EXPECT_EQ(find_free_motions(straight).n_free_rotations, 0);
+  EXPECT_EQ(expect_modes_of_no_energy(straight), 5);
 }
 
 TEST(Rattlers, OfACohesivePackingAreAlone) {

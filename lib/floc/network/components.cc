@@ -1,0 +1,121 @@
+#include "floc/network/components.h"
+
+#include <algorithm>
+#include <array>
+
+namespace floc {
+namespace {
+
+template <int Dim>
+using Image = Vec<Dim, int>;
+
+/// Independent integer vectors, at most Dim of them, told by exact arithmetic.
+template <int Dim>
+class Lattice {
+ public:
+  /// Takes a vector in if it is independent of those it holds, and says whether it was.
+  bool extend(const Image<Dim>& w) {
+    if (rank_ == Dim || !independent(w)) return false;
+    vectors_[rank_++] = w.template cast<long>();
+    return true;
+  }
+
+ private:
+  bool independent(const Image<Dim>& image) const {
+    const Vec<Dim, long> w = image.template cast<long>();
+    if (rank_ == 0) return w != Vec<Dim, long>::Zero();
+    const Vec<Dim, long>& u = vectors_[0];
+    if constexpr (Dim == 2) {
+      return u[0] * w[1] != u[1] * w[0];
+    } else {
+      const auto normal = [](const auto& a, const auto& b) {
+        return Vec<3, long>(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+      };
+      if (rank_ == 1) return normal(u, w) != Vec<3, long>(Vec<3, long>::Zero());
+      return normal(u, vectors_[1]).dot(w) != 0;
+    }
+  }
+
+  std::array<Vec<Dim, long>, Dim> vectors_;
+  int rank_ = 0;
+};
+
+template <int Dim>
+class Walk {
+ public:
+  Walk(const ContactNetwork<Dim>& network, const Adjacency& of, const std::vector<bool>& active)
+      : network_(network),
+        of_(of),
+        active_(active),
+        index_(network.n_grains, -1),
+        image_(network.n_grains, Image<Dim>::Zero()) {}
+
+  bool reached(int grain) const { return index_[grain] >= 0; }
+
+  Component<Dim> from(int start) {
+    Component<Dim> part{{start}, {Vec<Dim>::Zero()}, {}};
+    Lattice<Dim> lattice;
+    index_[start] = 0;
+    for (std::size_t at = 0; at < part.grains.size(); ++at) {
+      const int grain = part.grains[at];
+      for (const int k : of_[grain]) {
+        if (!active_[k]) continue;
+        const NetworkContact<Dim>& c = network_.contacts[k];
+        const int sign = c.i == grain ? 1 : -1;
+        const int other = c.i == grain ? c.j : c.i;
+        const Vec<Dim> place = part.place[at] + sign * c.branch;
+        const Image<Dim> image = image_[grain] + sign * c.image;
+        if (!reached(other)) {
+          index_[other] = static_cast<int>(part.grains.size());
+          image_[other] = image;
+          part.grains.push_back(other);
+          part.place.push_back(place);
+        } else if (lattice.extend(image - image_[other])) {
+          part.winding.push_back(place - part.place[index_[other]]);
+        }
+      }
+    }
+    return part;
+  }
+
+ private:
+  const ContactNetwork<Dim>& network_;
+  const Adjacency& of_;
+  const std::vector<bool>& active_;
+  std::vector<int> index_;         // in its part, -1: not reached
+  std::vector<Image<Dim>> image_;  // of the cell in which the part holds the grain
+};
+
+}  // namespace
+
+template <int Dim>
+Adjacency contacts_of_grains(const ContactNetwork<Dim>& network) {
+  Adjacency of(network.n_grains);
+  for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c) {
+    of[network.contacts[c].i].push_back(c);
+    of[network.contacts[c].j].push_back(c);
+  }
+  return of;
+}
+
+template <int Dim>
+std::vector<Component<Dim>> find_components(const ContactNetwork<Dim>& network, const Adjacency& of,
+                                            const std::vector<bool>& active) {
+  std::vector<Component<Dim>> parts;
+  Walk<Dim> walk(network, of, active);
+  for (int i = 0; i < network.n_grains; ++i) {
+    const bool touched = std::any_of(of[i].begin(), of[i].end(), [&](int c) { return active[c]; });
+    if (touched && !walk.reached(i)) parts.push_back(walk.from(i));
+  }
+  return parts;
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                        \
+  template Adjacency contacts_of_grains(const ContactNetwork<Dim>&);                                 \
+  template std::vector<Component<Dim>> find_components(const ContactNetwork<Dim>&, const Adjacency&, \
+                                                       const std::vector<bool>&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/network/contact_network.h"
+
+namespace floc {
+
+/// A connected part of a network, unwrapped from the periodic cell along its contacts.
+template <int Dim>
+struct Component {
+  std::vector<int> grains;        ///< in the order in which they are reached
+  std::vector<Vec<Dim>> place;    ///< of each, the first at the origin (length)
+  std::vector<Vec<Dim>> winding;  ///< independent lattice vectors between the part and its own images (length)
+};
+
+/// For each grain the contacts that touch it.
+using Adjacency = std::vector<std::vector<int>>;
+
+/// Indices of the contacts of each grain; a contact of a grain with its own image is listed twice.
+template <int Dim>
+Adjacency contacts_of_grains(const ContactNetwork<Dim>& network);
+
+/// Connected parts of the grains that some active contact touches, by their first grain. A part that winds
+/// around the cell in n independent ways (its `winding`, found from integer images) percolates along them.
+/// @param active  one entry a contact
+template <int Dim>
+std::vector<Component<Dim>> find_components(const ContactNetwork<Dim>& network, const Adjacency& of,
+                                            const std::vector<bool>& active);
+
+}  // namespace floc

@@ -1,0 +1,162 @@
+#include "floc/network/percolation.h"
+
+#include <algorithm>
+
+#include "floc/network/components.h"
+
+namespace floc {
+namespace {
+
+/// A block: a largest set of contacts any two of which lie on a common loop, or a single contact.
+struct Block {
+  std::vector<int> contacts;
+  std::vector<int> grains;
+  bool winds = false;  // holds a loop around the cell
+};
+
+/// Blocks of a network by depth-first search (Hopcroft and Tarjan), contacts between the same two grains and of a
+/// grain with its own image told apart.
+template <int Dim>
+class BlockSearch {
+ public:
+  BlockSearch(const ContactNetwork<Dim>& network, const Adjacency& of)
+      : network_(network),
+        of_(of),
+        depth_(network.n_grains, 0),
+        low_(network.n_grains, 0),
+        image_(network.n_grains, Vec<Dim, int>::Zero()),
+        seen_(network.contacts.size(), false),
+        last_block_(network.n_grains, -1) {
+    for (int i = 0; i < network.n_grains; ++i)
+      if (depth_[i] == 0) search(i);
+  }
+  std::vector<Block> take() { return std::move(blocks_); }
+
+ private:
+  struct Visit {
+    int grain;
+    int contact;           // through which it was reached
+    std::size_t next = 0;  // of its contacts
+  };
+
+  void search(int root) {
+    depth_[root] = low_[root] = 1;
+    std::vector<Visit> path{{root, -1}};
+    while (!path.empty()) {
+      Visit& visit = path.back();
+      if (visit.next < of_[visit.grain].size()) {
+        const int c = of_[visit.grain][visit.next++];
+        if (!seen_[c]) follow(visit.grain, c, path);
+        continue;
+      }
+      const Visit done = visit;
+      path.pop_back();
+      if (path.empty()) break;
+      const int parent = path.back().grain;
+      low_[parent] = std::min(low_[parent], low_[done.grain]);
+      if (low_[done.grain] >= depth_[parent]) close_block(done.contact);
+    }
+  }
+
+  void follow(int grain, int c, std::vector<Visit>& path) {
+    const NetworkContact<Dim>& contact = network_.contacts[c];
+    const bool forward = contact.i == grain;
+    const int other = forward ? contact.j : contact.i;
+    seen_[c] = true;
+    if (other == grain) {
+      blocks_.push_back({{c}, {grain}, contact.image != Vec<Dim, int>(Vec<Dim, int>::Zero())});
+      return;
+    }
+    open_.push_back(c);
+    if (depth_[other] != 0) {
+      low_[grain] = std::min(low_[grain], depth_[other]);
+      return;
+    }
+    depth_[other] = low_[other] = depth_[grain] + 1;
+    image_[other] =
+        forward ? Vec<Dim, int>(image_[grain] + contact.image) : Vec<Dim, int>(image_[grain] - contact.image);
+    path.push_back({other, c});
+  }
+
+  /// The contacts opened since `first`, it included, are a block.
+  void close_block(int first) {
+    Block block;
+    const int number = static_cast<int>(blocks_.size());
+    int c = -1;
+    while (c != first) {
+      c = open_.back();
+      open_.pop_back();
+      const NetworkContact<Dim>& contact = network_.contacts[c];
+      block.contacts.push_back(c);
+      block.winds = block.winds || image_[contact.i] + contact.image != image_[contact.j];
+      for (const int grain : {contact.i, contact.j})
+        if (last_block_[grain] != number) last_block_[grain] = number, block.grains.push_back(grain);
+    }
+    blocks_.push_back(std::move(block));
+  }
+
+  const ContactNetwork<Dim>& network_;
+  const Adjacency& of_;
+  std::vector<int> depth_;  // of each grain in the search tree, from 1; 0: not reached
+  std::vector<int> low_;    // least depth that a grain's subtree has a contact with
+  std::vector<Vec<Dim, int>> image_;
+  std::vector<bool> seen_;
+  std::vector<int> open_;  // contacts not yet given to a block
+  std::vector<int> last_block_;
+  std::vector<Block> blocks_;
+};
+
+/// Takes off, from the tips, blocks that do not wind around the cell and share a grain with no more than one part of
+/// the others. @return which blocks went
+std::vector<bool> hanging(const std::vector<Block>& blocks, int n_grains) {
+  std::vector<std::vector<int>> of(n_grains);
+  for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
+    for (const int grain : blocks[b].grains) of[grain].push_back(b);
+  std::vector<int> n_left(n_grains);
+  for (int i = 0; i < n_grains; ++i) n_left[i] = static_cast<int>(of[i].size());
+  std::vector<int> n_joints(blocks.size(), 0);
+  std::vector<int> tips;
+  const auto is_tip = [&](int b) { return !blocks[b].winds && n_joints[b] <= 1; };
+  for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
+    for (const int grain : blocks[b].grains) n_joints[b] += n_left[grain] > 1 ? 1 : 0;
+    if (is_tip(b)) tips.push_back(b);
+  }
+  std::vector<bool> gone(blocks.size(), false);
+  while (!tips.empty()) {
+    const int tip = tips.back();
+    tips.pop_back();
+    if (gone[tip]) continue;
+    gone[tip] = true;
+    for (const int grain : blocks[tip].grains) {
+      if (--n_left[grain] != 1) continue;
+      const int last = *std::find_if(of[grain].begin(), of[grain].end(), [&](int b) { return !gone[b]; });
+      --n_joints[last];
+      if (is_tip(last)) tips.push_back(last);
+    }
+  }
+  return gone;
+}
+
+}  // namespace
+
+template <int Dim>
+Percolation find_percolation(const ContactNetwork<Dim>& network) {
+  const Adjacency of = contacts_of_grains(network);
+  const std::size_t n = network.contacts.size();
+  Percolation result{std::vector<bool>(n, false), std::vector<bool>(n, false)};
+  for (const Component<Dim>& part : find_components(network, of, std::vector<bool>(n, true)))
+    result.n_directions = std::max(result.n_directions, static_cast<int>(part.winding.size()));
+  const std::vector<Block> blocks = BlockSearch<Dim>(network, of).take();
+  const std::vector<bool> gone = hanging(blocks, network.n_grains);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (const int c : blocks[b].contacts) {
+      result.scalar_backbone[c] = blocks[b].winds;
+      result.dead_end[c] = gone[b];
+    }
+  return result;
+}
+
+template Percolation find_percolation(const ContactNetwork<2>&);
+template Percolation find_percolation(const ContactNetwork<3>&);
+
+}  // namespace floc

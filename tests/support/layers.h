@@ -43,9 +43,10 @@ inline const LayerOrder& layer_order() {
 /// Beginning of a foreign header's name -> the one folder that may include it; "" for none in the library.
 inline const std::vector<std::pair<std::string, std::string>>& foreign_owners() {
   static const std::vector<std::pair<std::string, std::string>> owners = {
-      {"cholmod", "linalg"}, {"umfpack", "linalg"}, {"SuiteSparse", "linalg"}, {"suitesparse/", "linalg"},
-      {"cblas", "linalg"},   {"ceres/", "fitting"}, {"glog/", "fitting"},      {"hdf5", "io"},
-      {"H5", "io"},          {"toml", "scene"},     {"cairo", "picture"},      {"CLI/", ""},
+      {"cholmod", "linalg"}, {"umfpack", "linalg"},  {"SuiteSparse", "linalg"}, {"suitesparse/", "linalg"},
+      {"cblas", "linalg"},   {"Spectra/", "linalg"}, {"ceres/", "fitting"},     {"glog/", "fitting"},
+      {"hdf5", "io"},        {"H5", "io"},           {"toml", "scene"},         {"cairo", "picture"},
+      {"CLI/", ""},
   };
   return owners;
 }

@@ -1,0 +1,142 @@
+#include "floc/linalg/lowest_eigenpairs.h"
+
+#include <Spectra/SymEigsShiftSolver.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace floc {
+namespace {
+
+/// First shift: far above rounding of a matrix of order one, and below all but mechanisms.
+constexpr double kFirstShift = 1e-10;
+constexpr double kLastShift = 1e6;
+/// Relative change of the inverse's eigenvalues at which Lanczos' iteration ends. Vectors are then right to its root
+/// over the relative distance of the next eigenvalue, values to itself.
+constexpr double kConverged = 1e-11;
+constexpr int kMostRestarts = 300;
+/// Distance at which the inertia of A - bound * 1 is not touched by rounding.
+constexpr double kClear = 1e-13;
+/// Orders up to which the dense eigenproblem costs nothing.
+constexpr int kDense = 120;
+
+/// Takes the span of some vectors out of others.
+class Projector {
+ public:
+  explicit Projector(const Eigen::SparseMatrix<double>& sparse) : sparse_(sparse) {
+    if (sparse.cols() > 0) gram_.compute(Eigen::SparseMatrix<double>(sparse.transpose() * sparse));
+  }
+  void take_out(const Eigen::MatrixXd& orthonormal) { dense_ = orthonormal; }
+
+  Eigen::VectorXd operator()(Eigen::VectorXd x) const {
+    for (int pass = 0; pass < 2; ++pass) {  // the second takes out what rounding left of the first
+      if (sparse_.cols() > 0) x -= sparse_ * gram_.solve(Eigen::VectorXd(sparse_.transpose() * x));
+      if (dense_.cols() > 0) x -= dense_ * (dense_.transpose() * x);
+    }
+    return x;
+  }
+
+ private:
+  const Eigen::SparseMatrix<double>& sparse_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> gram_;
+  Eigen::MatrixXd dense_;
+};
+
+/// P (A + s)^-1 P as Spectra takes it.
+struct ShiftInvert {
+  using Scalar = double;
+  const SymmetricFactor& factor;
+  const Projector& project;
+  Eigen::Index n;
+
+  Eigen::Index rows() const { return n; }
+  Eigen::Index cols() const { return n; }
+  void set_shift(double) {}  // the factor was made with it
+  void perform_op(const double* in, double* out) const {
+    const Eigen::VectorXd x = project(Eigen::Map<const Eigen::VectorXd>(in, n));
+    Eigen::Map<Eigen::VectorXd>(out, n) = project(factor.solve(x, 0));
+  }
+};
+
+double make_positive(SymmetricFactor& factor) {
+  for (double shift = kFirstShift; shift < kLastShift; shift *= 10.0)
+    if (factor.factorize_positive(shift)) return shift;
+  throw std::runtime_error("no shift makes the stiffness matrix positive definite: it is not finite");
+}
+
+/// Up to `count` more eigenpairs, lowest first, orthogonal to what the projector takes out.
+Eigenpairs search(const SymmetricFactor& factor, const Projector& project, double shift, Eigen::Index n,
+                  int count) {
+  ShiftInvert op{factor, project, n};
+  const Eigen::Index basis = std::min<Eigen::Index>(n, std::max(2 * count + 20, 40));
+  Spectra::SymEigsShiftSolver<ShiftInvert> solver(op, count, basis, -shift);
+  // Any vector that no symmetry of a lattice makes orthogonal to a mode.
+  Eigen::VectorXd start(n);
+  for (Eigen::Index k = 0; k < n; ++k) start[k] = std::sin(1.0 + 1.7 * static_cast<double>(k % 100003));
+  start = project(start);
+  solver.init(start.data());
+  solver.compute(Spectra::SortRule::LargestMagn, kMostRestarts, kConverged, Spectra::SortRule::SmallestAlge);
+  Eigenpairs found;
+  found.values = solver.eigenvalues();
+  found.vectors = solver.eigenvectors();
+  return found;
+}
+
+/// Rayleigh and Ritz: the best eigenpairs of A in the span of some vectors.
+Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& vectors) {
+  const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(vectors).householderQ() *
+                            Eigen::MatrixXd::Identity(vectors.rows(), vectors.cols());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(q.transpose() * factor.multiply(q));
+  return {eigen.eigenvalues(), q * eigen.eigenvectors(), true};
+}
+
+Eigenpairs lowest(const Eigenpairs& pairs, int count) {
+  const Eigen::Index n = std::min<Eigen::Index>(count, pairs.values.size());
+  return {pairs.values.head(n), pairs.vectors.leftCols(n), pairs.complete};
+}
+
+/// All of a small matrix: its eigenpairs in the complement of what is left out.
+Eigenpairs dense_eigenpairs(const SymmetricFactor& factor, const Eigen::SparseMatrix<double>& left_out) {
+  const Eigen::Index n = left_out.rows();
+  const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(Eigen::MatrixXd(left_out)).householderQ();
+  return best_in_span(factor, q.rightCols(n - left_out.cols()));
+}
+
+}  // namespace
+
+Eigenpairs lowest_eigenpairs(SymmetricFactor& factor, const Eigen::SparseMatrix<double>& left_out, int count) {
+  const Eigen::Index n = left_out.rows();
+  const auto n_null = static_cast<int>(left_out.cols());
+  const int available = static_cast<int>(n) - n_null;
+  const int wanted = std::min(count, available);
+  if (wanted <= 0) return {Eigen::VectorXd(0), Eigen::MatrixXd(n, 0), true};
+  if (n <= kDense || 2 * wanted > available) return lowest(dense_eigenpairs(factor, left_out), wanted);
+
+  Projector project(left_out);
+  Eigenpairs found{Eigen::VectorXd(0), Eigen::MatrixXd(n, 0), false};
+  int missing = wanted;
+  // Each search finds one more copy, at least, of every multiple eigenvalue among the lowest.
+  for (int k = 0; k <= wanted && missing > 0; ++k) {
+    const double shift = make_positive(factor);
+    const Eigenpairs more = search(factor, project, shift, n, std::min(missing, wanted));
+    if (more.values.size() == 0) break;
+    Eigen::MatrixXd all(n, found.vectors.cols() + more.vectors.cols());
+    all << found.vectors, more.vectors;
+    found = best_in_span(factor, all);
+    project.take_out(found.vectors);
+    const double last = found.values[std::min<Eigen::Index>(wanted, found.values.size()) - 1];
+    const double bound = last + std::max(kClear, 1e-9 * std::abs(last));
+    const auto n_found = static_cast<int>((found.values.array() < bound).count());
+    missing = factor.count_eigenvalues_below(bound) - (bound > 0.0 ? n_null : 0) - n_found;
+    missing = std::max(missing, wanted - static_cast<int>(found.values.size()));
+    found.complete = missing <= 0;
+  }
+  return lowest(found, wanted);
+}
+
+}  // namespace floc

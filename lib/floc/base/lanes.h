@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
-/// The few operations a contact law needs beyond arithmetic, for every number type it is evaluated on. Laws call
-/// them unqualified: `double` finds these, a dual number (Ceres' Jet) finds its own sqrt and abs beside the generic
-/// select, and a SIMD pack will bring its own overloads.
+/// The few operations a contact law needs beyond arithmetic, for every number type it is evaluated on: `double`, a dual
+/// number (Ceres' Jet), or a pack of doubles, the comparisons of which give masks with a `blend` of their own.
 namespace floc::lanes {
 
-/// `when ? a : b`, without a branch where the number type has lanes.
-template <class T>
-inline T select(bool when, const T& a, const T& b) {
-  return when ? a : b;
+/// `when ? a : b`, lane by lane where the number type has lanes.
+template <class Mask, class T>
+inline T select(const Mask& when, const T& a, const T& b) {
+  if constexpr (std::is_same_v<Mask, bool>) {
+    return when ? a : b;
+  } else {
+    return blend(when, a, b);
+  }
 }
 
 template <class T>

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "floc/packing/packing.h"
+#include "floc/relaxation/instruction_set.h"
 
 namespace floc {
 
@@ -21,6 +22,7 @@ struct DynamicsSettings {
   double time_step;  ///< (time)
   double skin;       ///< first guess of the Verlet skin (length); adapted to the motion
   int threads = 1;
+  InstructionSet instructions = widest_instruction_set();
 };
 
 /// What happens to the kinetic energy.
@@ -34,8 +36,9 @@ enum class Motion {
 /// the middle of the step, with a coefficient corrected for that lag: stable to twice the step that a predicted
 /// velocity allows, and the restitution is right all the same.
 ///
-/// Results depend on the packing it was made from and on the number of steps alone: neighbour lists, their skin and
-/// the number of threads leave no trace in the bits, since every grain sums its forces in the order of its neighbours.
+/// Results depend on the packing it was made from and on the number of steps alone: neighbour lists, their skin, the
+/// number of threads and the vector instructions leave no trace in the bits, since every grain sums its forces in the
+/// order of its neighbours.
 template <int Dim>
 class Dynamics {
  public:

@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "floc/packing/packing.h"
+#include "floc/relaxation/kernels/step_kernels.h"
 
 namespace floc {
 
 /// The grains as the force loop reads them: one array a component, in the order of a space-filling curve. The
-/// arrays are padded to whole blocks with grains that nothing moves.
+/// arrays are padded to whole blocks of kGrainBlock with grains that nothing moves.
 template <int Dim>
 struct HotGrains {
   using Component = std::vector<double>;
@@ -22,25 +23,29 @@ struct HotGrains {
   Component angle;
   Component radius, mass, inertia;
   Component inverse_mass, inverse_inertia;
+  Component record;  ///< what pairs read of each grain, see record_size()
 
-  /// @param block  the arrays are as long as the next multiple of this
-  HotGrains(const Grains<Dim>& grains, const std::vector<int>& order, int block);
+  /// @param turns  the grains can turn
+  HotGrains(const Grains<Dim>& grains, const std::vector<int>& order, bool turns);
 
   int size() const { return static_cast<int>(index.size()); }
   void copy_positions_to(Grains<Dim>& grains) const;
+  /// @param x_list  positions when the neighbour list was built
+  GrainArrays<Dim> arrays(const std::array<Component, Dim>& x_list);
 };
 
 template <int Dim>
-HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& order, int block) : index(order) {
+HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& order, bool turns) : index(order) {
   static_assert(Dim == 2, "orientations in 3D are not integrated yet");
   const std::size_t n = order.size();
-  const std::size_t padded = (n + block - 1) / block * block;
+  const std::size_t padded = (n + kGrainBlock - 1) / kGrainBlock * kGrainBlock;
   for (auto* component : {&angle, &radius, &mass, &inertia, &inverse_mass, &inverse_inertia})
     component->assign(padded, 0.0);
   for (auto* vector : {&x, &v, &force})
     for (auto& component : *vector) component.assign(padded, 0.0);
   for (auto* vector : {&spin, &torque})
     for (auto& component : *vector) component.assign(padded, 0.0);
+  record.assign(record_size(turns) * padded, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
     const int i = order[k];
     for (int a = 0; a < Dim; ++a) {
@@ -61,6 +66,26 @@ template <int Dim>
 void HotGrains<Dim>::copy_positions_to(Grains<Dim>& grains) const {
   for (int k = 0; k < size(); ++k)
     for (int a = 0; a < Dim; ++a) grains.position[k][a] = x[a][k];
+}
+
+template <int Dim>
+GrainArrays<Dim> HotGrains<Dim>::arrays(const std::array<Component, Dim>& x_list) {
+  GrainArrays<Dim> out;
+  for (int a = 0; a < Dim; ++a) {
+    out.x[a] = x[a].data();
+    out.v[a] = v[a].data();
+    out.force[a] = force[a].data();
+    out.x_list[a] = x_list[a].data();
+  }
+  out.spin = spin[0].data();
+  out.torque = torque[0].data();
+  out.angle = angle.data();
+  out.mass = mass.data();
+  out.inverse_mass = inverse_mass.data();
+  out.inertia = inertia.data();
+  out.inverse_inertia = inverse_inertia.data();
+  out.record = record.data();
+  return out;
 }
 
 }  // namespace floc

@@ -56,6 +56,23 @@ TEST(Dynamics, ThreadsLeaveNoTraceInTheBits) {
   expect_same_bits(one, two);
 }
 
+/// The laws of every slot the force loop reads.
+TEST(Dynamics, VectorInstructionsLeaveNoTraceInTheBits) {
+  LawParameters frictionless = cohesive_law();
+  frictionless.friction.reset();
+  frictionless.rolling.reset();
+  LawParameters sliding = cohesive_law();
+  sliding.rolling.reset();
+  for (const LawParameters& law : {cohesive_law(), sliding, frictionless}) {
+    const Packing<2> gas = agitated_gas(150, law);
+    const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+    const Packing<2> portable = after(gas, {dt, 0.05, 1, InstructionSet::portable}, {600});
+    ASSERT_GT(portable.contacts.size(), 50u);
+    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512})
+      if (supported(set)) expect_same_bits(portable, after(gas, {dt, 0.05, 1, set}, {600}));
+  }
+}
+
 /// Total energy of a packing in a cell of inertia M under a pressure (PHYSICS section 1, "Cell").
 double total_energy(const Packing<2>& packing, const CellControl<2>& control) {
   const double kn = packing.law.normal_stiffness;

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace floc {
+
+/// Vector instructions the force loop is compiled for. All give the same bits: lanes are independent, sums have a
+/// fixed order, nothing is fused.
+enum class InstructionSet {
+  portable,  ///< two doubles: what every processor of the architecture has
+  avx2,      ///< four
+  avx512,    ///< eight
+};
+
+/// Whether this processor has them.
+bool supported(InstructionSet set);
+
+/// The widest this processor has.
+InstructionSet widest_instruction_set();
+
+}  // namespace floc

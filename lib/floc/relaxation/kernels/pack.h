@@ -1,0 +1,193 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <utility>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace floc {
+
+/// Tags of the instruction sets, in the type of everything that is compiled for one of them: two translation units with
+/// different flags share no symbol, so none of their code can reach a processor that lacks the instructions.
+struct Portable {
+  static constexpr int kWidth = 2;
+};
+struct Avx2 {
+  static constexpr int kWidth = 4;
+};
+struct Avx512 {
+  static constexpr int kWidth = 8;
+};
+
+/// The compiler's vector of N doubles, and the integers of the same size that comparisons give.
+template <int N>
+struct VectorOf;
+template <>
+struct VectorOf<2> {
+  typedef double Type __attribute__((vector_size(16)));
+  typedef long long Bits __attribute__((vector_size(16)));
+};
+template <>
+struct VectorOf<4> {
+  typedef double Type __attribute__((vector_size(32)));
+  typedef long long Bits __attribute__((vector_size(32)));
+};
+template <>
+struct VectorOf<8> {
+  typedef double Type __attribute__((vector_size(64)));
+  typedef long long Bits __attribute__((vector_size(64)));
+};
+
+/// As many doubles as fit a register of the instruction set, added and compared lane by lane. A number type for the
+/// contact laws.
+template <class Isa>
+struct Pack {
+  static constexpr int kWidth = Isa::kWidth;
+  using Vector = typename VectorOf<Isa::kWidth>::Type;
+  using Bits = typename VectorOf<Isa::kWidth>::Bits;
+
+  struct Mask {
+    Bits bits;
+  };
+
+  Vector v;
+
+  Pack() = default;
+  Pack(double
+           value) {  // NOLINT(google-explicit-constructor): laws mix their parameters with numbers of any type
+    v = value - Vector{};  // a broadcast
+  }
+  explicit Pack(const Vector& vector) : v(vector) {}
+
+  static Pack load(const double* from) {
+    Pack p;
+    __builtin_memcpy(&p.v, from, sizeof(Vector));
+    return p;
+  }
+  void store(double* to) const { __builtin_memcpy(to, &v, sizeof(Vector)); }
+
+  Pack& operator+=(const Pack& b) { return v += b.v, *this; }
+  Pack& operator-=(const Pack& b) { return v -= b.v, *this; }
+  Pack& operator*=(const Pack& b) { return v *= b.v, *this; }
+  Pack operator-() const { return Pack(Vector(-v)); }
+  friend Pack operator+(const Pack& a, const Pack& b) { return Pack(Vector(a.v + b.v)); }
+  friend Pack operator-(const Pack& a, const Pack& b) { return Pack(Vector(a.v - b.v)); }
+  friend Pack operator*(const Pack& a, const Pack& b) { return Pack(Vector(a.v * b.v)); }
+  friend Pack operator/(const Pack& a, const Pack& b) { return Pack(Vector(a.v / b.v)); }
+  friend Mask operator<(const Pack& a, const Pack& b) { return {Bits(a.v < b.v)}; }
+  friend Pack blend(const Mask& when, const Pack& a, const Pack& b) {
+    return Pack(Vector(when.bits ? a.v : b.v));
+  }
+  friend Pack sqrt(const Pack& a) {
+    Pack root;
+    for (int l = 0; l < kWidth; ++l) root.v[l] = __builtin_sqrt(a.v[l]);
+    return root;
+  }
+};
+
+/// Reads and writes packs of records, that is of neighbouring doubles that belong to one grain or pair.
+template <class Isa>
+struct Records {
+  using P = Pack<Isa>;
+
+  /// a[l], b[l] = base[stride * index[l]], the next double after it.
+  static void load_two(const double* base, int stride, const int* index, P& a, P& b) {
+    const typename P::Vector even = every_second(base, stride, index);
+    const typename P::Vector odd = every_second(base, stride, index + 1);
+    a = P(low_halves(even, odd));
+    b = P(high_halves(even, odd));
+  }
+
+  /// base[stride * l] = a[l], and b[l] after it.
+  static void store_two(double* base, int stride, const P& a, const P& b) {
+    const typename P::Vector even = low_halves(a.v, b.v);
+    const typename P::Vector odd = high_halves(a.v, b.v);
+    store_chunks(base, 2 * stride, even, std::make_integer_sequence<int, P::kWidth / 2>());
+    store_chunks(base + stride, 2 * stride, odd, std::make_integer_sequence<int, P::kWidth / 2>());
+  }
+
+ private:
+  using Vector = typename P::Vector;
+  using Two = VectorOf<2>::Type;
+
+  static Two two(const double* from) {
+    Two t;
+    __builtin_memcpy(&t, from, sizeof(Two));
+    return t;
+  }
+
+  /// The records of index[0], index[2], ..., two doubles each.
+  static Vector every_second(const double* base, std::ptrdiff_t stride, const int* index) {
+    const Two first = two(base + stride * index[0]);
+    if constexpr (P::kWidth == 2) {
+      return first;
+    }
+#if defined(__x86_64__)
+    // Spelled out because the compiler's own concatenation takes twice the shuffles.
+    if constexpr (P::kWidth == 4) {
+      return _mm256_insertf128_pd(_mm256_castpd128_pd256(first), two(base + stride * index[2]), 1);
+    }
+    if constexpr (P::kWidth == 8) {
+      __m512d all = _mm512_castpd128_pd512(first);
+      all = _mm512_insertf64x2(all, two(base + stride * index[2]), 1);
+      all = _mm512_insertf64x2(all, two(base + stride * index[4]), 2);
+      return _mm512_insertf64x2(all, two(base + stride * index[6]), 3);
+    }
+#endif
+  }
+
+  static Vector low_halves(const Vector& a, const Vector& b) {
+    if constexpr (P::kWidth == 2) {
+      return __builtin_shufflevector(a, b, 0, 2);
+    } else if constexpr (P::kWidth == 4) {
+      return __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    } else {
+      return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    }
+  }
+  static Vector high_halves(const Vector& a, const Vector& b) {
+    if constexpr (P::kWidth == 2) {
+      return __builtin_shufflevector(a, b, 1, 3);
+    } else if constexpr (P::kWidth == 4) {
+      return __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    } else {
+      return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+  }
+
+  template <int... chunk>
+  static void store_chunks(double* base, std::ptrdiff_t stride, const Vector& v,
+                           std::integer_sequence<int, chunk...>) {
+    (store_chunk<chunk>(base + stride * chunk, v), ...);
+  }
+  template <int chunk>
+  static void store_chunk(double* to, const Vector& v) {
+    Two t;
+    if constexpr (P::kWidth == 2) t = v;
+#if defined(__x86_64__)
+    if constexpr (P::kWidth == 4) t = _mm256_extractf128_pd(v, chunk);
+    if constexpr (P::kWidth == 8) t = _mm512_extractf64x2_pd(v, chunk);
+#endif
+    __builtin_memcpy(to, &t, sizeof(Two));
+  }
+};
+
+}  // namespace floc
+
+namespace Eigen {
+template <class Isa>
+struct NumTraits<floc::Pack<Isa>> : GenericNumTraits<floc::Pack<Isa>> {
+  enum {
+    RequireInitialization = 0,
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};
+}  // namespace Eigen

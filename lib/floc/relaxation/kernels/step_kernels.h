@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+
+#include "floc/base/vec.h"
+#include "floc/contact/law_table.h"
+#include "floc/relaxation/instruction_set.h"
+
+/// What the parts of a time step that visit every grain or pair work on, as plain arrays: code compiled for one
+/// instruction set must not share inline functions with the rest of the program.
+namespace floc {
+
+inline constexpr int kGrainBlock =
+    64;  ///< grains a block owns; all arrays of grains are padded to whole blocks
+inline constexpr int kPairPadding = 8;  ///< pairs of a block are padded to a multiple of this
+inline constexpr int kSumGroup = 8;     ///< grains of a block that are summed side by side
+
+/// Doubles of the record of a grain that the pairs read: x, y, v_x, v_y, and with friction its spin, one idle.
+constexpr int record_size(bool turns) {
+  return turns ? 6 : 4;
+}
+/// Doubles of the row that a pair writes: force on j, and with friction the moments on i and on j.
+constexpr int row_size(bool turns) {
+  return turns ? 4 : 2;
+}
+
+template <int Dim>
+struct GrainArrays {
+  double *x[Dim], *v[Dim], *force[Dim];
+  double *spin, *torque, *angle;
+  const double *mass, *inverse_mass, *inertia, *inverse_inertia;
+  const double* x_list[Dim];  ///< positions when the list was built
+  double* record;
+};
+
+/// The pairs of all blocks, each block's padded by pairs that do not interact.
+template <int Dim>
+struct PairArrays {
+  const int *i, *j;
+  const double* image[Dim];  ///< in sides of the cell
+  const double* radii;       ///< Ri + Rj
+  const double* share_i;     ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
+  const double* damping;
+  double *shear, *roll;  ///< springs, null where the law has none
+  double* row;           ///< one more than there are pairs: the last stays zero
+};
+
+/// Which rows each grain of a block sums, in ascending order of its pairs. Grains with equally many stand side by side in
+/// groups, and lists are filled up with the row that stays zero, so that groups are summed without branches.
+struct BlockSumsPlan {
+  int grain[kGrainBlock];              ///< grains of the block (from its first), by falling number of pairs
+  int depth[kGrainBlock / kSumGroup];  ///< rows of each group
+  const int*
+      entry[kGrainBlock / kSumGroup];  ///< depth x kSumGroup: twice the pair, plus one where the grain is its j
+  int n_crossing;
+  const int* crossing;  ///< pairs of the block whose branch crosses the boundary, ascending
+};
+
+/// What one block of grains adds to the sums over the packing.
+template <int Dim>
+struct alignas(64) BlockSums {
+  double virial[Dim] = {};            ///< sum of force on j times branch, axis by axis
+  double momentum_flux[Dim] = {};     ///< sum m v_a^2
+  double rotation = 0.0;              ///< sum I w^2
+  double displacement_squared = 0.0;  ///< largest, since the list was built
+};
+
+/// Half a step of acceleration: v <- keep v + gain (half_step/m) F, axis by axis.
+template <int Dim>
+struct Kick {
+  double half_step;
+  double keep[Dim], gain[Dim];
+};
+
+/// A drift x <- stretch x + drift v of the whole step after the kick.
+template <int Dim>
+struct Drift {
+  double time_step;
+  double stretch[Dim], drift[Dim];
+  double list_stretch[Dim];  ///< L / L when the list was built
+};
+
+/// The cell as pairs see it.
+template <int Dim>
+struct PairCell {
+  double side[Dim];
+  double strain_rate[Dim];
+  double slip_time;  ///< time over which the springs take up the present velocities
+};
+
+/// The three passes of a time step, for one law and one instruction set.
+template <int Dim>
+struct StepKernels {
+  void (*kick_and_drift)(const GrainArrays<Dim>&, int first_grain, const Kick<Dim>&, const Drift<Dim>&,
+                         BlockSums<Dim>&);
+  void (*write_records)(const GrainArrays<Dim>&, int first_grain);
+  /// Rows and springs of the pairs [first, last). @param law  the composed law, of the alternative chosen
+  void (*compute_pairs)(const void* law, const GrainArrays<Dim>&, const PairArrays<Dim>&, int first, int last,
+                        const PairCell<Dim>&);
+  void (*sum_and_kick)(const GrainArrays<Dim>&, const PairArrays<Dim>&, const BlockSumsPlan&, int first_grain,
+                       const PairCell<Dim>&, const Kick<Dim>&, BlockSums<Dim>&);
+};
+
+/// The kernels of alternative `law_index` of AnyContactLaw.
+/// @pre supported(set)
+const StepKernels<2>& step_kernels(InstructionSet set, std::size_t law_index);
+
+/// The tables behind it, one for each translation unit of an instruction set. Null where it was not compiled.
+const StepKernels<2>* step_kernels_portable();
+const StepKernels<2>* step_kernels_avx2();
+const StepKernels<2>* step_kernels_avx512();
+
+}  // namespace floc

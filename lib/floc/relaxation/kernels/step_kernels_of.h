@@ -1,0 +1,234 @@
+#pragma once
+
+#include <cstddef>
+#include <variant>
+
+#include "floc/contact/contact_law.h"
+#include "floc/relaxation/kernels/pack.h"
+#include "floc/relaxation/kernels/step_kernels.h"
+
+/// The kernels' text. Everything here is a template on the instruction set, and calls nothing inline that is not.
+namespace floc {
+
+template <class Isa, int Dim, bool kTurns>
+struct GrainKernels {
+  static_assert(Dim == 2, "orientations in 3D are not integrated yet");
+  static constexpr int kRow = row_size(kTurns);
+  static constexpr int kRecord = record_size(kTurns);
+  using P = Pack<Isa>;
+  using Row = typename VectorOf<kRow>::Type;
+
+  [[gnu::flatten]] static void kick_and_drift(const GrainArrays<Dim>& grains, int begin, const Kick<Dim>& kick,
+                                              const Drift<Dim>& drift, BlockSums<Dim>& sums) {
+    double moved_squared[kGrainBlock] = {};
+    for (int a = 0; a < Dim; ++a) {
+      double* const v = grains.v[a] + begin;
+      double* const x = grains.x[a] + begin;
+      const double* const x_list = grains.x_list[a] + begin;
+      accelerate(v, grains.force[a] + begin, grains.inverse_mass + begin, kick, a);
+      const double stretch = drift.stretch[a], step = drift.drift[a], list_stretch = drift.list_stretch[a];
+#pragma omp simd
+      for (int k = 0; k < kGrainBlock; ++k) {
+        x[k] = stretch * x[k] + step * v[k];
+        const double moved = x[k] - list_stretch * x_list[k];
+        moved_squared[k] += moved * moved;
+      }
+    }
+    if constexpr (kTurns) {
+      turn(grains, begin, kick.half_step);
+      const double* const spin = grains.spin + begin;
+      double* const angle = grains.angle + begin;
+#pragma omp simd
+      for (int k = 0; k < kGrainBlock; ++k) angle[k] += drift.time_step * spin[k];
+    }
+    P largest(0.0);
+    for (int k = 0; k < kGrainBlock; k += P::kWidth) {
+      const P moved = P::load(moved_squared + k);
+      largest = blend(largest < moved, moved, largest);
+    }
+    sums.displacement_squared = 0.0;
+    for (int l = 0; l < P::kWidth; ++l)
+      if (sums.displacement_squared < largest.v[l]) sums.displacement_squared = largest.v[l];
+    write_records(grains, begin);
+  }
+
+  static void write_records(const GrainArrays<Dim>& grains, int begin) {
+    for (int k = begin; k < begin + kGrainBlock; k += P::kWidth) {
+      double* const record = grains.record + static_cast<std::ptrdiff_t>(kRecord) * k;
+      Records<Isa>::store_two(record, kRecord, P::load(grains.x[0] + k), P::load(grains.x[1] + k));
+      Records<Isa>::store_two(record + Dim, kRecord, P::load(grains.v[0] + k), P::load(grains.v[1] + k));
+      if constexpr (kTurns)
+        Records<Isa>::store_two(record + 2 * Dim, kRecord, P::load(grains.spin + k), P(0.0));
+    }
+  }
+
+  [[gnu::flatten]] static void sum_and_kick(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs,
+                                            const BlockSumsPlan& plan, int begin, const PairCell<Dim>& cell,
+                                            const Kick<Dim>& kick, BlockSums<Dim>& sums) {
+    for (int g = 0; g < kGrainBlock / kSumGroup; ++g)
+      sum_group(grains, pairs, plan.entry[g], plan.depth[g], plan.grain + g * kSumGroup, begin);
+    for (int a = 0; a < Dim; ++a) {
+      double* const v = grains.v[a] + begin;
+      const double* const force = grains.force[a] + begin;
+      const double* const x = grains.x[a] + begin;
+      const double* const mass = grains.mass + begin;
+      // Sum over pairs of f r = sum over grains of F x + what the pairs across the boundary add.
+      double virial = 0.0;
+      for (int c = 0; c < plan.n_crossing; ++c) {
+        const int p = plan.crossing[c];
+        virial += pairs.row[kRow * p + a] * (pairs.image[a][p] * cell.side[a]);
+      }
+      sums.virial[a] = virial + block_sum(force, x, nullptr);
+      accelerate(v, force, grains.inverse_mass + begin, kick, a);
+      sums.momentum_flux[a] = block_sum(v, v, mass);
+    }
+    if constexpr (kTurns) {
+      turn(grains, begin, kick.half_step);
+      const double* const spin = grains.spin + begin;
+      sums.rotation = block_sum(spin, spin, grains.inertia + begin);
+    }
+  }
+
+ private:
+  /// What a grain takes of a row: i the force reversed and the first moment, j the force and the second.
+  static constexpr double kWeights[2][4] = {{-1.0, -1.0, 1.0, 0.0}, {1.0, 1.0, 0.0, 1.0}};
+
+  static void accelerate(double* v, const double* force, const double* inverse_mass, const Kick<Dim>& kick,
+                         int a) {
+    const double half_step = kick.half_step, keep = kick.keep[a], gain = kick.gain[a];
+#pragma omp simd
+    for (int k = 0; k < kGrainBlock; ++k) v[k] = v[k] * keep + half_step * inverse_mass[k] * force[k] * gain;
+  }
+
+  static void turn(const GrainArrays<Dim>& grains, int begin, double half_step) {
+    const double* const inverse_inertia = grains.inverse_inertia + begin;
+    const double* const torque = grains.torque + begin;
+    double* const spin = grains.spin + begin;
+#pragma omp simd
+    for (int k = 0; k < kGrainBlock; ++k) spin[k] += torque[k] * (half_step * inverse_inertia[k]);
+  }
+
+  /// sum p q over a block, in eight interleaved parts: a fixed order that registers of any width can follow, and no chain
+  /// of additions to wait for. @param weight  of each term, null for 1
+  static double block_sum(const double* p, const double* q, const double* weight) {
+    P part[8 / P::kWidth];
+    for (P& pack : part) pack = P(0.0);
+    for (int k = 0; k < kGrainBlock; k += 8) {
+      for (int l = 0; l < 8; l += P::kWidth) {
+        P term = P::load(p + k + l) * P::load(q + k + l);
+        if (weight) term *= P::load(weight + k + l);
+        part[l / P::kWidth] += term;
+      }
+    }
+    double s[8];
+    for (int l = 0; l < 8; l += P::kWidth) part[l / P::kWidth].store(s + l);
+    return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
+  }
+
+  /// Forces and moments of eight grains. Rows of pairs that do not interact are zero and leave no trace, so the sums do
+  /// not depend on which of them the list holds.
+  static void sum_group(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, const int* entry,
+                        int depth, const int* grain, int begin) {
+    Row sum[kSumGroup] = {};
+    for (int d = 0; d < depth; ++d, entry += kSumGroup) {
+      for (int l = 0; l < kSumGroup; ++l) {
+        Row row;
+        __builtin_memcpy(&row, pairs.row + static_cast<std::ptrdiff_t>(kRow) * (entry[l] >> 1), sizeof(Row));
+        Row weight;
+        __builtin_memcpy(&weight, kWeights[entry[l] & 1], sizeof(Row));
+        sum[l] += row * weight;
+      }
+    }
+    for (int l = 0; l < kSumGroup; ++l) {
+      const int k = begin + grain[l];
+      for (int a = 0; a < Dim; ++a) grains.force[a][k] = sum[l][a];
+      if constexpr (kTurns) grains.torque[k] = sum[l][Dim] + sum[l][Dim + 1];
+    }
+  }
+};
+
+template <class Isa, int Dim, class Law>
+struct PairKernel {
+  static constexpr bool kTurns = Law::kHasFriction;
+  static constexpr int kRow = row_size(kTurns);
+  static constexpr int kRecord = record_size(kTurns);
+  using P = Pack<Isa>;
+  using V = Vec<Dim, P>;
+
+  [[gnu::flatten]] static void compute(const void* any_law, const GrainArrays<Dim>& grains,
+                                       const PairArrays<Dim>& pairs, int first, int last,
+                                       const PairCell<Dim>& cell) {
+    const Law law = *static_cast<const Law*>(any_law);  // a copy that no store of the loop can alias
+    for (int p = first; p < last; p += P::kWidth) compute_pack(law, grains, pairs, p, cell);
+  }
+
+ private:
+  struct Seen {
+    V x, v;
+    Spin<Dim, P> spin;
+  };
+
+  static Seen look(const double* record, const int* grain) {
+    Seen seen;
+    Records<Isa>::load_two(record, kRecord, grain, seen.x[0], seen.x[1]);
+    Records<Isa>::load_two(record + Dim, kRecord, grain, seen.v[0], seen.v[1]);
+    P idle;
+    if constexpr (kTurns) Records<Isa>::load_two(record + 2 * Dim, kRecord, grain, seen.spin[0], idle);
+    return seen;
+  }
+
+  static void compute_pack(const Law& law, const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, int p,
+                           const PairCell<Dim>& cell) {
+    const Seen i = look(grains.record, pairs.i + p);
+    const Seen j = look(grains.record, pairs.j + p);
+    V r, affine;
+    for (int a = 0; a < Dim; ++a) {
+      r[a] = (j.x[a] - i.x[a]) + P::load(pairs.image[a] + p) * P(cell.side[a]);
+      affine[a] = P(cell.strain_rate[a]) * r[a];
+    }
+    const P distance = sqrt(r.squaredNorm());
+    const V n = r * (P(1.0) / distance);
+    const V centres = (j.v - i.v) + affine;
+
+    ContactMotion<Dim, P> motion{distance - P::load(pairs.radii + p), n.dot(centres), P(0.0),
+                                 Shear<Dim, P>::Zero(), Spin<Dim, P>::Zero()};
+    if constexpr (Law::kHasDamping) motion.damping = P::load(pairs.damping + p);
+    const P arm_i = P::load(pairs.share_i + p) * distance;
+    const P arm_j = distance - arm_i;
+    if constexpr (kTurns) {
+      // Velocity of j's surface point against i's: both turn their surfaces the same way round.
+      const V surfaces = centres - cross<P>(Spin<Dim, P>(arm_i * i.spin + arm_j * j.spin), n);
+      motion.slip = P(cell.slip_time) * to_shear<P>(n, surfaces);
+      motion.relative_turn = P(cell.slip_time) * (i.spin - j.spin);
+    }
+    ContactHistory<Law, Dim, P> history;
+    if constexpr (Law::kHasFriction) history.shear[0] = P::load(pairs.shear + p);
+    if constexpr (Law::kHasRolling) history.roll[0] = P::load(pairs.roll + p);
+    const ContactForces<Dim, P> f = law.respond(motion, history);
+    if constexpr (Law::kHasFriction) history.shear[0].store(pairs.shear + p);
+    if constexpr (Law::kHasRolling) history.roll[0].store(pairs.roll + p);
+
+    V on_j = (f.normal.force() + f.viscous) * n;
+    double* const row = pairs.row + static_cast<std::ptrdiff_t>(kRow) * p;
+    if constexpr (kTurns) {
+      const V shear = from_shear<P>(n, f.shear);
+      on_j -= shear;
+      const P unit = moment<P>(n, shear)[0];
+      Records<Isa>::store_two(row + Dim, kRow, arm_i * unit - f.rolling[0], arm_j * unit + f.rolling[0]);
+    }
+    Records<Isa>::store_two(row, kRow, on_j[0], on_j[1]);
+  }
+};
+
+/// The kernels of every alternative of the law table, in its order.
+template <class Isa, class Laws>
+struct StepKernelTable;
+template <class Isa, class... Law>
+struct StepKernelTable<Isa, std::variant<Law...>> {
+  static constexpr StepKernels<2> kTable[] = {{&GrainKernels<Isa, 2, Law::kHasFriction>::kick_and_drift,
+                                               &GrainKernels<Isa, 2, Law::kHasFriction>::write_records,
+                                               &PairKernel<Isa, 2, Law>::compute,
+                                               &GrainKernels<Isa, 2, Law::kHasFriction>::sum_and_kick}...};
+};
+
+}  // namespace floc

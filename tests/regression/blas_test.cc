@@ -1,6 +1,9 @@
+#include "floc/linalg/blas.h"
+
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
 
 extern "C" {
@@ -21,6 +24,18 @@ std::string origin(void (*function)()) {
 TEST(Blas, MatrixProductsAndFactorsAreThoseOfOpenBlas) {
   EXPECT_NE(origin(&dgemm_).find("openblas"), std::string::npos) << origin(&dgemm_);
   EXPECT_NE(origin(&dpotrf_).find("openblas"), std::string::npos) << origin(&dpotrf_);
+}
+
+// An OpenBLAS older than the processor takes kernels for SSE3, five times slower.
+TEST(Blas, KernelsAreNotTheFallbackWhereTheProcessorHasWiderVectors) {
+  if (std::getenv("OPENBLAS_CORETYPE") != nullptr) GTEST_SKIP() << "kernels chosen by the environment";
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) GTEST_SKIP() << "no AVX2";
+  floc::prepare_blas();
+  EXPECT_EQ(floc::blas_library().find("Prescott"), std::string::npos) << floc::blas_library();
+#else
+  GTEST_SKIP() << "another family of processors";
+#endif
 }
 
 }  // namespace

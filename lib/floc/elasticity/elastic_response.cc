@@ -3,22 +3,47 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "floc/linalg/condensation.h"
+#include "floc/linalg/condition.h"
+#include "floc/linalg/least_squares_factor.h"
 
 namespace floc {
 namespace {
 
-/// Beyond this condition number a mechanism may hide behind a Cholesky factor that rounding let succeed.
-constexpr double kSuspiciousCondition = 1e10;
-/// Refinements where a small shift stands in for mechanisms: each gains the ratio of shift and eigenvalue.
-constexpr int kShiftedRefinements = 20;
+/// Beyond this condition number a mechanism may hide behind a Cholesky factor that rounding let succeed, and the
+/// factor is too crude to bound errors with.
+constexpr double kSuspiciousCondition = 1e12;
+/// Share of a column of sqrt(k) G, left after those before it, below which it depends on them: a mechanism. The
+/// softest chain that double precision resolves leaves more, rounding leaves 1e-15.
+constexpr double kDependent = 1e-13;
+/// Units of rounding by which a factor may miss its matrix: each column sums some tens of products.
+constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
+/// Hager's estimate is seldom off by more.
+constexpr double kEstimateMargin = 3.0;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// K without its free motions, in unknowns and forces that make it dimensionless.
-struct ReducedStiffness {
-  Eigen::SparseMatrix<double> grains;  // lower triangle
-  Eigen::MatrixXd border;
-  std::vector<int> unknown;  // of K, for each row here
-  Eigen::VectorXd scale;     // K = scale * grains * scale
+/// The unknowns that are solved for, made alike: rotations become the displacements they give at the grain's size.
+struct ReducedUnknowns {
+  std::vector<int> row;      // of each unknown of K; -1: not solved for
+  std::vector<int> unknown;  // of K, for each row
+  Eigen::VectorXd length;    // of each row: unknown of K = length * value here
 };
+
+template <int Dim>
+ReducedUnknowns reduce_unknowns(const ContactNetwork<Dim>& network, const std::vector<bool>& kept) {
+  ReducedUnknowns r;
+  r.row.assign(kept.size(), -1);
+  for (int u = 0; u < static_cast<int>(kept.size()); ++u)
+    if (kept[u]) r.row[u] = static_cast<int>(r.unknown.size()), r.unknown.push_back(u);
+  r.length.resize(static_cast<Eigen::Index>(r.unknown.size()));
+  for (int a = 0; a < r.length.size(); ++a) {
+    const int u = r.unknown[a];
+    r.length[a] = u % kDofs<Dim> < Dim ? 1.0 : 1.0 / network.grain_size[u / kDofs<Dim>];
+  }
+  return r;
+}
 
 template <int Dim>
 double largest_stiffness(const ContactNetwork<Dim>& network) {
@@ -27,92 +52,175 @@ double largest_stiffness(const ContactNetwork<Dim>& network) {
   return largest > 0.0 ? largest : 1.0;
 }
 
-template <int Dim>
-ReducedStiffness reduce(const ContactNetwork<Dim>& network, const StiffnessMatrix& k,
-                        const std::vector<bool>& kept) {
-  ReducedStiffness r;
-  std::vector<int> row_of(kept.size(), -1);
-  for (int u = 0; u < static_cast<int>(kept.size()); ++u)
-    if (kept[u]) row_of[u] = static_cast<int>(r.unknown.size()), r.unknown.push_back(u);
+/// Lower triangle of the block of the grains in those unknowns, over `unit`.
+Eigen::SparseMatrix<double> reduce(const Eigen::SparseMatrix<double>& grains, const ReducedUnknowns& r,
+                                   double unit) {
   const int n = static_cast<int>(r.unknown.size());
-  const double unit = std::sqrt(largest_stiffness(network));
-  r.scale.resize(n);
-  r.border.resize(n, k.border.cols());
-  for (int a = 0; a < n; ++a) {
-    const int u = r.unknown[a];
-    r.scale[a] = u % kDofs<Dim> < Dim ? unit : unit * network.grain_size[u / kDofs<Dim>];
-    r.border.row(a) = k.border.row(u) / r.scale[a];
+  Eigen::SparseMatrix<double> reduced(n, n);
+  if (n == 0) return reduced;  // Eigen cannot compress a matrix without columns
+  reduced.reserve(grains.nonZeros());
+  for (int b = 0; b < n; ++b) {
+    reduced.startVec(b);
+    for (Eigen::SparseMatrix<double>::InnerIterator it(grains, r.unknown[b]); it; ++it)
+      if (const int a = r.row[it.row()]; a >= 0)
+        reduced.insertBack(a, b) = it.value() * (r.length[a] * r.length[b]) / unit;
   }
-  r.grains.resize(n, n);
-  if (n == 0) return r;  // Eigen cannot compress a matrix without columns
-  Eigen::VectorXi column_sizes = Eigen::VectorXi::Zero(n);
-  for (int b = 0; b < n; ++b)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(k.grains, r.unknown[b]); it; ++it)
-      column_sizes[b] += row_of[it.row()] >= 0 ? 1 : 0;
-  r.grains.reserve(column_sizes);
-  for (int b = 0; b < n; ++b)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(k.grains, r.unknown[b]); it; ++it)
-      if (const int a = row_of[it.row()]; a >= 0)
-        r.grains.insert(a, b) = it.value() / (r.scale[a] * r.scale[b]);
-  r.grains.makeCompressed();
-  return r;
+  reduced.finalize();
+  return reduced;
 }
 
-/// Whether K could have a negative eigenvalue at all: without prestress it is G^T k G.
+/// The springs of a network in those unknowns, over `unit`, with the strains as boundary.
 template <int Dim>
-bool may_be_indefinite(const ContactNetwork<Dim>& network, const ResponseOptions& options) {
-  return options.prestress || std::any_of(network.contacts.begin(), network.contacts.end(),
-                                          [](const NetworkContact<Dim>& c) { return c.kn < 0.0; });
+class SpringList {
+ public:
+  SpringList(const ContactNetwork<Dim>& network, const ReducedUnknowns& unknowns, double unit,
+             const ResponseOptions& options)
+      : unknowns_(unknowns), n_boundary_(n_strains<Dim>(options.strains)) {
+    const int n_rows = count(network, options);
+    springs_.on_free.resize(n_rows, static_cast<int>(unknowns.unknown.size()));
+    springs_.on_free.reserve(n_rows * (Dim + kDofs<Dim>));
+    springs_.on_boundary.resize(n_rows, n_boundary_);
+    springs_.stiffness.resize(n_rows);
+    for (const NetworkContact<Dim>& c : network.contacts) {
+      const ContactRows<Dim> rows = contact_rows(c);
+      append(c, rows, row_stiffness(c) / unit);
+      if (options.prestress) append(c, translation_rows(rows), row_prestress(c) / unit);
+    }
+    springs_.on_free.finalize();
+  }
+  SpringSystem take() { return std::move(springs_); }
+
+ private:
+  static int count(const ContactNetwork<Dim>& network, const ResponseOptions& options) {
+    Eigen::Index n = 0;
+    for (const NetworkContact<Dim>& c : network.contacts) {
+      n += (row_stiffness(c).array() != 0.0).count();
+      if (options.prestress) n += (row_prestress(c).array() != 0.0).count();
+    }
+    return static_cast<int>(n);
+  }
+
+  void append(const NetworkContact<Dim>& c, const ContactRows<Dim>& g, const RowStiffness<Dim>& k) {
+    for (int a = 0; a < kDofs<Dim>; ++a) {
+      if (k[a] == 0.0) continue;
+      springs_.on_free.startVec(n_);
+      append_grain(std::min(c.i, c.j), c.i <= c.j ? g.on_i.row(a) : g.on_j.row(a));
+      append_grain(std::max(c.i, c.j), c.i <= c.j ? g.on_j.row(a) : g.on_i.row(a));
+      springs_.on_boundary.row(n_) = g.on_strain.row(a).head(n_boundary_);
+      springs_.stiffness[n_++] = k[a];
+    }
+  }
+
+  void append_grain(int grain, const auto& values) {
+    for (int b = 0; b < kDofs<Dim>; ++b) {
+      const int column = unknowns_.row[first_unknown<Dim>(grain) + b];
+      if (column >= 0 && values[b] != 0.0)
+        springs_.on_free.insertBack(n_, column) = values[b] * unknowns_.length[column];
+    }
+  }
+
+  const ReducedUnknowns& unknowns_;
+  int n_boundary_;
+  int n_ = 0;
+  SpringSystem springs_;
+};
+
+std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {
+  return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
 }
 
-/// Leaves a usable factor and fills in the counts. Returns how many refinements a solve needs.
-int factorize(SymmetricFactor& factor, bool may_have_negative, double bound, ElasticResponse& out) {
-  constexpr int kRefinements = 3;
-  if (factor.factorize_positive()) {
-    out.condition = factor.condition_estimate();
-    if (out.condition < kSuspiciousCondition) return kRefinements;
-  }
-  const int below = factor.count_eigenvalues_below(-bound);
-  const int n_small = factor.count_eigenvalues_below(bound) - below;
-  // Rounding alone does not make G^T k G indefinite by more than the bound.
-  out.n_negative = may_have_negative ? below : 0;
-  out.n_mechanisms = n_small;
-  const double shift = n_small > 0 ? 10.0 * bound : 0.0;
-  const bool factorized =
-      (out.n_negative == 0 && factor.factorize_positive(shift)) || factor.factorize_indefinite(shift);
-  out.condition =
-      n_small > 0 || !factorized ? std::numeric_limits<double>::infinity() : factor.condition_estimate();
-  return kShiftedRefinements;
+/// Inverse of K by its square root, where K itself has lost the digits; tells mechanisms by rank.
+ApproximateInverse invert_root(const SpringSystem& springs, const SymmetricFactor& factor,
+                               ElasticResponse& out) {
+  const Eigen::SparseMatrix<double> root = springs.stiffness.cwiseSqrt().asDiagonal() * springs.on_free;
+  const auto qr = std::make_shared<LeastSquaresFactor>(root, kDependent * std::sqrt(factor.norm()));
+  const auto n = static_cast<int>(root.cols());
+  out.n_mechanisms = n - qr->rank();
+  ApproximateInverse inverse;
+  inverse.apply = [qr](const Eigen::VectorXd& b) { return qr->solve(b); };
+  const double condition = factor.norm() * inverse_norm_estimate(n, inverse.apply);
+  inverse.smallest_ratio = kFactorRounding * std::sqrt(condition) < 0.5 ? 0.5 : 0.0;
+  out.condition = out.n_mechanisms > 0 ? kInfinity : condition;
+  return inverse;
+}
+
+/// Inverse of a K that is indefinite or may be, by L D L^T: near-singular eigenvalues are counted and shifted away.
+ApproximateInverse invert_indefinite(SymmetricFactor& factor, double bound, ElasticResponse& out) {
+  out.n_negative = factor.count_eigenvalues_below(-bound);
+  out.n_mechanisms = factor.count_eigenvalues_below(bound) - out.n_negative;
+  const double shift = out.n_mechanisms > 0 ? 10.0 * bound : 0.0;
+  ApproximateInverse inverse;
+  inverse.apply = by(factor);
+  inverse.definite = out.n_negative == 0 && factor.factorize_positive(shift);
+  const bool factorized = inverse.definite || factor.factorize_indefinite(shift);
+  out.condition = out.n_mechanisms > 0 || !factorized ? kInfinity : factor.condition_estimate();
+  if (inverse
+          .definite)  // beyond the mechanisms eigenvalues are above the bound; rounding may halve their ratios
+    inverse.smallest_ratio = 0.5 * bound / (bound + shift);
+  else
+    inverse.inverse_norm = kEstimateMargin * out.condition / factor.norm();
+  return inverse;
+}
+
+/// Cholesky's factor of K, if there is one that can be trusted.
+std::optional<ApproximateInverse> invert_positive(SymmetricFactor& factor, ElasticResponse& out) {
+  if (!factor.factorize_positive()) return std::nullopt;
+  out.condition = factor.condition_estimate();
+  if (!(out.condition < kSuspiciousCondition)) return std::nullopt;
+  return ApproximateInverse{.apply = by(factor), .smallest_ratio = 0.5};
+}
+
+/// An inverse of the K that Cholesky's method failed on, and a count of what K hides.
+ApproximateInverse invert_otherwise(SymmetricFactor& factor, const SpringSystem& springs,
+                                    double mechanism_bound, ElasticResponse& out) {
+  const bool has_root = springs.stiffness.size() == 0 || springs.stiffness.minCoeff() >= 0.0;
+  return has_root ? invert_root(springs, factor, out) : invert_indefinite(factor, mechanism_bound, out);
 }
 
 }  // namespace
 
 template <int Dim>
-ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const ResponseOptions& options) {
+ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const ResponseOptions& options,
+                                 SymmetricFactor& factor) {
   ElasticResponse out;
   out.free = find_free_motions(network);
   // Eliminating a dead end takes its contact with it.
   const ContactNetwork<Dim> core = without_grains(network, out.free.dead_end);
-  const StiffnessMatrix k = stiffness_matrix(core, {options.strains, options.prestress});
-  const ReducedStiffness reduced = reduce(core, k, out.free.kept);
-  SymmetricFactor factor(options.ordering);
-  factor.set_matrix(reduced.grains);
-  const int refinements = factorize(factor, may_be_indefinite(core, options), options.mechanism_bound, out);
+  const ReducedUnknowns unknowns = reduce_unknowns(core, out.free.kept);
+  const double unit = largest_stiffness(core);
+  StiffnessMatrix k = stiffness_matrix(core, {options.strains, options.prestress});
+  std::vector<int> grain_of;
+  for (const int u : unknowns.unknown) grain_of.push_back(u / kDofs<Dim>);
+  factor.set_matrix(reduce(k.grains, unknowns, unit), grain_of);
+  k = {};
+  std::optional<ApproximateInverse> inverse = invert_positive(factor, out);
+  const SpringSystem springs = SpringList<Dim>(core, unknowns, unit, options).take();
+  if (!inverse) inverse = invert_otherwise(factor, springs, options.mechanism_bound, out);
   out.n_negative += out.free.n_unstable_ends;
+  const Condensation condensed = condense(springs, *inverse, {options.tolerance});
 
-  const Eigen::MatrixXd y = factor.solve(reduced.border, refinements);
-  out.residual = factor.backward_error(y, reduced.border);
-  // The variational form: an error of the solution enters squared.
-  const Eigen::MatrixXd linear = reduced.border.transpose() * y;
-  out.relaxed = k.boundary - linear - linear.transpose() + y.transpose() * factor.multiply(y);
-  out.relaxed = 0.5 * (out.relaxed + out.relaxed.transpose()).eval();
-  out.fluctuation = Eigen::MatrixXd::Zero(network.n_unknowns(), k.border.cols());
-  for (int a = 0; a < static_cast<int>(reduced.unknown.size()); ++a)
-    out.fluctuation.row(reduced.unknown[a]) = -y.row(a) / reduced.scale[a];
+  out.relaxed = unit * condensed.stiffness;
+  out.error = unit * condensed.error;
+  const double scale = factor.norm() * condensed.response.lpNorm<Eigen::Infinity>() + condensed.load;
+  out.residual = scale > 0.0 ? condensed.imbalance / scale : 0.0;
+  out.fluctuation = Eigen::MatrixXd::Zero(network.n_unknowns(), out.relaxed.cols());
+  for (int a = 0; a < static_cast<int>(unknowns.unknown.size()); ++a)
+    out.fluctuation.row(unknowns.unknown[a]) = condensed.response.row(a) * unknowns.length[a];
   return out;
 }
 
-template ElasticResponse elastic_response(const ContactNetwork<2>&, const ResponseOptions&);
-template ElasticResponse elastic_response(const ContactNetwork<3>&, const ResponseOptions&);
+template <int Dim>
+ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const ResponseOptions& options) {
+  SymmetricFactor factor(options.ordering);
+  return elastic_response(network, options, factor);
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                    \
+  template ElasticResponse elastic_response(const ContactNetwork<Dim>&, const ResponseOptions&); \
+  template ElasticResponse elastic_response(const ContactNetwork<Dim>&, const ResponseOptions&,  \
+                                            SymmetricFactor&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
 
 }  // namespace floc

@@ -12,9 +12,12 @@ namespace floc {
 struct ResponseOptions {
   StrainSet strains = StrainSet::diagonal;
   bool prestress = false;  ///< geometric terms, see StiffnessOptions
-  Ordering ordering = Ordering::amd;
+  Ordering ordering = Ordering::automatic;
+  /// Relative error wanted of the diagonal of `relaxed`: refinement goes on until its bound is below, or rounding
+  /// is reached. A tenth of what moduli are compared to, and never more than a step or two away.
+  double tolerance = 1e-11;
   /// Eigenvalues of K within this of zero, in units of the largest contact stiffness (rotations times the
-  /// grain's size), are mechanisms. Rounding of K moves an eigenvalue by some 1e-15; near-mechanisms of real
+  /// grain's size), are mechanisms where K may be indefinite; else its square root G tells. Rounding of K moves an eigenvalue by some 1e-15; near-mechanisms of real
   /// packings have been seen down to 6e-13 and carry 3 % of B, so they must stay above.
   double mechanism_bound = 1e-13;
 };
@@ -25,6 +28,9 @@ struct ElasticResponse {
   /// Schur complement of the grains in K. Symmetric; the moduli are this over the volume where there is no
   /// prestress.
   Eigen::MatrixXd relaxed;
+  /// Bound of the error of each entry of `relaxed`, from the imbalance that is left and the rounding of the contacts'
+  /// geometry (branches are taken as right to a few units in the last place); infinite where none can be given.
+  Eigen::MatrixXd error;
   /// Fluctuation of the grains per unit strain: rows the unknowns of K, a column a strain. Zero where nothing
   /// fixes it.
   Eigen::MatrixXd fluctuation;
@@ -32,7 +38,7 @@ struct ElasticResponse {
   int n_negative = 0;      ///< negative eigenvalues of the block of the grains, unstable dead ends included
   int n_mechanisms = 0;    ///< its vanishing eigenvalues beyond those of `free`
   double residual = 0.0;   ///< backward error of the solution
-  double condition = 1.0;  ///< estimate, of the matrix that was factorized; infinite with mechanisms
+  double condition = 1.0;  ///< estimate, of K; infinite with mechanisms
 };
 
 /// Solves for the response. A singular or indefinite K is an answer; without prestress and distant bonds a
@@ -40,5 +46,11 @@ struct ElasticResponse {
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options);
+
+/// The same with a factor that keeps its symbolic part from one network to the next of the same contacts; its
+/// ordering is the one it was made with.
+template <int Dim>
+[[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
+                                               const ResponseOptions& options, SymmetricFactor& factor);
 
 }  // namespace floc

@@ -2,23 +2,57 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
+#include <cstring>
+
 extern "C" {
 void openblas_set_num_threads(int);
+char* openblas_get_corename();
 void dgemm_(const char*, const char*, const int*, const int*, const int*, const double*, const double*,
             const int*, const double*, const int*, const double*, double*, const int*);
 }
 
 namespace floc {
+namespace {
 
-void use_one_blas_thread() {
-  static const bool done = (openblas_set_num_threads(1), true);
+/// OpenBLAS's name for the widest kernels that this processor can run, or null if they are no better than its fallback.
+const char* widest_kernels() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+    return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "Haswell";
+#endif
+  return nullptr;
+}
+
+/// Lets OpenBLAS choose its kernels again where it took those for a processor it does not know. Builds for one
+/// processor have no such choice, and no such functions.
+void choose_kernels() {
+  constexpr const char* kVariable = "OPENBLAS_CORETYPE";
+  constexpr const char* kFallback = "Prescott";
+  const auto quit = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_dynamic_quit"));
+  const auto init = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_dynamic_init"));
+  const char* kernels = widest_kernels();
+  if (quit == nullptr || init == nullptr || kernels == nullptr) return;
+  if (std::getenv(kVariable) != nullptr || std::strcmp(openblas_get_corename(), kFallback) != 0) return;
+  setenv(kVariable, kernels, 1);
+  quit();
+  init();
+  unsetenv(kVariable);
+}
+
+}  // namespace
+
+void prepare_blas() {
+  static const bool done = (openblas_set_num_threads(1), choose_kernels(), true);
   static_cast<void>(done);
 }
 
 std::string blas_library() {
   Dl_info found{};
   if (dladdr(reinterpret_cast<const void*>(&dgemm_), &found) == 0 || found.dli_fname == nullptr) return {};
-  return found.dli_fname;
+  return std::string(found.dli_fname) + " (" + openblas_get_corename() + ")";
 }
 
 }  // namespace floc

@@ -2,12 +2,14 @@
 
 #include <Eigen/SparseCore>
 #include <memory>
+#include <vector>
 
 namespace floc {
 
 enum class Ordering {
-  amd,    ///< fastest to find; best to a million grains of a loose packing
-  metis,  ///< less fill in large dense packings, slower to find
+  automatic,  ///< by size: amd where it is found faster than it is used, else metis
+  amd,        ///< approximate minimum degree: fast to find
+  metis,      ///< nested dissection: less fill in large matrices, slower to find
 };
 
 /// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite
@@ -16,14 +18,17 @@ enum class Ordering {
 /// pivots and shifts are absolute.
 class SymmetricFactor {
  public:
-  explicit SymmetricFactor(Ordering ordering = Ordering::amd);
+  explicit SymmetricFactor(Ordering ordering = Ordering::automatic);
   ~SymmetricFactor();
   SymmetricFactor(SymmetricFactor&&) noexcept;
   SymmetricFactor& operator=(SymmetricFactor&&) noexcept;
 
-  /// Sets A (lower triangle, column-major; entries above the diagonal are ignored).
+  /// Sets A (lower triangle, column-major; entries above the diagonal are ignored). A matrix of the pattern of the
+  /// one before keeps its ordering and symbolic factors.
+  /// @param group  of each unknown, ascending: unknowns of one group (a grain) are ordered together, which is
+  ///               faster by the square of its size and as good. Empty: each is its own.
   /// @throws std::runtime_error when memory runs out.
-  void set_matrix(const Eigen::SparseMatrix<double>& lower);
+  void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 
   /// Factorizes A + shift * 1 as L L^T.
   /// @return false when it is not positive definite to working precision.
@@ -43,6 +48,9 @@ class SymmetricFactor {
   /// @param max_refinements  stops earlier when the residual no longer falls
   /// @pre the last factorization succeeded.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& B, int max_refinements = 3) const;
+
+  /// Largest absolute row sum of A.
+  double norm() const;
 
   /// A * X.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& X) const;

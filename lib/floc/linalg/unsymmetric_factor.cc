@@ -21,7 +21,7 @@ struct UnsymmetricFactor::Factors {
   std::array<double, UMFPACK_CONTROL> control{};
 
   Factors() {
-    use_one_blas_thread();
+    prepare_blas();
     umfpack_di_defaults(control.data());
     control[UMFPACK_PRL] = 0;
   }

@@ -43,6 +43,32 @@ TEST(SymmetricFactor, SolvesWithEitherOrderingAndEitherFactor) {
   }
 }
 
+TEST(SymmetricFactor, TakesAnotherMatrixOfTheSamePatternOrOfAnother) {
+  const Eigen::MatrixXd X = Eigen::MatrixXd::Random(60, 1);
+  SymmetricFactor factor;
+  const Eigen::SparseMatrix<double> stiffer = 3.0 * chain(60);
+  for (const Eigen::SparseMatrix<double>& matrix : {chain(60), stiffer, ring(60), stiffer}) {
+    factor.set_matrix(matrix);
+    ASSERT_TRUE(factor.factorize_positive(0.1));
+    ASSERT_TRUE(factor.factorize_indefinite(0.1));
+    const Eigen::MatrixXd B = factor.multiply(X) + 0.1 * X;
+    EXPECT_LT((factor.solve(B, 0) - X).norm(), 1e-13);
+  }
+}
+
+TEST(SymmetricFactor, OrdersUnknownsByTheirGroups) {
+  constexpr int n = 60;
+  std::vector<int> group(n);
+  for (int u = 0; u < n; ++u) group[u] = u / 3 + (u > 30 ? 2 : 0);  // numbers may be left out
+  const Eigen::MatrixXd X = Eigen::MatrixXd::Random(n, 1);
+  for (const Ordering ordering : {Ordering::amd, Ordering::metis}) {
+    SymmetricFactor factor(ordering);
+    factor.set_matrix(chain(n), group);
+    ASSERT_TRUE(factor.factorize_positive());
+    EXPECT_LT((factor.solve(factor.multiply(X)) - X).norm(), 1e-12);
+  }
+}
+
 TEST(SymmetricFactor, CountsEigenvaluesBelowABound) {
   constexpr int n = 25;
   SymmetricFactor factor;

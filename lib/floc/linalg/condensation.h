@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <functional>
+
+namespace floc {
+
+/// Springs between free unknowns u and boundary unknowns e, of energy 1/2 sum_r k_r (A u + B e)_r^2.
+struct SpringSystem {
+  Eigen::SparseMatrix<double, Eigen::RowMajor> on_free;                                ///< A: a row a spring
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> on_boundary;  ///< B
+  Eigen::VectorXd stiffness;  ///< k; negative ones are allowed
+};
+
+/// What stands for the inverse of K = A^T k A, and how far it may be trusted.
+struct ApproximateInverse {
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< M^-1 b
+  /// K and M are positive semidefinite: the refinement minimises the energy by conjugate gradients.
+  bool definite = true;
+  /// Definite: lower bound of the eigenvalues of M^-1 K that do not vanish. 0: nothing is known, and no error bound
+  /// is given.
+  double smallest_ratio = 0.0;
+  /// Otherwise: upper bound of the 2-norm of K^-1; infinite if nothing is known.
+  double inverse_norm = 0.0;
+};
+
+struct CondensationOptions {
+  double tolerance = 1e-10;  ///< relative error wanted of the diagonal of the condensed stiffness
+  int max_steps =
+      100;  ///< of refinement; a good inverse needs one, each near-mechanism below its reach one more
+};
+
+/// The stiffness that the boundary feels once the free unknowns have relaxed.
+struct Condensation {
+  Eigen::MatrixXd stiffness;  ///< S: 1/2 e^T S e = min over u of the energy; its stationary value if indefinite
+  Eigen::MatrixXd error;      ///< bound of |S - exact|, entry by entry; infinite where none can be given
+  Eigen::MatrixXd response;   ///< u for a unit of each boundary unknown
+  double imbalance = 0.0;     ///< largest |A^T k (A u + B e)| over all unknowns and columns
+  double load = 0.0;          ///< the same at u = 0
+  int steps = 0;              ///< of refinement, the worst column's
+};
+
+/// Static condensation with residuals in extended precision taken spring by spring, so that neither the rounding of
+/// an assembled K nor that of its factor enters: these only slow the refinement.
+///
+/// The error bound has two parts. What is left to relax is exactly r^T K^-1 r for the imbalance r, bounded by r^T M^-1
+/// r over `smallest_ratio` (or |r|^2 |K^-1|). Rounding of the entries of A and B, taken as a few units in the last
+/// place, changes the energy by its derivative with respect to them at fixed u (and by the square of the change of
+/// each spring's elongation), no condition number entering.
+[[nodiscard]] Condensation condense(const SpringSystem& springs, const ApproximateInverse& inverse,
+                                    const CondensationOptions& options);
+
+}  // namespace floc

@@ -15,6 +15,8 @@ HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::
   end_of_i_.assign(n_grains, 0);
   std::visit(
       [&]<class Law>(const Law& law) {
+        record_size_ = record_size(Law::kHasFriction);
+        row_bytes_ = static_cast<int>(sizeof(double)) * row_size(Law::kHasFriction);
         std::size_t next = 0;
         for (int i = 0; i < n_grains; ++i) {
           if (i % kGrainBlock == 0) pad_block();
@@ -37,8 +39,8 @@ HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::
 
 template <int Dim>
 void HotPairs<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping) {
-  i_.push_back(key.i);
-  j_.push_back(key.j);
+  record_i_.push_back(key.i * record_size_);
+  record_j_.push_back(key.j * record_size_);
   for (int a = 0; a < Dim; ++a) image_[a].push_back(key.image[a]);
   radii_.push_back(radius_i + radius_j);
   share_i_.push_back(radius_i / (radius_i + radius_j));
@@ -49,9 +51,9 @@ void HotPairs<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double ra
 template <int Dim>
 void HotPairs<Dim>::pad_block() {
   while (size() % kPairPadding != 0) {
-    const int grain = i_.back();
-    i_.push_back(grain);
-    j_.push_back(grain);
+    const int record = record_i_.back();
+    record_i_.push_back(record);
+    record_j_.push_back(record);
     for (int a = 0; a < Dim; ++a) image_[a].push_back(1.0);
     for (Component* component : {&radii_, &share_i_, &damping_}) component->push_back(0.0);
   }
@@ -60,7 +62,7 @@ void HotPairs<Dim>::pad_block() {
 
 template <int Dim>
 NeighborPair<Dim> HotPairs<Dim>::key(int p) const {
-  NeighborPair<Dim> key{i_[p], j_[p], {}};
+  NeighborPair<Dim> key{i(p), j(p), {}};
   for (int a = 0; a < Dim; ++a) key.image[a] = static_cast<int>(image_[a][p]);
   return key;
 }
@@ -89,8 +91,8 @@ void HotPairs<Dim>::inherit(const HotPairs& old) {
 template <int Dim>
 PairArrays<Dim> HotPairs<Dim>::arrays() {
   PairArrays<Dim> out;
-  out.i = i_.data();
-  out.j = j_.data();
+  out.record_i = record_i_.data();
+  out.record_j = record_j_.data();
   for (int a = 0; a < Dim; ++a) out.image[a] = image_[a].data();
   out.radii = radii_.data();
   out.share_i = share_i_.data();
@@ -101,29 +103,29 @@ PairArrays<Dim> HotPairs<Dim>::arrays() {
   return out;
 }
 
-/// Lists for each grain the rows it sums, in the order of the pairs: twice the pair, plus one where it is the pair's j.
+/// Lists for each grain the rows it sums, in the order of the pairs.
 template <int Dim>
 void HotPairs<Dim>::plan_sums(int n_grains) {
   std::vector<int> first_row(n_grains + 1, 0);
   for (int p = 0; p < size(); ++p) {
     if (padding(p)) continue;
-    ++first_row[i_[p] + 1];
-    ++first_row[j_[p] + 1];
+    ++first_row[i(p) + 1];
+    ++first_row[j(p) + 1];
   }
   std::partial_sum(first_row.begin(), first_row.end(), first_row.begin());
   std::vector<int> rows(first_row.back());
   std::vector<int> next(first_row.begin(), first_row.end() - 1);
   for (int p = 0; p < size(); ++p) {
     if (padding(p)) continue;
-    rows[next[i_[p]]++] = 2 * p;
-    rows[next[j_[p]]++] = 2 * p + 1;
+    rows[next[i(p)]++] = row_bytes_ * p;
+    rows[next[j(p)]++] = row_bytes_ * p + kSideOfRow;
   }
 
   const int n_blocks = (n_grains + kGrainBlock - 1) / kGrainBlock;
   plans_.resize(n_blocks);
   int n_entries = 0;
   for (int b = 0; b < n_blocks; ++b) n_entries += plan_block(b, n_grains, first_row);
-  entries_.assign(n_entries, 2 * size());  // the row that stays zero
+  entries_.assign(n_entries, row_bytes_ * size());  // the row that stays zero
   int* entry = entries_.data();
   for (int b = 0; b < n_blocks; ++b) {
     for (int g = 0; g < kGrainBlock / kSumGroup; ++g) {

@@ -93,10 +93,10 @@ template <class Isa>
 struct Records {
   using P = Pack<Isa>;
 
-  /// a[l], b[l] = base[stride * index[l]], the next double after it.
-  static void load_two(const double* base, int stride, const int* index, P& a, P& b) {
-    const typename P::Vector even = every_second(base, stride, index);
-    const typename P::Vector odd = every_second(base, stride, index + 1);
+  /// a[l], b[l] = base[offset[l]], the next double after it.
+  static void load_two(const double* base, const int* offset, P& a, P& b) {
+    const typename P::Vector even = every_second(base, offset);
+    const typename P::Vector odd = every_second(base, offset + 1);
     a = P(low_halves(even, odd));
     b = P(high_halves(even, odd));
   }
@@ -119,22 +119,22 @@ struct Records {
     return t;
   }
 
-  /// The records of index[0], index[2], ..., two doubles each.
-  static Vector every_second(const double* base, std::ptrdiff_t stride, const int* index) {
-    const Two first = two(base + stride * index[0]);
+  /// The records at offset[0], offset[2], ..., two doubles each.
+  static Vector every_second(const double* base, const int* offset) {
+    const Two first = two(base + offset[0]);
     if constexpr (P::kWidth == 2) {
       return first;
     }
 #if defined(__x86_64__)
     // Spelled out because the compiler's own concatenation takes twice the shuffles.
     if constexpr (P::kWidth == 4) {
-      return _mm256_insertf128_pd(_mm256_castpd128_pd256(first), two(base + stride * index[2]), 1);
+      return _mm256_insertf128_pd(_mm256_castpd128_pd256(first), two(base + offset[2]), 1);
     }
     if constexpr (P::kWidth == 8) {
       __m512d all = _mm512_castpd128_pd512(first);
-      all = _mm512_insertf64x2(all, two(base + stride * index[2]), 1);
-      all = _mm512_insertf64x2(all, two(base + stride * index[4]), 2);
-      return _mm512_insertf64x2(all, two(base + stride * index[6]), 3);
+      all = _mm512_insertf64x2(all, two(base + offset[2]), 1);
+      all = _mm512_insertf64x2(all, two(base + offset[4]), 2);
+      return _mm512_insertf64x2(all, two(base + offset[6]), 3);
     }
 #endif
   }

@@ -24,6 +24,10 @@ constexpr int row_size(bool turns) {
   return turns ? 4 : 2;
 }
 
+/// Bit of an entry of a sum that says the grain is the j of the row's pair: smaller than a row, and the number of weights
+/// that a side has.
+inline constexpr int kSideOfRow = 4;
+
 template <int Dim>
 struct GrainArrays {
   double *x[Dim], *v[Dim], *force[Dim];
@@ -36,10 +40,10 @@ struct GrainArrays {
 /// The pairs of all blocks, each block's padded by pairs that do not interact.
 template <int Dim>
 struct PairArrays {
-  const int *i, *j;
-  const double* image[Dim];  ///< in sides of the cell
-  const double* radii;       ///< Ri + Rj
-  const double* share_i;     ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
+  const int *record_i, *record_j;  ///< where the grains' records begin (doubles)
+  const double* image[Dim];        ///< in sides of the cell
+  const double* radii;             ///< Ri + Rj
+  const double* share_i;           ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
   const double* damping;
   double *shear, *roll;  ///< springs, null where the law has none
   double* row;           ///< one more than there are pairs: the last stays zero

@@ -129,13 +129,13 @@ struct GrainKernels {
   /// not depend on which of them the list holds.
   static void sum_group(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, const int* entry,
                         int depth, const int* grain, int begin) {
+    const char* const rows = reinterpret_cast<const char*>(pairs.row);
     Row sum[kSumGroup] = {};
     for (int d = 0; d < depth; ++d, entry += kSumGroup) {
       for (int l = 0; l < kSumGroup; ++l) {
-        Row row;
-        __builtin_memcpy(&row, pairs.row + static_cast<std::ptrdiff_t>(kRow) * (entry[l] >> 1), sizeof(Row));
-        Row weight;
-        __builtin_memcpy(&weight, kWeights[entry[l] & 1], sizeof(Row));
+        Row row, weight;
+        __builtin_memcpy(&row, rows + (entry[l] & ~kSideOfRow), sizeof(Row));
+        __builtin_memcpy(&weight, &kWeights[0][entry[l] & kSideOfRow], sizeof(Row));
         sum[l] += row * weight;
       }
     }
@@ -168,19 +168,19 @@ struct PairKernel {
     Spin<Dim, P> spin;
   };
 
-  static Seen look(const double* record, const int* grain) {
+  static Seen look(const double* record, const int* offset) {
     Seen seen;
-    Records<Isa>::load_two(record, kRecord, grain, seen.x[0], seen.x[1]);
-    Records<Isa>::load_two(record + Dim, kRecord, grain, seen.v[0], seen.v[1]);
+    Records<Isa>::load_two(record, offset, seen.x[0], seen.x[1]);
+    Records<Isa>::load_two(record + Dim, offset, seen.v[0], seen.v[1]);
     P idle;
-    if constexpr (kTurns) Records<Isa>::load_two(record + 2 * Dim, kRecord, grain, seen.spin[0], idle);
+    if constexpr (kTurns) Records<Isa>::load_two(record + 2 * Dim, offset, seen.spin[0], idle);
     return seen;
   }
 
   static void compute_pack(const Law& law, const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, int p,
                            const PairCell<Dim>& cell) {
-    const Seen i = look(grains.record, pairs.i + p);
-    const Seen j = look(grains.record, pairs.j + p);
+    const Seen i = look(grains.record, pairs.record_i + p);
+    const Seen j = look(grains.record, pairs.record_j + p);
     V r, affine;
     for (int a = 0; a < Dim; ++a) {
       r[a] = (j.x[a] - i.x[a]) + P::load(pairs.image[a] + p) * P(cell.side[a]);

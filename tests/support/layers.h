@@ -45,8 +45,8 @@ inline const std::vector<std::pair<std::string, std::string>>& foreign_owners() 
   static const std::vector<std::pair<std::string, std::string>> owners = {
       {"cholmod", "linalg"}, {"umfpack", "linalg"},  {"SuiteSparse", "linalg"}, {"suitesparse/", "linalg"},
       {"cblas", "linalg"},   {"Spectra/", "linalg"}, {"ceres/", "fitting"},     {"glog/", "fitting"},
-      {"hdf5", "io"},        {"H5", "io"},           {"toml", "scene"},         {"cairo", "picture"},
-      {"CLI/", ""},
+      {"hdf5", "io"},        {"H5", "io"},           {"pugixml", "io"},         {"toml", "scene"},
+      {"cairo", "picture"},  {"CLI/", ""},
   };
   return owners;
 }

@@ -1,23 +1,26 @@
 #include "floc/network/contact_network.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace floc {
-namespace {
 
-Mat<2> frame_of(const Vec<2>& n) {
+Mat<2> contact_frame(const Vec<2>& n) {
   Mat<2> frame;
   frame << n, tangent<double>(n);
   return frame;
 }
 
-Mat<3> frame_of(const Vec<3>& n) {
+Mat<3> contact_frame(const Vec<3>& n) {
   Mat<3> frame;
   frame.col(0) = n;
   frame.col(1) = n.unitOrthogonal();
   frame.col(2) = n.cross(frame.col(1));
   return frame;
 }
+
+namespace {
 
 template <int Dim>
 NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<Dim>& c, int source) {
@@ -32,7 +35,7 @@ NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<D
   out.branch = r;
   out.arm_i = share_i * r;
   out.arm_j = (share_i - 1.0) * r;
-  out.frame = frame_of(Vec<Dim>(r.normalized()));
+  out.frame = contact_frame(Vec<Dim>(r.normalized()));
   out.kn = c.kn;
   out.kt = c.kt;
   out.kr = c.kr;
@@ -67,6 +70,13 @@ ContactNetwork<Dim> without_grains(const ContactNetwork<Dim>& network, const std
 }
 
 template <int Dim>
+double stiffness_scale(const ContactNetwork<Dim>& network) {
+  double largest = 0.0;
+  for (const NetworkContact<Dim>& c : network.contacts) largest = std::max({largest, std::abs(c.kn), c.kt});
+  return largest > 0.0 ? largest : 1.0;
+}
+
+template <int Dim>
 void set_rolling_stiffness(ContactNetwork<Dim>& network, double kr) {
   assert(kr >= 0.0);
   for (NetworkContact<Dim>& c : network.contacts)
@@ -77,6 +87,8 @@ template ContactNetwork<2> contact_network(const Packing<2>&);
 template ContactNetwork<3> contact_network(const Packing<3>&);
 template ContactNetwork<2> without_grains(const ContactNetwork<2>&, const std::vector<bool>&);
 template ContactNetwork<3> without_grains(const ContactNetwork<3>&, const std::vector<bool>&);
+template double stiffness_scale(const ContactNetwork<2>&);
+template double stiffness_scale(const ContactNetwork<3>&);
 template void set_rolling_stiffness(ContactNetwork<2>&, double);
 template void set_rolling_stiffness(ContactNetwork<3>&, double);
 

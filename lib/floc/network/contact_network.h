@@ -47,6 +47,10 @@ constexpr int first_unknown(int grain) {
   return kDofs<Dim> * grain;
 }
 
+/// Columns: a unit normal, then unit tangents normal to it and to each other.
+Mat<2> contact_frame(const Vec<2>& normal);
+Mat<3> contact_frame(const Vec<3>& normal);
+
 /// The network of all contacts of a packing, in their order. Lever arms are l = R r/(R_i + R_j) along the
 /// normal (PHYSICS section 1), so they add up to the branch.
 template <int Dim>
@@ -56,6 +60,11 @@ ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 /// @param removed  one entry a grain
 template <int Dim>
 ContactNetwork<Dim> without_grains(const ContactNetwork<Dim>& network, const std::vector<bool>& removed);
+
+/// Largest normal or tangential stiffness in absolute value (force/length), 1 without contacts: K over it has a
+/// diagonal of order one where rotations are taken times the grain's size.
+template <int Dim>
+double stiffness_scale(const ContactNetwork<Dim>& network);
 
 /// Gives every contact that touches (not distant) the rolling stiffness kr >= 0 (force * length).
 template <int Dim>

@@ -1,0 +1,102 @@
+#include "floc/elasticity/mechanisms.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "floc/base/random.h"
+
+namespace floc {
+namespace {
+
+/// A stiffness below this share of the affine one is what rounding leaves of zero.
+constexpr double kVanishing = 1e-11;
+/// How far grains are moved, over their size: of order one but not so far that parts of a contact change places.
+constexpr double kDisplacement = 0.2;
+
+/// Columns: eigenvectors of a stiffness for eigenvalues that vanish.
+Eigen::MatrixXd null_strains(const Eigen::MatrixXd& stiffness, double scale) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(stiffness);
+  const auto n = (eigen.eigenvalues().array().abs() <= kVanishing * scale).count();
+  Eigen::MatrixXd columns(stiffness.rows(), n);
+  Eigen::Index at = 0;
+  for (Eigen::Index k = 0; k < stiffness.rows(); ++k)
+    if (std::abs(eigen.eigenvalues()[k]) <= kVanishing * scale) columns.col(at++) = eigen.eigenvectors().col(k);
+  return columns;
+}
+
+/// Share of a vector's squared length that lies in the span of some columns.
+double share_in(const Eigen::MatrixXd& columns, const Eigen::VectorXd& v) {
+  return (columns.transpose() * v).squaredNorm() / v.squaredNorm();
+}
+
+template <int Dim>
+std::vector<std::string> vanishing_moduli(const Eigen::MatrixXd& strains) {
+  constexpr double kRounding = 1e-9;  // eigenvectors of a matrix with a clear gap are right to rounding
+  const Eigen::Index n = strains.rows();
+  const auto vanishes = [&](const Eigen::VectorXd& v) { return share_in(strains, v) > 1.0 - kRounding; };
+  std::vector<std::string> names;
+  for (Eigen::Index a = 0; a < n; ++a)
+    if (vanishes(Eigen::VectorXd::Unit(n, a))) names.push_back(fmt::format("C{0}{0}", a + 1));
+  Eigen::VectorXd isotropic = Eigen::VectorXd::Zero(n);
+  isotropic.head<Dim>().setOnes();
+  if (vanishes(isotropic)) names.emplace_back("B");
+  if (share_in(strains, isotropic) > kRounding) names.emplace_back("B_S");
+  bool shears = true;
+  for (int a = 1; a < Dim; ++a)
+    shears = shears && vanishes(Eigen::VectorXd::Unit(n, 0) - Eigen::VectorXd::Unit(n, a));
+  if (shears) names.emplace_back("G");
+  return names;
+}
+
+template <int Dim>
+ContactNetwork<Dim> in_general_position(const ContactNetwork<Dim>& network) {
+  ContactNetwork<Dim> moved = network;
+  RandomStream random(1, 1);
+  std::vector<Vec<Dim>> displacement(network.n_grains);
+  for (int i = 0; i < network.n_grains; ++i)
+    for (int a = 0; a < Dim; ++a) displacement[i][a] = kDisplacement * network.grain_size[i] * random.normal();
+  for (NetworkContact<Dim>& c : moved.contacts) {
+    const double size = network.grain_size[c.i];
+    const double share = 0.5 + 0.2 * (random.uniform() - 0.5);
+    c.branch += displacement[c.j] - displacement[c.i];
+    c.arm_i = share * c.branch;
+    c.arm_j = (share - 1.0) * c.branch;
+    c.frame = contact_frame(Vec<Dim>(c.branch.normalized()));
+    c.kn = c.kn == 0.0 ? 0.0 : 1.0;
+    c.kt = c.kt == 0.0 ? 0.0 : 1.0;
+    c.kr = c.kr == 0.0 ? 0.0 : size * size;
+  }
+  return moved;
+}
+
+}  // namespace
+
+template <int Dim>
+StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine) {
+  StrainMechanisms out;
+  out.strains = null_strains(response.relaxed, affine.trace());
+  out.motions = response.fluctuation * out.strains;
+  if (out.strains.cols() > 0) out.vanishing = vanishing_moduli<Dim>(out.strains);
+  return out;
+}
+
+template <int Dim>
+StructuralMechanisms structural_mechanisms(const ContactNetwork<Dim>& network, StrainSet strains) {
+  const ContactNetwork<Dim> moved = in_general_position(network);
+  ResponseOptions options;
+  options.strains = strains;
+  const ElasticResponse response = elastic_response(moved, options);
+  const double scale = affine_stiffness(moved, strains).trace();
+  return {response.n_mechanisms, static_cast<int>(null_strains(response.relaxed, scale).cols())};
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                       \
+  template StrainMechanisms strain_mechanisms<Dim>(const ElasticResponse&, const Eigen::MatrixXd&); \
+  template StructuralMechanisms structural_mechanisms(const ContactNetwork<Dim>&, StrainSet);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

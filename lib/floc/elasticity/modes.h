@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "floc/linalg/symmetric_factor.h"
+#include "floc/network/free_motions.h"
+#include "floc/network/stiffness_matrix.h"
+
+namespace floc {
+
+enum class ModeKind {
+  unstable,        ///< negative eigenvalue
+  mechanism,       ///< zero to rounding, beyond the motions that are free by structure
+  near_mechanism,  ///< below max |F_N|/r: prestress of the size the state carries could lift or drop it
+  elastic,         ///< above
+};
+
+/// "unstable", "mechanism", "near-mechanism", "elastic".
+std::string name_of(ModeKind kind);
+
+/// One eigenvector of the stiffness matrix of the grains, strains clamped, no prestress. Rotations count as the
+/// displacements they give at the grain's size.
+template <int Dim>
+struct Mode {
+  ModeKind kind = ModeKind::elastic;
+  double eigenvalue = 0.0;      ///< energy is half of it times the squared length of the motion (force/length)
+  double with_prestress = 0.0;  ///< Rayleigh's quotient of this motion once the geometric terms are added
+  Eigen::VectorXd motion;       ///< unknowns of K (length, radians), of unit length
+  /// (sum u_i^2)^2/(n sum u_i^4) over the n grains that take part in the network: 1 if all move alike, 1/n if one moves.
+  double participation = 0.0;
+  /// Volume times the stress it gives per unit amplitude, one entry a strain unknown (force * length/length): its
+  /// coupling to strain. A mode takes coupling * coupling^T/(eigenvalue volume) off the affine moduli; all
+  /// together leave C.
+  Eigen::VectorXd coupling;
+  double softens_B = 0.0;  ///< what it takes off the affine bulk modulus (stress)
+  double softens_G = 0.0;  ///< off the affine shear modulus (C11 + C22 - 2 C12)/4 (stress)
+  /// Fewest grains that hold half of the squared amplitude, the most mobile first, at most `kMostNamed`.
+  std::vector<int> grains;
+
+  static constexpr int kMostNamed = 12;
+};
+
+struct ModeOptions {
+  StrainSet strains = StrainSet::diagonal;
+  /// Number of modes. By default all that are not elastic, but no fewer than 10 and no more than 100.
+  std::optional<int> count;
+  /// See ResponseOptions.
+  double mechanism_bound = 1e-13;
+  Ordering ordering = Ordering::amd;
+};
+
+template <int Dim>
+struct SoftModes {
+  FreeMotions free;
+  std::vector<Mode<Dim>> modes;  ///< eigenvalues ascending
+  double near_bound = 0.0;       ///< max |F_N|/r over the contacts (force/length)
+  int n_below_near_bound = 0;  ///< modes up to it, counted by inertia: unstable, mechanisms and near-mechanisms
+  bool complete = true;        ///< no mode below the last of these is missing
+};
+
+/// The softest modes of a network beyond those that are free by structure, found by shift and invert.
+/// @pre options.count, if given, is positive.
+template <int Dim>
+[[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
+
+}  // namespace floc

@@ -1,0 +1,130 @@
+#include "floc/elasticity/modes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "floc/elasticity/elastic_response.h"
+#include "floc/elasticity/isotropic_moduli.h"
+#include "support/lattices.h"
+
+namespace floc {
+namespace {
+
+/// All eigenvalues of K of the grains that have contacts, rotations times the grain's size, ascending.
+template <int Dim>
+Eigen::VectorXd dense_eigenvalues(const ContactNetwork<Dim>& network) {
+  const int n = network.n_unknowns();
+  Eigen::MatrixXd k = Eigen::MatrixXd(stiffness_matrix(network, {}).whole()).topLeftCorner(n, n);
+  for (int u = 0; u < n; ++u)
+    if (u % kDofs<Dim> >= Dim) {
+      k.row(u) /= network.grain_size[u / kDofs<Dim>];
+      k.col(u) /= network.grain_size[u / kDofs<Dim>];
+    }
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+template <int Dim>
+void expect_dense_eigenvalues(const ContactNetwork<Dim>& network, int count) {
+  ModeOptions options;
+  options.count = count;
+  const SoftModes<Dim> soft = soft_modes(network, options);
+  EXPECT_TRUE(soft.complete);
+  ASSERT_EQ(soft.modes.size(), static_cast<std::size_t>(count));
+  const Eigen::VectorXd dense = dense_eigenvalues(network);
+  // The dense ones hold the free motions too, as zeros among those that are not negative.
+  const auto n_negative = (dense.array() < -1e-12).count();
+  for (int m = 0; m < count; ++m) {
+    const double expected = dense[m < n_negative ? m : m + soft.free.modes.cols()];
+    // Rounding of both, and the square of the vectors' error.
+    EXPECT_NEAR(soft.modes[m].eigenvalue, expected, 1e-12) << "mode " << m;
+  }
+}
+
+TEST(SoftModes, AreThoseOfTheDenseMatrix) {
+  for (unsigned seed = 0; seed < 4; ++seed)
+    for (const double kr : {0.1, 0.0}) {
+      const auto law = test::elastic_law(1.0, 0.6, kr);
+      expect_dense_eigenvalues(contact_network(test::random_packing<2>(120, seed, law, 1.5)), 25);
+      expect_dense_eigenvalues(contact_network(test::random_packing<3>(60, seed, law, 1.2)), 25);
+    }
+  expect_dense_eigenvalues(
+      contact_network(test::random_packing<2>(150, 7, test::elastic_law(1.0, 0.0, 0.0), 2.0)), 25);
+}
+
+TEST(SoftModes, OfALatticeLackNoCopy) {
+  expect_dense_eigenvalues(contact_network(test::square_frames(40, 1.0, test::elastic_law(1.0, 0.6, 0.1))), 20);
+}
+
+TEST(SoftModes, IncludeUnstableOnes) {
+  LawParameters law = test::elastic_law(1.0, 0.6, 0.1);
+  law.adhesion = LawParameters::Adhesion{0.05, 0.1};
+  int n_unstable = 0;
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    const auto network = contact_network(test::random_packing<2>(80, seed, law, 1.2));
+    expect_dense_eigenvalues(network, 15);
+    for (const Mode<2>& m : soft_modes(network, {}).modes) n_unstable += m.kind == ModeKind::unstable ? 1 : 0;
+  }
+  EXPECT_GT(n_unstable, 0);
+}
+
+TEST(SoftModes, AllTogetherTakeOffWhatRelaxationDoes) {
+  for (const double kr : {0.1, 0.0}) {
+    const auto network = contact_network(test::random_packing<2>(60, 3, test::elastic_law(1.0, 0.6, kr), 2.2));
+    ModeOptions options;
+    options.count = network.n_unknowns();
+    const SoftModes<2> soft = soft_modes(network, options);
+    double B = bulk_modulus(affine_stiffness(network, StrainSet::diagonal)) / network.volume;
+    double G = pure_shear_modulus(affine_stiffness(network, StrainSet::diagonal)) / network.volume;
+    for (const Mode<2>& m : soft.modes) B -= m.softens_B, G -= m.softens_G;
+    const Eigen::MatrixXd C = elastic_response(network, {}).relaxed / network.volume;
+    // Softest eigenvalues of some 1e-4, right to 1e-12 over them.
+    EXPECT_NEAR(B, bulk_modulus(C), 1e-9);
+    EXPECT_NEAR(G, pure_shear_modulus(C), 1e-9);
+    EXPECT_EQ(soft.modes.size() + soft.free.modes.cols(), static_cast<std::size_t>(network.n_unknowns()));
+  }
+}
+
+TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
+  // A chain across the cell, its disks off the line by 1e-5: to buckle costs next to nothing.
+  Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
+  packing.grains.position[1][1] += 1e-5;
+  packing.grains.position[3][1] -= 2e-5;
+  find_contacts(packing);
+  for (Contact<2>& c : packing.contacts) c.normal_force = 0.01;
+  const auto compressed = soft_modes(contact_network(packing), {});
+  EXPECT_NEAR(compressed.near_bound, 0.01, 1e-9);
+  ASSERT_FALSE(compressed.modes.empty());
+  const Mode<2>& softest = compressed.modes.front();
+  EXPECT_LT(softest.eigenvalue, 0.01);
+  EXPECT_LT(softest.with_prestress, softest.eigenvalue);
+  for (Contact<2>& c : packing.contacts) c.normal_force = -0.01;
+  const auto stretched = soft_modes(contact_network(packing), {});
+  EXPECT_GT(stretched.modes.front().with_prestress, stretched.modes.front().eigenvalue);
+}
+
+TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
+  // One disk of a stiff lattice is held softly: in the softest mode it moves by 1 - 1/n, the others by -1/n.
+  auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 1.0, 1.0)));
+  for (NetworkContact<2>& c : network.contacts)
+    if (c.i == 2 || c.j == 2) c.kn = c.kt = c.kr = 1e-8;
+  const SoftModes<2> soft = soft_modes(network, {});
+  const double n = network.n_grains;
+  const double sum = (n - 1.0) / n;
+  const double fourth = std::pow(sum, 4) + (n - 1.0) * std::pow(n, -4);
+  // The others give way by the ratio of stiffnesses.
+  EXPECT_NEAR(soft.modes.front().participation, sum * sum / (n * fourth), 1e-7);
+  EXPECT_EQ(soft.modes.front().grains, std::vector<int>{2});
+}
+
+TEST(SoftModes, OfNoContactsAreNone) {
+  Packing<3> packing;
+  packing.grains = Grains<3>::with_size(3);
+  const SoftModes<3> soft = soft_modes(contact_network(packing), {});
+  EXPECT_TRUE(soft.modes.empty());
+  EXPECT_EQ(soft.free.count(FreeMotionKind::rattler), 18);
+}
+
+}  // namespace
+}  // namespace floc

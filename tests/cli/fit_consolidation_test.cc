@@ -46,7 +46,7 @@ TEST(FitConsolidation, RecoversTheLawBehindATableAndSaysWhichRowsItUsed) {
   EXPECT_EQ(fit["rows_used"].size(), fit["n_points"]);
   // Row 26 is the last of the loading; the unloading is not fitted.
   EXPECT_EQ(fit["rows_used"].back(), 26);
-  EXPECT_THAT(o.err, HasSubstr("1 row(s) at P* = 0 left out"));
+  EXPECT_THAT(o.err, HasSubstr("left out 1 row(s) at P* = 0 (0), 2 row(s) of unloading (27-28)"));
   EXPECT_THAT(o.err, HasSubstr("plateau of regime I"));
   EXPECT_THAT(o.err, HasSubstr("r.m.s. residual of 1/Phi"));
 }

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "floc/fitting/consolidation_solver.h"
+#include "floc/fitting/consolidation_bootstrap.h"
+#include "floc/fitting/law_estimate.h"
 #include "floc/fitting/student_t.h"
 
 namespace floc {
@@ -15,246 +16,64 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Regime II needs this many pressures before its slope is one.
-constexpr int kFewestInRegimeTwo = 3;
-/// (P1*/P*)^alpha above which the local slope of the full law is within a fifth of lambda: regime II.
-constexpr double kRegimeTwo = 2.65;
-/// (P1*/P*)^alpha below which the power law is within a twentieth of the full one: regime III.
-constexpr double kRegimeThree = 0.6;
-/// Residuals of 1/Phi below this are rounding of the table, not information about its model.
-constexpr double kRounding = 1e-9;
-/// A parameter known to less than this factor either way is not identified.
-constexpr double kIdentifiedFactor = 10.0;
-
 /// P0* should lie at the end of the plateau to within this factor.
 constexpr double kFarFromTheEnd = 2.0;
+/// Samples whose scatter gives weights and errors.
+constexpr Eigen::Index kFewestSamples = 3;
 
-/// The points of a curve as the laws see them.
-struct Points {
-  Eigen::VectorXd log_P, y;
+const char* name_of(Law law) {
+  return law == Law::log ? "log" : law == Law::power ? "power" : "full";
+}
 
-  int size() const { return static_cast<int>(y.size()); }
-  Points range(int first, int n) const { return {log_P.segment(first, n), y.segment(first, n)}; }
-};
+const char* place_of(Law law) {
+  return law == Law::log ? "regime II" : law == Law::power ? "regime III" : "the window";
+}
 
-Points points_of(const ConsolidationCurve& curve) {
+Weighting weighting_of(const ConsolidationCurve& curve, const ConsolidationOptions& options) {
+  if (options.weighting != Weighting::automatic) return options.weighting;
+  return curve.samples.cols() >= kFewestSamples ? Weighting::scatter : Weighting::relative;
+}
+
+/// Deviations of the samples from their mean, points x samples.
+Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& samples) {
+  return samples.colwise() - samples.rowwise().mean();
+}
+
+/// Variance of 1/Phi between samples. That of one pressure is known badly from a few samples, so it is averaged over five
+/// neighbours, and none counts less than a tenth of their mean.
+Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
+  constexpr Eigen::Index kReach = 2;
+  constexpr double kLeast = 0.1;
+  const Eigen::VectorXd own =
+      deviations_of(samples).rowwise().squaredNorm() / static_cast<double>(samples.cols() - 1);
+  const Eigen::Index n = own.size();
+  Eigen::VectorXd smooth(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index first = std::max<Eigen::Index>(i - kReach, 0);
+    smooth[i] = own.segment(first, std::min(i + kReach + 1, n) - first).mean();
+  }
+  return smooth.cwiseMax(kLeast * smooth.mean());
+}
+
+/// Weights of mean square one.
+Eigen::VectorXd weights_of(const ConsolidationCurve& curve, const Eigen::VectorXd& y, Weighting weighting) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(y.size());
+  if (weighting == Weighting::relative) weights = y.cwiseInverse();
+  if (weighting == Weighting::scatter) {
+    const Eigen::VectorXd variance = smooth_variance(curve.samples);
+    if (variance.mean() > 0.0) weights = variance.cwiseSqrt().cwiseInverse();
+  }
+  return weights / std::sqrt(weights.squaredNorm() / static_cast<double>(weights.size()));
+}
+
+LawPoints points_of(const ConsolidationCurve& curve, Weighting weighting) {
   const auto n = static_cast<Eigen::Index>(curve.phi.size());
-  return {Eigen::Map<const Eigen::VectorXd>(curve.P_star.data(), n).array().log(),
-          Eigen::Map<const Eigen::VectorXd>(curve.phi.data(), n).array().inverse()};
+  const Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(curve.phi.data(), n).array().inverse();
+  return {Eigen::Map<const Eigen::VectorXd>(curve.P_star.data(), n).array().log(), y,
+          weights_of(curve, y, weighting)};
 }
 
-/// Bayesian information criterion of a least-squares model, up to a constant.
-double information(double sum_of_squares, int n, int n_free) {
-  const double floor = n * kRounding * kRounding;
-  return n * std::log(std::max(sum_of_squares, floor) / n) + n_free * std::log(n);
-}
-
-/// True if these points tell the full law from the line of regime II.
-bool see_a_bend(const Points& points, const LawSolution& full) {
-  const auto line = solve_law(Law::log, points.log_P, points.y);
-  const int n = points.size();
-  return !line || information(full.sum_of_squares, n, n_parameters(Law::full)) <
-                      information(line->sum_of_squares, n, n_parameters(Law::log));
-}
-
-/// True if they also reach beyond P1*.
-bool see_regime_three(const Points& points, const LawSolution& full) {
-  return full.theta[3] < points.log_P[points.size() - 1] && see_a_bend(points, full);
-}
-
-/// Number of points at pressures below P1*.
-int n_before_regime_three(const Points& points, const LawSolution& full) {
-  return static_cast<int>((points.log_P.array() < full.theta[3]).count());
-}
-
-struct Split {
-  int n_plateau;
-  LawSolution solution;
-};
-
-/// Splits the points into a plateau (a constant) and a rest that follows the law, such that both together leave
-/// the least information; as few points in the plateau as explain as much. Absent if no split leaves a regime
-/// II.
-std::optional<Split> split_off_plateau(Law law, const Points& points) {
-  std::optional<Split> best;
-  double least = std::numeric_limits<double>::infinity();
-  const int n = points.size();
-  const int longest = std::min(n / 2, n - n_parameters(law) - 1);
-  for (int k = 0; k <= longest; ++k) {
-    const Points rest = points.range(k, n - k);
-    auto solution = solve_law(law, rest.log_P, rest.y);
-    if (!solution || (law == Law::full && n_before_regime_three(rest, *solution) < kFewestInRegimeTwo))
-      continue;
-    const Eigen::VectorXd plateau = points.y.head(k);
-    const double left = k > 0 ? (plateau.array() - plateau.mean()).square().sum() : 0.0;
-    // A plateau costs two numbers: its level and its end.
-    const double info = information(solution->sum_of_squares + left, n, n_parameters(law) + (k > 0 ? 2 : 0));
-    if (info < least) {
-      least = info;
-      best = Split{k, std::move(*solution)};
-    }
-  }
-  return best;
-}
-
-/// A fit under construction: the points fitted, the solution, and the plateau before them.
-struct Draft {
-  Points points;
-  LawSolution solution;
-  std::optional<double> plateau;  ///< mean of 1/Phi over the plateau
-  double t95;
-
-  /// Of a function of theta with this gradient.
-  double standard_error(const Eigen::VectorXd& gradient) const {
-    double variance = 0.0;
-    for (int i = 0; i < gradient.size(); ++i)
-      for (int j = 0; j < gradient.size(); ++j)
-        if (gradient[i] != 0.0 && gradient[j] != 0.0)
-          variance += gradient[i] * solution.covariance(i, j) * gradient[j];
-    return std::sqrt(variance);
-  }
-};
-
-/// A parameter exp(c) from its logarithm and that one's standard error.
-FittedParameter from_log(const std::string& name, double c, double error, double t95) {
-  FittedParameter p{
-      name, std::exp(c), std::exp(c) * error, std::exp(c - t95 * error), std::exp(c + t95 * error), true};
-  p.identified = t95 * error < std::log(kIdentifiedFactor);
-  return p;
-}
-
-/// A solid fraction 1/y.
-FittedParameter from_inverse(const std::string& name, double y, double error, double t95) {
-  const double low = y - t95 * error;
-  FittedParameter p{
-      name, 1.0 / y, error / (y * y), 1.0 / (y + t95 * error), std::nullopt, std::isfinite(error)};
-  if (low > 0.0)
-    p.high95 = 1.0 / low;
-  else
-    p.identified = false;
-  return p;
-}
-
-FittedParameter held(const std::string& name, double value) {
-  return {name, value, {}, {}, {}, true};
-}
-
-/// P0* and Phi0 of the line y_line - lambda (ln P - log_P_line), lambda = exp(theta[0]), where the gradients of
-/// y_line and log_P_line to theta are unit vectors: `at_y` and, if it is a parameter, `at_log_P`.
-void add_start_of_regime_two(const Draft& d, double log_P_line, int at_log_P, double y_line, int at_y,
-                             ConsolidationFit& fit) {
-  const double lambda = std::exp(d.solution.theta[0]);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.solution.theta.size());
-  if (d.plateau) {
-    // The line meets the plateau, whose level has an error of its own.
-    const double drop = (y_line - *d.plateau) / lambda;
-    gradient[0] = -drop;
-    gradient[at_y] = 1.0 / lambda;
-    if (at_log_P >= 0) gradient[at_log_P] = 1.0;
-    const double n_free = static_cast<double>(d.solution.theta.size());
-    const double variance = d.solution.sum_of_squares / (d.points.size() - n_free) / fit.n_plateau;
-    const double error = std::hypot(d.standard_error(gradient), std::sqrt(variance) / lambda);
-    fit.parameters.push_back(from_inverse("Phi0", *d.plateau, std::sqrt(variance), d.t95));
-    fit.parameters.push_back(from_log("P0_star", log_P_line + drop, error, d.t95));
-    // The plateau ends between its last point and the first of the window, where the line should meet it.
-    const double P0 = std::exp(log_P_line + drop);
-    if (P0 < fit.plateau_high / kFarFromTheEnd || P0 > fit.window_low * kFarFromTheEnd)
-      fit.warnings.push_back(
-          fmt::format("the line of regime II meets the plateau at P0* = {:.4g}, but the plateau ends between "
-                      "{:.4g} and {:.4g}: the "
-                      "density jumps there; a mean over samples, or --window, gives a better P0*",
-                      P0, fit.plateau_high, fit.window_low));
-    return;
-  }
-  const double distance = d.points.log_P[0] - log_P_line;
-  gradient[0] = -lambda * distance;
-  gradient[at_y] = 1.0;
-  if (at_log_P >= 0) gradient[at_log_P] = lambda;
-  fit.parameters.push_back(from_inverse("Phi0", y_line - lambda * distance, d.standard_error(gradient), d.t95));
-  fit.parameters.push_back(held("P0_star", fit.window_low));
-}
-
-/// Parameters that are coordinates of theta themselves.
-void add_free(const Draft& d, const std::vector<std::string>& names, ConsolidationFit& fit) {
-  const Eigen::VectorXd& theta = d.solution.theta;
-  const Eigen::MatrixXd& c = d.solution.covariance;
-  for (int k = 0; k < theta.size(); ++k) {
-    const double error = std::sqrt(c(k, k));
-    fit.parameters.push_back(names[k] == "Phi_max" ? from_inverse(names[k], theta[k], error, d.t95)
-                                                   : from_log(names[k], theta[k], error, d.t95));
-    if (!fit.parameters.back().identified)
-      fit.warnings.push_back(fmt::format("{} is not identified by these data", names[k]));
-  }
-  fit.correlated = names;
-  const Eigen::VectorXd scale = c.diagonal().cwiseSqrt().cwiseInverse();
-  fit.correlation = scale.asDiagonal() * c * scale.asDiagonal();
-  // Phi_max falls as its coordinate 1/Phi_max grows.
-  const auto phi_max = std::find(names.begin(), names.end(), "Phi_max");
-  if (phi_max == names.end()) return;
-  const auto at = phi_max - names.begin();
-  fit.correlation.row(at) *= -1.0;
-  fit.correlation.col(at) *= -1.0;
-}
-
-FittedParameter bound_from_below(const std::string& name, std::optional<double> low) {
-  return {name, std::nullopt, std::nullopt, low, std::nullopt, false};
-}
-
-/// The data end before P1*: lambda is that of the law they can tell, the rest is bounded by the last point.
-void add_regime_two_alone(Draft d, double last_phi, ConsolidationFit& fit) {
-  const bool bends = see_a_bend(d.points, d.solution);
-  if (!bends) d.solution = *solve_law(Law::log, d.points.log_P, d.points.y);
-  const Eigen::VectorXd& theta = d.solution.theta;
-  d.t95 = student_t_95(d.points.size() - static_cast<int>(theta.size()));
-  fit.rms = std::sqrt(d.solution.sum_of_squares / d.points.size());
-  fit.parameters.push_back(from_log("lambda", theta[0], std::sqrt(d.solution.covariance(0, 0)), d.t95));
-  fit.parameters.push_back(bound_from_below("alpha", std::nullopt));
-  fit.parameters.push_back(bound_from_below("Phi_max", last_phi));
-  fit.parameters.push_back(bound_from_below("P1_star", fit.window_high));
-  if (bends)
-    add_start_of_regime_two(d, theta[3], 3, theta[2], 2, fit);
-  else
-    add_start_of_regime_two(d, d.points.log_P[0], -1, theta[1], 1, fit);
-  fit.correlated = {"lambda"};
-  fit.correlation = Eigen::MatrixXd::Ones(1, 1);
-  fit.warnings.push_back(
-      fmt::format("the data end at P* = {:.6g}, before P1*: alpha is not identified, P1_star and Phi_max are "
-                  "bounds, and lambda is "
-                  "that of {}",
-                  fit.window_high, bends ? "the full law" : "the line of regime II"));
-}
-
-void add_parameters(const Draft& d, ConsolidationFit& fit) {
-  const Eigen::VectorXd& theta = d.solution.theta;
-  switch (fit.law) {
-    case Law::log:
-      fit.parameters.push_back(from_log("lambda", theta[0], std::sqrt(d.solution.covariance(0, 0)), d.t95));
-      fit.correlated = {"lambda"};
-      fit.correlation = Eigen::MatrixXd::Ones(1, 1);
-      add_start_of_regime_two(d, d.points.log_P[0], -1, theta[1], 1, fit);
-      break;
-    case Law::power:
-      add_free(d, {"A", "alpha", "Phi_max"}, fit);
-      break;
-    case Law::full:
-      add_free(d, {"lambda", "alpha", "Phi_max", "P1_star"}, fit);
-      add_start_of_regime_two(d, theta[3], 3, theta[2], 2, fit);
-      break;
-  }
-}
-
-std::string regime_of(Law law) {
-  return law == Law::power ? "regime III" : "regime II";
-}
-
-ConsolidationFit refused(Law law, std::string why) {
-  ConsolidationFit fit;
-  fit.law = law;
-  fit.refusal = std::move(why);
-  return fit;
-}
-
-/// First point and number of points a law is fitted on.
+/// First point and number of points a law is fitted on, and of the plateau right before them.
 struct Window {
   int first, n;
   int n_plateau;
@@ -271,36 +90,41 @@ Window given_window(const ConsolidationCurve& curve, std::pair<double, double> w
           static_cast<int>(std::count_if(begin, curve.P_star.end(), inside)), 0};
 }
 
-/// The pressures that belong to the law by a split of the whole curve with the full law; where that is
-/// impossible, with the line alone.
-std::optional<Window> found_window(Law law, const Points& points) {
-  const int n = points.size();
-  const auto full = split_off_plateau(Law::full, points);
-  if (!full) {
-    const auto line = law == Law::log ? split_off_plateau(Law::log, points) : std::nullopt;
-    return line ? std::optional(Window{line->n_plateau, n - line->n_plateau, line->n_plateau}) : std::nullopt;
-  }
-  const int k = full->n_plateau;
-  const Points rest = points.range(k, n - k);
-  if (law == Law::full) return Window{k, n - k, k};
-  const LawSolution& s = full->solution;
-  const bool has_end = see_regime_three(rest, s);
-  const double shift = (law == Law::log ? std::log(kRegimeTwo) : std::log(kRegimeThree)) / std::exp(s.theta[1]);
-  const double end = has_end ? s.theta[3] - shift : std::numeric_limits<double>::infinity();
-  const int n_below = static_cast<int>((rest.log_P.array() <= end).count());
-  if (law == Law::log) return Window{k, n_below, k};
-  return Window{k + n_below, n - k - n_below, 0};
+/// The points on which the regimes say that a law holds.
+Window window_of(Law law, const Regimes& regimes, int n) {
+  const int k = regimes.n_plateau;
+  if (law == Law::full) return {k, n - k, k};
+  if (law == Law::log) return {k, regimes.end_of_two - k, k};
+  return {regimes.end_of_two, n - regimes.end_of_two, 0};
 }
 
 std::string too_few(Law law, int n) {
-  const int needed = n_parameters(law) + 1;
   return fmt::format(
       "{} pressures in {}, the {} law needs {}: give more with --window lo,hi or a finer load path", n,
-      law == Law::full ? "the window" : regime_of(law),
-      law == Law::log     ? "log"
-      : law == Law::power ? "power"
-                          : "full",
-      needed);
+      place_of(law), name_of(law), n_parameters(law) + 1);
+}
+
+ConsolidationFit refused(Law law, std::string why) {
+  ConsolidationFit fit;
+  fit.law = law;
+  fit.refusal = std::move(why);
+  return fit;
+}
+
+/// Solves a law; with a robust loss, weights and solution follow each other until they agree.
+std::optional<LawSolution> solve_robustly(Law law, LawPoints& points, Loss loss) {
+  auto solution = solve_law(law, points);
+  if (loss == Loss::squared || !solution) return solution;
+  const Eigen::VectorXd given = points.weight;
+  constexpr int kRounds = 100;
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::VectorXd before = solution->theta;
+    const Eigen::VectorXd plain = solution->residuals.cwiseQuotient(points.weight).cwiseProduct(given);
+    points.weight = given.cwiseProduct(loss_weights(loss, plain));
+    solution = solve_law_from(law, points, before);
+    if (!solution || (solution->theta - before).norm() <= 1e-9 * before.norm()) break;
+  }
+  return solution;
 }
 
 void describe_window(const ConsolidationCurve& curve, const Window& window, ConsolidationFit& fit) {
@@ -311,6 +135,222 @@ void describe_window(const ConsolidationCurve& curve, const Window& window, Cons
   fit.window_high = curve.P_star[window.first + window.n - 1];
 }
 
+/// Correlations of the first `n` quantities, as parameters: 1/Phi_max falls as Phi_max grows.
+Eigen::MatrixXd correlation_of(const std::vector<Quantity>& quantities, Eigen::Index n,
+                               const Eigen::MatrixXd& covariance) {
+  Eigen::MatrixXd gradients(n, covariance.cols());
+  for (Eigen::Index k = 0; k < n; ++k)
+    gradients.row(k) = (quantities[k].is_inverse ? -1.0 : 1.0) * quantities[k].gradient;
+  const Eigen::MatrixXd c = gradients * covariance * gradients.transpose();
+  const Eigen::VectorXd scale = c.diagonal().cwiseSqrt().cwiseInverse();
+  return scale.asDiagonal() * c * scale.asDiagonal();
+}
+
+/// Replaces the interval of a parameter by that of the profile likelihood. One that the data leave open keeps no value.
+void profile(const LawEstimate& estimate, int coordinate, const Covariance& covariance, bool is_inverse,
+             FittedParameter& p, ConsolidationFit& fit) {
+  const ProfileInterval c = profile_interval(estimate, coordinate, covariance);
+  const auto parameter = [is_inverse](double at) { return is_inverse ? 1.0 / at : std::exp(at); };
+  p.low95 = p.high95 = std::nullopt;
+  const auto& low = is_inverse ? c.high : c.low;
+  const auto& high = is_inverse ? c.low : c.high;
+  if (low) p.low95 = parameter(*low);
+  if (high) p.high95 = parameter(*high);
+  constexpr double kIdentifiedFactor = 10.0;
+  p.identified = p.low95 && p.high95 && *p.value < kIdentifiedFactor * *p.low95 &&
+                 *p.high95 < kIdentifiedFactor * *p.value;
+  fit.profiled.push_back(p.name);
+}
+
+std::string bounds_in_words(const FittedParameter& p) {
+  if (p.low95 && p.high95) return fmt::format("between {:.4g} and {:.4g}", *p.low95, *p.high95);
+  if (p.low95) return fmt::format("at least {:.4g}", *p.low95);
+  if (p.high95) return fmt::format("at most {:.4g}", *p.high95);
+  return "not bounded";
+}
+
+void add_parameters(const LawEstimate& estimate, const Covariance& covariance, ConsolidationFit& fit) {
+  const std::vector<Quantity> quantities = quantities_of(estimate);
+  for (const Quantity& q : quantities) {
+    fit.parameters.push_back(fitted_parameter(q, covariance));
+    FittedParameter& p = fit.parameters.back();
+    if (q.name == "alpha") profile(estimate, 1, covariance, false, p, fit);
+    if (q.name == "Phi_max") profile(estimate, 2, covariance, true, p, fit);
+    if (p.identified) continue;
+    fit.warnings.push_back(
+        fmt::format("{} is not identified by these data: {} (95 %)", p.name, bounds_in_words(p)));
+    p.value = p.standard_error = std::nullopt;
+  }
+  if (estimate.law != Law::power && !estimate.has_plateau())
+    fit.parameters.push_back(held_at("P0_star", fit.window_low));
+  const Eigen::Index n_free = estimate.solution.theta.size() - (estimate.law == Law::log ? 1 : 0);
+  for (Eigen::Index k = 0; k < n_free; ++k) fit.correlated.push_back(quantities[k].name);
+  fit.correlation = correlation_of(quantities, n_free, covariance.matrix);
+}
+
+/// The data end before P1*: lambda is that of the law they can tell, the rest is bounded.
+void bound_regime_three(const LawEstimate& told, const Covariance& covariance, double last_phi,
+                        ConsolidationFit& fit) {
+  const std::vector<Quantity> quantities = quantities_of(told);
+  fit.parameters.push_back(fitted_parameter(quantities.front(), covariance));
+  fit.parameters.push_back(bounded_below("alpha", std::nullopt));
+  fit.parameters.push_back(bounded_below("Phi_max", last_phi));
+  fit.parameters.push_back(bounded_below("P1_star", fit.window_high));
+  for (const Quantity& q : quantities)
+    if (q.name == "Phi0" || q.name == "P0_star") fit.parameters.push_back(fitted_parameter(q, covariance));
+  if (!told.has_plateau()) fit.parameters.push_back(held_at("P0_star", fit.window_low));
+  fit.correlated = {"lambda"};
+  fit.correlation = Eigen::MatrixXd::Ones(1, 1);
+  fit.warnings.push_back(
+      fmt::format("the data end at P* = {:.6g}, before P1*: alpha is not identified, P1_star and Phi_max are "
+                  "bounds, and lambda is that of {}",
+                  fit.window_high, told.law == Law::full ? "the full law" : "the line of regime II"));
+}
+
+/// The plateau ends between its last point and the first of the window, where the line should meet it.
+void check_joint(ConsolidationFit& fit) {
+  const FittedParameter* P0 = fit.find("P0_star");
+  if (fit.n_plateau == 0 || !P0 || !P0->value || !P0->standard_error) return;
+  if (*P0->value < fit.plateau_high / kFarFromTheEnd || *P0->value > fit.window_low * kFarFromTheEnd)
+    fit.warnings.push_back(fmt::format(
+        "the line of regime II meets the plateau at P0* = {:.4g}, but the plateau ends between {:.4g} and "
+        "{:.4g}: the density jumps there; a mean over samples, or --window, gives a better P0*",
+        *P0->value, fit.plateau_high, fit.window_low));
+}
+
+/// Residuals that follow each other make the errors of a single curve too small.
+void check_independence(const LawEstimate& estimate, ConsolidationFit& fit) {
+  const Eigen::VectorXd& r = estimate.solution.residuals;
+  const Eigen::Index n = r.size();
+  const double correlation = r.head(n - 1).dot(r.tail(n - 1)) / r.squaredNorm();
+  const bool is_rounding = fit.rms < 1e-9;
+  if (is_rounding || correlation < 2.0 / std::sqrt(static_cast<double>(n))) return;
+  fit.warnings.push_back(fmt::format(
+      "neighbouring residuals are correlated ({:.2f}): the curve moves in steps, or not by this law, and its "
+      "standard errors are too small; the scatter between samples is the better measure",
+      correlation));
+}
+
+/// lambda of the same law on windows moved by one row.
+void shift_window(const LawEstimate& estimate, const LawPoints& all, const Window& window,
+                  ConsolidationFit& fit) {
+  if (estimate.law == Law::power) return;
+  struct Shift {
+    const char* change;
+    int first, last;
+  };
+  const std::vector<Shift> shifts = {{"first row earlier", -1, 0},
+                                     {"first row later", 1, 0},
+                                     {"last row earlier", 0, -1},
+                                     {"last row later", 0, 1}};
+  for (const Shift& s : shifts) {
+    const int first = window.first + s.first;
+    const int n = window.n - s.first + s.last;
+    if (first < 0 || first + n > all.size() || n <= n_parameters(estimate.law)) continue;
+    const LawPoints points = all.range(first, n);
+    const auto solution = solve_law_from(estimate.law, points, estimate.solution.theta);
+    if (!solution) continue;
+    const bool has_two = keeps_regime_two(estimate.law, points, *solution);
+    fit.window_shifts.push_back(
+        {s.change, has_two ? std::optional(std::exp(solution->theta[0])) : std::nullopt});
+  }
+  const FittedParameter* lambda = fit.find("lambda");
+  if (!lambda || !lambda->value || !lambda->standard_error) return;
+  for (const WindowShift& s : fit.window_shifts)
+    if (!s.lambda ||
+        std::abs(*s.lambda - *lambda->value) > std::max(*lambda->standard_error, 1e-6 * *lambda->value))
+      fit.warnings.push_back(fmt::format("lambda depends on the window: {} with the {}, {:.4g} as fitted",
+                                         s.lambda ? fmt::format("{:.4g}", *s.lambda) : "regime II is lost",
+                                         s.change, *lambda->value));
+}
+
+/// Where regimes were searched for, the law also holds, with some probability, on other windows: what theta becomes on them
+/// is part of its error.
+void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Window& window,
+                            const Regimes& regimes, Covariance& covariance) {
+  struct Other {
+    int first, end;
+    double probability;
+  };
+  std::vector<Other> others;
+  const int end = window.first + window.n;
+  if (e.law != Law::power && regimes.plateau_end)
+    for (const ChangePlace& p : regimes.plateau_end->places) others.push_back({p.first, end, p.probability});
+  if (e.law != Law::full && regimes.onset_three)
+    for (const ChangePlace& p : regimes.onset_three->places)
+      others.push_back(e.law == Law::log ? Other{window.first, p.first, p.probability}
+                                         : Other{p.first, end, p.probability});
+  for (const Other& o : others) {
+    if ((o.first == window.first && o.end == end) || o.end - o.first <= n_parameters(e.law)) continue;
+    const auto solution = solve_law_from(e.law, all.range(o.first, o.end - o.first), e.solution.theta);
+    if (!solution || !keeps_regime_two(e.law, all.range(o.first, o.end - o.first), *solution)) continue;
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(covariance.matrix.rows());
+    change.head(e.solution.theta.size()) =
+        at_first_pressure(e.law, solution->theta, all.log_P[window.first] - all.log_P[o.first]) -
+        e.solution.theta;
+    if (e.has_plateau() && o.first > 0) change.tail(1)[0] = mean_level(all.range(0, o.first)) - e.plateau_level;
+    covariance.matrix += o.probability * change * change.transpose();
+  }
+}
+
+/// Solves the law on the window and tells what follows from it.
+ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, const Window& window,
+                            const ConsolidationOptions& options, ConsolidationFit fit) {
+  const Law law = options.law;
+  LawPoints points = all.range(window.first, window.n);
+  auto solution = solve_robustly(law, points, options.loss);
+  if (!solution) return refused(law, "the solid fraction does not grow with pressure over the window");
+  all.weight.segment(window.first, window.n) = points.weight;
+  const int n_plateau = options.hold_P0 ? 0 : window.n_plateau;
+  const LawPoints plateau = all.range(window.first - n_plateau, n_plateau);
+  const LawEstimate estimate{law, points, *solution, plateau, mean_level(plateau)};
+  describe_window(curve, window, fit);
+
+  LawEstimate told = estimate;
+  const bool ends_early = law == Law::full && !see_regime_three(points, estimate.solution);
+  if (ends_early && !see_a_bend(points, estimate.solution)) {
+    told.law = Law::log;
+    told.solution = *solve_law(Law::log, points);
+  }
+  const int n_before = law == Law::full ? n_before_regime_three(points, estimate.solution) : window.n;
+  if (!ends_early && n_before < kFewestInRegimeTwo)
+    return refused(law, fmt::format("only {} of the pressures lie before P1* = {:.4g}, regime II needs {}: try "
+                                    "--law power",
+                                    n_before, std::exp(estimate.solution.theta[3]), kFewestInRegimeTwo));
+  const Eigen::VectorXd misfit = told.solution.residuals.cwiseQuotient(points.weight);
+  fit.rms = std::sqrt(misfit.squaredNorm() / window.n);
+  fit.told = told.law;
+  fit.theta = told.solution.theta;
+  fit.fitted = points.y + misfit;
+  fit.weights = points.weight;
+
+  const bool is_mean = curve.samples.cols() >= kFewestSamples;
+  fit.errors_from_samples = is_mean;
+  Covariance covariance =
+      is_mean
+          ? covariance_from_samples(
+                told, deviations_of(curve.samples).middleRows(window.first - n_plateau, window.n + n_plateau))
+          : covariance_from_residuals(told);
+  if (fit.regimes) add_spread_over_places(told, all, window, *fit.regimes, covariance);
+  if (ends_early)
+    bound_regime_three(told, covariance, curve.phi[fit.used.back()], fit);
+  else
+    add_parameters(told, covariance, fit);
+  check_joint(fit);
+  if (!is_mean) check_independence(told, fit);
+  shift_window(told, all, window, fit);
+  if (options.n_bootstrap > 0) {
+    const Eigen::MatrixXd samples =
+        curve.samples.cols() >= 2
+            ? Eigen::MatrixXd(curve.samples.middleRows(window.first - n_plateau, window.n + n_plateau))
+            : Eigen::MatrixXd();
+    const Resampled resampled = resample(told, samples, options.n_bootstrap, options.seed);
+    fit.n_bootstrapped = resampled.n;
+    fit.bootstrap = resampled.parameters;
+  }
+  return fit;
+}
+
 }  // namespace
 
 const FittedParameter* ConsolidationFit::find(const std::string& name) const {
@@ -319,84 +359,38 @@ const FittedParameter* ConsolidationFit::find(const std::string& name) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+double ConsolidationFit::value(double log_P) const {
+  return law_value(told, theta, log_P, std::log(window_low));
+}
+
 ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const ConsolidationOptions& options) {
   assert(curve.P_star.size() == curve.phi.size());
   const Law law = options.law;
-  const Points points = points_of(curve);
-  if (points.size() <= n_parameters(law)) return refused(law, too_few(law, points.size()));
-  const auto window = options.window ? given_window(curve, *options.window) : found_window(law, points);
-  if (!window)
-    return refused(law,
-                   fmt::format("no stretch of at least {} pressures over which the solid fraction grows as in "
-                               "regime II: try --law log with --window lo,hi",
-                               kFewestInRegimeTwo));
-  if (window->n <= n_parameters(law)) return refused(law, too_few(law, window->n));
-
-  Draft draft{points.range(window->first, window->n), {}, std::nullopt, 0.0};
-  auto solution = solve_law(law, draft.points.log_P, draft.points.y);
-  if (!solution) return refused(law, "the solid fraction does not grow with pressure over the window");
-  draft.solution = std::move(*solution);
-  draft.t95 = student_t_95(window->n - n_parameters(law));
-  if (window->n_plateau > 0 && !options.hold_P0) draft.plateau = points.y.head(window->n_plateau).mean();
-
+  const auto n = static_cast<int>(curve.phi.size());
   ConsolidationFit fit;
   fit.law = law;
-  describe_window(curve, *window, fit);
-  fit.rms = std::sqrt(draft.solution.sum_of_squares / window->n);
-  if (law == Law::full && !see_regime_three(draft.points, draft.solution)) {
-    add_regime_two_alone(std::move(draft), curve.phi[fit.used.back()], fit);
-    return fit;
+  fit.weighting = weighting_of(curve, options);
+  if (n <= n_parameters(law)) return refused(law, too_few(law, n));
+  const LawPoints points = points_of(curve, fit.weighting);
+  // The regimes are a matter of the curve's shape; the scatter of samples, alike at neighbouring pressures, is none of it.
+  const Weighting of_shape = fit.weighting == Weighting::scatter ? Weighting::relative : fit.weighting;
+  Window window{};
+  if (options.window) {
+    window = given_window(curve, *options.window);
+  } else {
+    fit.regimes = find_regimes(points_of(curve, of_shape));
+    if (fit.regimes && fit.regimes->all_in_one)
+      return refused(law,
+                     "all pressures lie in regime I: the solid fraction is constant, or elastic, over them");
+    if (!fit.regimes)
+      return refused(
+          law, fmt::format("no stretch of at least {} pressures over which the solid fraction grows as in "
+                           "regime II: try --law log with --window lo,hi",
+                           kFewestInRegimeTwo));
+    window = window_of(law, *fit.regimes, n);
   }
-  if (law == Law::full && n_before_regime_three(draft.points, draft.solution) < kFewestInRegimeTwo)
-    return refused(
-        law,
-        fmt::format("only {} of the pressures lie before P1* = {:.4g}, regime II needs {}: try --law power",
-                    n_before_regime_three(draft.points, draft.solution), std::exp(draft.solution.theta[3]),
-                    kFewestInRegimeTwo));
-  add_parameters(draft, fit);
-  return fit;
-}
-
-FirstLoading first_loading(const std::vector<PathRow>& rows) {
-  const auto is_load = [](const PathRow& r) { return r.branch == "load"; };
-  const auto load = std::find_if(rows.begin(), rows.end(), is_load);
-  const auto end = load == rows.end()
-                       ? std::is_sorted_until(rows.begin(), rows.end(),
-                                              [](const auto& a, const auto& b) { return a.P_star < b.P_star; })
-                       : std::find_if_not(load, rows.end(), is_load);
-  FirstLoading found;
-  for (auto row = rows.begin(); row != end; ++row) {
-    if (load != rows.end() && row < load && row->branch != "assembly") continue;
-    if (row->P_star == 0.0) {
-      ++found.n_zero_pressure;
-      continue;
-    }
-    found.curve.P_star.push_back(row->P_star);
-    found.curve.phi.push_back(row->phi);
-    found.rows.push_back(static_cast<int>(row - rows.begin()));
-  }
-  return found;
-}
-
-ConsolidationCurve pooled_curve(const std::vector<ConsolidationCurve>& samples) {
-  constexpr double kSamePressure = 1e-3;
-  ConsolidationCurve pooled;
-  if (samples.empty()) return pooled;
-  for (const double P : samples.front().P_star) {
-    double sum = 0.0;
-    std::size_t n = 0;
-    for (const ConsolidationCurve& sample : samples) {
-      const auto same = std::find_if(sample.P_star.begin(), sample.P_star.end(),
-                                     [&](double Q) { return std::abs(Q - P) <= kSamePressure * P; });
-      if (same == sample.P_star.end()) break;
-      sum += 1.0 / sample.phi[static_cast<std::size_t>(same - sample.P_star.begin())];
-      ++n;
-    }
-    if (n != samples.size()) continue;
-    pooled.P_star.push_back(P);
-    pooled.phi.push_back(static_cast<double>(n) / sum);
-  }
-  return pooled;
+  if (window.n <= n_parameters(law)) return refused(law, too_few(law, window.n));
+  return fit_window(curve, points, window, options, std::move(fit));
 }
 
 }  // namespace floc

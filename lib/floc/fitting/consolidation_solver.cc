@@ -1,59 +1,47 @@
 #include "floc/fitting/consolidation_solver.h"
 
-#include <ceres/ceres.h>
-#include <glog/logging.h>
-
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <limits>
-#include <mutex>
+#include <utility>
+#include <vector>
 
 #include "floc/fitting/consolidation_law.h"
+#include "floc/fitting/least_squares.h"
 
 namespace floc {
 namespace {
 
-/// Ceres reports through glog; outcomes are returned in words instead.
-void silence_ceres() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    FLAGS_minloglevel = google::GLOG_FATAL;
-    if (!google::IsGoogleLoggingInitialized()) google::InitGoogleLogging("floc");
-  });
-}
-
 struct LogResidual {
   static constexpr int kParameters = 2;
-  double log_P, log_P_first, y;
+  double log_P, log_P_first, y, weight;
   template <class T>
-  bool operator()(const T* theta, T* residual) const {
+  T operator()(const T* theta) const {
     using std::exp;
-    residual[0] = theta[1] - exp(theta[0]) * (log_P - log_P_first) - y;
-    return true;
+    return weight * (theta[1] - exp(theta[0]) * (log_P - log_P_first) - y);
   }
 };
 
 struct PowerResidual {
   static constexpr int kParameters = 3;
-  double log_P, log_P_first, y;
+  double log_P, log_P_first, y, weight;
   template <class T>
-  bool operator()(const T* theta, T* residual) const {
+  T operator()(const T* theta) const {
     using std::exp;
-    residual[0] = theta[2] + exp(theta[0] - exp(theta[1]) * log_P) - y;
-    return true;
+    return weight * (theta[2] + exp(theta[0] - exp(theta[1]) * (log_P - log_P_first)) - y);
   }
 };
 
 struct FullResidual {
   static constexpr int kParameters = 4;
-  double log_P, log_P_first, y;
+  double log_P, log_P_first, y, weight;
   template <class T>
-  bool operator()(const T* theta, T* residual) const {
+  T operator()(const T* theta) const {
     using std::exp;
-    residual[0] = theta[2] - exp(theta[0]) * consolidation_bracket(T(log_P - theta[3]), T(exp(theta[1]))) - y;
-    return true;
+    return weight *
+           (theta[2] - exp(theta[0]) * consolidation_bracket(T(log_P - theta[3]), T(exp(theta[1]))) - y);
   }
 };
 
@@ -67,13 +55,15 @@ struct Line {
   double intercept, slope, sum_of_squares;
 };
 
-Line fit_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-  const Eigen::VectorXd dx = x.array() - x.mean();
-  const Eigen::VectorXd dy = y.array() - y.mean();
-  const double sxx = dx.squaredNorm();
-  if (sxx == 0.0) return {y.mean(), 0.0, dy.squaredNorm()};
-  const double slope = dx.dot(dy) / sxx;
-  return {y.mean() - slope * x.mean(), slope, (dy - slope * dx).squaredNorm()};
+Line fit_line(const Eigen::VectorXd& x, const LawPoints& points) {
+  const Eigen::ArrayXd w2 = points.weight.array().square();
+  const double mean_x = (w2 * x.array()).sum() / w2.sum();
+  const double mean_y = (w2 * points.y.array()).sum() / w2.sum();
+  const Eigen::ArrayXd dx = x.array() - mean_x;
+  const Eigen::ArrayXd dy = points.y.array() - mean_y;
+  const double sxx = (w2 * dx.square()).sum();
+  const double slope = sxx == 0.0 ? 0.0 : (w2 * dx * dy).sum() / sxx;
+  return {mean_y - slope * mean_x, slope, (w2 * (dy - slope * dx).square()).sum()};
 }
 
 /// `n` values from low to high, both included.
@@ -83,31 +73,38 @@ Eigen::VectorXd grid(double low, double high, int n) {
 
 // For given alpha (and P1*) the laws are linear in what remains: a start is a line through the data.
 
-std::vector<Start> log_starts(const Eigen::VectorXd& log_P, const Eigen::VectorXd& y) {
-  const Line line = fit_line(log_P.array() - log_P[0], y);
+std::vector<Start> log_starts(const LawPoints& points) {
+  const Line line = fit_line(points.log_P.array() - points.log_P[0], points);
   if (line.slope >= 0.0) return {};
   return {{Eigen::Vector2d(std::log(-line.slope), line.intercept), line.sum_of_squares}};
 }
 
-std::vector<Start> power_starts(const Eigen::VectorXd& log_P, const Eigen::VectorXd& y) {
+Line power_line(const LawPoints& points, double log_alpha) {
+  return fit_line((-std::exp(log_alpha) * (points.log_P.array() - points.log_P[0])).exp(), points);
+}
+
+std::vector<Start> power_starts(const LawPoints& points) {
   std::vector<Start> starts;
   for (const double log_alpha : grid(std::log(0.1), std::log(8.0), 24)) {
-    const Line line = fit_line((-std::exp(log_alpha) * log_P.array()).exp(), y);
+    const Line line = fit_line((-std::exp(log_alpha) * (points.log_P.array() - points.log_P[0])).exp(), points);
     if (line.slope > 0.0)
       starts.push_back({Eigen::Vector3d(std::log(line.slope), log_alpha, line.intercept), line.sum_of_squares});
   }
   return starts;
 }
 
-std::vector<Start> full_starts(const Eigen::VectorXd& log_P, const Eigen::VectorXd& y) {
+std::vector<Start> full_starts(const LawPoints& points) {
   std::vector<Start> starts;
+  const Eigen::VectorXd& log_P = points.log_P;
   const double first = log_P[0];
-  const double last = log_P[log_P.size() - 1];
+  const double end = log_P[log_P.size() - 1] + 1.0;
+  // Starts half an e-fold apart all end in the same minimum; wide tables need more of them.
+  const int n_P1 = std::clamp(static_cast<int>(std::ceil((end - first) / 0.5)) + 1, 16, 128);
   for (const double alpha_log : grid(std::log(0.2), std::log(6.0), 10))
-    for (const double log_P1 : grid(first, last + 1.0, 16)) {
+    for (const double log_P1 : grid(first, end, n_P1)) {
       const double alpha = std::exp(alpha_log);
       const Line line =
-          fit_line(log_P.unaryExpr([&](double l) { return consolidation_bracket(l - log_P1, alpha); }), y);
+          fit_line(log_P.unaryExpr([&](double l) { return consolidation_bracket(l - log_P1, alpha); }), points);
       if (line.slope < 0.0)
         starts.push_back(
             {Eigen::Vector4d(std::log(-line.slope), alpha_log, line.intercept, log_P1), line.sum_of_squares});
@@ -115,72 +112,51 @@ std::vector<Start> full_starts(const Eigen::VectorXd& log_P, const Eigen::Vector
   return starts;
 }
 
-/// Covariance of the parameters from the Jacobian; a parameter with a part along a direction that the data do not see
-/// has infinite variance.
-Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& jacobian, double variance) {
-  constexpr double kRounding = 1e-13;
-  Eigen::VectorXd scale = jacobian.colwise().norm();
-  for (double& s : scale)
-    if (s == 0.0) s = 1.0;
-  const Eigen::MatrixXd scaled = jacobian * scale.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
-  const Eigen::VectorXd& sigma = svd.singularValues();
-  const Eigen::Index n_seen = (sigma.array() > kRounding * sigma[0]).count();
-  const Eigen::MatrixXd half = scale.cwiseInverse().asDiagonal() * svd.matrixV().leftCols(n_seen) *
-                               sigma.head(n_seen).cwiseInverse().asDiagonal();
-  Eigen::MatrixXd covariance = variance * half * half.transpose();
-  const Eigen::VectorXd unseen = svd.matrixV().rightCols(sigma.size() - n_seen).rowwise().squaredNorm();
-  for (int k = 0; k < unseen.size(); ++k)
-    if (unseen[k] > 1e-6) covariance(k, k) = std::numeric_limits<double>::infinity();
-  return covariance;
+template <class Residual>
+std::vector<Residual> residuals_of(const LawPoints& points) {
+  std::vector<Residual> residuals;
+  for (int i = 0; i < points.size(); ++i)
+    residuals.push_back({points.log_P[i], points.log_P[0], points.y[i], points.weight[i]});
+  return residuals;
+}
+
+/// Where the laws have long reached their limits: beyond, alpha or P1* would run away.
+std::vector<ParameterLimits> limits_of(int n_parameters, const LawPoints& points) {
+  constexpr double kFar = 15.0;
+  std::vector<ParameterLimits> limits;
+  if (n_parameters > 2) limits.push_back({1, std::log(1e-2), std::log(1e2)});
+  if (n_parameters > 3) limits.push_back({3, points.log_P[0] - kFar, points.log_P[points.size() - 1] + kFar});
+  return limits;
+}
+
+bool within(const std::vector<ParameterLimits>& limits, const Eigen::VectorXd& theta) {
+  return std::all_of(limits.begin(), limits.end(), [&](const ParameterLimits& limit) {
+    return limit.low <= theta[limit.parameter] && theta[limit.parameter] <= limit.high;
+  });
 }
 
 template <class Residual>
-std::optional<LawSolution> refine(const Eigen::VectorXd& log_P, const Eigen::VectorXd& y, const Start& start) {
-  constexpr int kParameters = Residual::kParameters;
-  Eigen::VectorXd theta = start.theta;
-  ceres::Problem problem;
-  for (int i = 0; i < y.size(); ++i)
-    problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<Residual, 1, kParameters>(new Residual{log_P[i], log_P[0], y[i]}),
-        nullptr, theta.data());
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;
-  // Down to rounding: problems are tiny, and errors are read off the Jacobian at the solution.
-  options.max_num_iterations = 400;
-  options.function_tolerance = 1e-16;
-  options.gradient_tolerance = 1e-18;
-  options.parameter_tolerance = 1e-14;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-
-  double cost = 0.0;
-  ceres::CRSMatrix rows;
-  if (!summary.IsSolutionUsable() || !problem.Evaluate({}, &cost, nullptr, nullptr, &rows)) return std::nullopt;
-  Eigen::MatrixXd jacobian(y.size(), kParameters);
-  for (int i = 0; i < y.size(); ++i)
-    for (int k = 0; k < kParameters; ++k)
-      jacobian(i, k) = rows.values[static_cast<std::size_t>(i * kParameters + k)];
-  const double variance = 2.0 * cost / static_cast<double>(y.size() - kParameters);
-  return LawSolution{theta, covariance_of(jacobian, variance), 2.0 * cost};
+std::optional<LawSolution> refine(const LawPoints& points, const Eigen::VectorXd& start, int held) {
+  const std::vector<Residual> residuals = residuals_of<Residual>(points);
+  const std::vector<ParameterLimits> limits = limits_of(Residual::kParameters, points);
+  auto found = minimize(residuals, start, {}, held);
+  // Steps within limits are less exact, so they are taken only where the law runs away.
+  if (!found || !within(limits, found->theta)) found = minimize(residuals, start, limits, held);
+  if (!found) return std::nullopt;
+  return LawSolution{std::move(found->theta), std::move(found->residuals), std::move(found->jacobian),
+                     found->sum_of_squares};
 }
 
-/// Refines the best few starts and keeps the best end.
-template <class Residual>
-std::optional<LawSolution> best_of(const Eigen::VectorXd& log_P, const Eigen::VectorXd& y,
-                                   std::vector<Start> starts) {
-  constexpr std::size_t kRefined = 4;
-  std::sort(starts.begin(), starts.end(),
-            [](const Start& a, const Start& b) { return a.sum_of_squares < b.sum_of_squares; });
-  starts.resize(std::min(starts.size(), kRefined));
-  std::optional<LawSolution> best;
-  for (const Start& start : starts) {
-    auto solution = refine<Residual>(log_P, y, start);
-    if (solution && (!best || solution->sum_of_squares < best->sum_of_squares)) best = std::move(solution);
+std::vector<Start> starts_of(ConsolidationLaw law, const LawPoints& points) {
+  switch (law) {
+    case ConsolidationLaw::log:
+      return log_starts(points);
+    case ConsolidationLaw::power:
+      return power_starts(points);
+    case ConsolidationLaw::full:
+      return full_starts(points);
   }
-  return best;
+  return {};
 }
 
 }  // namespace
@@ -190,19 +166,98 @@ int n_parameters(ConsolidationLaw law) {
                     FullResidual::kParameters}[static_cast<std::size_t>(law)];
 }
 
-std::optional<LawSolution> solve_law(ConsolidationLaw law, const Eigen::VectorXd& log_P,
-                                     const Eigen::VectorXd& y) {
-  assert(log_P.size() == y.size() && y.size() > n_parameters(law));
-  silence_ceres();
+std::optional<double> left_by_line(const LawPoints& points) {
+  const Line line = fit_line(points.log_P, points);
+  return line.slope < 0.0 ? std::optional(line.sum_of_squares) : std::nullopt;
+}
+
+std::optional<double> left_by_power_law(const LawPoints& points) {
+  const auto left = [&](double log_alpha) {
+    const Line line = power_line(points, log_alpha);
+    return line.slope > 0.0 ? line.sum_of_squares : std::numeric_limits<double>::infinity();
+  };
+  const Eigen::VectorXd places = grid(std::log(0.1), std::log(8.0), 12);
+  Eigen::Index best = 0;
+  places.unaryExpr(left).minCoeff(&best);
+  // Golden section between the neighbours of the best place.
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kRounds = 20;
+  double low = places[std::max<Eigen::Index>(best - 1, 0)];
+  double high = places[std::min(best + 1, places.size() - 1)];
+  double inner = high - kGolden * (high - low), outer = low + kGolden * (high - low);
+  double left_inner = left(inner), left_outer = left(outer);
+  for (int round = 0; round < kRounds; ++round) {
+    if (left_inner < left_outer) {
+      high = std::exchange(outer, inner);
+      left_outer = left_inner;
+      left_inner = left(inner = high - kGolden * (high - low));
+    } else {
+      low = std::exchange(inner, outer);
+      left_inner = left_outer;
+      left_outer = left(outer = low + kGolden * (high - low));
+    }
+  }
+  const double least = std::min(left_inner, left_outer);
+  return std::isfinite(least) ? std::optional(least) : std::nullopt;
+}
+
+double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_P, double log_P_first) {
+  const double* t = theta.data();
   switch (law) {
     case ConsolidationLaw::log:
-      return best_of<LogResidual>(log_P, y, log_starts(log_P, y));
+      return LogResidual{log_P, log_P_first, 0.0, 1.0}(t);
     case ConsolidationLaw::power:
-      return best_of<PowerResidual>(log_P, y, power_starts(log_P, y));
+      return PowerResidual{log_P, log_P_first, 0.0, 1.0}(t);
     case ConsolidationLaw::full:
-      return best_of<FullResidual>(log_P, y, full_starts(log_P, y));
+      return FullResidual{log_P, log_P_first, 0.0, 1.0}(t);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::optional<LawSolution> solve_law_from(ConsolidationLaw law, const LawPoints& points,
+                                          const Eigen::VectorXd& start, int held) {
+  switch (law) {
+    case ConsolidationLaw::log:
+      return refine<LogResidual>(points, start, held);
+    case ConsolidationLaw::power:
+      return refine<PowerResidual>(points, start, held);
+    case ConsolidationLaw::full:
+      return refine<FullResidual>(points, start, held);
   }
   return std::nullopt;
+}
+
+double approach_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta) {
+  switch (law) {
+    case ConsolidationLaw::log:
+      return descend(residuals_of<LogResidual>(points), theta);
+    case ConsolidationLaw::power:
+      return descend(residuals_of<PowerResidual>(points), theta);
+    case ConsolidationLaw::full:
+      return descend(residuals_of<FullResidual>(points), theta);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoints& points, int n_tried) {
+  std::vector<Start> starts = starts_of(law, points);
+  const auto less = [](const Start& a, const Start& b) { return a.sum_of_squares < b.sum_of_squares; };
+  std::sort(starts.begin(), starts.end(), less);
+  starts.resize(std::min(starts.size(), static_cast<std::size_t>(n_tried)));
+  for (Start& start : starts) {
+    Eigen::VectorXd end = start.theta;
+    const double left = approach_law(law, points, end);
+    if (left < start.sum_of_squares) start = {end, left};
+  }
+  const auto best = std::min_element(starts.begin(), starts.end(), less);
+  return best == starts.end() ? std::nullopt : std::optional(best->theta);
+}
+
+std::optional<LawSolution> solve_law(ConsolidationLaw law, const LawPoints& points) {
+  assert(points.log_P.size() == points.y.size() && points.size() > n_parameters(law));
+  constexpr int kTried = 4;
+  const auto start = start_of_law(law, points, kTried);
+  return start ? solve_law_from(law, points, *start) : std::nullopt;
 }
 
 }  // namespace floc

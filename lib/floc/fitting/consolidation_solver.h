@@ -3,27 +3,67 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "floc/fitting/consolidation.h"
-
 namespace floc {
 
-/// Least squares of one law on given points, in coordinates that keep every parameter in its range:
-///   log    theta = (ln lambda, y1)                          y = y1 - lambda ln(P/P_first)
-///   power  theta = (ln A, ln alpha, 1/Phi_max)              y = 1/Phi_max + A P^-alpha
-///   full   theta = (ln lambda, ln alpha, 1/Phi_max, ln P1)  y = 1/Phi_max - lambda g(ln P - ln P1)
-struct LawSolution {
-  Eigen::VectorXd theta;
-  Eigen::MatrixXd covariance;   ///< of theta, scaled by the residual variance; infinite where not determined
-  double sum_of_squares = 0.0;  ///< of the residuals of y = 1/Phi
+/// Which consolidation law is fitted (PHYSICS section 2; all in 1/Phi).
+enum class ConsolidationLaw {
+  log,    ///< regime II: 1/Phi = 1/Phi0 - lambda ln(P*/P0*)
+  power,  ///< regime III: 1/Phi = 1/Phi_max + A (P*)^-alpha
+  full,   ///< both: G08 Eq. 9
 };
-
-/// @param log_P  logarithms of the reduced pressures  @param y  1/Phi; both of the same length
-/// Absent when no start has a positive lambda (A): the density does not grow with pressure.
-/// @pre more points than parameters.
-[[nodiscard]] std::optional<LawSolution> solve_law(ConsolidationLaw law, const Eigen::VectorXd& log_P,
-                                                   const Eigen::VectorXd& y);
 
 /// Number of parameters of a law.
 int n_parameters(ConsolidationLaw law);
+
+/// Points of a curve as the laws see them, in the order of growing pressure; all of one length.
+struct LawPoints {
+  Eigen::VectorXd log_P;   ///< ln P*
+  Eigen::VectorXd y;       ///< 1/Phi
+  Eigen::VectorXd weight;  ///< residuals are multiplied by it; of order one, > 0
+
+  int size() const { return static_cast<int>(y.size()); }
+  LawPoints range(int first, int n) const {
+    return {log_P.segment(first, n), y.segment(first, n), weight.segment(first, n)};
+  }
+};
+
+/// Least squares of one law on given points, in coordinates that keep every parameter in its range:
+///   log    theta = (ln lambda, y1)                          y = y1 - lambda ln(P/P_first)
+///   power  theta = (ln A1, ln alpha, 1/Phi_max)             y = 1/Phi_max + A1 (P/P_first)^-alpha
+///   full   theta = (ln lambda, ln alpha, 1/Phi_max, ln P1)  y = 1/Phi_max - lambda g(ln P - ln P1)
+struct LawSolution {
+  Eigen::VectorXd theta;
+  Eigen::VectorXd residuals;    ///< weighted, model minus data
+  Eigen::MatrixXd jacobian;     ///< of the weighted residuals; empty when a coordinate was held
+  double sum_of_squares = 0.0;  ///< of the weighted residuals
+};
+
+/// 1/Phi of a law at ln P; `log_P_first` is that of the first point it was solved on.
+double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_P, double log_P_first);
+
+/// Starts by linear projection on a grid of the nonlinear parameters, the best few followed to their minimum and the best
+/// of these refined to rounding by Levenberg-Marquardt (Ceres).
+/// Absent when no start has a positive lambda (A): the density does not grow with pressure.
+/// @pre more points than parameters.
+[[nodiscard]] std::optional<LawSolution> solve_law(ConsolidationLaw law, const LawPoints& points);
+
+/// Refines one start.
+/// @param held  index of a coordinate of theta to keep; -1 for none
+[[nodiscard]] std::optional<LawSolution> solve_law_from(ConsolidationLaw law, const LawPoints& points,
+                                                        const Eigen::VectorXd& start, int held = -1);
+
+// For searches, fast and to about half the digits:
+
+/// The best end of the `n_tried` best starts; absent as in `solve_law`.
+[[nodiscard]] std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoints& points,
+                                                          int n_tried);
+
+/// Moves theta to the nearest minimum. @return the sum of squares there
+double approach_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta);
+
+/// What the line of regime II and the power law leave, from their linear projection alone. Absent if the density does not
+/// grow with pressure.
+[[nodiscard]] std::optional<double> left_by_line(const LawPoints& points);
+[[nodiscard]] std::optional<double> left_by_power_law(const LawPoints& points);
 
 }  // namespace floc

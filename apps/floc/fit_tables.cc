@@ -1,0 +1,131 @@
+#include "fit_tables.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+
+namespace floc {
+namespace {
+
+/// "sigma [kPa]" or "sigma (kPa)" -> name and unit.
+std::pair<std::string, std::string> name_and_unit(const std::string& header) {
+  const std::size_t open = header.find_first_of("[(");
+  const bool has_unit = open != std::string::npos && open > 0 && (header.back() == ']' || header.back() == ')');
+  if (!has_unit) return {header, ""};
+  return {std::string(trimmed(header.substr(0, open))), header.substr(open + 1, header.size() - open - 2)};
+}
+
+std::optional<UnitColumn> look_for(const CsvTable& table, const std::string& name) {
+  for (const bool whole : {true, false})
+    for (int i = 0; i < static_cast<int>(table.columns().size()); ++i) {
+      const auto [bare, unit] = name_and_unit(table.columns()[static_cast<std::size_t>(i)]);
+      if ((whole ? table.columns()[static_cast<std::size_t>(i)] : bare) == name) return UnitColumn{i, unit};
+    }
+  return std::nullopt;
+}
+
+std::string mapped(const ColumnNames& columns, const std::string& name) {
+  const auto found = columns.find(name);
+  return found == columns.end() ? name : found->second;
+}
+
+double solid_fraction_of(const CsvTable& table, int row, int column, bool is_void_ratio) {
+  const double value = table.number(row, column);
+  if (!is_void_ratio && value <= 0)
+    throw InputError(table.place(row), fmt::format("phi = {}: expected a positive solid fraction", value));
+  if (is_void_ratio && value < 0)
+    throw InputError(table.place(row), fmt::format("void_ratio = {}: expected a void ratio >= 0", value));
+  return is_void_ratio ? 1.0 / (1.0 + value) : value;
+}
+
+}  // namespace
+
+void add_columns_option(CLI::App& app, std::string& text, const std::string& names) {
+  app.add_option("--columns", text, "name=column,...: columns of the table that stand for " + names);
+}
+
+ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names) {
+  ColumnNames columns;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    const std::string_view word = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::size_t equals = word.find('=');
+    const std::string name(trimmed(word.substr(0, equals)));
+    if (equals == std::string_view::npos || trimmed(word.substr(equals + 1)).empty() ||
+        std::find(names.begin(), names.end(), name) == names.end())
+      throw InputError("--columns", fmt::format("\"{}\", expected name=column with name one of {}", word,
+                                                fmt::join(names, ", ")));
+    columns[name] = trimmed(word.substr(equals + 1));
+  }
+  return columns;
+}
+
+UnitColumn find_column(const CsvTable& table, const ColumnNames& columns, const std::string& name) {
+  if (const auto found = look_for(table, mapped(columns, name))) return *found;
+  return {table.column(mapped(columns, name)), ""};
+}
+
+bool has_column(const CsvTable& table, const ColumnNames& columns, const std::string& name) {
+  return look_for(table, mapped(columns, name)).has_value();
+}
+
+std::vector<std::string> tables_of(const std::string& input) {
+  namespace fs = std::filesystem;
+  if (input == "-" || !fs::is_directory(input)) return {input};
+  const fs::path own = fs::path(input) / "path.csv";
+  if (fs::exists(own)) return {own.string()};
+  std::map<std::pair<std::size_t, std::string>, std::string> by_seed;
+  for (const auto& entry : fs::directory_iterator(input)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("seed-") && fs::exists(entry.path() / "path.csv"))
+      by_seed[{name.size(), name}] = (entry.path() / "path.csv").string();
+  }
+  if (by_seed.empty()) throw InputError(input, "holds neither path.csv nor seed-N/path.csv");
+  std::vector<std::string> tables;
+  for (const auto& [seed, table] : by_seed) tables.push_back(table);
+  return tables;
+}
+
+PathTable read_path(const std::string& file, const ColumnNames& columns) {
+  PathTable path{file == "-" ? "stdin" : file, {}, "", CsvTable::read(file)};
+  const CsvTable& table = path.table;
+  const UnitColumn pressure = find_column(table, columns, "P_star");
+  const bool by_void_ratio = !columns.contains("phi") && !has_column(table, columns, "phi") &&
+                             has_column(table, columns, "void_ratio");
+  const UnitColumn density = find_column(table, columns, by_void_ratio ? "void_ratio" : "phi");
+  const bool has_branch = columns.contains("branch") || has_column(table, columns, "branch");
+  const int branch = has_branch ? find_column(table, columns, "branch").index : -1;
+  path.unit = pressure.unit;
+  for (int i = 0; i < table.n_rows(); ++i) {
+    const double P = table.number(i, pressure.index);
+    if (P < 0) throw InputError(table.place(i), fmt::format("P_star = {}: expected a pressure >= 0", P));
+    path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P,
+                         solid_fraction_of(table, i, density.index, by_void_ratio)});
+  }
+  if (const auto fault = path_fault(path.rows))
+    throw InputError(table.place(fault->row),
+                     fmt::format("P_star = {}: expected {}",
+                                 path.rows[static_cast<std::size_t>(fault->row)].P_star, fault->expected));
+  return path;
+}
+
+std::string ranges(const std::vector<int>& rows) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < rows.size();) {
+    std::size_t j = i;
+    while (j + 1 < rows.size() && rows[j + 1] == rows[j] + 1) ++j;
+    parts.push_back(i == j ? fmt::format("{}", rows[i]) : fmt::format("{}-{}", rows[i], rows[j]));
+    i = j + 1;
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace floc

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "floc/fitting/loading_path.h"
+#include "floc/io/csv.h"
+
+namespace floc {
+
+/// Names of the program -> columns of a table, as `--columns name=column,...` gives them.
+using ColumnNames = std::map<std::string, std::string>;
+
+/// Adds `--columns`. @param names  those that may be mapped, for the help
+void add_columns_option(CLI::App& app, std::string& text, const std::string& names);
+
+/// @param names  those that may be mapped
+/// @throws InputError for text that is no list of name=column, or another name
+ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names);
+
+/// A column of a table and the unit in its header, as in "sigma [kPa]" or "sigma (kPa)"; empty without one.
+struct UnitColumn {
+  int index;
+  std::string unit;
+};
+
+/// The column mapped to `name`, or of that name; a unit in brackets may follow it in the header.
+/// @throws InputError listing the columns there are, if there is none
+UnitColumn find_column(const CsvTable& table, const ColumnNames& columns, const std::string& name);
+bool has_column(const CsvTable& table, const ColumnNames& columns, const std::string& name);
+
+/// Tables of an argument: itself, DIR/path.csv, or DIR/seed-N/path.csv in the order of N.
+/// @throws InputError for a directory without either
+std::vector<std::string> tables_of(const std::string& input);
+
+/// A path table.
+struct PathTable {
+  std::string name;
+  std::vector<PathRow> rows;
+  std::string unit;  ///< of the pressures; empty if the header has none
+  CsvTable table;
+};
+
+/// Reads columns P_star, phi (or void_ratio) and, if there is one, branch.
+/// @throws InputError naming file, line and value for what is no path: columns missing, values that are no numbers,
+/// negative, or pressures that break their branch
+PathTable read_path(const std::string& file, const ColumnNames& columns);
+
+/// Row numbers as ranges, "1-9, 12".
+std::string ranges(const std::vector<int>& rows);
+
+}  // namespace floc

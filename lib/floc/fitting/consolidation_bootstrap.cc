@@ -1,0 +1,89 @@
+#include "floc/fitting/consolidation_bootstrap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/random.h"
+#include "floc/fitting/least_squares.h"
+#include "floc/fitting/regimes.h"
+
+namespace floc {
+namespace {
+
+/// Values of 1/Phi on the plateau, then on the window.
+Eigen::VectorXd mean_of_draw(const Eigen::MatrixXd& samples, RandomStream& random) {
+  const Eigen::Index n_drawn = samples.cols() - 1;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples.rows());
+  for (Eigen::Index k = 0; k < n_drawn; ++k)
+    sum += samples.col(static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(samples.cols()))));
+  return sum / static_cast<double>(n_drawn);
+}
+
+/// Weighted residuals of variance one residual variance, and the fitted values they are added to.
+struct ResidualPool {
+  Eigen::VectorXd fitted, weight, residuals;
+
+  explicit ResidualPool(const LawEstimate& e) {
+    const Eigen::Index n_plateau = e.plateau.size();
+    const Eigen::Index n = e.points.size();
+    fitted.resize(n_plateau + n);
+    weight.resize(n_plateau + n);
+    fitted.head(n_plateau).setConstant(e.plateau_level);
+    fitted.tail(n) = e.points.y + e.solution.residuals.cwiseQuotient(e.points.weight);
+    weight << e.plateau.weight, e.points.weight;
+    const Eigen::MatrixXd& J = e.solution.jacobian;
+    const Eigen::VectorXd leverage = (J * unit_covariance(J)).cwiseProduct(J).rowwise().sum();
+    residuals = e.solution.residuals.array() / (1.0 - leverage.array()).max(0.01).sqrt();
+    residuals.array() -= residuals.mean();
+  }
+
+  Eigen::VectorXd draw(RandomStream& random) const {
+    Eigen::VectorXd y = fitted;
+    for (Eigen::Index i = 0; i < y.size(); ++i)
+      y[i] += residuals[static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(residuals.size())))] /
+              weight[i];
+    return y;
+  }
+};
+
+FittedParameter summary(const std::string& name, std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const Eigen::Map<const Eigen::ArrayXd> v(values.data(), static_cast<Eigen::Index>(values.size()));
+  const double mean = v.mean();
+  const double deviation = std::sqrt((v - mean).square().sum() / static_cast<double>(values.size() - 1));
+  const auto quantile = [&](double q) {
+    return values[static_cast<std::size_t>(std::lround(q * static_cast<double>(values.size() - 1)))];
+  };
+  return {name, mean, deviation, quantile(0.025), quantile(0.975), true};
+}
+
+}  // namespace
+
+Resampled resample(const LawEstimate& estimate, const Eigen::MatrixXd& samples, int n, std::uint64_t seed) {
+  constexpr std::uint64_t kPurpose = 0xb0075;
+  RandomStream random(seed, kPurpose);
+  const ResidualPool pool(estimate);
+  const Eigen::Index n_plateau = estimate.plateau.size();
+  std::vector<std::string> names;
+  for (const Quantity& q : quantities_of(estimate)) names.push_back(q.name);
+  std::vector<std::vector<double>> values(names.size());
+  Resampled found;
+  for (int k = 0; k < n; ++k) {
+    const Eigen::VectorXd y = samples.cols() >= 2 ? mean_of_draw(samples, random) : pool.draw(random);
+    LawEstimate drawn = estimate;
+    drawn.points.y = y.tail(estimate.points.size());
+    drawn.plateau.y = y.head(n_plateau);
+    if (drawn.has_plateau()) drawn.plateau_level = mean_level(drawn.plateau);
+    const auto solution = solve_law_from(estimate.law, drawn.points, estimate.solution.theta);
+    if (!solution || !keeps_regime_two(estimate.law, drawn.points, *solution)) continue;
+    drawn.solution = *solution;
+    const std::vector<Quantity> quantities = quantities_of(drawn);
+    for (std::size_t q = 0; q < quantities.size(); ++q) values[q].push_back(quantities[q].parameter());
+    ++found.n;
+  }
+  if (found.n < 2) return found;
+  for (std::size_t q = 0; q < names.size(); ++q) found.parameters.push_back(summary(names[q], values[q]));
+  return found;
+}
+
+}  // namespace floc

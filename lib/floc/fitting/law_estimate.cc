@@ -1,0 +1,216 @@
+#include "floc/fitting/law_estimate.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "floc/fitting/least_squares.h"
+#include "floc/fitting/student_t.h"
+
+namespace floc {
+namespace {
+
+using Law = ConsolidationLaw;
+
+double residual_variance(const LawEstimate& estimate) {
+  const auto dof = estimate.points.size() - estimate.solution.theta.size();
+  return estimate.solution.sum_of_squares / static_cast<double>(dof);
+}
+
+/// Unit vectors of the coordinates.
+Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
+  return Eigen::VectorXd::Unit(n, k);
+}
+
+/// P0* and Phi0, where the line of regime II, through y at log_P, starts: at the plateau or at the first point. The
+/// gradients of y and log_P to the coordinates are given.
+void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::VectorXd& to_log_P, double y,
+                             const Eigen::VectorXd& to_y, std::vector<Quantity>& quantities) {
+  const double lambda = std::exp(e.solution.theta[0]);
+  const Eigen::Index n = to_y.size();
+  if (e.has_plateau()) {
+    const double drop = (y - e.plateau_level) / lambda;
+    quantities.push_back({"Phi0", true, e.plateau_level, unit(n, n - 1)});
+    quantities.push_back(
+        {"P0_star", false, log_P + drop, to_log_P + (to_y - unit(n, n - 1)) / lambda - drop * unit(n, 0)});
+    return;
+  }
+  const double distance = e.points.log_P[0] - log_P;
+  quantities.push_back(
+      {"Phi0", true, y - lambda * distance, to_y + lambda * to_log_P - lambda * distance * unit(n, 0)});
+}
+
+/// Best sum of squares with one coordinate held, followed from solution to solution.
+class Profile {
+ public:
+  Profile(const LawEstimate& estimate, int coordinate)
+      : estimate_(estimate), coordinate_(coordinate), theta_(estimate.solution.theta) {}
+
+  /// Infinite if the solver fails.
+  double operator()(double value) {
+    Eigen::VectorXd start = theta_;
+    start[coordinate_] = value;
+    const auto solution = solve_law_from(estimate_.law, estimate_.points, start, coordinate_);
+    if (!solution) return std::numeric_limits<double>::infinity();
+    theta_ = solution->theta;
+    return solution->sum_of_squares;
+  }
+
+ private:
+  const LawEstimate& estimate_;
+  int coordinate_;
+  Eigen::VectorXd theta_;
+};
+
+/// Where the profile crosses `allowed` on one side of the solution: steps of `step` (signed) that grow, then the rule of
+/// false position in the root of the excess, which is nearly linear. Absent if it does not up to `end`.
+std::optional<double> crossing(const LawEstimate& estimate, int coordinate, double step, double end,
+                               double allowed) {
+  Profile profile(estimate, coordinate);
+  const double least = estimate.solution.sum_of_squares;
+  const double target = std::sqrt(allowed - least);
+  const auto miss = [&](double at) { return std::sqrt(std::max(profile(at) - least, 0.0)) - target; };
+  double inside = estimate.solution.theta[coordinate];
+  double miss_inside = -target;
+  double outside = inside;
+  double miss_outside = -target;
+  while (miss_outside < 0.0) {
+    if (outside == end) return std::nullopt;
+    inside = outside;
+    miss_inside = miss_outside;
+    outside += step;
+    step *= 1.6;
+    if ((end - outside) * step < 0.0) outside = end;
+    miss_outside = miss(outside);
+  }
+  constexpr int kRounds = 40;
+  constexpr double kAccuracy = 1e-3;  // of the interval's width, far below its statistical meaning
+  for (int round = 0; round < kRounds; ++round) {
+    const double share = std::isfinite(miss_outside) ? miss_inside / (miss_inside - miss_outside) : 0.5;
+    const double middle = inside + std::clamp(share, 0.05, 0.95) * (outside - inside);
+    const double m = miss(middle);
+    (m < 0.0 ? inside : outside) = middle;
+    (m < 0.0 ? miss_inside : miss_outside) = m;
+    if (std::abs(m) < kAccuracy * target) return middle;
+  }
+  return 0.5 * (inside + outside);
+}
+
+}  // namespace
+
+Eigen::VectorXd at_first_pressure(Law law, Eigen::VectorXd theta, double step) {
+  if (law == Law::log) theta[1] -= std::exp(theta[0]) * step;
+  if (law == Law::power) theta[0] -= std::exp(theta[1]) * step;
+  return theta;
+}
+
+double mean_level(const LawPoints& points) {
+  const Eigen::ArrayXd w2 = points.weight.array().square();
+  return (w2 * points.y.array()).sum() / w2.sum();
+}
+
+double Quantity::parameter() const {
+  return is_inverse ? 1.0 / value : std::exp(value);
+}
+
+std::vector<Quantity> quantities_of(const LawEstimate& e) {
+  const Eigen::VectorXd& theta = e.solution.theta;
+  const Eigen::Index n = theta.size() + (e.has_plateau() ? 1 : 0);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
+  const double first = e.points.log_P[0];
+  std::vector<Quantity> found;
+  switch (e.law) {
+    case Law::log:
+      found.push_back({"lambda", false, theta[0], unit(n, 0)});
+      add_start_of_regime_two(e, first, none, theta[1], unit(n, 1), found);
+      break;
+    case Law::power: {
+      const double alpha = std::exp(theta[1]);
+      found.push_back({"A", false, theta[0] + alpha * first, unit(n, 0) + alpha * first * unit(n, 1)});
+      found.push_back({"alpha", false, theta[1], unit(n, 1)});
+      found.push_back({"Phi_max", true, theta[2], unit(n, 2)});
+      break;
+    }
+    case Law::full:
+      found.push_back({"lambda", false, theta[0], unit(n, 0)});
+      found.push_back({"alpha", false, theta[1], unit(n, 1)});
+      found.push_back({"Phi_max", true, theta[2], unit(n, 2)});
+      found.push_back({"P1_star", false, theta[3], unit(n, 3)});
+      add_start_of_regime_two(e, theta[3], unit(n, 3), theta[2], unit(n, 2), found);
+      break;
+  }
+  return found;
+}
+
+Covariance covariance_from_residuals(const LawEstimate& e) {
+  const Eigen::Index n = e.solution.theta.size();
+  const Eigen::Index n_all = n + (e.has_plateau() ? 1 : 0);
+  const double variance = residual_variance(e);
+  Covariance c{Eigen::MatrixXd::Zero(n_all, n_all), e.points.size() - static_cast<int>(n)};
+  c.matrix.topLeftCorner(n, n) = variance * unit_covariance(e.solution.jacobian);
+  if (e.has_plateau()) c.matrix(n, n) = variance / e.plateau.weight.squaredNorm();
+  return c;
+}
+
+Covariance covariance_from_samples(const LawEstimate& e, const Eigen::MatrixXd& deviations) {
+  const Eigen::Index n_plateau = e.plateau.size();
+  const Eigen::Index n_window = e.points.size();
+  assert(deviations.rows() == n_plateau + n_window && deviations.cols() >= 2);
+  const Eigen::Index n = e.solution.theta.size();
+  const Eigen::MatrixXd unscaled = unit_covariance(e.solution.jacobian);
+  Eigen::MatrixXd finite = unscaled;
+  for (Eigen::Index k = 0; k < n; ++k)
+    if (!std::isfinite(finite(k, k))) finite.row(k).setZero(), finite.col(k).setZero();
+  // Change of the coordinates with each sample's deviation, coordinates x samples.
+  Eigen::MatrixXd change(n + (n_plateau > 0 ? 1 : 0), deviations.cols());
+  change.topRows(n) =
+      finite * e.solution.jacobian.transpose() * e.points.weight.asDiagonal() * deviations.bottomRows(n_window);
+  if (n_plateau > 0) {
+    const Eigen::VectorXd w2 = e.plateau.weight.array().square();
+    change.bottomRows(1) = w2.transpose() * deviations.topRows(n_plateau) / w2.sum();
+  }
+  const auto m = static_cast<double>(deviations.cols());
+  Covariance c{change * change.transpose() / (m * (m - 1.0)), static_cast<int>(deviations.cols()) - 1};
+  for (Eigen::Index k = 0; k < n; ++k)
+    if (!std::isfinite(unscaled(k, k))) c.matrix(k, k) = unscaled(k, k);
+  return c;
+}
+
+FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& covariance) {
+  double variance = 0.0;
+  // Sums only over what the parameter depends on: others may have infinite variance.
+  for (int i = 0; i < quantity.gradient.size(); ++i)
+    for (int j = 0; j < quantity.gradient.size(); ++j)
+      if (quantity.gradient[i] != 0.0 && quantity.gradient[j] != 0.0)
+        variance += quantity.gradient[i] * covariance.matrix(i, j) * quantity.gradient[j];
+  const double error = std::sqrt(std::max(variance, 0.0));
+  const double t95 = student_t_95(covariance.dof);
+  return quantity.is_inverse ? from_inverse(quantity.name, quantity.value, error, t95)
+                             : from_logarithm(quantity.name, quantity.value, error, t95);
+}
+
+ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, const Covariance& covariance) {
+  const double center = estimate.solution.theta[coordinate];
+  const double t95 = student_t_95(covariance.dof);
+  const double error = std::sqrt(covariance.matrix(coordinate, coordinate));
+  // Below this the sum of squares is rounding, and the interval is that of the covariance.
+  constexpr double kRounding = 1e-9;
+  if (error < kRounding) return {center - t95 * error, center + t95 * error};
+  const Covariance own = covariance_from_residuals(estimate);
+  const double own_variance = own.matrix(coordinate, coordinate);
+  const bool finite = std::isfinite(own_variance) && std::isfinite(error);
+  const double ratio = finite ? error * error / own_variance : 1.0;
+  const double allowed = estimate.solution.sum_of_squares + t95 * t95 * ratio * residual_variance(estimate);
+  // ln alpha between these says nothing any more; 1/Phi_max ends where Phi_max is infinite, and far above any curve.
+  const bool is_inverse = coordinate == 2;
+  const double low_end = is_inverse ? 1e-3 : std::log(1e-2);
+  const double high_end = is_inverse ? 1e3 : std::log(1e2);
+  const double step = finite ? std::min(t95 * error, 1.0) : 0.5;
+  ProfileInterval interval;
+  if (center > low_end) interval.low = crossing(estimate, coordinate, -step, low_end, allowed);
+  if (center < high_end) interval.high = crossing(estimate, coordinate, step, high_end, allowed);
+  return interval;
+}
+
+}  // namespace floc

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/fitting/consolidation.h"
+
+namespace floc {
+
+/// One row of a path table.
+struct PathRow {
+  std::string branch;  ///< empty in a table without branches
+  double P_star;
+  double phi;
+};
+
+/// What a row of a path does.
+enum class PathStep {
+  zero_pressure,  ///< P* = 0
+  first_loading,  ///< assembly and the first loading
+  unloading,
+  reloading,     ///< up to the largest pressure before
+  later_virgin,  ///< of a later loading, beyond the largest pressure before
+  hold,          ///< pressure kept
+};
+
+/// Steps of all rows by their pressures alone; a row that turns back begins a new branch.
+std::vector<PathStep> path_steps(const std::vector<PathRow>& rows);
+
+/// A fault of a path: which row, and what was expected there.
+struct PathFault {
+  int row;
+  std::string expected;
+};
+
+/// The first row that breaks its branch: in a run of rows of one name pressures grow, or fall, strictly, or are all the
+/// same (a hold); without names no pressure is repeated. Absent if there is none.
+std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
+
+/// Rows that consolidation is fitted to.
+struct Loading {
+  ConsolidationCurve curve;
+  std::vector<int> rows;  ///< index of the row of each point
+};
+
+/// The first loading; with `virgin`, also what later loadings add beyond it.
+/// The first loading is that of the pressures; where branches are named and one is "load", only "assembly" and the first
+/// run of "load".
+Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
+
+/// Mean of 1/Phi over samples at each pressure that all of them have (to 0.1 %); no points if there is none.
+ConsolidationCurve mean_curve(const std::vector<ConsolidationCurve>& samples);
+
+}  // namespace floc

@@ -1,0 +1,183 @@
+#include "floc/fitting/regimes.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace floc {
+namespace {
+
+using Law = ConsolidationLaw;
+
+/// Residuals of 1/Phi below this are rounding of the table, not information about its model.
+constexpr double kRounding = 1e-9;
+
+/// Bayesian information criterion of a least-squares model, up to a constant of the data.
+double information(double sum_of_squares, int n, int n_free) {
+  const double floor = n * kRounding * kRounding;
+  return n * std::log(std::max(sum_of_squares, floor) / n) + n_free * std::log(n);
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+int n_below(const LawPoints& points, double log_P) {
+  return static_cast<int>((points.log_P.array() < log_P).count());
+}
+
+/// What a constant leaves.
+double left_by_constant(const LawPoints& points) {
+  if (points.size() == 0) return 0.0;
+  const Eigen::ArrayXd w2 = points.weight.array().square();
+  const double mean = (w2 * points.y.array()).sum() / w2.sum();
+  return (w2 * (points.y.array() - mean).square()).sum();
+}
+
+/// One place of a change and the information that it leaves.
+struct Place {
+  int first;
+  double information;
+};
+
+bool less_information(const Place& a, const Place& b) {
+  return a.information < b.information;
+}
+
+/// The best place, and the places around it with their probabilities; `shift` is added to all indices.
+ChangePoint change_among(std::vector<Place> places, int shift) {
+  constexpr double kWorthNaming = 0.01;
+  std::stable_sort(places.begin(), places.end(), less_information);
+  const double least = places.front().information;
+  double total = 0.0;
+  for (const Place& p : places) total += std::exp(0.5 * (least - p.information));
+  const int best = places.front().first + shift;
+  ChangePoint change{best, best, best, {}};
+  double held = 0.0;
+  for (const Place& p : places) {
+    const ChangePlace place{p.first + shift, std::exp(0.5 * (least - p.information)) / total};
+    if (held < 0.95) {
+      change.low95 = std::min(change.low95, place.first);
+      change.high95 = std::max(change.high95, place.first);
+    }
+    held += place.probability;
+    if (place.probability > kWorthNaming) change.places.push_back(place);
+  }
+  return change;
+}
+
+Place plateau_end(const LawPoints& points, int k, double left_by_rest, int n_free) {
+  const double left = left_by_rest + left_by_constant(points.range(0, k));
+  // A plateau costs two numbers: its level and its end.
+  return {k, information(left, points.size(), n_free + (k > 0 ? 2 : 0))};
+}
+
+/// Splits into a plateau and a rest that follows the full law; none if no split leaves a regime II.
+std::vector<Place> ends_before_full_law(const LawPoints& points) {
+  // Beyond P1* no split leaves a regime II any more.
+  constexpr int kGiveUp = 3;
+  std::vector<Place> places;
+  std::optional<Eigen::VectorXd> theta;
+  const int n = points.size();
+  int n_failed = 0;
+  for (int k = 0; n - k > n_parameters(Law::full) && n_failed < kGiveUp; ++k) {
+    const LawPoints rest = points.range(k, n - k);
+    // The law bends where it did with one point more, unless that point kept it from bending at all.
+    double left = kInfinity;
+    if (theta) left = approach_law(Law::full, rest, *theta);
+    if (auto other = start_of_law(Law::full, rest, theta ? 1 : 4)) {
+      const double left_by_other = approach_law(Law::full, rest, *other);
+      if (!(left <= left_by_other)) left = left_by_other, theta = other;
+    }
+    ++n_failed;
+    if (!std::isfinite(left) || n_below(rest, (*theta)[3]) < kFewestInRegimeTwo) continue;
+    places.push_back(plateau_end(points, k, left, n_parameters(Law::full)));
+    n_failed = 0;
+  }
+  return places;
+}
+
+/// Splits into a plateau and a line.
+std::vector<Place> ends_before_line(const LawPoints& points) {
+  std::vector<Place> places;
+  const int n = points.size();
+  for (int k = 0; n - k >= kFewestInRegimeTwo; ++k)
+    if (const auto left = left_by_line(points.range(k, n - k)))
+      places.push_back(plateau_end(points, k, *left, n_parameters(Law::log)));
+  return places;
+}
+
+/// Splits into a line and a power law, on each one point more than it has parameters.
+std::vector<Place> onsets_of_three(const LawPoints& points) {
+  std::vector<Place> places;
+  const int n = points.size();
+  for (int k = kFewestInRegimeTwo; n - k > n_parameters(Law::power); ++k) {
+    const auto line = left_by_line(points.range(0, k));
+    const auto power = left_by_power_law(points.range(k, n - k));
+    // Two numbers of the line, three of the power law, and the place.
+    if (line && power) places.push_back({k, information(*line + *power, n, 6)});
+  }
+  return places;
+}
+
+/// What 1/Phi linear in P* leaves.
+double left_by_elasticity(const LawPoints& points) {
+  Eigen::MatrixXd columns(points.size(), 2);
+  columns.col(0) = points.weight;
+  columns.col(1) = points.weight.cwiseProduct(points.log_P.array().exp().matrix());
+  const Eigen::VectorXd y = points.weight.cwiseProduct(points.y);
+  return (y - columns * columns.colPivHouseholderQr().solve(y)).squaredNorm();
+}
+
+}  // namespace
+
+bool see_a_bend(const LawPoints& points, const LawSolution& full) {
+  const auto line = solve_law(Law::log, points);
+  const int n = points.size();
+  return !line || information(full.sum_of_squares, n, n_parameters(Law::full)) <
+                      information(line->sum_of_squares, n, n_parameters(Law::log));
+}
+
+bool see_regime_three(const LawPoints& points, const LawSolution& full) {
+  return full.theta[3] < points.log_P[points.size() - 1] && see_a_bend(points, full);
+}
+
+int n_before_regime_three(const LawPoints& points, const LawSolution& full) {
+  return n_below(points, full.theta[3]);
+}
+
+bool keeps_regime_two(Law law, const LawPoints& points, const LawSolution& solution) {
+  return law != Law::full || n_before_regime_three(points, solution) >= kFewestInRegimeTwo;
+}
+
+std::optional<Regimes> find_regimes(const LawPoints& points) {
+  const int n = points.size();
+  std::vector<Place> ends = ends_before_full_law(points);
+  const std::vector<Place> line_ends = ends_before_line(points);
+  const double flat =
+      std::min(information(left_by_constant(points), n, 1), information(left_by_elasticity(points), n, 2));
+  const auto explains_more = [flat](const Place& p) { return p.information < flat; };
+  Regimes regimes;
+  regimes.all_in_one = std::none_of(ends.begin(), ends.end(), explains_more) &&
+                       std::none_of(line_ends.begin(), line_ends.end(), explains_more);
+  if (regimes.all_in_one) return regimes;
+
+  if (ends.empty()) ends = line_ends;
+  if (ends.empty()) return std::nullopt;
+  const ChangePoint end = change_among(ends, 0);
+  regimes.n_plateau = end.first;
+  if (end.high95 > 0) regimes.plateau_end = end;
+
+  const LawPoints rest = points.range(end.first, n - end.first);
+  regimes.end_of_two = n;
+  const std::vector<Place> onsets = onsets_of_three(rest);
+  if (onsets.empty()) return regimes;
+  const auto best = std::min_element(onsets.begin(), onsets.end(), less_information);
+  const auto line = left_by_line(rest);
+  if (line && information(*line, rest.size(), n_parameters(Law::log)) <= best->information) return regimes;
+  regimes.onset_three = change_among(onsets, end.first);
+  regimes.end_of_two = regimes.onset_three->first;
+  return regimes;
+}
+
+}  // namespace floc

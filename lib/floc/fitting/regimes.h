@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "floc/fitting/consolidation_solver.h"
+
+namespace floc {
+
+/// A place where one regime may give way to the next: before the point `first`.
+struct ChangePlace {
+  int first;
+  double probability;
+};
+
+/// Where one regime gives way to the next: between two neighbouring points.
+struct ChangePoint {
+  int first;                        ///< index of the first point after the most probable change
+  int low95, high95;                ///< the same over the most probable places that hold 95 % together
+  std::vector<ChangePlace> places;  ///< all that are more probable than 1 %, the most probable first
+};
+
+/// The regimes of a curve: a plateau (I), a line in ln P* (II), a power law (III).
+struct Regimes {
+  /// A constant, or a solid fraction linear in P* (elastic), explains the points better than any law of consolidation.
+  bool all_in_one = false;
+  int n_plateau = 0;                       ///< points of regime I
+  std::optional<ChangePoint> plateau_end;  ///< present if there is, or may be, a plateau
+  std::optional<ChangePoint> onset_three;  ///< present if the points tell regime III from the line
+  int end_of_two = 0;                      ///< index after the last point of regime II
+};
+
+/// Change-point search by least squares. The end of the plateau is that split into a constant and the full law (the line,
+/// where the full law cannot be told) which leaves least by the Bayesian information criterion; the onset of III is that
+/// split of the rest into a line and a power law. Places are weighted by exp(-criterion/2).
+/// Absent if no split leaves three points to regime II.
+[[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
+
+/// True if the points tell the full law, whose solution on them is given, from the line of regime II.
+[[nodiscard]] bool see_a_bend(const LawPoints& points, const LawSolution& full);
+
+/// True if they also reach beyond its P1*.
+[[nodiscard]] bool see_regime_three(const LawPoints& points, const LawSolution& full);
+
+/// Number of points at pressures below the P1* of a solution of the full law.
+[[nodiscard]] int n_before_regime_three(const LawPoints& points, const LawSolution& full);
+
+/// False for a solution of the full law that has lost regime II: fewer than three points before its P1*.
+[[nodiscard]] bool keeps_regime_two(ConsolidationLaw law, const LawPoints& points, const LawSolution& solution);
+
+/// Regime II needs this many pressures before its slope is one.
+inline constexpr int kFewestInRegimeTwo = 3;
+
+}  // namespace floc

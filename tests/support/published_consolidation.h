@@ -1,0 +1,59 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "floc/base/random.h"
+#include "floc/fitting/consolidation.h"
+#include "floc/fitting/consolidation_law.h"
+
+namespace floc::test {
+
+/// Pressures of the published path from `low` on: factors 10^(1/8) up to 13.3.
+inline std::vector<double> published_pressures(double low) {
+  std::vector<double> P;
+  for (int k = 0; k <= 25; ++k)
+    if (const double p = 0.01 * std::pow(10.0, k / 8.0); p > 0.999 * low) P.push_back(p);
+  return P;
+}
+
+/// The law without error at given pressures.
+inline ConsolidationCurve curve_of(const ConsolidationLawParameters& law,
+                                   const std::vector<double>& pressures) {
+  ConsolidationCurve curve;
+  for (const double P : pressures) {
+    curve.P_star.push_back(P);
+    curve.phi.push_back(1 / law.inverse_phi(P));
+  }
+  return curve;
+}
+
+/// A published fit (G08): lambda, Phi_max, alpha, P0*, Phi0; P1* follows from the identity of its limits.
+struct Published {
+  double lambda, phi_max, alpha, P0_star, phi0;
+
+  ConsolidationLawParameters law() const {
+    return {lambda, alpha, phi_max, P0_star * std::exp((1 / phi0 - 1 / phi_max) / lambda)};
+  }
+
+  /// The whole published path: constant up to P0*, then the law.
+  ConsolidationCurve with_plateau() const {
+    ConsolidationCurve curve;
+    for (const double P : published_pressures(0.01)) {
+      curve.P_star.push_back(P);
+      curve.phi.push_back(1 / law().inverse_phi(std::max(P, P0_star)));
+    }
+    return curve;
+  }
+};
+inline constexpr Published kNoRolling{0.349, 0.7808, 0.91, 0.0237, 0.469};
+inline constexpr Published kSmallRolling{0.194, 0.7745, 1.08, 0.0316, 0.515};
+
+/// The curve with normal errors of 1/Phi, as a share of it.
+inline ConsolidationCurve with_relative_noise(ConsolidationCurve curve, double noise, RandomStream& random) {
+  for (double& phi : curve.phi) phi = 1 / (1 / phi * (1 + noise * random.normal()));
+  return curve;
+}
+
+}  // namespace floc::test

@@ -1,0 +1,68 @@
+#include "floc/fitting/loading_path.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace floc {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(FirstLoading, TakesAssemblyAndTheFirstRunOfLoadRowsOnly) {
+  const std::vector<PathRow> rows = {{"assembly", 0.0, 0.4}, {"assembly", 0.01, 0.45}, {"load", 0.1, 0.5},
+                                     {"load", 1.0, 0.6},     {"unload", 0.1, 0.59},    {"load", 2.0, 0.65}};
+  EXPECT_THAT(first_loading(rows).rows, ElementsAre(1, 2, 3));
+  EXPECT_THAT(first_loading(rows, true).rows, ElementsAre(1, 2, 3, 5));
+}
+
+TEST(FirstLoading, WithoutBranchesGoesUpToTheFirstFallOfPressure) {
+  const std::vector<PathRow> rows = {{"", 0.1, 0.4}, {"", 0.2, 0.5}, {"", 0.1, 0.5}, {"", 0.4, 0.6}};
+  EXPECT_THAT(first_loading(rows).rows, ElementsAre(0, 1));
+  EXPECT_THAT(first_loading(rows, true).rows, ElementsAre(0, 1, 3));
+}
+
+TEST(PathSteps, ALoopIsUnloadingReloadingAndThenVirginAgain) {
+  using enum PathStep;
+  std::vector<PathRow> rows;
+  for (const double P : {0.0, 1.0, 4.0, 2.0, 1.0, 2.0, 4.0, 8.0, 8.0, 3.0, 0.0}) rows.push_back({"", P, 0.5});
+  EXPECT_THAT(path_steps(rows),
+              ElementsAre(zero_pressure, first_loading, first_loading, unloading, unloading, reloading,
+                          reloading, later_virgin, hold, unloading, zero_pressure));
+}
+
+TEST(PathFault, PressuresOfABranchKeepTheirDirection) {
+  const auto fault = [](const std::vector<double>& P, const char* branch) {
+    std::vector<PathRow> rows;
+    for (const double p : P) rows.push_back({branch, p, 0.5});
+    return path_fault(rows);
+  };
+  EXPECT_FALSE(fault({1, 2, 3}, "load"));
+  EXPECT_FALSE(fault({3, 2, 1}, "unload"));
+  EXPECT_FALSE(fault({1, 1, 1}, "hold"));
+  EXPECT_FALSE(fault({1, 2, 1, 3}, ""));
+  EXPECT_EQ(fault({1, 2, 2}, "load")->row, 2);
+  EXPECT_EQ(fault({1, 1}, "load")->row, 1);
+  EXPECT_EQ(fault({3, 2, 2.5}, "unload")->row, 2);
+  EXPECT_EQ(fault({1, 2, 1}, "press")->row, 2);
+  EXPECT_EQ(fault({1, 2, 2}, "")->row, 2);
+  EXPECT_THAT(fault({2, 1}, "load")->expected, HasSubstr("grows"));
+  EXPECT_THAT(fault({1, 2}, "unload")->expected, HasSubstr("falls"));
+}
+
+TEST(MeanCurve, IsTheMeanOfInversePhiAtCommonPressures) {
+  const auto mean =
+      mean_curve({{{0.1, 1.0, 2.0}, {0.5, 0.6, 0.7}, {}}, {{0.1 * (1 + 1e-5), 2.0}, {0.4, 0.8}, {}}});
+  EXPECT_THAT(mean.P_star, ElementsAre(0.1, 2.0));
+  EXPECT_NEAR(1 / mean.phi[0], (1 / 0.5 + 1 / 0.4) / 2, 1e-15);
+  EXPECT_NEAR(1 / mean.phi[1], (1 / 0.7 + 1 / 0.8) / 2, 1e-15);
+  ASSERT_EQ(mean.samples.rows(), 2);
+  ASSERT_EQ(mean.samples.cols(), 2);
+  EXPECT_EQ(mean.samples(0, 1), 1 / 0.4);
+  EXPECT_EQ(mean.samples(1, 0), 1 / 0.7);
+  EXPECT_THAT(mean_curve({}).P_star, IsEmpty());
+}
+
+}  // namespace
+}  // namespace floc

@@ -110,17 +110,6 @@ MeanField mean_field(const Packing<Dim>& packing) {
   return {2.0 * static_cast<double>(n_touching) / packing.grains.size(), solid_fraction(packing)};
 }
 
-template <int Dim>
-ContactNetwork<Dim> loaded_network(const Packing<Dim>& packing, const ModuliOptions& options, Moduli& m) {
-  const double smallest =
-      options.force_tolerance * force_scale<Dim>(packing, Vec<Dim>::Constant(m.pressure)).force;
-  const std::vector<bool> rattlers = find_rattlers(packing, smallest);
-  m.n_rattlers = static_cast<int>(std::count(rattlers.begin(), rattlers.end(), true));
-  ContactNetwork<Dim> network = without_grains(contact_network(packing), rattlers);
-  if (options.rolling_stiffness) set_rolling_stiffness(network, *options.rolling_stiffness);
-  return network;
-}
-
 }  // namespace
 
 std::vector<std::string> ModuliOptions::validate() const {
@@ -133,6 +122,15 @@ std::vector<std::string> ModuliOptions::validate() const {
 }
 
 template <int Dim>
+ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) const {
+  const Vec<Dim> pressure = Vec<Dim>::Constant(static_stress(packing).trace() / Dim);
+  const double smallest = force_tolerance * force_scale<Dim>(packing, pressure).force;
+  ContactNetwork<Dim> network = without_grains(contact_network(packing), find_rattlers(packing, smallest));
+  if (rolling_stiffness) set_rolling_stiffness(network, *rolling_stiffness);
+  return network;
+}
+
+template <int Dim>
 Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options) {
   assert(options.validate().empty());
   Moduli m;
@@ -140,15 +138,15 @@ Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options)
   m.pressure = stress.trace() / Dim;
   m.n_at_cap = static_cast<int>(std::count_if(packing.contacts.begin(), packing.contacts.end(),
                                               [](const auto& c) { return c.sliding || c.rolling_yield; }));
-  const ContactNetwork<Dim> network = loaded_network(packing, options, m);
+  const ContactNetwork<Dim> network = options.loaded_network(packing);
   m.bounds = elastic_bounds(network, m.pressure, mean_field(packing));
 
-  const ElasticResponse response =
-      elastic_response(network, {options.strains, options.prestress, options.ordering});
+  ElasticResponse response = elastic_response(network, {options.strains, options.prestress, options.ordering});
   m.C = response.relaxed / network.volume;
   if (options.prestress) m.C += convected_stress<Dim>(stress, static_cast<int>(m.C.rows()));
   m.n_negative = response.n_negative;
   m.n_mechanisms = response.n_mechanisms;
+  m.n_rattlers = response.free.count(FreeMotionKind::rattler) / kDofs<Dim>;
   m.n_free_rollers = response.free.n_free_rollers;
   m.residual = response.residual;
   m.condition = response.condition;
@@ -156,14 +154,18 @@ Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options)
   if (options.prestress) {
     ModuliOptions plain = options;
     plain.prestress = false;
-    const Moduli without = elastic_moduli(packing, plain);
+    Moduli without = elastic_moduli(packing, plain);
     m.B_without_prestress = without.B;
     m.G_without_prestress = without.G;
+    response = std::move(without.response);
   }
+  m.response = std::move(response);
   add_warnings(m);
   return m;
 }
 
+template ContactNetwork<2> ModuliOptions::loaded_network(const Packing<2>&) const;
+template ContactNetwork<3> ModuliOptions::loaded_network(const Packing<3>&) const;
 template Moduli elastic_moduli(const Packing<2>&, const ModuliOptions&);
 template Moduli elastic_moduli(const Packing<3>&, const ModuliOptions&);
 

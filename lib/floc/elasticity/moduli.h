@@ -22,6 +22,10 @@ struct ModuliOptions {
   std::optional<double> rolling_stiffness;
   Ordering ordering = Ordering::amd;
 
+  /// The contacts that moduli are those of: rattlers removed, the rolling stiffness asked for.
+  template <int Dim>
+  ContactNetwork<Dim> loaded_network(const Packing<Dim>& packing) const;
+
   /// Every fault as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
@@ -48,6 +52,8 @@ struct Moduli {
   /// The same without prestress, if that was asked for: the difference is its worth.
   std::optional<double> B_without_prestress;
   std::optional<double> G_without_prestress;
+  /// The response without prestress, of loaded_network(): mechanisms, increments and backbone follow from it.
+  ElasticResponse response;
   std::vector<std::string> warnings;
 };
 

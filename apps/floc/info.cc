@@ -73,6 +73,7 @@ void add_history(const State<Dim>& state, std::vector<Entry>& entries) {
   entries.push_back({"branch", or_undefined(state.path.branch)});
   entries.push_back({"time", state.path.time});
   entries.push_back({"n_steps", state.path.n_steps});
+  entries.push_back({"ending", or_undefined(state.path.ending)});
   entries.push_back({"program", or_undefined(state.provenance.program)});
   entries.push_back({"commit", or_undefined(state.provenance.commit)});
   entries.push_back({"compiler", or_undefined(state.provenance.compiler)});

@@ -35,7 +35,8 @@ const std::vector<std::string> kColumns = {"step",
                                            "time",
                                            "n_steps",
                                            "seconds",
-                                           "state"};
+                                           "state",
+                                           "ending"};
 
 }  // namespace
 
@@ -73,7 +74,8 @@ std::string path_row(const State<2>& state, std::optional<double> seconds, const
                  state.path.time,
                  state.path.n_steps,
                  seconds ? TableValue{*seconds} : TableValue{},
-                 file}};
+                 file,
+                 state.path.ending.empty() ? TableValue{} : TableValue{state.path.ending}}};
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;

@@ -45,7 +45,7 @@ TEST_F(RunCommand, SavesAStateAndARowForEachEquilibriumAndNamesWhatComesNext) {
   EXPECT_THAT(table, ::testing::StartsWith(
                          "step,branch,P_star,P,phi,void_ratio,L1,L2,z,z_plus,z_minus,z_zero,n_contacts,"
                          "n_distant,x0,residual_force,residual_moment,residual_stress,kinetic_energy,"
-                         "n_negative,time,n_steps,seconds,state\n0,assembly,0,"));
+                         "n_negative,time,n_steps,seconds,state,ending\n0,assembly,0,"));
 }
 
 TEST_F(RunCommand, MakesStatesThatVerify) {

@@ -307,6 +307,10 @@ std::string Hdf5Reader::text(const std::string& path) const {
   });
 }
 
+bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name) const {
+  return H5Aexists_by_name(file_, path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
 void Hdf5Reader::attribute(const std::string& path, const std::string& name, std::string& value) const {
   const Handle attribute = open_attribute(file_, place(path), path, name, H5T_STRING, "a text");
   const Handle type(checked(H5Aget_type(attribute)), H5Tclose);

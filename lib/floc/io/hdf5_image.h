@@ -66,6 +66,7 @@ class Hdf5Reader {
   void attribute(const std::string& path, const std::string& name, double& value) const;
   void attribute(const std::string& path, const std::string& name, std::int64_t& value) const;
   void attribute(const std::string& path, const std::string& name, std::uint64_t& value) const;
+  bool has_attribute(const std::string& path, const std::string& name) const;
 
  private:
   std::string place_;

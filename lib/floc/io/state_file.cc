@@ -141,6 +141,11 @@ class WritingArchive {
   void value(const char* group, const char* name, const T& v) {
     file_.attribute(group, name, v);
   }
+  /// A value that files of this version need not have.
+  template <class T>
+  void value_if_there(const char* group, const char* name, const T& v) {
+    value(group, name, v);
+  }
 
  private:
   Hdf5Writer& file_;
@@ -195,6 +200,10 @@ class ReadingArchive {
   template <class T>
   void value(const char* group, const char* name, T& v) {
     file_.attribute(group, name, v);
+  }
+  template <class T>
+  void value_if_there(const char* group, const char* name, T& v) {
+    if (file_.has_attribute(group, name)) value(group, name, v);
   }
 
  private:

@@ -119,6 +119,7 @@ void describe_attributes(Archive& archive, State& s) {
   archive.value("path", "branch", s.path.branch);
   archive.value("path", "time", s.path.time);
   archive.value("path", "n_steps", s.path.n_steps);
+  archive.value_if_there("path", "ending", s.path.ending);
   archive.value("provenance", "program", s.provenance.program);
   archive.value("provenance", "commit", s.provenance.commit);
   archive.value("provenance", "compiler", s.provenance.compiler);

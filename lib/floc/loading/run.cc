@@ -107,7 +107,7 @@ State<Dim> Run<Dim>::state() const {
   state.tolerance = options_.relaxation.tolerance;
   state.residuals = residuals(point_.packing, state.target_stress);
   state.path = {point_.step, target().branch, point_.time + point_.relaxation.time,
-                point_.n_steps + point_.relaxation.n_steps};
+                point_.n_steps + point_.relaxation.n_steps, relaxer_ ? relaxer_->report().ending : ""};
   state.scene = options_.scene;
   state.provenance.program = "floc " + version();
   state.provenance.commit = commit();

@@ -14,6 +14,7 @@ struct PathPosition {
   std::string branch;        ///< "assembly", "load", "unload", ...
   double time = 0.0;         ///< simulated time since the start (time unit of the scene)
   std::int64_t n_steps = 0;  ///< time steps since the start
+  std::string ending;  ///< how the relaxation ended: "static", "polished", "dynamic"; empty where not known
 };
 
 /// Who made a state, from what. No clock time: repeated runs give identical files.

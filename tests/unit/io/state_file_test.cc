@@ -90,8 +90,8 @@ TYPED_TEST(StateFile, GivesBackEveryNumberThatWasWritten) {
             std::tie(s.residuals.force, s.residuals.moment, s.residuals.stress, s.residuals.energy));
   EXPECT_EQ(back.residuals.worst_force_grain, s.residuals.worst_force_grain);
   EXPECT_EQ(back.residuals.worst_moment_grain, s.residuals.worst_moment_grain);
-  EXPECT_EQ(std::tie(back.path.step, back.path.branch, back.path.time, back.path.n_steps),
-            std::tie(s.path.step, s.path.branch, s.path.time, s.path.n_steps));
+  EXPECT_EQ(std::tie(back.path.step, back.path.branch, back.path.time, back.path.n_steps, back.path.ending),
+            std::tie(s.path.step, s.path.branch, s.path.time, s.path.n_steps, s.path.ending));
   const Provenance& p = s.provenance;
   const Provenance& q = back.provenance;
   EXPECT_EQ(std::tie(p.program, p.commit, p.compiler, p.seed, p.stream_state, p.parent_sha256, p.source),

@@ -1,12 +1,75 @@
 #include "floc/elasticity/force_increments.h"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <numeric>
+
+#include "floc/elasticity/mechanisms.h"
+
 namespace floc {
+namespace {
+
+constexpr double kHeldShare = 0.95;
+/// A stress that works on a vanishing strain by less than this does not work on it: eigenvectors are right to
+/// rounding.
+constexpr double kNoWork = 1e-9;
+
+template <int Dim>
+using ForceRows = Eigen::Matrix<double, kDofs<Dim>, 1>;
+
+template <int Dim>
+Eigen::VectorXd stress_of(StressStep step) {
+  Eigen::VectorXd stress = Eigen::VectorXd::Ones(Dim);
+  if (step == StressStep::deviatoric) stress.tail(Dim - 1).setConstant(-1.0 / (Dim - 1));
+  return stress;
+}
+
+/// Diagonal strain that a diagonal stress gives.
+template <int Dim>
+std::optional<Eigen::VectorXd> strain_of(const ContactNetwork<Dim>& network, const ElasticResponse& response,
+                                         const Eigen::VectorXd& stress) {
+  const Eigen::MatrixXd relaxed = response.relaxed.topLeftCorner(Dim, Dim);
+  const Eigen::MatrixXd free = vanishing_strains(relaxed, affine_stiffness(network, StrainSet::diagonal));
+  if ((free.transpose() * stress).norm() > kNoWork) return std::nullopt;
+  // Strains that cost nothing are given a stiffness, and no stress.
+  const Eigen::MatrixXd held = relaxed + relaxed.trace() * free * free.transpose();
+  return Eigen::VectorXd(network.volume * held.ldlt().solve(stress));
+}
+
+template <int Dim>
+double energy_of(const NetworkContact<Dim>& c, const ForceIncrement<Dim>& f) {
+  const auto term = [](double square, double k) { return k == 0.0 ? 0.0 : 0.5 * square / k; };
+  return term(f.normal * f.normal, c.kn) + term(f.shear.squaredNorm(), c.kt) +
+         term(f.rolling_moment.squaredNorm(), c.kr);
+}
+
+template <int Dim>
+void rank_by_energy(const ContactNetwork<Dim>& network, StepResponse<Dim>& out) {
+  const auto n = static_cast<int>(network.contacts.size());
+  std::vector<int> order(n);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return out.energy[a] > out.energy[b]; });
+  out.rank.resize(n);
+  double total = 0.0;
+  int n_touching = 0;
+  for (int c = 0; c < n; ++c) {
+    out.rank[order[c]] = c;
+    if (network.contacts[c].distant) continue;
+    total += out.energy[c];
+    ++n_touching;
+  }
+  double held = 0.0;
+  while (out.n_holding < n && held < kHeldShare * total) held += out.energy[order[out.n_holding++]];
+  out.energy_share_95 = n_touching == 0 ? 0.0 : static_cast<double>(out.n_holding) / n_touching;
+}
+
+}  // namespace
 
 template <int Dim>
 std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& network,
                                                   const ElasticResponse& response,
                                                   const Eigen::VectorXd& strain) {
-  const Eigen::VectorXd motion = response.fluctuation * strain;
+  const Eigen::VectorXd motion = response.fluctuation.leftCols(strain.size()) * strain;
   std::vector<ForceIncrement<Dim>> increments;
   increments.reserve(network.contacts.size());
   for (const NetworkContact<Dim>& c : network.contacts) {
@@ -16,7 +79,7 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
       continue;
     }
     const ContactRows<Dim> g = contact_rows(c);
-    const Eigen::Matrix<double, kDofs<Dim>, 1> forces =
+    const ForceRows<Dim> forces =
         row_stiffness(c).cwiseProduct(g.on_i * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.i)) +
                                       g.on_j * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.j)) +
                                       g.on_strain.leftCols(strain.size()) * strain);
@@ -26,9 +89,27 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
   return increments;
 }
 
-template std::vector<ForceIncrement<2>> force_increments(const ContactNetwork<2>&, const ElasticResponse&,
-                                                         const Eigen::VectorXd&);
-template std::vector<ForceIncrement<3>> force_increments(const ContactNetwork<3>&, const ElasticResponse&,
-                                                         const Eigen::VectorXd&);
+template <int Dim>
+std::optional<StepResponse<Dim>> step_response(const ContactNetwork<Dim>& network,
+                                               const ElasticResponse& response, StressStep step) {
+  const std::optional<Eigen::VectorXd> strain = strain_of(network, response, stress_of<Dim>(step));
+  if (!strain) return std::nullopt;
+  StepResponse<Dim> out;
+  out.strain = *strain;
+  out.increments = force_increments(network, response, *strain);
+  for (std::size_t c = 0; c < out.increments.size(); ++c)
+    out.energy.push_back(energy_of(network.contacts[c], out.increments[c]));
+  rank_by_energy(network, out);
+  return out;
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                                 \
+  template std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>&,                      \
+                                                             const ElasticResponse&, const Eigen::VectorXd&); \
+  template std::optional<StepResponse<Dim>> step_response(const ContactNetwork<Dim>&, const ElasticResponse&, \
+                                                          StressStep);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
 
 }  // namespace floc

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "floc/elasticity/elastic_response.h"
@@ -14,11 +15,37 @@ struct ForceIncrement {
   Spin<Dim> rolling_moment;                 ///< on i (force * length)
 };
 
-/// Forces that a small strain adds in every contact, nothing sliding: k G U for the response U.
+/// Forces that a small strain adds in every contact, nothing sliding: k G U for the response U. Without prestress,
+/// dead ends keep theirs.
 /// @param strain  one entry a strain unknown of the response, shortening positive
 template <int Dim>
 std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& network,
                                                   const ElasticResponse& response,
                                                   const Eigen::VectorXd& strain);
+
+enum class StressStep {
+  isotropic,   ///< every diagonal stress grows by one
+  deviatoric,  ///< sigma_11 grows by one, the others fall by 1/(Dim - 1)
+};
+
+/// What a small step of the diagonal stresses does, shear strains clamped, by unit of stress.
+template <int Dim>
+struct StepResponse {
+  Eigen::VectorXd strain;                       ///< diagonal (1/stress)
+  std::vector<ForceIncrement<Dim>> increments;  ///< one a contact (force/stress)
+  /// Elastic energy of the increments of each contact, 1/2 sum f^2/k, negative for a distant attraction; their sum is
+  /// half the work of the stress, V (strain . stress)/2 (energy/stress^2).
+  std::vector<double> energy;
+  std::vector<int> rank;  ///< of each contact by that energy, 0 the most
+  /// The first `n_holding` in rank hold 95 % of the energy of all contacts that touch.
+  int n_holding = 0;
+  double energy_share_95 = 0.0;  ///< n_holding over the number of contacts that touch
+};
+
+/// @return nothing where the step works on a strain that costs nothing, or where there are no contacts.
+/// @pre the response is without prestress.
+template <int Dim>
+std::optional<StepResponse<Dim>> step_response(const ContactNetwork<Dim>& network,
+                                               const ElasticResponse& response, StressStep step);
 
 }  // namespace floc

@@ -15,17 +15,6 @@ constexpr double kVanishing = 1e-11;
 /// How far grains are moved, over their size: of order one but not so far that parts of a contact change places.
 constexpr double kDisplacement = 0.2;
 
-/// Columns: eigenvectors of a stiffness for eigenvalues that vanish.
-Eigen::MatrixXd null_strains(const Eigen::MatrixXd& stiffness, double scale) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(stiffness);
-  const auto n = (eigen.eigenvalues().array().abs() <= kVanishing * scale).count();
-  Eigen::MatrixXd columns(stiffness.rows(), n);
-  Eigen::Index at = 0;
-  for (Eigen::Index k = 0; k < stiffness.rows(); ++k)
-    if (std::abs(eigen.eigenvalues()[k]) <= kVanishing * scale) columns.col(at++) = eigen.eigenvectors().col(k);
-  return columns;
-}
-
 /// Share of a vector's squared length that lies in the span of some columns.
 double share_in(const Eigen::MatrixXd& columns, const Eigen::VectorXd& v) {
   return (columns.transpose() * v).squaredNorm() / v.squaredNorm();
@@ -73,10 +62,19 @@ ContactNetwork<Dim> in_general_position(const ContactNetwork<Dim>& network) {
 
 }  // namespace
 
+Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::MatrixXd& affine) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(relaxed);
+  const double bound = kVanishing * affine.trace();
+  std::vector<Eigen::Index> which;
+  for (Eigen::Index k = 0; k < relaxed.rows(); ++k)
+    if (std::abs(eigen.eigenvalues()[k]) <= bound) which.push_back(k);
+  return eigen.eigenvectors()(Eigen::all, which);
+}
+
 template <int Dim>
 StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine) {
   StrainMechanisms out;
-  out.strains = null_strains(response.relaxed, affine.trace());
+  out.strains = vanishing_strains(response.relaxed, affine);
   out.motions = response.fluctuation * out.strains;
   if (out.strains.cols() > 0) out.vanishing = vanishing_moduli<Dim>(out.strains);
   return out;
@@ -88,8 +86,8 @@ StructuralMechanisms structural_mechanisms(const ContactNetwork<Dim>& network, S
   ResponseOptions options;
   options.strains = strains;
   const ElasticResponse response = elastic_response(moved, options);
-  const double scale = affine_stiffness(moved, strains).trace();
-  return {response.n_mechanisms, static_cast<int>(null_strains(response.relaxed, scale).cols())};
+  const Eigen::MatrixXd affine = affine_stiffness(moved, strains);
+  return {response.n_mechanisms, static_cast<int>(vanishing_strains(response.relaxed, affine).cols())};
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                       \

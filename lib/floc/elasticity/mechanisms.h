@@ -17,8 +17,12 @@ struct StrainMechanisms {
   std::vector<std::string> vanishing;
 };
 
-/// @param affine  affine_stiffness() of the same network and strains; what is below 1e-11 of its trace is what
-///                rounding leaves of zero
+/// Strains that a relaxed stiffness (volume times stress per strain) does not resist: orthonormal columns.
+/// @param affine  affine_stiffness() over the same strains; an eigenvalue below 1e-11 of its trace is what rounding
+///                leaves of zero
+Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::MatrixXd& affine);
+
+/// @param affine  affine_stiffness() of the same network and strains
 template <int Dim>
 StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine);
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "floc/elasticity/elastic_response.h"
+
+namespace floc {
+
+/// Number of independent sets of contact forces in balance without load (PHYSICS section 3).
+struct Indeterminacy {
+  /// h = components - unknowns + null modes: the dimension of the null space of the equilibrium matrix.
+  int degree = 0;
+  int n_components = 0;  ///< of contact forces that have a stiffness: normal, tangential, rolling
+  int n_unknowns = 0;    ///< kDofs a grain that has contacts, and the strains of the cell
+  int n_null_modes = 0;  ///< k: motions free by structure, mechanisms, strains that cost nothing
+};
+
+/// Of a network with its diagonal strains (3 N_b + 2 unknowns in 2D, 6 N_b + 3 in 3D) or all symmetric ones.
+/// @param response  of the same network, over as many strains, without prestress
+template <int Dim>
+Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const ElasticResponse& response);
+
+}  // namespace floc

@@ -9,6 +9,12 @@ namespace {
 /// Pressures that differ by less are the same one.
 constexpr double kSamePressure = 1e-3;
 
+void add_point(const std::vector<PathRow>& rows, std::size_t i, Loading& loading) {
+  loading.curve.P_star.push_back(rows[i].P_star);
+  loading.curve.phi.push_back(rows[i].phi);
+  loading.rows.push_back(static_cast<int>(i));
+}
+
 }  // namespace
 
 std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
@@ -75,9 +81,41 @@ Loading first_loading(const std::vector<PathRow>& rows, bool virgin) {
     const bool later = virgin && steps[i] == PathStep::later_virgin;
     const bool outside = named && (row >= after || (row < load && row->branch != "assembly"));
     if (!later && (steps[i] != PathStep::first_loading || outside)) continue;
-    found.curve.P_star.push_back(row->P_star);
-    found.curve.phi.push_back(row->phi);
-    found.rows.push_back(static_cast<int>(i));
+    add_point(rows, i, found);
+  }
+  return found;
+}
+
+std::vector<Reloading> reloadings(const std::vector<PathRow>& rows) {
+  const std::vector<PathStep> steps = path_steps(rows);
+  const auto loads = [&](std::size_t i) {
+    return steps[i] == PathStep::reloading || steps[i] == PathStep::later_virgin;
+  };
+  std::vector<Reloading> found;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (loads(i)) {
+      if (!loads(i - 1)) {
+        found.push_back({{}, largest});
+        if (rows[i - 1].P_star > 0.0) add_point(rows, i - 1, found.back().loading);
+      }
+      add_point(rows, i, found.back().loading);
+    }
+    largest = std::max(largest, rows[i].P_star);
+  }
+  return found;
+}
+
+std::vector<Loading> unloadings(const std::vector<PathRow>& rows) {
+  const std::vector<PathStep> steps = path_steps(rows);
+  std::vector<Loading> found;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (steps[i] != PathStep::unloading) continue;
+    if (steps[i - 1] != PathStep::unloading) {
+      found.emplace_back();
+      add_point(rows, i - 1, found.back());
+    }
+    add_point(rows, i, found.back());
   }
   return found;
 }

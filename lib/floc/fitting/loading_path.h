@@ -48,6 +48,16 @@ struct Loading {
 /// run of "load".
 Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
 
+/// A loading that starts again from a smaller pressure.
+struct Reloading {
+  Loading loading;        ///< from the point where it turns, reloading and what goes on beyond
+  double largest_before;  ///< largest pressure before it
+};
+std::vector<Reloading> reloadings(const std::vector<PathRow>& rows);
+
+/// Runs of falling pressure, each from the point where it turns; P* = 0 is left out.
+std::vector<Loading> unloadings(const std::vector<PathRow>& rows);
+
 /// Mean of 1/Phi over samples at each pressure that all of them have (to 0.1 %); no points if there is none.
 ConsolidationCurve mean_curve(const std::vector<ConsolidationCurve>& samples);
 

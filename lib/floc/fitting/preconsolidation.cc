@@ -1,0 +1,93 @@
+#include "floc/fitting/preconsolidation.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "floc/fitting/line_fit.h"
+#include "floc/fitting/student_t.h"
+
+namespace floc {
+namespace {
+
+/// Best lines on both sides of ln P_c = `bend`; coefficients y_c, -kappa, kappa - lambda.
+LinearFit broken_line(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend) {
+  Eigen::MatrixXd columns(x.size(), 3);
+  columns.col(0).setOnes();
+  columns.col(1) = x - bend;
+  columns.col(2) = (x - bend).max(0.0);
+  return fit_linear(columns, y);
+}
+
+/// Sum of squares against the place of the bend, on a fine grid: its minimum need not be alone.
+struct BendProfile {
+  static constexpr int kSteps = 4000;
+  Eigen::VectorXd bend, left;
+  Eigen::Index best = 0;
+
+  BendProfile(const Eigen::ArrayXd& x, const Eigen::VectorXd& y)
+      : bend(Eigen::VectorXd::LinSpaced(kSteps + 1, x[1], x[x.size() - 2])),
+        left(bend.unaryExpr([&](double b) { return broken_line(x, y, b).sum_of_squares; })) {
+    left.minCoeff(&best);
+  }
+};
+
+PreconsolidationFit refused(std::string why) {
+  PreconsolidationFit fit;
+  fit.refusal = std::move(why);
+  return fit;
+}
+
+}  // namespace
+
+PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std::vector<double>& phi) {
+  assert(P.size() == phi.size());
+  constexpr int kFewest = 5;  // four numbers are fitted
+  const auto n = static_cast<Eigen::Index>(P.size());
+  if (n < kFewest)
+    return refused(
+        fmt::format("{} pressures on the reloading branch and beyond, expected at least {}", n, kFewest));
+  const Eigen::ArrayXd x = Eigen::Map<const Eigen::ArrayXd>(P.data(), n).log();
+  const Eigen::VectorXd y = Eigen::Map<const Eigen::ArrayXd>(phi.data(), n).inverse();
+  const BendProfile profile(x, y);
+  const double bend = profile.bend[profile.best];
+  const LinearFit lines = broken_line(x, y, bend);
+  const double kappa = -lines.coefficients[1];
+  const double lambda = kappa - lines.coefficients[2];
+  const auto dof = static_cast<int>(n) - 4;
+  const double t95 = student_t_95(dof);
+  const double variance = lines.sum_of_squares / dof;
+  const double allowed = lines.sum_of_squares + t95 * t95 * variance;
+
+  Eigen::MatrixXd straight(n, 2);
+  straight << Eigen::VectorXd::Ones(n), x.matrix();
+  if (lambda <= kappa || fit_linear(straight, y).sum_of_squares <= allowed)
+    return refused(
+        "the reloading branch does not bend towards a steeper line: it does not reach the preconsolidation "
+        "pressure");
+  PreconsolidationFit fit;
+  Eigen::Index low = profile.best, high = profile.best;
+  for (Eigen::Index k = 0; k < profile.left.size(); ++k)
+    if (profile.left[k] <= allowed) low = std::min(low, k), high = std::max(high, k);
+  FittedParameter P_c{
+      "P_c", std::exp(bend), std::nullopt, std::exp(profile.bend[low]), std::exp(profile.bend[high]), true};
+  P_c.standard_error = (*P_c.high95 - *P_c.low95) / (2 * t95);
+  if (low == 0 || high == profile.left.size() - 1) {
+    P_c.identified = false;
+    if (low == 0) P_c.low95 = std::nullopt;
+    if (high == profile.left.size() - 1) P_c.high95 = std::nullopt;
+    fit.warnings.push_back(
+        "the preconsolidation pressure may lie at an end of the branch: its interval is open there");
+  }
+  // The bend was fitted too: the variance has one degree of freedom less than the lines say.
+  const Eigen::MatrixXd c = lines.covariance * (static_cast<double>(lines.dof) / dof);
+  fit.parameters = {P_c, from_value("kappa", kappa, std::sqrt(c(1, 1)), t95),
+                    from_value("lambda", lambda, std::sqrt(c(1, 1) + c(2, 2) + 2 * c(1, 2)), t95)};
+  fit.rms = std::sqrt(lines.sum_of_squares / static_cast<double>(n));
+  return fit;
+}
+
+}  // namespace floc

@@ -52,10 +52,6 @@ TEST(DynamicCompaction, IntervalsCoverTheTruth) {
     ASSERT_TRUE(fit.found()) << fit.refusal;
     for (std::size_t k = 0; k < 7; ++k) {
       const FittedParameter& p = fit.parameters[k];
-      if (r < 12)
-        printf("%s %g+-%g[%g,%g] ", p.name.c_str(), p.value.value_or(-1), p.standard_error.value_or(-1),
-               p.low95.value_or(-1), p.high95.value_or(-1));
-      if (k == 6 && r < 12) puts("");
       covered[k] += p.low95 && *p.low95 <= kTruth[k] && kTruth[k] <= *p.high95;
     }
   }

@@ -29,5 +29,6 @@ Command add_moduli(CLI::App& program);
 Command add_run(CLI::App& program);
 Command add_scene(CLI::App& program);
 Command add_fit(CLI::App& program);
+Command add_chain(CLI::App& program);
 
 }  // namespace floc

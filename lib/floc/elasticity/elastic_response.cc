@@ -2,27 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "floc/linalg/condensation.h"
-#include "floc/linalg/condition.h"
-#include "floc/linalg/least_squares_factor.h"
+#include "floc/linalg/spring_inverse.h"
 
 namespace floc {
 namespace {
-
-/// Beyond this condition number a mechanism may hide behind a Cholesky factor that rounding let succeed, and the
-/// factor is too crude to bound errors with.
-constexpr double kSuspiciousCondition = 1e12;
-/// Share of a column of sqrt(k) G, left after those before it, below which it depends on them: a mechanism. The
-/// softest chain that double precision resolves leaves more, rounding leaves 1e-15.
-constexpr double kDependent = 1e-13;
-/// Units of rounding by which a factor may miss its matrix: each column sums some tens of products.
-constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
-/// Hager's estimate is seldom off by more.
-constexpr double kEstimateMargin = 3.0;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The unknowns that are solved for, made alike: rotations become the displacements they give at the grain's size.
 struct ReducedUnknowns {
@@ -125,58 +111,6 @@ class SpringList {
   SpringSystem springs_;
 };
 
-std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {
-  return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
-}
-
-/// Inverse of K by its square root, where K itself has lost the digits; tells mechanisms by rank.
-ApproximateInverse invert_root(const SpringSystem& springs, const SymmetricFactor& factor,
-                               ElasticResponse& out) {
-  const Eigen::SparseMatrix<double> root = springs.stiffness.cwiseSqrt().asDiagonal() * springs.on_free;
-  const auto qr = std::make_shared<LeastSquaresFactor>(root, kDependent * std::sqrt(factor.norm()));
-  const auto n = static_cast<int>(root.cols());
-  out.n_mechanisms = n - qr->rank();
-  ApproximateInverse inverse;
-  inverse.apply = [qr](const Eigen::VectorXd& b) { return qr->solve(b); };
-  const double condition = factor.norm() * inverse_norm_estimate(n, inverse.apply);
-  inverse.smallest_ratio = kFactorRounding * std::sqrt(condition) < 0.5 ? 0.5 : 0.0;
-  out.condition = out.n_mechanisms > 0 ? kInfinity : condition;
-  return inverse;
-}
-
-/// Inverse of a K that is indefinite or may be, by L D L^T: near-singular eigenvalues are counted and shifted away.
-ApproximateInverse invert_indefinite(SymmetricFactor& factor, double bound, ElasticResponse& out) {
-  out.n_negative = factor.count_eigenvalues_below(-bound);
-  out.n_mechanisms = factor.count_eigenvalues_below(bound) - out.n_negative;
-  const double shift = out.n_mechanisms > 0 ? 10.0 * bound : 0.0;
-  ApproximateInverse inverse;
-  inverse.apply = by(factor);
-  inverse.definite = out.n_negative == 0 && factor.factorize_positive(shift);
-  const bool factorized = inverse.definite || factor.factorize_indefinite(shift);
-  out.condition = out.n_mechanisms > 0 || !factorized ? kInfinity : factor.condition_estimate();
-  if (inverse
-          .definite)  // beyond the mechanisms eigenvalues are above the bound; rounding may halve their ratios
-    inverse.smallest_ratio = 0.5 * bound / (bound + shift);
-  else
-    inverse.inverse_norm = kEstimateMargin * out.condition / factor.norm();
-  return inverse;
-}
-
-/// Cholesky's factor of K, if there is one that can be trusted.
-std::optional<ApproximateInverse> invert_positive(SymmetricFactor& factor, ElasticResponse& out) {
-  if (!factor.factorize_positive()) return std::nullopt;
-  out.condition = factor.condition_estimate();
-  if (!(out.condition < kSuspiciousCondition)) return std::nullopt;
-  return ApproximateInverse{.apply = by(factor), .smallest_ratio = 0.5};
-}
-
-/// An inverse of the K that Cholesky's method failed on, and a count of what K hides.
-ApproximateInverse invert_otherwise(SymmetricFactor& factor, const SpringSystem& springs,
-                                    double mechanism_bound, ElasticResponse& out) {
-  const bool has_root = springs.stiffness.size() == 0 || springs.stiffness.minCoeff() >= 0.0;
-  return has_root ? invert_root(springs, factor, out) : invert_indefinite(factor, mechanism_bound, out);
-}
-
 }  // namespace
 
 template <int Dim>
@@ -193,11 +127,13 @@ ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const Respo
   for (const int u : unknowns.unknown) grain_of.push_back(u / kDofs<Dim>);
   factor.set_matrix(reduce(k.grains, unknowns, unit), grain_of);
   k = {};
-  std::optional<ApproximateInverse> inverse = invert_positive(factor, out);
+  std::optional<SpringInverse> inverse = invert_positive(factor);
   const SpringSystem springs = SpringList<Dim>(core, unknowns, unit, options).take();
-  if (!inverse) inverse = invert_otherwise(factor, springs, options.mechanism_bound, out);
-  out.n_negative += out.free.n_unstable_ends;
-  const Condensation condensed = condense(springs, *inverse, {options.tolerance});
+  if (!inverse) inverse = invert_otherwise(factor, springs, options.mechanism_bound);
+  const Condensation condensed = condense(springs, inverse->inverse, {options.tolerance});
+  out.n_negative = inverse->n_negative + out.free.n_unstable_ends;
+  out.n_mechanisms = inverse->n_mechanisms;
+  out.condition = inverse->condition;
 
   out.relaxed = unit * condensed.stiffness;
   out.error = unit * condensed.error;

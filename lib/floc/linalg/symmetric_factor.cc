@@ -18,8 +18,9 @@ namespace {
 
 /// Replaces an exactly vanishing pivot of L D L^T so that the elimination goes on; far below any rounding.
 constexpr double kSmallestPivot = 1e-30;
-/// Groups up to which minimum degree, fast to find, makes up for its fill.
-constexpr SuiteSparse_long kLargestForMinimumDegree = 30000;
+/// Operations of a factor, for each group, beyond which nested dissection is looked for: finding it takes as long as
+/// some 3e5 operations a group.
+constexpr double kNestedDissectionCost = 1e6;
 
 /// A view of a dense matrix as CHOLMOD takes it; it is never written through.
 cholmod_dense as_cholmod(const Eigen::MatrixXd& m) {
@@ -136,12 +137,10 @@ struct SymmetricFactor::Factor {
   }
 
   /// Fill-reducing order of the unknowns, found on their groups.
-  std::vector<SuiteSparse_long> order_unknowns() {
-    const SuiteSparse_long n_groups = group.empty() ? 0 : group.back() + 1;
+  std::vector<SuiteSparse_long> order_unknowns(bool metis) {
+    const SuiteSparse_long n_groups = group.back() + 1;
     std::vector<SuiteSparse_long> group_order(n_groups);
     cholmod_sparse* pattern = group_pattern(n_groups);
-    const bool metis =
-        ordering == Ordering::metis || (ordering == Ordering::automatic && n_groups > kLargestForMinimumDegree);
     if (metis)
       cholmod_l_metis(pattern, nullptr, 0, 1, group_order.data(), &common);
     else
@@ -158,6 +157,25 @@ struct SymmetricFactor::Factor {
     return order;
   }
 
+  /// Symbolic factor. Common.fl is left with the operations that the numeric one will take.
+  cholmod_factor* analyse_by(bool metis) {
+    cholmod_factor* symbolic = cholmod_l_analyze_p(matrix, order_unknowns(metis).data(), nullptr, 0, &common);
+    check("analysing a matrix");
+    return symbolic;
+  }
+
+  cholmod_factor* analyse() {
+    cholmod_factor* symbolic = analyse_by(ordering == Ordering::metis);
+    const double operations = common.fl;
+    if (ordering != Ordering::automatic ||
+        operations < kNestedDissectionCost * static_cast<double>(group.back() + 1))
+      return symbolic;
+    cholmod_factor* dissected = analyse_by(true);
+    if (common.fl < operations) std::swap(symbolic, dissected);
+    cholmod_l_free_factor(&dissected, &common);
+    return symbolic;
+  }
+
   bool factorize(cholmod_factor*& factor, double with_shift, bool ll) {
     current = nullptr;
     if (size() == 0) return true;
@@ -165,8 +183,7 @@ struct SymmetricFactor::Factor {
     common.final_ll = ll ? 1 : 0;
     common.dbound = ll ? 0.0 : kSmallestPivot;
     if (factor == nullptr) {
-      factor = cholmod_l_analyze_p(matrix, order_unknowns().data(), nullptr, 0, &common);
-      check("analysing a matrix");
+      factor = analyse();
     }
     double beta[2] = {with_shift, 0.0};
     cholmod_l_factorize_p(matrix, beta, nullptr, 0, factor, &common);

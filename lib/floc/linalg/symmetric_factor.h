@@ -7,7 +7,7 @@
 namespace floc {
 
 enum class Ordering {
-  automatic,  ///< by size: amd where it is found faster than it is used, else metis
+  automatic,  ///< amd; where its factor would take long, the better of amd and metis
   amd,        ///< approximate minimum degree: fast to find
   metis,      ///< nested dissection: less fill in large matrices, slower to find
 };

@@ -1,0 +1,197 @@
+// Cost of the linear response of a network for packings tiled to size from a relaxed state:
+//   FLOC_BENCH_STATE=state.h5 floc_bench --benchmark_filter='response/grains:90000'
+// Without a state a triangular lattice of disks stands in. Grains are renumbered along a space-filling curve, as runs
+// do, and stiffnesses carry a jitter of a percent, so that the copies are no symmetry. Spheres are an fcc lattice with
+// bonds taken out at random to z = 6. peak_MB is that of the process: filter for one case a call.
+
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <random>
+
+#include "floc/elasticity/elastic_response.h"
+#include "floc/io/state_file.h"
+#include "floc/linalg/blas.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/neighbors/space_order.h"
+
+namespace floc {
+namespace {
+
+/// Seconds of processor time, so that other programs on the machine do not count.
+double seconds_of(const auto& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// Grains numbered along a space-filling curve, contacts with them.
+template <int Dim>
+void renumber(Packing<Dim>& packing) {
+  const std::vector<int> order = space_order(packing.cell, packing.grains);
+  std::vector<int> place(order.size());
+  Grains<Dim> grains = packing.grains;
+  for (int k = 0; k < static_cast<int>(order.size()); ++k) {
+    place[order[k]] = k;
+    grains.position[k] = packing.grains.position[order[k]];
+    grains.radius[k] = packing.grains.radius[order[k]];
+  }
+  packing.grains = std::move(grains);
+  for (Contact<Dim>& c : packing.contacts) c.i = place[c.i], c.j = place[c.j];
+}
+
+/// Copies of a packing along each lattice vector.
+template <int Dim>
+Packing<Dim> tiled(const Packing<Dim>& unit, const Vec<Dim, int>& copies) {
+  const int n = unit.grains.size();
+  const int n_tiles = copies.prod();
+  const auto tile_of = [&](int t) {
+    Vec<Dim, int> at;
+    for (int a = 0; a < Dim; ++a) at[a] = t % copies[a], t /= copies[a];
+    return at;
+  };
+  Packing<Dim> out;
+  out.law = unit.law;
+  out.cell.matrix = copies.template cast<double>().asDiagonal() * unit.cell.matrix;
+  out.grains = Grains<Dim>::with_size(n * n_tiles);
+  for (int t = 0; t < n_tiles; ++t) {
+    const Vec<Dim, int> at = tile_of(t);
+    for (int i = 0; i < n; ++i) {
+      out.grains.position[t * n + i] = unit.cell.wrapped(unit.grains.position[i]) + unit.cell.shift(at);
+      out.grains.radius[t * n + i] = unit.grains.radius[i];
+    }
+    for (Contact<Dim> c : unit.contacts) {
+      Vec<Dim, int> to = at + c.image;
+      int tile = 0;
+      for (int a = Dim - 1; a >= 0; --a) {
+        c.image[a] = to[a] >= 0 ? to[a] / copies[a] : (to[a] + 1) / copies[a] - 1;
+        tile = tile * copies[a] + to[a] - c.image[a] * copies[a];
+      }
+      c.i += t * n;
+      c.j += tile * n;
+      out.contacts.push_back(c);
+    }
+  }
+  renumber(out);
+  return out;
+}
+
+void jitter(auto& contacts) {
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> percent(0.995, 1.005);
+  for (auto& c : contacts) c.kn *= percent(engine), c.kt *= percent(engine), c.kr *= percent(engine);
+}
+
+LawParameters lattice_law() {
+  LawParameters law;
+  law.normal_stiffness = 1.0;
+  law.friction = {0.5, 1.0};
+  law.rolling = {0.005, 1e-4};
+  return law;
+}
+
+/// One lattice cell with unit distance between touching grains.
+template <int Dim>
+Packing<Dim> lattice() {
+  Packing<Dim> packing;
+  packing.law = lattice_law();
+  if constexpr (Dim == 2)
+    packing.cell.matrix << 1.0, 0.0, 0.5, std::sqrt(0.75);
+  else
+    packing.cell.matrix << 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0;
+  if constexpr (Dim == 3) packing.cell.matrix *= std::sqrt(0.5);
+  packing.grains = Grains<Dim>::with_size(1);
+  packing.grains.radius[0] = 0.505;
+  find_contacts(packing);
+  return packing;
+}
+
+ContactNetwork<2> disks(int n) {
+  const char* file = std::getenv("FLOC_BENCH_STATE");
+  const Packing<2> unit = file == nullptr ? lattice<2>() : std::get<State<2>>(read_state(file)).packing;
+  const auto side = static_cast<int>(std::lround(std::sqrt(n / static_cast<double>(unit.grains.size()))));
+  Packing<2> packing = tiled<2>(unit, {side, side});
+  jitter(packing.contacts);
+  return contact_network(packing);
+}
+
+ContactNetwork<3> spheres(int n) {
+  const auto side = static_cast<int>(std::lround(std::cbrt(0.8 * n)));
+  Packing<3> packing = tiled<3>(lattice<3>(), {side, side, n / (side * side)});
+  jitter(packing.contacts);
+  std::mt19937 engine(2);
+  std::erase_if(packing.contacts, [&](const Contact<3>&) { return engine() % 2 == 0; });
+  return contact_network(packing);
+}
+
+/// Assembly, ordering, factor and two solves by themselves, on K plus a shift in place of pinned grains.
+template <int Dim>
+void solve_stages(benchmark::State& state, const ContactNetwork<Dim>& network) {
+  double unit = 0.0;
+  for (const NetworkContact<Dim>& c : network.contacts) unit = std::max(unit, c.kn);
+  StiffnessMatrix k;
+  SymmetricFactor factor;
+  std::vector<int> grain_of(network.n_unknowns());
+  for (int u = 0; u < network.n_unknowns(); ++u) grain_of[u] = u / kDofs<Dim>;
+  const double assemble = seconds_of([&] { k = stiffness_matrix(network, {}); });
+  const double copy = seconds_of([&] { factor.set_matrix(k.grains, grain_of); });
+  k.grains = {};
+  bool positive = false;
+  const double first = seconds_of([&] { positive = factor.factorize_positive(1e-6 * unit); });
+  if (!positive) return state.SkipWithError("not positive definite");
+  const double solve = seconds_of([&] { benchmark::DoNotOptimize(factor.solve(k.border.leftCols(2), 0)); });
+  state.counters["peak_MB"] = peak_megabytes();
+  const double numeric = seconds_of([&] { positive = factor.factorize_positive(1e-6 * unit); });
+  state.counters["assemble_s"] = assemble + copy;
+  state.counters["analyse_s"] = first - numeric;
+  state.counters["factor_s"] = numeric;
+  state.counters["solve_s"] = solve;
+  state.counters["total_s"] = assemble + copy + first + solve;
+  state.counters["contacts"] = static_cast<double>(network.contacts.size());
+  state.SetLabel(blas_library());
+}
+
+void stages(benchmark::State& state) {
+  const auto n = static_cast<int>(state.range(0));
+  for (auto _ : state) {
+    if (state.range(1) == 2)
+      solve_stages(state, disks(n));
+    else
+      solve_stages(state, spheres(n));
+  }
+}
+BENCHMARK(stages)
+    ->ArgNames({"grains", "dimension"})
+    ->Args({1400, 2})
+    ->Args({12600, 2})
+    ->Args({90000, 2})
+    ->Args({1000000, 2})
+    ->Args({10000, 3})
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+
+/// The whole response with its error bound, as `floc moduli` asks for it.
+void response(benchmark::State& state) {
+  const ContactNetwork<2> network = disks(static_cast<int>(state.range(0)));
+  for (auto _ : state) {
+    const ElasticResponse answer = elastic_response(network, {});
+    state.counters["condition"] = answer.condition;
+    state.counters["relative_error"] =
+        (answer.error.diagonal().array() / answer.relaxed.diagonal().array()).maxCoeff();
+  }
+  state.counters["peak_MB"] = peak_megabytes();
+}
+BENCHMARK(response)->ArgName("grains")->Arg(1400)->Arg(12600)->Arg(90000)->Arg(1000000)->Iterations(1)->Unit(
+    benchmark::kSecond);
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/base/vec.h"
+
+namespace floc {
+
+/// Stiffnesses of every contact of a chain, all > 0.
+struct ChainStiffness {
+  double normal;      ///< K_N (force/length)
+  double tangential;  ///< K_T (force/length)
+  double rolling;     ///< K_R (force * length)
+};
+
+/// Compliance 1/K_N^(n) = (n-1)/K_N of a straight chain along itself, in length/force.
+/// @param n  number of disks, >= 2  @throws InputError if n < 2 or a stiffness is not positive.
+double chain_axial_compliance(int n, const ChainStiffness& k);
+
+/// Transverse compliance 1/K_T^(n) of the two-disk equivalent of a straight chain, in length/force.
+///
+///   1/K_T^(n) = (n-1)/K_T + n (n-1) (n-2) R^2 / (3 K_R)
+///
+/// The equivalent has radii (n-1) R and its contact at mid-chain, where a transverse force does not turn the ends
+/// against each other.
+/// @param n  number of disks, >= 2; n = 2 is the contact itself.  @param R  radius of the disks (length), > 0.
+/// Exact: equals the solved network to rounding. The printed form of G08 Eq. 16 measures another displacement;
+/// it is `end_disk_deflection()`.
+/// @throws InputError if n < 2, or R or a stiffness is not positive.
+double chain_transverse_compliance(int n, double R, const ChainStiffness& k);
+
+/// Compliance 1/K_R^(n) = (n-1)/K_R of a straight chain in bending, in 1/(force * length).
+/// @throws InputError if n < 2 or a stiffness is not positive.
+double chain_rolling_compliance(int n, const ChainStiffness& k);
+
+/// Displacement of the centre of the last disk of a straight chain whose first is held, for a unit transverse force
+/// on a line through the last contact, in length/force (G08 Eq. 16 as printed).
+///
+///   (n-1)/K_T + (n-1) (4 n^2 - 11 n + 6) R^2 / (3 K_R)
+///
+/// For large n the cantilever l^3/(3 EI), EI = 2 R K_R, l = 2 (n-1) R.
+/// @throws InputError if n < 2, or R or a stiffness is not positive.
+double end_disk_deflection(int n, double R, const ChainStiffness& k);
+
+/// A number and the bound of its error.
+struct BoundedValue {
+  double value;
+  double error;  ///< |value - exact| is below; infinite where no digit is left
+
+  bool resolved() const { return error < value; }
+};
+
+/// Compliances of a chain found by solving its network, disk 1 held, straight or bent.
+struct SolvedChain {
+  BoundedValue axial;       ///< along the line through the end disks' centres, for a force along it
+  BoundedValue transverse;  ///< across it, for a force across it through its middle
+  BoundedValue rolling;     ///< rotation of the last disk for a moment
+  BoundedValue end_disk;    ///< displacement across it of the last centre, for a force through the last contact
+  double condition;         ///< of the stiffness matrix, estimated; infinite if rounding leaves no rank
+};
+
+/// Directions of the n - 1 branches of a chain of n disks bent evenly: each is turned by `bend` (radians) against the
+/// one before; 0: straight along x.
+std::vector<Vec<2>> bent_chain(int n, double bend);
+
+/// @param branches  unit vectors from each disk to the next, one or more, that do not lead back to the start
+/// @throws InputError if R or a stiffness is not positive, or the last disk lies on the first.
+SolvedChain solve_chain(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k);
+
+}  // namespace floc

@@ -1,0 +1,73 @@
+#include "floc/linalg/spring_inverse.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "floc/linalg/condition.h"
+#include "floc/linalg/least_squares_factor.h"
+
+namespace floc {
+namespace {
+
+constexpr double kSuspiciousCondition = 1e12;
+/// Share of a column of sqrt(k) A, left after those before it, below which it depends on them: a mechanism. The
+/// softest chain that double precision resolves leaves more, rounding leaves 1e-15.
+constexpr double kDependent = 1e-13;
+/// Units of rounding by which a factor may miss its matrix: each column sums some tens of products.
+constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
+/// Hager's estimate is seldom off by more.
+constexpr double kEstimateMargin = 3.0;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {
+  return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
+}
+
+SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& springs) {
+  const Eigen::SparseMatrix<double> root = springs.stiffness.cwiseSqrt().asDiagonal() * springs.on_free;
+  const auto qr = std::make_shared<LeastSquaresFactor>(root, kDependent * std::sqrt(factor.norm()));
+  SpringInverse out;
+  out.n_mechanisms = static_cast<int>(root.cols()) - qr->rank();
+  out.inverse.apply = [qr](const Eigen::VectorXd& b) { return qr->solve(b); };
+  const double condition =
+      kEstimateMargin * factor.norm() * inverse_norm_estimate(root.cols(), out.inverse.apply);
+  out.inverse.smallest_ratio = kFactorRounding * std::sqrt(condition) < 0.5 ? 0.5 : 0.0;
+  out.condition = out.n_mechanisms > 0 ? kInfinity : condition;
+  return out;
+}
+
+SpringInverse invert_shifted(SymmetricFactor& factor, double bound) {
+  SpringInverse out;
+  out.n_negative = factor.count_eigenvalues_below(-bound);
+  out.n_mechanisms = factor.count_eigenvalues_below(bound) - out.n_negative;
+  const double shift = out.n_mechanisms > 0 ? 10.0 * bound : 0.0;
+  out.inverse.apply = by(factor);
+  out.inverse.definite = out.n_negative == 0 && factor.factorize_positive(shift);
+  const bool factorized = out.inverse.definite || factor.factorize_indefinite(shift);
+  out.condition = out.n_mechanisms > 0 || !factorized ? kInfinity : factor.condition_estimate();
+  if (out.inverse.definite)  // other eigenvalues are above the bound; rounding may halve their ratios
+    out.inverse.smallest_ratio = 0.5 * bound / (bound + shift);
+  else
+    out.inverse.inverse_norm = kEstimateMargin * out.condition / factor.norm();
+  return out;
+}
+
+}  // namespace
+
+std::optional<SpringInverse> invert_positive(SymmetricFactor& factor) {
+  if (!factor.factorize_positive()) return std::nullopt;
+  SpringInverse out;
+  out.condition = factor.condition_estimate();
+  if (!(out.condition < kSuspiciousCondition)) return std::nullopt;
+  out.inverse.apply = by(factor);
+  out.inverse.smallest_ratio = 0.5;
+  return out;
+}
+
+SpringInverse invert_otherwise(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound) {
+  const bool has_root = springs.stiffness.size() == 0 || springs.stiffness.minCoeff() >= 0.0;
+  return has_root ? invert_root(factor, springs) : invert_shifted(factor, mechanism_bound);
+}
+
+}  // namespace floc

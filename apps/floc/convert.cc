@@ -9,25 +9,36 @@
 #include "floc/base/parse_number.h"
 #include "floc/base/sha256.h"
 #include "floc/base/version.h"
+#include "floc/io/export.h"
 #include "floc/io/import.h"
 #include "floc/io/law_text.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
+#include "output.h"
+#include "standing.h"
 
 namespace floc {
 namespace {
 
+/// How strict the equilibrium of another program's packing is asked to be, in the units of EquilibriumTolerance.
+/// Contact points of other programs differ from ours by up to the overlap, which leaves moments of that order, and they
+/// are usually run to unbalanced forces of 1e-3.
+constexpr double kForeignTolerance = 1e-3;
+
 struct ConvertArguments {
-  std::string in;
-  std::string out;
+  std::vector<std::string> files;  ///< IN..., then OUT
   std::string from;
+  std::string to;
   std::string law;
   std::string columns;
+  std::string contact_columns;
   std::string cell;
   std::string contacts;
   std::string stress;
   std::string units = "reduced";
-  int index = 0;
+  std::optional<int> dimension;
+  std::optional<int> index;
+  double tolerance = kForeignTolerance;
   bool overwrite = false;
 };
 
@@ -52,12 +63,13 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
   return values;
 }
 
-std::map<std::string, std::string> parse_columns(const std::string& text) {
+std::map<std::string, std::string> parse_columns(const std::string& option, const std::string& text) {
   std::map<std::string, std::string> columns;
+  if (text.empty()) return columns;
   for (const std::string& word : split(text, ',')) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos || equals + 1 == word.size())
-      throw InputError("--columns", fmt::format("\"{}\", expected name=column, as in x=X,y=Y,radius=R", word));
+      throw InputError(option, fmt::format("\"{}\", expected name=column, as in x=X,y=Y,radius=R", word));
     columns[std::string(trimmed(word.substr(0, equals)))] = trimmed(word.substr(equals + 1));
   }
   return columns;
@@ -69,16 +81,22 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   if (!arguments.cell.empty())
     for (const std::string& vector : split(arguments.cell, ';'))
       options.cell.push_back(parse_numbers("--cell", vector));
-  if (!arguments.columns.empty()) options.columns = parse_columns(arguments.columns);
+  options.columns = parse_columns("--columns", arguments.columns);
+  options.contact_columns = parse_columns("--contact-columns", arguments.contact_columns);
   options.contacts = arguments.contacts;
+  options.dimension = arguments.dimension;
   options.index = arguments.index;
   options.units = arguments.units;
+  if (options.dimension && !options.cell.empty() && *options.dimension != static_cast<int>(options.cell.size()))
+    throw InputError("--dimension",
+                     fmt::format("{}, but --cell has {} vectors", *options.dimension, options.cell.size()));
   return options;
 }
 
 /// Fills in what the file did not say and an analysis needs.
 template <int Dim>
-void complete(State<Dim>& state, const Imported& imported, const ConvertArguments& arguments) {
+void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
+              State<Dim>& state) {
   if (!imported.contacts_known) find_contacts(state.packing);
   if (!arguments.stress.empty()) {
     const std::vector<double> stress = parse_numbers("--stress", arguments.stress);
@@ -88,60 +106,116 @@ void complete(State<Dim>& state, const Imported& imported, const ConvertArgument
   } else if (!imported.target_stress_known) {
     state.target_stress = static_stress(state.packing).diagonal();
   }
+  const double relative = arguments.tolerance / EquilibriumTolerance().force;
+  state.tolerance.force = state.tolerance.moment = state.tolerance.stress = arguments.tolerance;
+  state.tolerance.energy *= relative;
   state.residuals = residuals(state.packing, state.target_stress);
   state.provenance.program = "floc " + version();
   state.provenance.commit = commit();
   state.provenance.compiler = compiler();
-  const std::filesystem::path source(arguments.in);
-  state.provenance.source = arguments.in == "-" ? "stdin"
-                                                : fmt::format("{}, SHA-256 {}", source.filename().string(),
-                                                              sha256_of_file(arguments.in));
+  const std::filesystem::path source(in);
+  state.provenance.source =
+      in == "-" ? "stdin" : fmt::format("{}, SHA-256 {}", source.filename().string(), sha256_of_file(in));
 }
 
-int convert(const ConvertArguments& arguments) {
-  if (std::filesystem::path(arguments.out).extension() != ".h5")
-    throw InputError(arguments.out, "expected a name that ends in .h5: states are what can be written");
-  if (!arguments.overwrite && std::filesystem::exists(arguments.out))
-    throw InputError(arguments.out, "exists already; --overwrite replaces it");
-  const ImportFormat& format = find_import_format(arguments.from, arguments.in);
-  Imported imported = format.read(arguments.in, import_options(arguments));
+template <int Dim>
+void report(const std::string& out, const State<Dim>& state, const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) spdlog::info("{}: {}", out, remark);
+  spdlog::info(
+      "{}: {} grains in {}D, {} contacts, phi = {:.6g}, pressure = {:.6g}, largest net force = {:.2g} F1", out,
+      state.packing.grains.size(), Dim, state.packing.contacts.size(), solid_fraction(state.packing),
+      static_stress(state.packing).diagonal().mean(), state.residuals.force);
+  if (const std::string faults = unbalance(state); !faults.empty())
+    spdlog::warn("{}: warning: this is no equilibrium: {}", out, faults);
+}
+
+int convert(const std::string& in, const std::string& out, const ExportFormat& to,
+            const ConvertArguments& arguments) {
+  if (!arguments.overwrite && std::filesystem::exists(out))
+    throw InputError(out, "exists already; --overwrite replaces it");
+  const ImportFormat& from = find_import_format(arguments.from, in);
+  Imported imported = from.read(in, import_options(arguments));
   std::visit(
       [&](auto& state) {
-        complete(state, imported, arguments);
-        write_state(arguments.out, state);
-        spdlog::info(
-            "{}: {} grains, {} contacts, phi = {:.6g}, pressure = {:.6g}, largest net force = {:.2g} F1",
-            arguments.out, state.packing.grains.size(), state.packing.contacts.size(),
-            solid_fraction(state.packing), static_stress(state.packing).diagonal().mean(),
-            state.residuals.force);
+        if (!imported.complete) complete(in, imported, arguments, state);
       },
       imported.state);
+  to.write(out, imported.state);
+  std::visit([&](const auto& state) { report(out, state, imported.remarks); }, imported.state);
   return kDone;
+}
+
+int run_convert(const ConvertArguments& arguments) {
+  const std::vector<std::string> inputs(arguments.files.begin(), arguments.files.end() - 1);
+  const std::string& out = arguments.files.back();
+  if (!std::filesystem::is_directory(out)) {
+    if (inputs.size() > 1)
+      throw InputError(out, fmt::format("is no directory: {} packings can only go into one", inputs.size()));
+    return convert(inputs[0], out, find_export_format(arguments.to, out), arguments);
+  }
+  const ExportFormat& to = find_export_format(arguments.to.empty() ? "state" : arguments.to, out);
+  if (inputs.size() > 1 && !arguments.contacts.empty())
+    throw InputError("--contacts", "belongs to one packing: convert them one by one");
+  return for_each_file(inputs, [&](const std::string& in) {
+    const std::string name = std::filesystem::path(in).stem().string() + to.extension;
+    return convert(in, (std::filesystem::path(out) / name).string(), to, arguments);
+  });
+}
+
+/// The keywords of a table of formats.
+template <class Format>
+std::string keywords(const std::vector<Format>& formats) {
+  std::string words;
+  for (const Format& format : formats) words += (words.empty() ? "" : ", ") + format.keyword;
+  return words;
+}
+
+void add_reading_options(CLI::App& app, ConvertArguments& arguments) {
+  app.add_option("--from", arguments.from,
+                 "format of IN: " + keywords(import_formats()) + " [by name and content]");
+  app.add_option("--law", arguments.law,
+                 "contact law, e.g. normal.stiffness=1e5,friction.coefficient=0.5,friction.stiffness=1e5");
+  app.add_option("--cell", arguments.cell, "lattice vectors of the periodic cell, e.g. \"9.5,0;0.06,9.57\"");
+  app.add_option("--columns", arguments.columns, "columns of the grains, e.g. x=X,y=Y,radius=R");
+  app.add_option(
+      "--contacts", arguments.contacts,
+      "file of contacts [found by geometry]: csv with id1, id2[, image1.., normal_force, shear_force1.., "
+      "rolling_moment]; a dump local of LAMMPS; interactions of YADE");
+  app.add_option("--contact-columns", arguments.contact_columns,
+                 "columns of the contacts, e.g. id1=c_pair[1],id2=c_pair[2],force1=c_force[1],...");
+  app.add_option(
+      "--stress", arguments.stress,
+      "diagonal of the stress imposed, compression positive [what IN says, else what the contacts carry]");
+  app.add_option(
+         "--tolerance", arguments.tolerance,
+         "how far from equilibrium IN may be: net force / F1, net moment / (F1 a), stress / (F1/a^(d-1))")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--units", arguments.units, "reduced or SI")->check(CLI::IsMember({"reduced", "SI"}));
+  app.add_option("--dimension", arguments.dimension, "2 or 3 [2 if every z is the same]")
+      ->check(CLI::IsMember({2, 3}));
+  app.add_option(
+         "--index", arguments.index,
+         "which packing or frame of a file that holds several, from 0 [jambashbulk: the first, else the last]")
+      ->check(CLI::NonNegativeNumber);
 }
 
 }  // namespace
 
 Command add_convert(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("convert", "make a state file from a packing of another program");
+  CLI::App* app =
+      program.add_subcommand("convert", "make a state file of a packing of another program, or the reverse");
   const auto arguments = std::make_shared<ConvertArguments>();
-  app->add_option("IN", arguments->in, "file to read, - for stdin")->required();
-  app->add_option("OUT", arguments->out, "state file to write, NAME.h5")->required();
-  app->add_option("--from", arguments->from, "format of IN: csv or jambashbulk [by name and content]");
-  app->add_option("--law", arguments->law,
-                  "contact law, e.g. normal.stiffness=1e5,friction.coefficient=0.5,friction.stiffness=1e5");
-  app->add_option("--cell", arguments->cell, "lattice vectors of the periodic cell, e.g. \"9.5,0;0.06,9.57\"");
-  app->add_option("--columns", arguments->columns, "columns of a csv file, e.g. x=X,y=Y,radius=R");
-  app->add_option("--contacts", arguments->contacts,
-                  "csv file of contacts: id1, id2[, image1.., normal_force, shear_force1.., rolling_moment] "
-                  "[found by geometry]");
   app->add_option(
-      "--stress", arguments->stress,
-      "diagonal of the stress imposed, compression positive [what IN says, else what the contacts carry]");
-  app->add_option("--units", arguments->units, "reduced or SI")->check(CLI::IsMember({"reduced", "SI"}));
-  app->add_option("--index", arguments->index, "which packing of a file that holds several")
-      ->check(CLI::NonNegativeNumber);
-  app->add_flag("--overwrite", arguments->overwrite, "replace OUT if it exists");
-  return {app, [arguments] { return convert(*arguments); }};
+         "IN... OUT", arguments->files,
+         "files to read, - for stdin, and the file to write; several are written into the directory OUT")
+      ->required()
+      ->expected(2, -1);
+  app->add_option("--to", arguments->to,
+                  "format of OUT: " + keywords(export_formats()) + " [by its extension; state in a directory]");
+  add_reading_options(*app, *arguments);
+  app->add_flag("--overwrite", arguments->overwrite, "replace what exists");
+  return {app, [arguments] { return run_convert(*arguments); }};
 }
 
 }  // namespace floc

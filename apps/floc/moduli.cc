@@ -12,6 +12,7 @@
 #include "floc/packing/equilibrium.h"
 #include "floc/structure/coordination.h"
 #include "output.h"
+#include "standing.h"
 
 namespace floc {
 namespace {
@@ -20,6 +21,7 @@ struct ModuliCommand {
   std::vector<std::string> files;
   std::string strains = "diagonal";
   bool prestress = false;
+  bool force = false;
   ModuliOptions options;
   std::vector<double> rolling_stiffness;
   std::string format;
@@ -170,10 +172,20 @@ std::vector<ModuliOptions> variants(const ModuliCommand& command) {
   return all;
 }
 
+/// Whether a state is an equilibrium; if not, says so on stderr. A state not refused with `force` is warned about.
+bool stands(const std::string& file, const AnyState& any, bool force) {
+  const std::string faults = std::visit([](const auto& state) { return unbalance(state); }, any);
+  if (!faults.empty())
+    std::cerr << "floc: " << file << ": " << (force ? "warning: " : "") << "this is no equilibrium: " << faults
+              << (force ? "" : "; --force computes moduli all the same") << '\n';
+  return faults.empty();
+}
+
 int run_moduli(const ModuliCommand& command) {
   const std::vector<ModuliOptions> all = variants(command);
   std::vector<ModuliRow> rows;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
+    if (!stands(file, any, command.force) && !command.force) return int{kVerificationFailed};
     for (const ModuliOptions& options : all)
       rows.push_back(std::visit([&](const auto& state) { return compute_row(file, state, options); }, any));
     return int{kDone};
@@ -201,6 +213,8 @@ Command add_moduli(CLI::App& program) {
                   "K_R of every touching contact, in the state's units; a row for each value")
       ->delimiter(',')
       ->allow_extra_args(false);
+  app->add_flag("--force", command->force,
+                "also of states that are no equilibrium, which are refused otherwise");
   add_format_option(*app, command->format);
   return {app, [command] { return run_moduli(*command); }};
 }

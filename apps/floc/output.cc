@@ -40,8 +40,8 @@ void add_states_argument(CLI::App& app, std::vector<std::string>& files) {
   app.add_option("STATE", files, "state files")->required();
 }
 
-int for_each_state(const std::vector<std::string>& files,
-                   const std::function<int(const std::string& file, const AnyState& state)>& work) {
+int for_each_file(const std::vector<std::string>& files,
+                  const std::function<int(const std::string& file)>& work) {
   int code = kDone;
   const auto report = [&code](int failure, const std::string& words) {
     std::cerr << "floc: " << words << '\n';
@@ -49,7 +49,7 @@ int for_each_state(const std::vector<std::string>& files,
   };
   for (const std::string& file : files) {
     try {
-      code = worse(code, work(file, read_state(file)));
+      code = worse(code, work(file));
     } catch (const InputError& error) {
       report(kBadInput, error.what());
     } catch (const IoError& error) {
@@ -59,6 +59,11 @@ int for_each_state(const std::vector<std::string>& files,
     }
   }
   return code;
+}
+
+int for_each_state(const std::vector<std::string>& files,
+                   const std::function<int(const std::string& file, const AnyState& state)>& work) {
+  return for_each_file(files, [&](const std::string& file) { return work(file, read_state(file)); });
 }
 
 }  // namespace floc

@@ -25,6 +25,11 @@ int worse(int a, int b);
 /// Adds the positional argument STATE..., one file or more.
 void add_states_argument(CLI::App& app, std::vector<std::string>& files);
 
+/// Hands each file name to `work`, which returns its exit code. One that throws is reported on stderr, and the others are
+/// still done. @return the worst of the exit codes
+int for_each_file(const std::vector<std::string>& files,
+                  const std::function<int(const std::string& file)>& work);
+
 /// Reads each file and hands it to `work(file, state)`, which returns its exit code. A file that cannot be
 /// read, or whose work throws, is reported by name on stderr and the others are still done.
 /// @return the worst of the exit codes

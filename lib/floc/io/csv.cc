@@ -47,6 +47,16 @@ char separator_of(std::string_view header) {
 
 }  // namespace
 
+CsvTable::CsvTable(std::string place, std::vector<std::string> columns)
+    : place_(std::move(place)), columns_(std::move(columns)) {}
+
+void CsvTable::add_row(int line, std::vector<std::string> cells) {
+  if (cells.size() != columns_.size())
+    throw InputError(fmt::format("{}:{}", place_, line),
+                     fmt::format("has {} cells, expected {} as the header has", cells.size(), columns_.size()));
+  rows_.push_back({line, std::move(cells)});
+}
+
 CsvTable CsvTable::read(const std::string& path) {
   if (path == "-") return parse("stdin", std::cin);
   std::istringstream in(read_file(path));
@@ -67,11 +77,7 @@ CsvTable CsvTable::parse(const std::string& place, std::istream& in) {
       table.columns_ = split(here, line, separator);
       continue;
     }
-    Row row{number, split(here, line, separator)};
-    if (row.cells.size() != table.columns_.size())
-      throw InputError(here, fmt::format("has {} cells, expected {} as the header has", row.cells.size(),
-                                         table.columns_.size()));
-    table.rows_.push_back(std::move(row));
+    table.add_row(number, split(here, line, separator));
   }
   if (table.columns_.empty()) throw InputError(place, "has no header: the first line names the columns");
   return table;

@@ -9,9 +9,18 @@ namespace floc {
 
 /// A table of text cells with named columns, as read from a csv file: the first line names the columns,
 /// separated by commas, tabs or semicolons (the first of these that it contains). Empty lines and lines that
-/// begin with # are skipped; a cell with separators stands in double quotes.
+/// begin with # are skipped; a cell with separators stands in double quotes. Readers of other text formats fill
+/// one line by line.
 class CsvTable {
  public:
+  CsvTable() = default;
+
+  /// An empty table. @param place  name of the table in messages
+  CsvTable(std::string place, std::vector<std::string> columns);
+
+  /// @param line  number of the line in the file. @throws InputError if it has too many or few cells.
+  void add_row(int line, std::vector<std::string> cells);
+
   /// @param path  "-" reads stdin
   /// @throws InputError naming file and line if it cannot be read, has no header, or a line has too many or few
   /// cells
@@ -36,6 +45,8 @@ class CsvTable {
 
   /// "file:line" of a row, for messages.
   std::string place(int row) const;
+  /// The table itself, for messages.
+  const std::string& place() const { return place_; }
 
  private:
   struct Row {

@@ -5,22 +5,54 @@
 #include <filesystem>
 
 #include "floc/base/error.h"
+#include "floc/base/read_file.h"
 #include "floc/io/csv_packing.h"
+#include "floc/io/extended_xyz.h"
 #include "floc/io/jambashbulk.h"
+#include "floc/io/lammps_data.h"
+#include "floc/io/lammps_dump.h"
+#include "floc/io/vtu.h"
+#include "floc/io/yade_text.h"
 
 namespace floc {
 namespace {
+
+bool is_state(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".h5";
+}
 
 bool is_csv(const std::string& path) {
   return path == "-" || std::filesystem::path(path).extension() == ".csv";
 }
 
+Imported read_own_state(const std::string& path, const ImportOptions& options) {
+  if (options.law || !options.cell.empty() || !options.contacts.empty() || !options.columns.empty() ||
+      !options.contact_columns.empty() || options.index || options.dimension)
+    throw InputError(path,
+                     "a state says all of itself: leave out --law, --cell, --columns, --contacts, "
+                     "--contact-columns, --index, --dimension");
+  Imported imported;
+  imported.state = read_state(path);
+  imported.complete = true;
+  return imported;
+}
+
 }  // namespace
+
+bool begins_with(const std::string& path, const std::string& text) {
+  return read_file(path).starts_with(text);
+}
 
 const std::vector<ImportFormat>& import_formats() {
   static const std::vector<ImportFormat> formats = {
+      {"state", "state file of floc, .h5", is_state, read_own_state},
       {"csv", "one grain a line, columns x, y[, z] and radius or diameter[, mass, id]", is_csv,
        read_csv_packing},
+      {"vtu", "VTK's unstructured grid, points with a radius", is_vtu, read_vtu},
+      {"lammps-dump", "LAMMPS' dump custom, contacts of dump local", is_lammps_dump, read_lammps_dump},
+      {"lammps-data", "LAMMPS' data file, atom_style sphere", is_lammps_data, read_lammps_data},
+      {"yade", "spheres x y z r written by a script of YADE, and interactions", is_yade_text, read_yade_text},
+      {"extended-xyz", "extended XYZ with Lattice, pos and radius", is_extended_xyz, read_extended_xyz},
       {"jambashbulk", "text of the jamBashbulk code (2D, linear repulsion)", is_jambashbulk, read_jambashbulk},
   };
   return formats;
@@ -33,7 +65,7 @@ const ImportFormat& find_import_format(const std::string& keyword, const std::st
     known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", format.keyword, format.description);
   }
   if (keyword.empty())
-    throw InputError(path, fmt::format("its format is not recognised; say one of {}", known));
+    throw InputError(path, fmt::format("its format is not recognised; say one of {} with --from", known));
   throw InputError("--from", fmt::format("\"{}\" is no format; they are {}", keyword, known));
 }
 

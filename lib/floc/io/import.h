@@ -15,16 +15,21 @@ struct ImportOptions {
   std::optional<LawParameters> law;
   /// Lattice vectors, one a row (length); their number is the dimension.
   std::vector<std::vector<double>> cell;
-  /// Column of a csv file for each of our names ("x" -> "X"); a name left out is its own column.
+  /// Column of the grains for each of our names ("x" -> "X"); a name left out is its own column.
   std::map<std::string, std::string> columns;
-  std::string contacts;           ///< csv file of contacts; empty: they follow from the geometry
-  int index = 0;                  ///< which packing of a file that holds several
+  std::string contacts;  ///< file of contacts; empty: they follow from the geometry
+  /// The same as `columns` for the contacts.
+  std::map<std::string, std::string> contact_columns;
+  std::optional<int> dimension;  ///< 2 or 3 where the format leaves it open; none: see dimension_of()
+  std::optional<int> index;  ///< which packing of a file that holds several, from 0; none: the format's choice
   std::string units = "reduced";  ///< "reduced" or "SI"
 };
 
 /// A packing as another program left it.
 struct Imported {
   AnyState state;                    ///< without residuals; `provenance.source` is set
+  std::vector<std::string> remarks;  ///< choices the reader made, in words for the user
+  bool complete = false;             ///< a state of floc: nothing to add to it
   bool contacts_known = false;       ///< the file listed them; otherwise the geometry has to tell
   bool target_stress_known = false;  ///< the file says which stress it was loaded with
 };
@@ -37,6 +42,9 @@ struct ImportFormat {
   bool (*recognises)(const std::string& path);
   Imported (*read)(const std::string& path, const ImportOptions& options);
 };
+
+/// Whether a file can be read and its first bytes are `text`.
+bool begins_with(const std::string& path, const std::string& text);
 
 /// THE list of formats. To add one: a reader in its own file pair, a row here, a round-trip and a
 /// malformed-input test.

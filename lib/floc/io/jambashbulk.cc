@@ -110,9 +110,11 @@ Grains<2> read_grains(const std::string& path, Lines& lines, int n) {
 }
 
 void refuse_options(const std::string& path, const ImportOptions& options) {
-  if (options.law || !options.cell.empty() || !options.contacts.empty() || !options.columns.empty())
+  if (options.law || !options.cell.empty() || !options.contacts.empty() || !options.columns.empty() ||
+      !options.contact_columns.empty())
     throw InputError(
         path, "jamBashbulk says law, cell and columns itself: leave out --law, --cell, --columns, --contacts");
+  if (options.dimension.value_or(2) != 2) throw InputError(path, "jamBashbulk is two-dimensional");
   if (options.units != "reduced") throw InputError(path, "jamBashbulk is in reduced units");
 }
 
@@ -126,7 +128,7 @@ bool is_jambashbulk(const std::string& path) {
 Imported read_jambashbulk(const std::string& path, const ImportOptions& options) {
   refuse_options(path, options);
   Lines lines(path);
-  find_packing(path, lines, options.index);
+  find_packing(path, lines, options.index.value_or(0));
   const std::string header = lines.line();
   const std::string place = lines.place();
   const double n = header_numbers(place, header, "N", 1)[0];
@@ -144,7 +146,10 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   for (Vec<2>& x : state.packing.grains.position) x = state.packing.cell.wrapped(x);
   state.path.branch = "imported";
   state.provenance.source = path;
-  return {state, false, true};
+  Imported imported;
+  imported.state = std::move(state);
+  imported.target_stress_known = true;
+  return imported;
 }
 
 }  // namespace floc

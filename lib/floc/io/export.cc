@@ -1,0 +1,52 @@
+#include "floc/io/export.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "floc/base/error.h"
+#include "floc/io/atomic_file.h"
+#include "floc/io/extended_xyz.h"
+#include "floc/io/lammps_data.h"
+#include "floc/io/vtu.h"
+
+namespace floc {
+namespace {
+
+void write_own_state(const std::string& path, const AnyState& any) {
+  std::visit([&](const auto& state) { write_state(path, state); }, any);
+}
+
+/// Writes the text a format makes of a state.
+template <std::string (*text)(const AnyState&)>
+void write_text(const std::string& path, const AnyState& state) {
+  write_bytes_atomically(path, text(state));
+}
+
+}  // namespace
+
+const std::vector<ExportFormat>& export_formats() {
+  static const std::vector<ExportFormat> formats = {
+      {"state", "state file of floc", ".h5", write_own_state},
+      {"vtu", "VTK's unstructured grid: grains and contacts, for ParaView", ".vtu", write_text<vtu_text>},
+      {"extended-xyz", "extended XYZ, for OVITO and ASE", ".xyz", write_text<extended_xyz_text>},
+      {"lammps-data", "LAMMPS' data file, atom_style sphere", ".data", write_text<lammps_data_text>},
+  };
+  return formats;
+}
+
+const ExportFormat& find_export_format(const std::string& keyword, const std::string& path) {
+  std::string known;
+  for (const ExportFormat& format : export_formats()) {
+    const bool found = keyword.empty() ? std::filesystem::path(path).extension() == format.extension
+                                       : format.keyword == keyword;
+    if (found) return format;
+    known += fmt::format("{}{} ({}: {})", known.empty() ? "" : ", ", format.extension, format.keyword,
+                         format.description);
+  }
+  if (keyword.empty())
+    throw InputError(path, fmt::format("expected a name that ends in one of {}, or --to", known));
+  throw InputError("--to", fmt::format("\"{}\" is no format; they are {}", keyword, known));
+}
+
+}  // namespace floc

@@ -1,0 +1,171 @@
+#include "floc/io/extended_xyz.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <sstream>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/read_file.h"
+#include "floc/io/csv_packing.h"
+#include "floc/io/listed_columns.h"
+
+namespace floc {
+namespace {
+
+/// Lines of one frame.
+struct Frame {
+  int line = 0;  ///< number of its first line
+  std::string comment;
+  std::vector<std::string> rows;
+};
+
+std::vector<Frame> read_frames(const std::string& path) {
+  std::istringstream in(read_file(path));
+  std::vector<Frame> frames;
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (trimmed(line).empty()) continue;
+    const auto n = parse_number<std::int64_t>(line);
+    if (!n || *n < 0)
+      throw InputError(fmt::format("{}:{}", path, number),
+                       fmt::format("\"{}\", expected the number of grains", line));
+    Frame frame;
+    frame.line = number;
+    if (!std::getline(in, frame.comment))
+      throw InputError(path, "ends before its comment line with Properties=");
+    for (std::int64_t k = 0; k < *n; ++k) {
+      if (!std::getline(in, line)) throw InputError(path, fmt::format("ends after {} of {} grains", k, *n));
+      frame.rows.push_back(line);
+    }
+    number += 1 + static_cast<int>(*n);
+    frames.push_back(std::move(frame));
+  }
+  if (frames.empty()) throw InputError(path, "has no grains");
+  return frames;
+}
+
+/// The keys of a comment line: key=value, or key="value with spaces".
+std::map<std::string, std::string> keys_of(const std::string& place, std::string_view text) {
+  std::map<std::string, std::string> keys;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const std::size_t equals = std::min(text.find_first_of("= "), text.size());
+    const std::string key(text.substr(0, equals));
+    const bool has_value = equals < text.size() && text[equals] == '=';
+    text.remove_prefix(std::min(equals + 1, text.size()));
+    if (!has_value) continue;
+    const bool quoted = text.starts_with('"');
+    if (quoted) text.remove_prefix(1);
+    const std::size_t end = text.find(quoted ? '"' : ' ');
+    if (quoted && end == std::string_view::npos)
+      throw InputError(place, key + ": its quoted value does not end");
+    keys[key] = text.substr(0, end);
+    text.remove_prefix(std::min(end == std::string_view::npos ? text.size() : end + 1, text.size()));
+  }
+  return keys;
+}
+
+/// Names of the columns that "name:type:count:..." describes; pos is x, y, z.
+std::vector<std::string> columns_of(const std::string& place, const std::string& properties) {
+  std::vector<std::string> fields;
+  std::istringstream in(properties);
+  for (std::string field; std::getline(in, field, ':');) fields.push_back(field);
+  std::vector<std::string> columns;
+  for (std::size_t k = 0; k < fields.size(); k += 3) {
+    const auto count = k + 2 < fields.size() ? parse_number<int>(fields[k + 2]) : std::nullopt;
+    if (!count || *count < 1 || *count > 100)
+      throw InputError(place, fmt::format("Properties={}, expected name:type:count for each", properties));
+    if (fields[k] == "pos" && *count == 3)
+      columns.insert(columns.end(), {"x", "y", "z"});
+    else if (*count == 1)
+      columns.push_back(fields[k]);
+    else
+      for (int a = 1; a <= *count; ++a) columns.push_back(fields[k] + std::to_string(a));
+  }
+  return columns;
+}
+
+std::vector<std::vector<double>> lattice_of(const std::string& place, const std::string& text, int dimension) {
+  const std::vector<std::string> words = words_of(text);
+  if (words.size() != 9)
+    throw InputError(place, fmt::format("Lattice has {} numbers, expected 9", words.size()));
+  std::vector<std::vector<double>> cell(dimension);
+  for (int a = 0; a < dimension; ++a)
+    for (int b = 0; b < dimension; ++b) {
+      const auto value = parse_number<double>(words[3 * a + b]);
+      if (!value)
+        throw InputError(place, fmt::format("Lattice has \"{}\", expected a finite number", words[3 * a + b]));
+      cell[a].push_back(*value);
+    }
+  return cell;
+}
+
+}  // namespace
+
+bool is_extended_xyz(const std::string& path) {
+  std::istringstream in(read_file(path));
+  std::string first, second;
+  std::getline(in, first);
+  std::getline(in, second);
+  return parse_number<std::int64_t>(first) && second.find("Properties=") != std::string::npos;
+}
+
+Imported read_extended_xyz(const std::string& path, const ImportOptions& options) {
+  check_grain_columns("--columns", options.columns);
+  const std::vector<Frame> frames = read_frames(path);
+  const int n = static_cast<int>(frames.size());
+  const int index = options.index.value_or(n - 1);
+  if (index >= n) throw InputError(path, fmt::format("index = {}, but it holds frames 0 to {}", index, n - 1));
+  const Frame& frame = frames[static_cast<std::size_t>(index)];
+  const std::string place = fmt::format("{}:{}", path, frame.line + 1);
+  std::map<std::string, std::string> keys = keys_of(place, frame.comment);
+  if (!keys.contains("Properties")) throw InputError(place, "has no Properties=");
+  CsvTable table(path, columns_of(place, keys["Properties"]));
+  for (std::size_t k = 0; k < frame.rows.size(); ++k)
+    table.add_row(frame.line + 2 + static_cast<int>(k), words_of(frame.rows[k]));
+
+  ListedPacking listed;
+  listed.place = path;
+  listed.law = required_law(path, options);
+  listed.units = options.units;
+  listed.grains = read_grains(NamedColumns(table, options.columns));
+  listed.cell_place = options.cell.empty() ? place : "--cell";
+  listed.cell = options.cell;
+  const int dimension = dimension_of(listed.grains, options);
+  if (options.cell.empty() && keys.contains("Lattice"))
+    listed.cell = lattice_of(place, keys["Lattice"], dimension);
+  listed.contacts = read_csv_contacts(options, dimension);
+  Imported imported = assemble(listed);
+  imported.remarks.push_back(fmt::format("frame {} of 0 to {}", index, n - 1));
+  return imported;
+}
+
+namespace {
+
+template <int Dim>
+std::string text_of(const State<Dim>& state) {
+  const Packing<Dim>& packing = state.packing;
+  const Grains<Dim>& grains = packing.grains;
+  Eigen::Matrix3d lattice = Eigen::Matrix3d::Identity();
+  lattice.topLeftCorner<Dim, Dim>() = packing.cell.matrix;
+  std::string text = fmt::format("{}\nLattice=\"", grains.size());
+  for (int k = 0; k < 9; ++k) text += fmt::format("{}{}", k == 0 ? "" : " ", lattice(k / 3, k % 3));
+  text += fmt::format("\" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:id:I:1 pbc=\"T T {}\"\n",
+                      Dim == 3 ? "T" : "F");
+  for (int i = 0; i < grains.size(); ++i) {
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    x.head<Dim>() = grains.position[i];
+    text += fmt::format("X {} {} {} {} {} {}\n", x[0], x[1], x[2], grains.radius[i], grains.mass[i], i);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string extended_xyz_text(const AnyState& any) {
+  return std::visit([](const auto& state) { return text_of(state); }, any);
+}
+
+}  // namespace floc

@@ -1,0 +1,28 @@
+#include "floc/io/lammps_box.h"
+
+#include <fmt/format.h>
+
+#include "floc/base/error.h"
+
+namespace floc {
+
+Eigen::Matrix3d LammpsBox::matrix() const {
+  Eigen::Matrix3d m;
+  m << side[0], 0.0, 0.0, xy, side[1], 0.0, xz, yz, side[2];
+  return m;
+}
+
+std::vector<std::vector<double>> LammpsBox::lattice(const std::string& place, int dimension) const {
+  const Eigen::Matrix3d rows = matrix();
+  std::vector<std::vector<double>> vectors(dimension);
+  for (int a = 0; a < dimension; ++a) {
+    if (!(side[a] > 0.0))
+      throw InputError(
+          place, fmt::format("the cell is degenerate: its side along {} is {:.6g}, must be positive", "xyz"[a],
+                             side[a]));
+    for (int b = 0; b < dimension; ++b) vectors[a].push_back(rows(a, b));
+  }
+  return vectors;
+}
+
+}  // namespace floc

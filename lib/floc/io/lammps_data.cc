@@ -1,0 +1,199 @@
+#include "floc/io/lammps_data.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/read_file.h"
+#include "floc/io/csv_packing.h"
+#include "floc/io/lammps_box.h"
+#include "floc/io/listed_columns.h"
+
+namespace floc {
+namespace {
+
+double sphere_volume(double radius) {
+  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
+
+/// What a data file says before its sections, and its atoms.
+struct DataFile {
+  LammpsBox box;
+  std::string box_place;
+  std::int64_t n_atoms = -1;
+  CsvTable atoms;
+};
+
+std::string without_comment(const std::string& line) {
+  return std::string(trimmed(line.substr(0, line.find('#'))));
+}
+
+/// Takes one line of the header, "numbers words".
+void read_header_line(const std::string& place, const std::vector<std::string>& words, DataFile& data) {
+  std::vector<double> values;
+  std::string key;
+  for (const std::string& word : words) {
+    if (const auto value = parse_number<double>(word); value && key.empty())
+      values.push_back(*value);
+    else
+      key += (key.empty() ? "" : " ") + word;
+  }
+  const auto expect = [&](std::size_t count) {
+    if (values.size() != count)
+      throw InputError(place,
+                       fmt::format("{} finite numbers before \"{}\", expected {}", values.size(), key, count));
+  };
+  if (key == "atoms") {
+    expect(1);
+    data.n_atoms = static_cast<std::int64_t>(values[0]);
+  } else if (key == "xy xz yz") {
+    expect(3);
+    data.box.xy = values[0], data.box.xz = values[1], data.box.yz = values[2];
+  } else if (key == "xlo xhi" || key == "ylo yhi" || key == "zlo zhi") {
+    expect(2);
+    const int a = key[0] - 'x';
+    data.box.low[a] = values[0];
+    data.box.side[a] = values[1] - values[0];
+    data.box_place = place;
+  } else if (key.find("lo ") != std::string::npos) {
+    throw InputError(place,
+                     fmt::format("\"{}\", expected two finite numbers and xlo xhi, ylo yhi or zlo zhi", key));
+  }
+}
+
+/// "Atoms # sphere": another style has no radii.
+void check_style(const std::string& place, const std::string& line) {
+  const std::size_t comment = line.find('#');
+  if (comment == std::string::npos || trimmed(line.substr(comment + 1)) == "sphere") return;
+  throw InputError(place, fmt::format("atom_style{} has no radii, expected sphere", line.substr(comment + 1)));
+}
+
+DataFile read_data(const std::string& path) {
+  DataFile data;
+  std::istringstream in(read_file(path));
+  std::string section;
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    const std::string place = fmt::format("{}:{}", path, ++number);
+    const std::string text = without_comment(line);
+    if (number == 1 || text.empty()) continue;  // The first line is a title.
+    std::vector<std::string> words = words_of(text);
+    if (std::isalpha(static_cast<unsigned char>(text[0]))) {
+      section = text;
+      if (section == "Atoms") check_style(place, line);
+    } else if (section.empty()) {
+      read_header_line(place, words, data);
+    } else if (section == "Atoms") {
+      if (words.size() != 7 && words.size() != 10)
+        throw InputError(place,
+                         fmt::format("has {} cells, expected id type diameter density x y z [ix iy iz] of "
+                                     "atom_style sphere",
+                                     words.size()));
+      words.resize(7);
+      if (data.atoms.columns().empty())
+        data.atoms = CsvTable(path, {"id", "type", "diameter", "density", "x", "y", "z"});
+      data.atoms.add_row(number, std::move(words));
+    }
+  }
+  if (data.box_place.empty()) throw InputError(path, "has no box: no line \"... xlo xhi\"");
+  if (data.n_atoms != data.atoms.n_rows())
+    throw InputError(path, fmt::format("has {} atoms in its section Atoms, but its header says {}",
+                                       data.atoms.n_rows(), data.n_atoms));
+  return data;
+}
+
+}  // namespace
+
+bool is_lammps_data(const std::string& path) {
+  const std::string text = read_file(path);
+  return text.find(" atoms") != std::string::npos && text.find("xlo xhi") != std::string::npos &&
+         text.find("\nAtoms") != std::string::npos;
+}
+
+Imported read_lammps_data(const std::string& path, const ImportOptions& options) {
+  if (options.index.value_or(0) != 0)
+    throw InputError(path, fmt::format("index = {}, but it holds one packing", *options.index));
+  if (!options.columns.empty()) throw InputError("--columns", "the columns of a LAMMPS data file are fixed");
+  const DataFile data = read_data(path);
+  ListedPacking listed;
+  listed.place = path;
+  listed.law = required_law(path, options);
+  listed.units = options.units;
+  if (data.n_atoms == 0) throw InputError(path, "has no grains");
+  listed.grains = read_grains(NamedColumns(data.atoms, {}));
+  for (int i = 0; i < data.atoms.n_rows(); ++i) {
+    const double density = data.atoms.number(i, 3);
+    if (!(density > 0.0))
+      throw InputError(data.atoms.place(i), fmt::format("density = {}, must be positive", density));
+    listed.grains[i].mass = density * sphere_volume(listed.grains[i].radius);
+  }
+  const int dimension = dimension_of(listed.grains, options);
+  listed.cell_place = options.cell.empty() ? data.box_place : "--cell";
+  listed.cell = options.cell.empty() ? data.box.lattice(data.box_place, dimension) : options.cell;
+  listed.contacts = read_csv_contacts(options, dimension);
+  return assemble(listed);
+}
+
+namespace {
+
+/// Rows are the lattice vectors: the first along x, the second in the plane, diagonal positive. `rotation` takes vectors
+/// of the packing there.
+template <int Dim>
+Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
+  if (matrix.isLowerTriangular(0.0) && (matrix.diagonal().array() > 0.0).all()) {
+    rotation.setIdentity();
+    return matrix;
+  }
+  const Eigen::HouseholderQR<Mat<Dim>> qr(matrix.transpose());
+  const Mat<Dim> upper = qr.matrixQR().template triangularView<Eigen::Upper>();
+  const Vec<Dim> sign = upper.diagonal().array().sign();
+  rotation = sign.asDiagonal() * Mat<Dim>(Mat<Dim>(qr.householderQ()).transpose());
+  return upper.transpose() * sign.asDiagonal();
+}
+
+/// Replaces the vectors by ones of the same lattice whose tilts are at most half a side.
+template <int Dim>
+void reduce_tilts(Mat<Dim>& rows) {
+  for (int a = 1; a < Dim; ++a)
+    for (int b = a - 1; b >= 0; --b) rows.row(a) -= std::round(rows(a, b) / rows(b, b)) * rows.row(b);
+}
+
+template <int Dim>
+std::string text_of(const State<Dim>& state) {
+  const Packing<Dim>& packing = state.packing;
+  const Grains<Dim>& grains = packing.grains;
+  Mat<Dim> rotation;
+  Mat<Dim> rows = lower_triangular<Dim>(packing.cell.matrix, rotation);
+  reduce_tilts<Dim>(rows);
+  Eigen::Matrix3d box = Eigen::Matrix3d::Identity();
+  box.topLeftCorner<Dim, Dim>() = rows;
+  Cell<Dim> cell;
+  cell.matrix = rows;
+  std::string text = fmt::format(
+      "floc: {} grains, atom_style sphere\n\n{} atoms\n1 atom types\n\n0 {} xlo xhi\n0 {} ylo yhi\n",
+      grains.size(), grains.size(), box(0, 0), box(1, 1));
+  text += Dim == 3 ? fmt::format("0 {} zlo zhi\n", box(2, 2)) : std::string("-0.5 0.5 zlo zhi\n");
+  if (!rows.isDiagonal(0.0)) text += fmt::format("{} {} {} xy xz yz\n", box(1, 0), box(2, 0), box(2, 1));
+  text += "\nAtoms # sphere\n\n";
+  for (int i = 0; i < grains.size(); ++i) {
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    x.head<Dim>() = cell.wrapped(rotation * grains.position[i]);
+    text += fmt::format("{} 1 {} {} {} {} {}\n", i + 1, 2.0 * grains.radius[i],
+                        grains.mass[i] / sphere_volume(grains.radius[i]), x[0], x[1], x[2]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string lammps_data_text(const AnyState& any) {
+  return std::visit([](const auto& state) { return text_of(state); }, any);
+}
+
+}  // namespace floc

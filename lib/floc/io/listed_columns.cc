@@ -1,0 +1,153 @@
+#include "floc/io/listed_columns.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+
+namespace floc {
+namespace {
+
+constexpr const char* kAxis[] = {"x", "y", "z"};
+
+double positive(const CsvTable& table, int row, int column) {
+  const double value = table.number(row, column);
+  if (value > 0.0) return value;
+  throw InputError(table.place(row), fmt::format("{} = {}, must be positive", table.columns()[column], value));
+}
+
+/// Column of a name, or -1.
+int column_if(const NamedColumns& columns, const std::string& name) {
+  return columns.has(name) ? columns.column(name) : -1;
+}
+
+/// The columns name1, name2, ...; none if the first is not there.
+std::vector<int> numbered(const NamedColumns& columns, const std::string& name, int count) {
+  std::vector<int> found;
+  if (columns.has(name + "1"))
+    for (int k = 1; k <= count; ++k) found.push_back(columns.column(name + std::to_string(k)));
+  return found;
+}
+
+std::optional<Eigen::Vector3d> vector_of(const CsvTable& table, int row, const std::vector<int>& columns) {
+  if (columns.empty()) return std::nullopt;
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < columns.size(); ++k) value[k] = table.number(row, columns[k]);
+  return value;
+}
+
+std::optional<double> number_of(const CsvTable& table, int row, int column) {
+  if (column < 0) return std::nullopt;
+  return table.number(row, column);
+}
+
+/// Columns of a list of contacts; -1 or empty where it has none.
+struct ContactColumns {
+  int id1, id2, normal_force, kn, kt, rolling_moment_2d;
+  std::vector<int> image, force, shear_force, rolling_moment;
+
+  ContactColumns(const NamedColumns& names, int dimension)
+      : id1(names.column("id1")),
+        id2(names.column("id2")),
+        normal_force(column_if(names, "normal_force")),
+        kn(column_if(names, "kn")),
+        kt(column_if(names, "kt")),
+        rolling_moment_2d(dimension == 2 ? column_if(names, "rolling_moment") : -1),
+        image(numbered(names, "image", dimension)),
+        force(numbered(names, "force", dimension)),
+        shear_force(numbered(names, "shear_force", dimension)),
+        rolling_moment(dimension == 3 ? numbered(names, "rolling_moment", 3) : std::vector<int>{}) {}
+};
+
+ListedContact read_contact(const CsvTable& table, int row, const ContactColumns& columns) {
+  ListedContact c;
+  c.place = table.place(row);
+  c.id1 = table.integer(row, columns.id1);
+  c.id2 = table.integer(row, columns.id2);
+  if (!columns.image.empty()) {
+    c.image = Eigen::Vector3i::Zero();
+    for (std::size_t k = 0; k < columns.image.size(); ++k)
+      (*c.image)[k] = static_cast<int>(table.integer(row, columns.image[k]));
+  }
+  c.force = vector_of(table, row, columns.force);
+  c.normal_force = number_of(table, row, columns.normal_force);
+  c.shear_force = vector_of(table, row, columns.shear_force);
+  if (c.force && c.shear_force) {
+    *c.force += *c.shear_force;
+    c.shear_force.reset();
+  }
+  c.rolling_moment = vector_of(table, row, columns.rolling_moment);
+  if (columns.rolling_moment_2d >= 0)
+    c.rolling_moment = Eigen::Vector3d(0.0, 0.0, table.number(row, columns.rolling_moment_2d));
+  c.kn = number_of(table, row, columns.kn);
+  c.kt = number_of(table, row, columns.kt);
+  return c;
+}
+
+void check_columns(const std::string& option, const std::string& what, const std::vector<std::string>& known,
+                   const std::map<std::string, std::string>& given) {
+  for (const auto& [name, column] : given)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError(option,
+                       fmt::format("\"{}\" is no column of a {}: {}", name, what, fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
+  const CsvTable& table = columns.table();
+  std::vector<int> axis = {columns.column("x"), columns.column("y")};
+  if (columns.has("z")) axis.push_back(columns.column("z"));
+  std::string size = "radius";
+  if (!columns.has(size)) size = columns.has("r") ? "r" : columns.has("diameter") ? "diameter" : "radius";
+  const int radius = columns.column(size);
+  const int mass = column_if(columns, "mass");
+  const int id = column_if(columns, "id");
+  std::vector<ListedGrain> grains;
+  for (int row = 0; row < table.n_rows(); ++row) {
+    ListedGrain grain;
+    grain.place = table.place(row);
+    grain.id = id >= 0 ? table.integer(row, id) : row;
+    grain.position = *vector_of(table, row, axis);
+    grain.radius = positive(table, row, radius) * (size == "diameter" ? 0.5 : 1.0);
+    if (mass >= 0) grain.mass = positive(table, row, mass);
+    grains.push_back(std::move(grain));
+  }
+  return grains;
+}
+
+std::vector<ListedContact> read_contacts(const NamedColumns& names, int dimension) {
+  const ContactColumns columns(names, dimension);
+  std::vector<ListedContact> contacts;
+  for (int row = 0; row < names.table().n_rows(); ++row)
+    contacts.push_back(read_contact(names.table(), row, columns));
+  return contacts;
+}
+
+void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given) {
+  check_columns(option, "grain", {"x", "y", "z", "radius", "diameter", "mass", "id"}, given);
+}
+
+void check_contact_columns(const std::string& option, const std::map<std::string, std::string>& given) {
+  check_columns(option, "contact",
+                {"id1", "id2", "image1", "image2", "image3", "normal_force", "force1", "force2", "force3",
+                 "shear_force1", "shear_force2", "shear_force3", "rolling_moment", "rolling_moment1",
+                 "rolling_moment2", "rolling_moment3", "kn", "kt"},
+                given);
+}
+
+std::vector<std::string> words_of(std::string_view line) {
+  constexpr std::string_view kSpace = " \t\r";
+  std::vector<std::string> words;
+  for (std::size_t at = line.find_first_not_of(kSpace); at != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(kSpace, at), line.size());
+    words.emplace_back(line.substr(at, end - at));
+    at = line.find_first_not_of(kSpace, end);
+  }
+  return words;
+}
+
+}  // namespace floc

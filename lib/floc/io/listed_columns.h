@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "floc/io/csv.h"
+#include "floc/io/listed_packing.h"
+
+namespace floc {
+
+/// A table whose columns go by our names.
+class NamedColumns {
+ public:
+  /// @param names  column of the table for each of our names; a name left out is its own column
+  NamedColumns(const CsvTable& table, std::map<std::string, std::string> names)
+      : table_(table), names_(std::move(names)) {}
+
+  const CsvTable& table() const { return table_; }
+  bool has(const std::string& name) const { return names_.contains(name) || table_.has(name); }
+
+  /// @throws InputError listing the columns there are.
+  int column(const std::string& name) const {
+    return table_.column(names_.contains(name) ? names_.at(name) : name);
+  }
+
+ private:
+  const CsvTable& table_;
+  std::map<std::string, std::string> names_;
+};
+
+/// Grains of a table with columns x, y[, z] and radius (or r, or diameter) and, if present, mass and id (else the row,
+/// counted from 0).
+/// @throws InputError naming file, line and column: a column that is missing, a number that is none, a radius or
+/// mass that is not positive.
+std::vector<ListedGrain> read_grains(const NamedColumns& columns);
+
+/// Contacts of a table with columns id1, id2 and, if present,
+///   image1..      cells by which id2 is displaced; with `dimension` components as everything numbered here
+///   force1..      force on id1; if shear_force1.. is there too, the normal part alone
+///   normal_force, shear_force1..  in place of it, or the tangential force on id1 besides force1..
+///   rolling_moment (2D) or rolling_moment1..3, on id1
+///   kn, kt        stiffnesses
+/// @throws InputError naming file, line and column.
+std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension);
+
+/// @throws InputError naming `option` if a key of `given` is no column of a grain, or of a contact.
+void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given);
+void check_contact_columns(const std::string& option, const std::map<std::string, std::string>& given);
+
+/// Splits a line at white space.
+std::vector<std::string> words_of(std::string_view line);
+
+}  // namespace floc

@@ -1,0 +1,285 @@
+#include "floc/io/listed_packing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <unordered_map>
+
+#include "floc/base/error.h"
+#include "floc/packing/contact_forces.h"
+
+namespace floc {
+namespace {
+
+/// A tangential force this close to its cap, relative, is at it: files print six digits or more.
+constexpr double kAtCap = 1.0 - 1e-6;
+/// A tangential force below this fraction of the normal one is rounding.
+constexpr double kNoShear = 1e-9;
+/// Lattice vectors that are parallel but for rounding span no volume.
+constexpr double kFlat = 1e-12;
+
+template <int Dim>
+Cell<Dim> make_cell(const std::string& place, const std::vector<std::vector<double>>& vectors) {
+  Cell<Dim> cell;
+  double box = 1.0;
+  for (int a = 0; a < Dim; ++a) {
+    if (vectors[a].size() != Dim)
+      throw InputError(place,
+                       fmt::format("vector {} has {} components, expected {}", a + 1, vectors[a].size(), Dim));
+    for (int b = 0; b < Dim; ++b) cell.matrix(a, b) = vectors[a][b];
+    box *= cell.matrix.row(a).norm();
+  }
+  if (!(cell.volume() > kFlat * box))
+    throw InputError(place,
+                     fmt::format("the cell is degenerate: its vectors span no volume ({:.3g})", cell.volume()));
+  return cell;
+}
+
+/// Index of each identifier.
+class Identifiers {
+ public:
+  explicit Identifiers(const std::vector<ListedGrain>& grains) {
+    for (const ListedGrain& grain : grains) {
+      if (!index_.emplace(grain.id, static_cast<int>(index_.size())).second)
+        throw InputError(grain.place, fmt::format("id = {} is given twice", grain.id));
+      lowest_ = std::min(lowest_, grain.id);
+      highest_ = std::max(highest_, grain.id);
+    }
+  }
+
+  int index(const std::string& place, const char* name, std::int64_t id) const {
+    if (const auto found = index_.find(id); found != index_.end()) return found->second;
+    throw InputError(place, fmt::format("{} = {}: no grain has this id; they are from {} to {}", name, id,
+                                        lowest_, highest_));
+  }
+
+ private:
+  std::unordered_map<std::int64_t, int> index_;
+  std::int64_t lowest_ = std::numeric_limits<std::int64_t>::max();
+  std::int64_t highest_ = std::numeric_limits<std::int64_t>::min();
+};
+
+template <int Dim>
+Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
+  const int n = static_cast<int>(listed.size());
+  Grains<Dim> grains = Grains<Dim>::with_size(n);
+  for (int i = 0; i < n; ++i) {
+    grains.position[i] = listed[i].position.template head<Dim>();
+    grains.radius[i] = listed[i].radius;
+    grains.mass[i] = listed[i].mass.value_or(std::pow(2.0 * listed[i].radius, Dim));
+  }
+  return grains;
+}
+
+/// Smallest distance of two opposite faces of the cell.
+template <int Dim>
+double smallest_width(const Cell<Dim>& cell) {
+  // The columns of the inverse are normal to the faces, one over the distance long.
+  return 1.0 / cell.matrix.inverse().colwise().norm().maxCoeff();
+}
+
+/// The image of j nearest to i. Searched around the one that is nearest in reduced coordinates: in a skewed
+/// cell they can differ, by one step a direction unless the cell is so slanted that it should be reduced first.
+template <int Dim>
+Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const std::string& place, int i, int j) {
+  const Vec<Dim> apart = packing.grains.position[j] - packing.grains.position[i];
+  const Vec<Dim, int> guess = (-packing.cell.reduced(apart)).array().round().matrix().template cast<int>();
+  Vec<Dim, int> best = guess;
+  double nearest = std::numeric_limits<double>::infinity();
+  int n_images = 1;
+  for (int a = 0; a < Dim; ++a) n_images *= 3;
+  for (int m = 0; m < n_images; ++m) {
+    Vec<Dim, int> image = guess;
+    for (int a = 0, rest = m; a < Dim; ++a, rest /= 3) image[a] += rest % 3 - 1;
+    const double distance = (apart + packing.cell.shift(image)).norm();
+    if ((i == j && image.isZero()) || distance >= nearest) continue;
+    nearest = distance;
+    best = image;
+  }
+  const double half = 0.5 * smallest_width(packing.cell);
+  if (nearest >= half)
+    throw InputError(
+        place, fmt::format("the contact is {:.6g} long, not below half the cell ({:.6g}): the list has to "
+                           "say which image of the grain it is with",
+                           nearest, half));
+  return best;
+}
+
+/// Whether grains are to be exchanged: the one of lower index comes first, and of two opposite images of one grain the
+/// one find_pairs() names.
+template <int Dim>
+bool is_reversed(const Contact<Dim>& c) {
+  if (c.i != c.j) return c.i > c.j;
+  const Vec<Dim, int> zero = Vec<Dim, int>::Zero();
+  return std::lexicographical_compare(c.image.begin(), c.image.end(), zero.begin(), zero.end());
+}
+
+/// Forces a list gives, on the first grain of the contact.
+template <int Dim>
+struct GivenForces {
+  std::optional<double> normal;
+  std::optional<Vec<Dim>> shear;
+  std::optional<Spin<Dim>> rolling;
+};
+
+template <int Dim>
+GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const Vec<Dim>& normal) {
+  const double sign = reversed ? -1.0 : 1.0;
+  GivenForces<Dim> given;
+  given.normal = listed.normal_force;
+  if (listed.shear_force) {
+    const Vec<Dim> on_first = sign * listed.shear_force->template head<Dim>();
+    given.shear = on_first - normal * normal.dot(on_first);
+  }
+  if (listed.force) {
+    const Vec<Dim> on_first = sign * listed.force->template head<Dim>();
+    given.normal = -normal.dot(on_first);
+    given.shear = on_first + *given.normal * normal;
+  }
+  if (listed.rolling_moment) given.rolling = sign * listed.rolling_moment->template tail<kRotations<Dim>>();
+  return given;
+}
+
+template <int Dim>
+void set_normal(const LawParameters& law, const ListedContact& listed, double force, Contact<Dim>& c) {
+  c.normal_force = force;
+  // Programs whose grains are rigid leave small gaps where they transmit force.
+  c.distant = c.gap >= 0.0 && c.gap < law.range();
+  if (c.distant) return;
+  c.elastic_force = std::max(force + law.pull_off_force(), 0.0);
+  c.kn = listed.kn.value_or(law.normal_stiffness);
+  c.kt = law.friction ? listed.kt.value_or(law.friction->stiffness) : 0.0;
+  c.kr = law.rolling ? law.rolling->stiffness : 0.0;
+}
+
+template <int Dim>
+void set_shear(const LawParameters& law, const std::string& place, const Vec<Dim>& force, Contact<Dim>& c) {
+  if (!law.friction) {
+    if (force.norm() <= kNoShear * std::abs(c.normal_force)) return;
+    throw InputError(place,
+                     fmt::format("the tangential force is {:.6g}, but the law has no friction", force.norm()));
+  }
+  c.shear_force = force;
+  if (c.kt > 0.0) c.shear_spring = to_shear<double>(c.normal, force) / c.kt;
+  c.sliding = force.norm() >= kAtCap * law.friction->coefficient * c.elastic_force;
+}
+
+template <int Dim>
+void set_rolling(const LawParameters& law, const std::string& place, const Spin<Dim>& moment, Contact<Dim>& c) {
+  if (!law.rolling) throw InputError(place, "a rolling moment is given, but the law has no rolling");
+  c.rolling_moment = moment;
+  c.rolling_spring = -moment / law.rolling->stiffness;
+  c.rolling_yield = moment.norm() >= kAtCap * law.rolling->coefficient * c.elastic_force;
+}
+
+/// Fills the contact from the law, then lays the forces that were given over it.
+template <int Dim>
+Contact<Dim> make_contact(const Packing<Dim>& packing, const Identifiers& identifiers,
+                          const ListedContact& listed) {
+  Contact<Dim> c;
+  c.i = identifiers.index(listed.place, "id1", listed.id1);
+  c.j = identifiers.index(listed.place, "id2", listed.id2);
+  if (listed.image)
+    c.image = listed.image->template head<Dim>();
+  else
+    c.image = nearest_image(packing, listed.place, c.i, c.j);
+  if (c.i == c.j && c.image.isZero()) throw InputError(listed.place, "the grain would touch itself");
+  const bool reversed = is_reversed(c);
+  if (reversed) {
+    std::swap(c.i, c.j);
+    c.image = -c.image;
+  }
+  refresh_contact(packing, c);
+  const LawParameters& law = packing.law;
+  const GivenForces<Dim> given = given_forces<Dim>(listed, reversed, c.normal);
+  if (given.normal)
+    set_normal(law, listed, *given.normal, c);
+  else if (listed.kn || listed.kt)
+    throw InputError(listed.place, "a stiffness is given without the normal force that goes with it");
+  else if (c.gap >= 0.0 && c.gap >= law.range())
+    throw InputError(
+        listed.place,
+        fmt::format("the gap is {}, where the law does not act, and no normal_force says otherwise", c.gap));
+  if (given.shear) set_shear(law, listed.place, *given.shear, c);
+  if (given.rolling) set_rolling(law, listed.place, *given.rolling, c);
+  return c;
+}
+
+template <int Dim>
+void add_contacts(const ListedPacking& listed, const Identifiers& identifiers, Packing<Dim>& packing) {
+  const auto order = [](const Contact<Dim>& c) {
+    return std::tuple(c.i, c.j, std::vector(c.image.begin(), c.image.end()));
+  };
+  using Placed = std::pair<Contact<Dim>, const ListedContact*>;
+  std::vector<Placed> placed;
+  for (const ListedContact& contact : *listed.contacts)
+    placed.emplace_back(make_contact(packing, identifiers, contact), &contact);
+  std::stable_sort(placed.begin(), placed.end(),
+                   [&](const Placed& a, const Placed& b) { return order(a.first) < order(b.first); });
+  const auto twice = std::adjacent_find(placed.begin(), placed.end(), [&](const Placed& a, const Placed& b) {
+    return order(a.first) == order(b.first);
+  });
+  if (twice != placed.end()) {
+    const ListedContact& second = *(twice + 1)->second;
+    throw InputError(second.place, fmt::format("the contact of grains {} and {} is listed twice, first at {}",
+                                               second.id1, second.id2, twice->second->place));
+  }
+  for (const auto& [contact, from] : placed) packing.contacts.push_back(contact);
+}
+
+/// Brings every grain into the cell; images of contacts follow.
+template <int Dim>
+void wrap(Packing<Dim>& packing) {
+  std::vector<Vec<Dim, int>> moved;
+  for (Vec<Dim>& x : packing.grains.position) {
+    moved.push_back(-packing.cell.reduced(x).array().floor().matrix().template cast<int>());
+    x = packing.cell.wrapped(x);
+  }
+  for (Contact<Dim>& c : packing.contacts) c.image += moved[c.i] - moved[c.j];
+}
+
+template <int Dim>
+Imported assemble_in(const ListedPacking& listed) {
+  State<Dim> state;
+  state.units = listed.units;
+  Packing<Dim>& packing = state.packing;
+  packing.cell = make_cell<Dim>(listed.cell_place, listed.cell);
+  packing.law = listed.law;
+  packing.grains = make_grains<Dim>(listed.grains);
+  const Identifiers identifiers(listed.grains);
+  if (listed.contacts) add_contacts(listed, identifiers, packing);
+  wrap(packing);
+  state.path.branch = "imported";
+  state.provenance.source = listed.place;
+  Imported imported;
+  imported.state = std::move(state);
+  imported.contacts_known = listed.contacts.has_value();
+  return imported;
+}
+
+}  // namespace
+
+int dimension_of(const std::vector<ListedGrain>& grains, const ImportOptions& options) {
+  if (options.dimension) return *options.dimension;
+  if (!options.cell.empty()) return static_cast<int>(options.cell.size());
+  const auto same_height = [&](const ListedGrain& g) { return g.position[2] == grains.front().position[2]; };
+  return std::all_of(grains.begin(), grains.end(), same_height) ? 2 : 3;
+}
+
+const LawParameters& required_law(const std::string& path, const ImportOptions& options) {
+  if (!options.law) throw InputError(path, "it does not say the contact law: give --law");
+  return *options.law;
+}
+
+Imported assemble(const ListedPacking& listed) {
+  if (listed.grains.empty()) throw InputError(listed.place, "has no grains");
+  if (listed.cell.empty()) throw InputError(listed.place, "it does not say the cell: give --cell");
+  if (listed.cell.size() == 2) return assemble_in<2>(listed);
+  if (listed.cell.size() == 3) return assemble_in<3>(listed);
+  throw InputError(listed.cell_place, "the cell has to have two vectors, or three in 3D");
+}
+
+}  // namespace floc

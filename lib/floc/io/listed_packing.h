@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "floc/io/import.h"
+
+namespace floc {
+
+/// One grain as a file of another program lists it. In 2D the third component of every vector is ignored.
+struct ListedGrain {
+  std::string place;                                   ///< "file:line", for messages
+  std::int64_t id = 0;                                 ///< unique in the file
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< centre, inside the cell or not (length)
+  double radius = 0.0;                                 ///< (length)
+  std::optional<double> mass;                          ///< none: unit mass at unit diameter
+};
+
+/// One contact as a file lists it. Forces act on grain id1; in 2D a moment is the third component.
+struct ListedContact {
+  std::string place;
+  std::int64_t id1 = 0;
+  std::int64_t id2 = 0;
+  /// branch = x[id2] + image * cell - x[id1] with the positions of the file; none: the nearest image.
+  std::optional<Eigen::Vector3i> image;
+  std::optional<Eigen::Vector3d> force;  ///< all of it: normal and tangential; or these two:
+  std::optional<double> normal_force;    ///< positive in compression; none: follows from the law
+  std::optional<Eigen::Vector3d> shear_force;
+  std::optional<Eigen::Vector3d> rolling_moment;
+  std::optional<double> kn;  ///< none: the law's (force/length)
+  std::optional<double> kt;
+};
+
+/// A packing as a file lists it.
+struct ListedPacking {
+  std::string place;       ///< the file
+  std::string cell_place;  ///< where its cell was said, for messages
+  std::vector<std::vector<double>>
+      cell;  ///< lattice vectors, one a row (length); their number is the dimension
+  LawParameters law;
+  std::string units;
+  std::vector<ListedGrain> grains;
+  std::optional<std::vector<ListedContact>> contacts;
+};
+
+/// Dimension of a packing whose file does not say: `--dimension`, or the number of vectors of `--cell`, or 2 if all
+/// grains have the same third coordinate, as programs without a second dimension lay them out, and 3 otherwise.
+int dimension_of(const std::vector<ListedGrain>& grains, const ImportOptions& options);
+
+/// The law of `--law`. @throws InputError naming `path` and what of it does not say the law.
+const LawParameters& required_law(const std::string& path, const ImportOptions& options);
+
+/// Puts a packing together: identifiers become indices, grains are brought into the cell, contacts are completed
+/// by the law and sorted, springs stretched to the forces that were given. Forces are kept to the last digit: what
+/// of `force` is along the branch is normal force, the rest tangential.
+/// @throws InputError naming place, value and what was expected: no grains, an identifier given twice, a cell that
+/// spans no volume; a contact of a grain that is not there, listed twice, out of the law's reach without a
+/// force, or without an image where the branch is half the cell or longer, so that two images are as near.
+Imported assemble(const ListedPacking& listed);
+
+}  // namespace floc

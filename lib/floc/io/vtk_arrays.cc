@@ -1,0 +1,187 @@
+#include "floc/io/vtk_arrays.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <pugixml.hpp>
+#include <string_view>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+
+namespace floc {
+namespace {
+
+/// Bytes that base64 text stands for, up to its padding. Empty if a character is none of base64.
+std::string from_base64(std::string_view text) {
+  constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int n_bits = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    const std::size_t value = kAlphabet.find(c);
+    if (value == std::string_view::npos) return {};
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    if ((n_bits += 6) < 8) continue;
+    n_bits -= 8;
+    bytes += static_cast<char>(bits >> n_bits & 0xff);
+  }
+  return bytes;
+}
+
+/// The numbers of type T in `bytes`, as doubles.
+template <class T>
+std::vector<double> convert(std::string_view bytes) {
+  std::vector<double> values(bytes.size() / sizeof(T));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    T value;
+    std::memcpy(&value, bytes.data() + k * sizeof(T), sizeof(T));
+    values[k] = static_cast<double>(value);
+  }
+  return values;
+}
+
+using Converter = std::vector<double> (*)(std::string_view);
+
+const std::map<std::string, Converter>& converters() {
+  static const std::map<std::string, Converter> known = {
+      {"Float64", convert<double>},     {"Float32", convert<float>},
+      {"Int64", convert<std::int64_t>}, {"UInt64", convert<std::uint64_t>},
+      {"Int32", convert<std::int32_t>}, {"UInt32", convert<std::uint32_t>},
+      {"Int16", convert<std::int16_t>}, {"UInt16", convert<std::uint16_t>},
+      {"Int8", convert<std::int8_t>},   {"UInt8", convert<std::uint8_t>},
+  };
+  return known;
+}
+
+std::vector<double> parse_ascii(const std::string& place, std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  std::vector<double> values;
+  for (std::size_t at = text.find_first_not_of(kSpace); at != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kSpace, at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const auto value = parse_number<double>(word);
+    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", word));
+    values.push_back(*value);
+    at = text.find_first_not_of(kSpace, end);
+  }
+  return values;
+}
+
+/// The payload of a block: its length in bytes as an integer of `header_size` bytes, then the bytes.
+std::string_view payload(const std::string& place, std::string_view block, std::size_t header_size) {
+  std::uint64_t length = 0;
+  if (block.size() >= header_size) std::memcpy(&length, block.data(), header_size);
+  if (block.size() < header_size || length > block.size() - header_size)
+    throw InputError(place, fmt::format("is damaged: {} bytes where its header says {}", block.size(), length));
+  return block.substr(header_size, length);
+}
+
+}  // namespace
+
+struct VtkArrays::Document {
+  std::string path;
+  pugi::xml_document xml;
+  std::string appended;  ///< behind the underscore
+  bool appended_raw = false;
+  std::size_t header_size = 4;
+
+  pugi::xml_node grid() const { return xml.child("VTKFile").child("UnstructuredGrid"); }
+  pugi::xml_node section(const std::string& name) const {
+    return name == "FieldData" ? grid().child("FieldData") : grid().child("Piece").child(name.c_str());
+  }
+  pugi::xml_node array(const std::string& in, const std::string& name) const {
+    if (in == "Points") return section(in).child("DataArray");
+    return section(in).find_child_by_attribute("DataArray", "Name", name.c_str());
+  }
+};
+
+VtkArrays::VtkArrays(const std::string& path, const std::string& content) : document_(new Document) {
+  Document& d = *document_;
+  d.path = path;
+  // Raw data after the XML are no XML: they are taken out before it is parsed.
+  std::string text = content;
+  if (const std::size_t begin = content.find("<AppendedData"); begin != std::string::npos) {
+    const std::size_t end = content.rfind("</AppendedData>");
+    const std::size_t mark = content.find('_', content.find('>', begin));
+    if (end == std::string::npos || mark == std::string::npos || mark > end)
+      throw InputError(path, "its AppendedData do not end");
+    d.appended_raw = content.substr(begin, mark - begin).find("\"raw\"") != std::string::npos;
+    d.appended = content.substr(mark + 1, end - mark - 1);
+    text = content.substr(0, begin) + content.substr(end + std::strlen("</AppendedData>"));
+  }
+  const pugi::xml_parse_result parsed = d.xml.load_buffer(text.data(), text.size());
+  if (!parsed)
+    throw InputError(path, fmt::format("is no XML: {} at byte {}", parsed.description(), parsed.offset));
+  const pugi::xml_node file = d.xml.child("VTKFile");
+  if (!d.grid()) throw InputError(path, "is no VTKFile with an UnstructuredGrid");
+  if (std::strcmp(file.attribute("byte_order").as_string("LittleEndian"), "LittleEndian") != 0)
+    throw InputError(path, "byte_order = BigEndian, expected LittleEndian");
+  if (file.attribute("compressor"))
+    throw InputError(path, fmt::format("is compressed ({}): save it without compression",
+                                       file.attribute("compressor").as_string()));
+  d.header_size = std::strcmp(file.attribute("header_type").as_string("UInt32"), "UInt64") == 0 ? 8 : 4;
+  const auto pieces = d.grid().children("Piece");
+  if (std::distance(pieces.begin(), pieces.end()) != 1)
+    throw InputError(path,
+                     fmt::format("has {} pieces, expected one", std::distance(pieces.begin(), pieces.end())));
+}
+
+VtkArrays::~VtkArrays() = default;
+
+std::int64_t VtkArrays::n_points() const {
+  return document_->grid().child("Piece").attribute("NumberOfPoints").as_llong();
+}
+
+std::vector<std::string> VtkArrays::names(const std::string& section) const {
+  std::vector<std::string> found;
+  for (const pugi::xml_node array : document_->section(section).children("DataArray"))
+    found.emplace_back(array.attribute("Name").as_string());
+  return found;
+}
+
+bool VtkArrays::has(const std::string& section, const std::string& name) const {
+  return static_cast<bool>(document_->array(section, name));
+}
+
+std::string VtkArrays::place(const std::string& section, const std::string& name) const {
+  return fmt::format("{}, array {}{}{}", document_->path, section, name.empty() ? "" : "/", name);
+}
+
+std::vector<double> VtkArrays::read(const std::string& section, const std::string& name) const {
+  const Document& d = *document_;
+  const pugi::xml_node array = d.array(section, name);
+  const std::string here = place(section, name);
+  if (!array) throw InputError(here, "is missing");
+  const std::string format = array.attribute("format").as_string("ascii");
+  const std::string type = array.attribute("type").as_string();
+  const auto converter = converters().find(type);
+  if (converter == converters().end())
+    throw InputError(here, fmt::format("type = \"{}\", expected numbers", type));
+  if (format == "ascii") return parse_ascii(here, array.text().as_string());
+
+  std::string decoded;
+  std::string_view block;
+  if (format == "appended") {
+    const auto offset = static_cast<std::size_t>(array.attribute("offset").as_ullong());
+    if (offset > d.appended.size())
+      throw InputError(here, fmt::format("offset = {} is behind the data", offset));
+    block = std::string_view(d.appended).substr(offset);
+    if (!d.appended_raw) block = decoded = from_base64(block.substr(0, block.find('=') + 2));
+  } else if (format == "binary") {
+    block = decoded = from_base64(trimmed(array.text().as_string()));
+  } else {
+    throw InputError(here, fmt::format("format = \"{}\", expected ascii, binary or appended", format));
+  }
+  std::vector<double> values = converter->second(payload(here, block, d.header_size));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (!std::isfinite(values[k]))
+      throw InputError(here, fmt::format("number {} = {}, expected a finite number", k, values[k]));
+  return values;
+}
+
+}  // namespace floc

@@ -1,0 +1,292 @@
+#include "floc/io/vtu.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "floc/base/error.h"
+#include "floc/base/read_file.h"
+#include "floc/io/csv_packing.h"
+#include "floc/io/listed_columns.h"
+#include "floc/io/vtk_arrays.h"
+
+namespace floc {
+namespace {
+
+constexpr int kVertex = 1;
+constexpr int kLine = 3;
+
+/// The points that are grains: those of vertices, or all if there are none.
+std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_points) {
+  std::vector<std::size_t> points;
+  if (arrays.has("Cells", "types")) {
+    const std::vector<double> types = arrays.read("Cells", "types");
+    const std::vector<double> offsets = arrays.read("Cells", "offsets");
+    const std::vector<double> connectivity = arrays.read("Cells", "connectivity");
+    for (std::size_t k = 0; k < types.size(); ++k) {
+      if (types[k] != kVertex) continue;
+      const double at = k < offsets.size() ? offsets[k] - 1.0 : -1.0;
+      const bool listed = at >= 0.0 && at < static_cast<double>(connectivity.size());
+      const double point = listed ? connectivity[static_cast<std::size_t>(at)] : -1.0;
+      if (!(point >= 0.0 && point < static_cast<double>(n_points)))
+        throw InputError(arrays.place("Cells", "connectivity"), fmt::format("vertex {} is at no point", k));
+      points.push_back(static_cast<std::size_t>(point));
+    }
+  }
+  if (points.empty())
+    for (std::size_t k = 0; k < n_points; ++k) points.push_back(k);
+  return points;
+}
+
+/// One array of the points with one number each.
+class PointArray {
+ public:
+  PointArray(const VtkArrays& arrays, std::string name, std::size_t n_points)
+      : place_(arrays.place("PointData", name)), values_(arrays.read("PointData", name)) {
+    if (values_.size() != n_points)
+      throw InputError(
+          place_, fmt::format("has {} numbers, expected one for each of {} points", values_.size(), n_points));
+  }
+
+  std::string place(std::size_t point) const { return fmt::format("{}, point {}", place_, point); }
+  double operator[](std::size_t point) const { return values_[point]; }
+  double positive(std::size_t point) const {
+    if (values_[point] > 0.0) return values_[point];
+    throw InputError(place(point), fmt::format("{}, must be positive", values_[point]));
+  }
+
+ private:
+  std::string place_;
+  std::vector<double> values_;
+};
+
+/// Name of the array for one of our names, or "".
+std::string find_array(const VtkArrays& arrays, const ImportOptions& options,
+                       const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (options.columns.contains(name)) return options.columns.at(name);
+    if (arrays.has("PointData", name)) return name;
+  }
+  return "";
+}
+
+std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arrays,
+                                   const ImportOptions& options) {
+  const std::vector<double> x = arrays.read("Points", "");
+  const std::size_t n_points = x.size() / 3;
+  if (x.size() % 3 != 0 || static_cast<std::int64_t>(n_points) != arrays.n_points())
+    throw InputError(
+        arrays.place("Points", ""),
+        fmt::format("has {} numbers, expected three for each of {} points", x.size(), arrays.n_points()));
+  const std::string diameter = find_array(arrays, options, {"diameter"});
+  const std::string radius = find_array(arrays, options, {"radius", "r"});
+  if (radius.empty() && diameter.empty())
+    throw InputError(path, fmt::format("has no point array radius or diameter; its point arrays are {}",
+                                       fmt::join(arrays.names("PointData"), ", ")));
+  const PointArray size(arrays, radius.empty() ? diameter : radius, n_points);
+  std::optional<PointArray> mass, id;
+  if (const auto name = find_array(arrays, options, {"mass"}); !name.empty())
+    mass.emplace(arrays, name, n_points);
+  if (const auto name = find_array(arrays, options, {"id"}); !name.empty()) id.emplace(arrays, name, n_points);
+  std::vector<ListedGrain> grains;
+  for (const std::size_t point : grain_points(arrays, n_points)) {
+    ListedGrain grain;
+    grain.place = size.place(point);
+    grain.id = id ? static_cast<std::int64_t>((*id)[point]) : static_cast<std::int64_t>(point);
+    grain.position = {x[3 * point], x[3 * point + 1], x[3 * point + 2]};
+    grain.radius = size.positive(point) * (radius.empty() ? 0.5 : 1.0);
+    if (mass) grain.mass = mass->positive(point);
+    grains.push_back(std::move(grain));
+  }
+  return grains;
+}
+
+/// Lattice vectors of the field array "cell"; none if it is not there.
+std::vector<std::vector<double>> cell_of(const VtkArrays& arrays, int dimension) {
+  if (!arrays.has("FieldData", "cell")) return {};
+  const std::vector<double> numbers = arrays.read("FieldData", "cell");
+  if (numbers.size() != 9)
+    throw InputError(arrays.place("FieldData", "cell"),
+                     fmt::format("has {} numbers, expected 9", numbers.size()));
+  std::vector<std::vector<double>> cell;
+  for (int a = 0; a < dimension; ++a) cell.emplace_back(&numbers[3 * a], &numbers[3 * a] + dimension);
+  return cell;
+}
+
+}  // namespace
+
+bool is_vtu(const std::string& path) {
+  const std::string text = read_file(path).substr(0, 1000);
+  return text.find("<VTKFile") != std::string::npos && text.find("UnstructuredGrid") != std::string::npos;
+}
+
+Imported read_vtu(const std::string& path, const ImportOptions& options) {
+  if (options.index.value_or(0) != 0)
+    throw InputError(path, fmt::format("index = {}, but it holds one packing", *options.index));
+  check_grain_columns("--columns", options.columns);
+  const VtkArrays arrays(path, read_file(path));
+  ListedPacking listed;
+  listed.place = path;
+  listed.law = required_law(path, options);
+  listed.units = options.units;
+  listed.grains = grains_of(path, arrays, options);
+  const int dimension = dimension_of(listed.grains, options);
+  listed.cell_place = options.cell.empty() ? arrays.place("FieldData", "cell") : "--cell";
+  listed.cell = options.cell.empty() ? cell_of(arrays, dimension) : options.cell;
+  listed.contacts = read_csv_contacts(options, dimension);
+  return assemble(listed);
+}
+
+namespace {
+
+template <int Dim>
+Eigen::Vector3d in_space(const Vec<Dim>& v) {
+  Eigen::Vector3d out = Eigen::Vector3d::Zero();
+  out.head<Dim>() = v;
+  return out;
+}
+
+/// Numbers of one array, as text.
+struct ArrayText {
+  std::string type;
+  std::string name;
+  int components = 1;
+  std::string numbers;
+
+  template <class T>
+  void add(T value) {
+    numbers += fmt::format("{} ", value);
+  }
+  void add(const Eigen::Vector3d& v) { numbers += fmt::format("{} {} {}\n", v[0], v[1], v[2]); }
+};
+
+void append(pugi::xml_node section, const ArrayText& array) {
+  pugi::xml_node node = section.append_child("DataArray");
+  node.append_attribute("type") = array.type.c_str();
+  node.append_attribute("Name") = array.name.c_str();
+  if (array.components > 1) node.append_attribute("NumberOfComponents") = array.components;
+  node.append_attribute("format") = "ascii";
+  node.text().set(array.numbers.c_str());
+}
+
+/// Points and cells of the drawing of a packing.
+class Drawing {
+ public:
+  template <int Dim>
+  explicit Drawing(const Packing<Dim>& packing) {
+    const Grains<Dim>& grains = packing.grains;
+    for (int i = 0; i < grains.size(); ++i) {
+      add_point(in_space<Dim>(grains.position[i]), grains.radius[i], grains.mass[i], i);
+      add_cell(kVertex, {i});
+      add_contact_data(Contact<Dim>());
+    }
+    for (const Contact<Dim>& c : packing.contacts) add_contact(packing, c);
+  }
+
+  void write(pugi::xml_node piece) const {
+    piece.append_attribute("NumberOfPoints") = n_points_;
+    piece.append_attribute("NumberOfCells") = n_cells_;
+    append(piece.append_child("Points"), points_);
+    pugi::xml_node cells = piece.append_child("Cells");
+    for (const ArrayText* array : {&connectivity_, &offsets_, &types_}) append(cells, *array);
+    pugi::xml_node point_data = piece.append_child("PointData");
+    for (const ArrayText* array : {&radius_, &mass_, &id_}) append(point_data, *array);
+    pugi::xml_node cell_data = piece.append_child("CellData");
+    for (const ArrayText* array : {&normal_force_, &shear_force_, &gap_, &kn_, &kt_, &kr_, &distant_})
+      append(cell_data, *array);
+  }
+
+ private:
+  int add_point(const Eigen::Vector3d& x, double radius, double mass, int id) {
+    points_.add(x);
+    radius_.add(radius);
+    mass_.add(mass);
+    id_.add(id);
+    return n_points_++;
+  }
+
+  void add_cell(int type, const std::vector<int>& points) {
+    for (const int point : points) connectivity_.add(point);
+    offset_ += static_cast<int>(points.size());
+    offsets_.add(offset_);
+    types_.add(type);
+    ++n_cells_;
+  }
+
+  template <int Dim>
+  void add_contact_data(const Contact<Dim>& c) {
+    normal_force_.add(c.normal_force);
+    shear_force_.add(in_space<Dim>(c.shear_force));
+    gap_.add(c.gap);
+    kn_.add(c.kn);
+    kt_.add(c.kt);
+    kr_.add(c.kr);
+    distant_.add(static_cast<int>(c.distant));
+  }
+
+  template <int Dim>
+  void add_contact(const Packing<Dim>& packing, const Contact<Dim>& c) {
+    if (c.image.isZero()) {
+      add_cell(kLine, {c.i, c.j});
+      add_contact_data(c);
+      return;
+    }
+    const Vec<Dim> half = 0.5 * branch(packing, c);
+    const auto add_half = [&](int grain, const Vec<Dim>& end) {
+      add_cell(kLine, {grain, add_point(in_space<Dim>(end), 0.0, 0.0, -1)});
+      add_contact_data(c);
+    };
+    add_half(c.i, packing.grains.position[c.i] + half);
+    add_half(c.j, packing.grains.position[c.j] - half);
+  }
+
+  int n_points_ = 0;
+  int n_cells_ = 0;
+  int offset_ = 0;
+  ArrayText points_{"Float64", "Points", 3, ""};
+  ArrayText connectivity_{"Int32", "connectivity", 1, ""};
+  ArrayText offsets_{"Int32", "offsets", 1, ""};
+  ArrayText types_{"UInt8", "types", 1, ""};
+  ArrayText radius_{"Float64", "radius", 1, ""};
+  ArrayText mass_{"Float64", "mass", 1, ""};
+  ArrayText id_{"Int32", "id", 1, ""};
+  ArrayText normal_force_{"Float64", "normal_force", 1, ""};
+  ArrayText shear_force_{"Float64", "shear_force", 3, ""};
+  ArrayText gap_{"Float64", "gap", 1, ""};
+  ArrayText kn_{"Float64", "kn", 1, ""};
+  ArrayText kt_{"Float64", "kt", 1, ""};
+  ArrayText kr_{"Float64", "kr", 1, ""};
+  ArrayText distant_{"UInt8", "distant", 1, ""};
+};
+
+template <int Dim>
+std::string text_of(const State<Dim>& state) {
+  pugi::xml_document document;
+  pugi::xml_node file = document.append_child("VTKFile");
+  file.append_attribute("type") = "UnstructuredGrid";
+  file.append_attribute("version") = "1.0";
+  file.append_attribute("byte_order") = "LittleEndian";
+  pugi::xml_node grid = file.append_child("UnstructuredGrid");
+  ArrayText cell{"Float64", "cell", 3, ""};
+  Eigen::Matrix3d lattice = Eigen::Matrix3d::Identity();
+  lattice.topLeftCorner<Dim, Dim>() = state.packing.cell.matrix;
+  for (int a = 0; a < 3; ++a) cell.add(Eigen::Vector3d(lattice.row(a)));
+  pugi::xml_node fields = grid.append_child("FieldData");
+  append(fields, cell);
+  fields.child("DataArray").append_attribute("NumberOfTuples") = 3;
+  Drawing(state.packing).write(grid.append_child("Piece"));
+  std::ostringstream text;
+  document.save(text, " ", pugi::format_default | pugi::format_save_file_text);
+  return text.str();
+}
+
+}  // namespace
+
+std::string vtu_text(const AnyState& any) {
+  return std::visit([](const auto& state) { return text_of(state); }, any);
+}
+
+}  // namespace floc

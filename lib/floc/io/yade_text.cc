@@ -1,0 +1,166 @@
+#include "floc/io/yade_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/read_file.h"
+#include "floc/io/law_text.h"
+#include "floc/io/listed_columns.h"
+
+namespace floc {
+namespace {
+
+/// A text file of YADE: columns named in a comment, and a cell if a comment gives one.
+struct YadeTable {
+  CsvTable table;
+  std::vector<std::vector<double>> cell;
+  std::string cell_place;
+};
+
+/// Words of a comment line; those of "#format x_y_z_r" are the columns alone.
+std::vector<std::string> comment_words(std::string line) {
+  line.erase(0, line.find_first_not_of("# \t"));
+  if (line.starts_with("format ")) {
+    line.erase(0, 7);
+    std::replace(line.begin(), line.end(), '_', ' ');
+  }
+  return words_of(line);
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::vector<std::vector<double>> parse_cell(const std::string& place, const std::vector<std::string>& words) {
+  if (words.size() != 10)
+    throw InputError(place,
+                     fmt::format("the cell has {} numbers, expected three vectors of three", words.size() - 1));
+  std::vector<std::vector<double>> cell(3);
+  for (std::size_t k = 0; k < 9; ++k) {
+    const auto value = parse_number<double>(words[k + 1]);
+    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", words[k + 1]));
+    cell[k / 3].push_back(*value);
+  }
+  return cell;
+}
+
+/// @param mark     a column that a comment naming the columns has
+/// @param columns  what they are when no comment names them; empty if one has to
+YadeTable read_table(const std::string& path, const std::string& mark, std::vector<std::string> columns) {
+  YadeTable result;
+  std::istringstream in(read_file(path));
+  bool begun = false;
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    const std::string text(trimmed(line));
+    if (text.empty()) continue;
+    if (text.starts_with('#')) {
+      const std::vector<std::string> words = comment_words(text);
+      if (!words.empty() && words[0] == "cell") {
+        result.cell_place = fmt::format("{}:{}", path, number);
+        result.cell = parse_cell(result.cell_place, words);
+      } else if (!begun && contains(words, mark)) {
+        columns = words;
+      }
+      continue;
+    }
+    if (columns.empty())
+      throw InputError(fmt::format("{}:{}", path, number),
+                       fmt::format("no comment line before it names the columns, \"# ... {} ...\"", mark));
+    if (!begun) result.table = CsvTable(path, columns);
+    begun = true;
+    result.table.add_row(number, words_of(text));
+  }
+  if (!begun) result.table = CsvTable(path, columns);
+  return result;
+}
+
+/// Forces in YADE are those on the second body.
+std::vector<ListedContact> read_interactions(const CsvTable& table, int dimension) {
+  std::map<std::string, std::string> names;
+  if (table.has("ks")) names["kt"] = "ks";
+  const char axes[] = {'x', 'y', 'z'};
+  for (int a = 0; a < dimension; ++a) {
+    const std::string index = std::to_string(a + 1);
+    if (table.has("cellx")) names["image" + index] = std::string("cell") + axes[a];
+    names["force" + index] = std::string("fn") + axes[a];
+    names["shear_force" + index] = std::string("fs") + axes[a];
+  }
+  std::vector<ListedContact> contacts = read_contacts(NamedColumns(table, names), dimension);
+  for (ListedContact& c : contacts) *c.force *= -1.0;
+  return contacts;
+}
+
+/// The one law that the interactions share, as far as it is one.
+LawParameters law_of(const CsvTable& table, const std::string& path) {
+  if (!table.has("kn") || !table.has("ks") || !table.has("tan_phi") || table.n_rows() == 0)
+    throw InputError(path, "its interactions do not say kn, ks and tan_phi: give --law");
+  const auto mean = [&](const std::string& name) {
+    double sum = 0.0;
+    for (int row = 0; row < table.n_rows(); ++row) sum += table.number(row, table.column(name));
+    return sum / table.n_rows();
+  };
+  const int friction = table.column("tan_phi");
+  for (int row = 1; row < table.n_rows(); ++row)
+    if (table.number(row, friction) != table.number(0, friction))
+      throw InputError(table.place(row),
+                       fmt::format("tan_phi = {}, but {} above: one law has one coefficient, give --law",
+                                   table.text(row, friction), table.text(0, friction)));
+  LawParameters law;
+  law.normal_stiffness = mean("kn");
+  law.friction = {table.number(0, friction), mean("ks")};
+  if (const std::vector<std::string> faults = law.validate(); !faults.empty())
+    throw InputError(path, faults.front());
+  return law;
+}
+
+}  // namespace
+
+bool is_yade_text(const std::string& path) {
+  if (!begins_with(path, "#")) return false;
+  std::istringstream in(read_file(path));
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> words = comment_words(std::string(trimmed(line)));
+  if (words.empty()) return false;
+  return (words[0] == "cell" && words.size() == 10) ||
+         (contains(words, "x") && contains(words, "y") && contains(words, "z") && contains(words, "r"));
+}
+
+Imported read_yade_text(const std::string& path, const ImportOptions& options) {
+  if (options.index.value_or(0) != 0)
+    throw InputError(path, fmt::format("index = {}, but it holds one packing", *options.index));
+  check_grain_columns("--columns", options.columns);
+  if (!options.contact_columns.empty())
+    throw InputError("--contact-columns", "the interactions of YADE name their columns themselves");
+  const YadeTable spheres = read_table(path, "x", {"x", "y", "z", "r"});
+  ListedPacking listed;
+  listed.place = path;
+  listed.units = options.units;
+  listed.grains = read_grains(NamedColumns(spheres.table, options.columns));
+  listed.cell_place = options.cell.empty() ? spheres.cell_place : "--cell";
+  listed.cell = options.cell.empty() ? spheres.cell : options.cell;
+  const int dimension = dimension_of(listed.grains, options);
+  if (options.cell.empty() && dimension == 2 && listed.cell.size() == 3)
+    listed.cell = {{listed.cell[0][0], listed.cell[0][1]}, {listed.cell[1][0], listed.cell[1][1]}};
+  std::vector<std::string> remarks;
+  if (options.contacts.empty()) {
+    listed.law = required_law(path, options);
+  } else {
+    const CsvTable table = read_table(options.contacts, "id1", {}).table;
+    listed.law = options.law ? *options.law : law_of(table, options.contacts);
+    if (!options.law)
+      remarks.push_back("law with the mean stiffnesses of its contacts: " + law_text(listed.law));
+    listed.contacts = read_interactions(table, dimension);
+  }
+  Imported imported = assemble(listed);
+  imported.remarks = std::move(remarks);
+  return imported;
+}
+
+}  // namespace floc

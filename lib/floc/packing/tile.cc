@@ -1,0 +1,97 @@
+#include "floc/packing/tile.h"
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+
+namespace floc {
+namespace {
+
+/// Rounds towards minus infinity.
+int floor_divide(int n, int d) {
+  return n >= 0 ? n / d : -((d - 1 - n) / d);
+}
+
+template <int Dim>
+Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
+  Vec<Dim, int> place;
+  for (int a = 0; a < Dim; ++a) {
+    place[a] = tile % copies[a];
+    tile /= copies[a];
+  }
+  return place;
+}
+
+/// The same contact seen from the other grain. A 2D tangential spring, a number along a tangent that turns round with
+/// the normal, stays as it is.
+template <int Dim>
+void swap_sides(Contact<Dim>& c) {
+  std::swap(c.i, c.j);
+  c.image = -c.image;
+  c.normal = -c.normal;
+  c.shear_force = -c.shear_force;
+  c.rolling_moment = -c.rolling_moment;
+  if constexpr (Dim == 3) c.shear_spring = -c.shear_spring;
+  c.rolling_spring = -c.rolling_spring;
+}
+
+/// The contact of copy `tile`: where its second grain lies in another copy, and which image of that.
+template <int Dim>
+Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>& copies) {
+  Vec<Dim, int> to = place_of<Dim>(tile, copies) + c.image;
+  int other = 0;
+  for (int a = Dim - 1; a >= 0; --a) {
+    c.image[a] = floor_divide(to[a], copies[a]);
+    other = other * copies[a] + to[a] - c.image[a] * copies[a];
+  }
+  c.i += tile * n_grains;
+  c.j += other * n_grains;
+  if (c.j < c.i) swap_sides(c);
+  return c;
+}
+
+template <int Dim>
+bool precedes(const Contact<Dim>& p, const Contact<Dim>& q) {
+  if (std::tie(p.i, p.j) != std::tie(q.i, q.j)) return std::tie(p.i, p.j) < std::tie(q.i, q.j);
+  for (int a = 0; a < Dim; ++a)
+    if (p.image[a] != q.image[a]) return p.image[a] < q.image[a];
+  return p.key < q.key;
+}
+
+template <class T>
+void repeat(std::vector<T>& values, int times) {
+  const std::vector<T> once = values;
+  for (int t = 1; t < times; ++t) values.insert(values.end(), once.begin(), once.end());
+}
+
+}  // namespace
+
+template <int Dim>
+Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
+  assert(copies.minCoeff() >= 1);
+  const int n_tiles = copies.prod();
+  const int n = packing.grains.size();
+  Packing<Dim> out = packing;
+  const Vec<Dim> factor = copies.template cast<double>();
+  out.cell.matrix = factor.asDiagonal() * packing.cell.matrix;
+  out.cell.velocity = factor.asDiagonal() * packing.cell.velocity;
+  repeat(out.grains.position, n_tiles);
+  repeat(out.grains.velocity, n_tiles);
+  repeat(out.grains.radius, n_tiles);
+  repeat(out.grains.mass, n_tiles);
+  repeat(out.grains.orientation, n_tiles);
+  repeat(out.grains.angular_velocity, n_tiles);
+  out.contacts.clear();
+  for (int t = 0; t < n_tiles; ++t) {
+    const Vec<Dim> shift = packing.cell.shift(place_of<Dim>(t, copies));
+    for (int i = 0; i < n; ++i) out.grains.position[t * n + i] += shift;
+    for (const Contact<Dim>& c : packing.contacts) out.contacts.push_back(placed(c, t, n, copies));
+  }
+  std::sort(out.contacts.begin(), out.contacts.end(), precedes<Dim>);
+  return out;
+}
+
+template Packing<2> tiled(const Packing<2>&, const Vec<2, int>&);
+template Packing<3> tiled(const Packing<3>&, const Vec<3, int>&);
+
+}  // namespace floc

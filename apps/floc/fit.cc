@@ -10,7 +10,8 @@ Command add_fit(CLI::App& program) {
   CLI::App* app = program.add_subcommand("fit", "fit a law to a table");
   app->require_subcommand(1);
   using AddFit = Command (*)(CLI::App&);
-  constexpr std::array<AddFit, 1> kFits = {add_fit_consolidation};
+  constexpr std::array<AddFit, 5> kFits = {add_fit_consolidation, add_fit_preconsolidation, add_fit_elastic,
+                                           add_fit_dynamic_compaction, add_fit_force_distribution};
   auto fits = std::make_shared<std::vector<Command>>();
   for (const AddFit add : kFits) fits->push_back(add(*app));
   return {app, [fits] {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <memory>
 
 #include "fit_commands.h"
@@ -77,20 +76,6 @@ Sample read_sample(const std::string& file, const Arguments& arguments) {
       words.push_back(fmt::format("{} row(s) {} ({})", rows.size(), s.words, ranges(rows)));
   if (!words.empty()) spdlog::info("{}: left out {}", sample.name, fmt::join(words, ", "));
   return sample;
-}
-
-/// Reads all samples; what cannot be read is reported by name and the rest is still done.
-std::vector<Sample> read_samples(const Arguments& arguments, int& code) {
-  std::vector<Sample> samples;
-  for (const std::string& input : arguments.inputs) {
-    try {
-      for (const std::string& table : tables_of(input)) samples.push_back(read_sample(table, arguments));
-    } catch (const InputError& error) {
-      std::cerr << "floc: " << error.what() << '\n';
-      code = worse(code, kBadInput);
-    }
-  }
-  return samples;
 }
 
 ConsolidationOptions options_of(const Arguments& arguments) {
@@ -295,8 +280,12 @@ std::vector<Sample> with_pooled(std::vector<Sample> samples, bool only_pooled) {
 
 int fit_tables(const Arguments& arguments) {
   const ConsolidationOptions options = options_of(arguments);
-  int code = kDone;
-  const std::vector<Sample> samples = with_pooled(read_samples(arguments, code), options.hold_P0);
+  std::vector<Sample> read;
+  int code = for_each_table(arguments.inputs, [&](const std::string& file) {
+    read.push_back(read_sample(file, arguments));
+    return static_cast<int>(kDone);
+  });
+  const std::vector<Sample> samples = with_pooled(std::move(read), options.hold_P0);
   Json array = Json::array();
   Table table{{"sample", "law", "parameter", "value", "stderr", "low95", "high95", "identified", "unit",
                "P_star_low", "P_star_high", "n_points", "rms"},

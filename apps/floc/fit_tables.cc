@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <optional>
 #include <utility>
 
+#include "command.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "output.h"
 
 namespace floc {
 namespace {
@@ -94,10 +97,14 @@ std::vector<std::string> tables_of(const std::string& input) {
   return tables;
 }
 
-PathTable read_path(const std::string& file, const ColumnNames& columns) {
+PathTable read_path(const std::string& file, const ColumnNames& columns,
+                    const std::vector<std::string>& pressures) {
   PathTable path{file == "-" ? "stdin" : file, {}, "", CsvTable::read(file)};
   const CsvTable& table = path.table;
-  const UnitColumn pressure = find_column(table, columns, "P_star");
+  const auto has = [&](const std::string& name) { return has_column(table, columns, name); };
+  const auto found = std::find_if(pressures.begin(), pressures.end(), has);
+  const std::string& name = found == pressures.end() ? pressures.back() : *found;
+  const UnitColumn pressure = find_column(table, columns, name);
   const bool by_void_ratio = !columns.contains("phi") && !has_column(table, columns, "phi") &&
                              has_column(table, columns, "void_ratio");
   const UnitColumn density = find_column(table, columns, by_void_ratio ? "void_ratio" : "phi");
@@ -106,15 +113,29 @@ PathTable read_path(const std::string& file, const ColumnNames& columns) {
   path.unit = pressure.unit;
   for (int i = 0; i < table.n_rows(); ++i) {
     const double P = table.number(i, pressure.index);
-    if (P < 0) throw InputError(table.place(i), fmt::format("P_star = {}: expected a pressure >= 0", P));
+    if (P < 0) throw InputError(table.place(i), fmt::format("{} = {}: expected a pressure >= 0", name, P));
     path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P,
                          solid_fraction_of(table, i, density.index, by_void_ratio)});
   }
   if (const auto fault = path_fault(path.rows))
     throw InputError(table.place(fault->row),
-                     fmt::format("P_star = {}: expected {}",
+                     fmt::format("{} = {}: expected {}", name,
                                  path.rows[static_cast<std::size_t>(fault->row)].P_star, fault->expected));
   return path;
+}
+
+int for_each_table(const std::vector<std::string>& inputs,
+                   const std::function<int(const std::string& file)>& work) {
+  int code = kDone;
+  for (const std::string& input : inputs) {
+    try {
+      for (const std::string& table : tables_of(input)) code = worse(code, work(table));
+    } catch (const InputError& error) {
+      std::cerr << "floc: " << error.what() << '\n';
+      code = worse(code, kBadInput);
+    }
+  }
+  return code;
 }
 
 std::string ranges(const std::vector<int>& rows) {

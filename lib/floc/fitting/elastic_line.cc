@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "floc/fitting/line_fit.h"
 #include "floc/fitting/student_t.h"
@@ -14,28 +13,21 @@
 namespace floc {
 namespace {
 
-/// Tangent moduli at both ends of the branch from a parabola, and a warning if it does better than the line.
-void look_for_curvature(const Eigen::VectorXd& P, const Eigen::VectorXd& y, ElasticFit& fit) {
-  fit.tangent_low = fit.tangent_high = std::numeric_limits<double>::quiet_NaN();
-  if (P.size() < 4) return;
-  const double middle = P.mean();
-  const double range = P.maxCoeff() - P.minCoeff();
-  const Eigen::ArrayXd x = (P.array() - middle) / range;
+/// Modulus between neighbouring pressures i and i + 1.
+double secant(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eigen::Index i) {
+  return (P[i + 1] - P[i]) / (y[i + 1] - y[i]);
+}
+
+/// True if a parabola does better than the line, beyond its error and beyond rounding.
+bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
+  if (P.size() < 4) return false;
+  const Eigen::ArrayXd x = (P.array() - P.mean()) / (P.maxCoeff() - P.minCoeff());
   Eigen::MatrixXd columns(P.size(), 3);
   columns << Eigen::VectorXd::Ones(P.size()), x.matrix(), x.square().matrix();
   const LinearFit parabola = fit_linear(columns, y);
-  const auto tangent = [&](double at) {
-    return range / (parabola.coefficients[1] + 2 * parabola.coefficients[2] * (at - middle) / range);
-  };
-  fit.tangent_low = tangent(P.minCoeff());
-  fit.tangent_high = tangent(P.maxCoeff());
   const double error = std::sqrt(parabola.covariance(2, 2));
-  const double rounding = 1e-12 * std::abs(parabola.coefficients[1]);
-  if (std::abs(parabola.coefficients[2]) > std::max(student_t_95(parabola.dof) * error, rounding))
-    fit.warnings.push_back(
-        fmt::format("the branch is curved: the tangent modulus goes from {:.4g} at its lowest pressure to "
-                    "{:.4g} at its highest",
-                    fit.tangent_low, fit.tangent_high));
+  constexpr double kRounding = 1e-12;
+  return std::abs(parabola.coefficients[2]) > std::max(student_t_95(parabola.dof) * error, kRounding);
 }
 
 }  // namespace
@@ -63,7 +55,14 @@ ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& 
       from_inverse("B", line.coefficients[1], std::sqrt(line.covariance(1, 1)), t95),
       from_logarithm("phi_unloaded", line.coefficients[0], std::sqrt(line.covariance(0, 0)), t95)};
   fit.rms = std::sqrt(line.sum_of_squares / static_cast<double>(n));
-  look_for_curvature(x, y, fit);
+  const bool falls = x[0] > x[n - 1];
+  fit.secant_low = secant(x, y, falls ? n - 2 : 0);
+  fit.secant_high = secant(x, y, falls ? 0 : n - 2);
+  if (is_curved(x, y))
+    fit.warnings.push_back(
+        fmt::format("the branch is curved: the modulus is {:.4g} between its two lowest pressures and "
+                    "{:.4g} between its two highest",
+                    fit.secant_low, fit.secant_high));
   return fit;
 }
 

@@ -11,9 +11,10 @@ namespace floc {
 struct ElasticFit {
   std::string refusal;                      ///< empty when there is a fit
   std::vector<FittedParameter> parameters;  ///< B (unit of the pressures), phi_unloaded (at P = 0)
-  double tangent_low = 0.0;   ///< B at the lowest pressure, from a parabola; NaN with fewer than four points
-  double tangent_high = 0.0;  ///< B at the highest
-  double rms = 0.0;           ///< root mean square residual of ln Phi
+  double secant_low =
+      0.0;  ///< B between the two lowest pressures; infinite or negative if Phi does not grow there
+  double secant_high = 0.0;  ///< B between the two highest
+  double rms = 0.0;          ///< root mean square residual of ln Phi
   std::vector<std::string> warnings;
 
   bool found() const { return refusal.empty(); }
@@ -21,7 +22,7 @@ struct ElasticFit {
 
 /// Bulk modulus from dPhi/Phi = dP/B (PHYSICS section 2): the straight line ln Phi = ln Phi_0 + P/B by least squares. Says so
 /// if the branch is curved. Refused with fewer than three points, or if Phi does not fall as P does.
-/// @param P    pressures, >= 0, all different   @param phi  solid fractions, > 0; as many
+/// @param P    pressures, >= 0, growing or falling   @param phi  solid fractions, > 0; as many
 [[nodiscard]] ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& phi);
 
 }  // namespace floc

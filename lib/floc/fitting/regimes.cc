@@ -162,7 +162,11 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
                        std::none_of(line_ends.begin(), line_ends.end(), explains_more);
   if (regimes.all_in_one) return regimes;
 
-  if (ends.empty()) ends = line_ends;
+  const auto least = [](const std::vector<Place>& places) {
+    return places.empty() ? kInfinity
+                          : std::min_element(places.begin(), places.end(), less_information)->information;
+  };
+  if (least(line_ends) < least(ends)) ends = line_ends;
   if (ends.empty()) return std::nullopt;
   const ChangePoint end = change_among(ends, 0);
   regimes.n_plateau = end.first;

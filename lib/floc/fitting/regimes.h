@@ -30,8 +30,8 @@ struct Regimes {
   int end_of_two = 0;                      ///< index after the last point of regime II
 };
 
-/// Change-point search by least squares. The end of the plateau is that split into a constant and the full law (the line,
-/// where the full law cannot be told) which leaves least by the Bayesian information criterion; the onset of III is that
+/// Change-point search by least squares. The end of the plateau is that split into a constant and the full law (or the
+/// line, where that tells more) which leaves least by the Bayesian information criterion; the onset of III is that
 /// split of the rest into a line and a power law. Places are weighted by exp(-criterion/2).
 /// Absent if no split leaves three points to regime II.
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);

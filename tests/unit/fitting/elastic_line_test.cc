@@ -52,9 +52,8 @@ TEST(Elastic, IntervalsCoverTheTruthAndCurvatureIsSaid) {
   const auto fit = fit_elastic(P, phi);
   ASSERT_EQ(fit.warnings.size(), 1u);
   EXPECT_THAT(fit.warnings[0], HasSubstr("curved"));
-  // d ln Phi/dP = 1/(200 sqrt(P)); the parabola misses it at the ends by its third derivative, a per cent.
-  EXPECT_NEAR(fit.tangent_low, 200 * std::sqrt(10.0), 0.03 * 632);
-  EXPECT_NEAR(fit.tangent_high, 200 * std::sqrt(15.0), 0.03 * 775);
+  EXPECT_NEAR(fit.secant_low, 100 / (std::sqrt(11.0) - std::sqrt(10.0)), 1e-9);
+  EXPECT_NEAR(fit.secant_high, 100 / (std::sqrt(15.0) - std::sqrt(14.0)), 1e-9);
 }
 
 TEST(Elastic, NoBranchIsRefusedInWords) {

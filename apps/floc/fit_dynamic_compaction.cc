@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+
+#include "fit_commands.h"
+#include "fit_parameters.h"
+#include "fit_tables.h"
+#include "floc/base/error.h"
+#include "floc/fitting/dynamic_compaction.h"
+#include "output.h"
+
+namespace floc {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> inputs;
+  CompactionReference reference;
+  std::string columns;
+  std::string format;
+};
+
+std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNames& columns) {
+  const auto column = [&](const char* name) { return find_column(table, columns, name).index; };
+  const int e = column("e"), p = column("p"), sc = column("sc"), se = column("se");
+  std::vector<CompactedSample> samples;
+  for (int i = 0; i < table.n_rows(); ++i) {
+    const auto positive = [&](int at, const char* name) {
+      const double value = table.number(i, at);
+      if (value > 0) return value;
+      throw InputError(table.place(i), fmt::format("{} = {}: expected a positive number", name, value));
+    };
+    samples.push_back({positive(e, "e"), positive(p, "p"), positive(sc, "sc"), positive(se, "se")});
+  }
+  return samples;
+}
+
+Json as_json(const std::string& name, const CompactionFit& fit, const CompactionReference& reference) {
+  Json object;
+  object["sample"] = name;
+  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
+  object["rows_used"] = fit.used;
+  object["n_points"] = fit.used.size();
+  object["held"] = {{"p_D", reference.p_D}, {"eta_m", reference.eta_m}};
+  object["parameters"] = parameters_as_json(fit.parameters);
+  object["correlation"] = Json::object();
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i)
+    for (std::size_t j = 0; j < fit.parameters.size(); ++j)
+      object["correlation"][fit.parameters[i].name][fit.parameters[j].name] =
+          number_or_null(fit.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+  object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
+  object["warnings"] = fit.warnings;
+  return object;
+}
+
+int fit_tables(const Arguments& arguments) {
+  const ColumnNames columns = parse_column_names(arguments.columns, {"e", "p", "sc", "se"});
+  Json array = Json::array();
+  Table table{{"sample", "parameter", "value", "stderr", "low95", "high95", "identified", "n_points", "rms"},
+              {}};
+  const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
+    const std::string name = file == "-" ? "stdin" : file;
+    const CompactionFit fit =
+        fit_dynamic_compaction(read_samples(CsvTable::read(file), columns), arguments.reference);
+    array.push_back(as_json(name, fit, arguments.reference));
+    for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);
+    if (!fit.found()) {
+      spdlog::warn("{}: no fit: {}", name, fit.refusal);
+      return static_cast<int>(kNotConverged);
+    }
+    for (const FittedParameter& p : fit.parameters) {
+      std::vector<TableValue> row = {name, p.name};
+      for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
+      row.push_back(static_cast<std::int64_t>(fit.used.size()));
+      row.push_back(fit.rms);
+      table.rows.push_back(std::move(row));
+    }
+    return static_cast<int>(kDone);
+  });
+  print_fit(array, table, table.columns.size(), arguments.format);
+  return code;
+}
+
+}  // namespace
+
+Command add_fit_dynamic_compaction(CLI::App& fit) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* app = fit.add_subcommand(
+      "dynamic-compaction", "void ratio of dynamically compacted samples against pressure and cohesion");
+  app->add_option("TABLE", arguments->inputs,
+                  "tables with columns e (void ratio), p, sc = f_c/d^2, se = k_n/d in one unit; - is stdin")
+      ->required();
+  CompactionReference& reference = arguments->reference;
+  app->add_option("--p-D", reference.p_D,
+                  "pressure at which the plateau is e_min + De, in the unit of p [0.01]")
+      ->check(CLI::PositiveNumber);
+  app->add_option("--eta-m", reference.eta_m, "eta* at which (1 - e_r)/e_r = s_m [0.045]")
+      ->check(CLI::PositiveNumber);
+  app->add_option("--p-0", reference.p_0, "smallest p_crit = sc^2/se fitted [that of --p-D]")
+      ->check(CLI::PositiveNumber);
+  add_columns_option(*app, arguments->columns, "e, p, sc, se");
+  add_format_option(*app, arguments->format);
+  return {app, [arguments] { return fit_tables(*arguments); }};
+}
+
+}  // namespace floc

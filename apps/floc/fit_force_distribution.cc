@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+
+#include "fit_commands.h"
+#include "fit_parameters.h"
+#include "fit_tables.h"
+#include "floc/base/error.h"
+#include "floc/fitting/force_distribution.h"
+#include "floc/io/state_file.h"
+#include "output.h"
+
+namespace floc {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> inputs;
+  std::string form = "all";
+  double threshold = 0.0;
+  bool has_threshold = false;
+  ForceFitOptions options;
+  std::string columns;
+  std::string format;
+};
+
+/// Normal forces of a table, or of the contacts of a state.
+std::vector<double> read_forces(const std::string& file, const ColumnNames& columns) {
+  std::vector<double> forces;
+  if (file.ends_with(".h5")) {
+    std::visit(
+        [&forces](const auto& state) {
+          for (const auto& contact : state.packing.contacts) forces.push_back(contact.normal_force);
+        },
+        read_state(file));
+    return forces;
+  }
+  const CsvTable table = CsvTable::read(file);
+  const int column = find_column(table, columns, "normal_force").index;
+  for (int i = 0; i < table.n_rows(); ++i) forces.push_back(table.number(i, column));
+  return forces;
+}
+
+/// Sizes of the forces of one sign.
+std::vector<double> sizes_of(const std::vector<double>& forces, double sign) {
+  std::vector<double> sizes;
+  for (const double f : forces)
+    if (sign * f > 0) sizes.push_back(sign * f);
+  return sizes;
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+/// Tails of both signs if there are tensions, the forms of compressive networks if there are none; or the form asked for.
+std::vector<ForceFit> fit_forms(const std::vector<double>& forces, const Arguments& arguments) {
+  const std::vector<double> positive = sizes_of(forces, 1.0), negative = sizes_of(forces, -1.0);
+  const auto wanted = [&](const char* form) { return arguments.form == "all" || arguments.form == form; };
+  std::vector<ForceFit> fits;
+  const auto add_tail = [&](const char* form, const std::vector<double>& sizes) {
+    const double threshold = arguments.has_threshold ? arguments.threshold : mean_of(sizes);
+    fits.push_back(fit_exponential_tail(form, sizes, threshold, arguments.options));
+  };
+  if (wanted("tails") && !positive.empty()) add_tail("tail_positive", positive);
+  if (wanted("tails") && !negative.empty()) add_tail("tail_negative", negative);
+  if (wanted("power-exponential"))
+    fits.push_back(fit_compressive_forces(power_exponential(), positive, arguments.options));
+  if (wanted("quadratic-exponential"))
+    fits.push_back(fit_compressive_forces(quadratic_exponential(), positive, arguments.options));
+  return fits;
+}
+
+Json as_json(const std::string& name, const std::vector<double>& forces, const ForceFit& fit) {
+  const bool is_tail = fit.form.starts_with("tail");
+  Json object;
+  object["sample"] = name;
+  object["form"] = fit.form;
+  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
+  object["n_positive"] = sizes_of(forces, 1.0).size();
+  object["n_negative"] = sizes_of(forces, -1.0).size();
+  object["n_points"] = fit.n;
+  object[is_tail ? "threshold" : "mean"] = fit.mean;
+  object["parameters"] = parameters_as_json(fit.parameters);
+  object["log_likelihood"] = fit.found() ? Json(fit.log_likelihood) : Json(nullptr);
+  object["ks"] = fit.found() ? Json(fit.distance) : Json(nullptr);
+  object["p_value"] = fit.found() ? Json(fit.p_value) : Json(nullptr);
+  return object;
+}
+
+int fit_inputs(const Arguments& arguments) {
+  const ColumnNames columns = parse_column_names(arguments.columns, {"normal_force"});
+  Json array = Json::array();
+  Table table{{"sample", "form", "parameter", "value", "stderr", "low95", "high95", "identified", "n_points",
+               "unit_force", "log_likelihood", "ks", "p_value"},
+              {}};
+  const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
+    const std::string name = file == "-" ? "stdin" : file;
+    const std::vector<double> forces = read_forces(file, columns);
+    const std::vector<ForceFit> fits = fit_forms(forces, arguments);
+    int worst = kDone;
+    for (const ForceFit& fit : fits) {
+      array.push_back(as_json(name, forces, fit));
+      if (!fit.found()) {
+        spdlog::warn("{}: {}: no fit: {}", name, fit.form, fit.refusal);
+        worst = worse(worst, kNotConverged);
+        continue;
+      }
+      if (fit.p_value < 0.05)
+        spdlog::warn("{}: {}: warning: these forces do not follow this form (p = {:.3g})", name, fit.form,
+                     fit.p_value);
+      for (const FittedParameter& p : fit.parameters) {
+        std::vector<TableValue> row = {name, fit.form, p.name};
+        for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
+        for (const TableValue& cell : std::vector<TableValue>{std::int64_t{fit.n}, fit.mean, fit.log_likelihood,
+                                                              fit.distance, fit.p_value})
+          row.push_back(cell);
+        table.rows.push_back(std::move(row));
+      }
+    }
+    return worst;
+  });
+  print_fit(array, table, table.columns.size(), arguments.format);
+  return code;
+}
+
+}  // namespace
+
+Command add_fit_force_distribution(CLI::App& fit) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* app = fit.add_subcommand(
+      "force-distribution", "distributions of normal forces, by maximum likelihood, with goodness of fit");
+  app->add_option("INPUT", arguments->inputs,
+                  "tables with a column normal_force, or state files (.h5); - is stdin")
+      ->required();
+  app->add_option(
+         "--form", arguments->form,
+         "tails (exponential, of both signs), power-exponential, quadratic-exponential (of the compressive "
+         "forces) or all [all]")
+      ->check(CLI::IsMember({"all", "tails", "power-exponential", "quadratic-exponential"}));
+  CLI::Option* threshold = app->add_option("--threshold", arguments->threshold,
+                                           "size of a force where tails begin [the mean of its sign]")
+                               ->check(CLI::NonNegativeNumber);
+  app->add_option("--draws", arguments->options.n_draws, "samples drawn from the fit for its p-value [200]")
+      ->check(CLI::Range(1, 100000));
+  app->add_option("--seed", arguments->options.seed, "of these draws [1]");
+  add_columns_option(*app, arguments->columns, "normal_force");
+  add_format_option(*app, arguments->format);
+  return {app, [arguments, threshold] {
+            arguments->has_threshold = threshold->count() > 0;
+            return fit_inputs(*arguments);
+          }};
+}
+
+}  // namespace floc

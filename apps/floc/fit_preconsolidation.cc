@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+
+#include "fit_commands.h"
+#include "fit_parameters.h"
+#include "fit_tables.h"
+#include "floc/base/error.h"
+#include "floc/fitting/preconsolidation.h"
+#include "output.h"
+
+namespace floc {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> inputs;
+  std::string columns;
+  std::string format;
+};
+
+Json as_json(const PathTable& path, const Reloading& branch, const PreconsolidationFit& fit) {
+  Json object;
+  object["sample"] = path.name;
+  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
+  object["rows_used"] = branch.loading.rows;
+  object["largest_before"] = branch.largest_before;
+  object["pressure_unit"] = path.unit.empty() ? Json(nullptr) : Json(path.unit);
+  object["n_points"] = branch.loading.rows.size();
+  object["parameters"] = parameters_as_json(fit.parameters);
+  object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
+  object["warnings"] = fit.warnings;
+  return object;
+}
+
+void add_table_rows(const PathTable& path, const Reloading& branch, const PreconsolidationFit& fit,
+                    Table& table) {
+  for (const FittedParameter& p : fit.parameters) {
+    std::vector<TableValue> row = {path.name, p.name};
+    for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
+    row.push_back(p.name != "P_c" || path.unit.empty() ? TableValue() : TableValue(path.unit));
+    for (const TableValue& cell : std::vector<TableValue>{
+             branch.largest_before, static_cast<std::int64_t>(branch.loading.rows.size()), fit.rms})
+      row.push_back(cell);
+    table.rows.push_back(std::move(row));
+  }
+}
+
+int fit_tables(const Arguments& arguments) {
+  const ColumnNames columns = parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"});
+  Json array = Json::array();
+  Table table{{"sample", "parameter", "value", "stderr", "low95", "high95", "identified", "unit",
+               "largest_before", "n_points", "rms"},
+              {}};
+  const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
+    const PathTable path = read_path(file, columns);
+    const std::vector<Reloading> branches = reloadings(path.rows);
+    if (branches.empty()) {
+      spdlog::warn("{}: no fit: the pressure does not grow again after a fall, there is no reloading branch",
+                   path.name);
+      return static_cast<int>(kNotConverged);
+    }
+    int worst = kDone;
+    for (const Reloading& branch : branches) {
+      const PreconsolidationFit fit =
+          fit_preconsolidation(branch.loading.curve.P_star, branch.loading.curve.phi);
+      const std::string rows = ranges(branch.loading.rows);
+      if (!fit.found()) {
+        spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, fit.refusal);
+        worst = worse(worst, kNotConverged);
+      } else {
+        spdlog::info("{}: rows {}: reloading after P = {:.6g}", path.name, rows, branch.largest_before);
+      }
+      for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", path.name, warning);
+      array.push_back(as_json(path, branch, fit));
+      add_table_rows(path, branch, fit, table);
+    }
+    return worst;
+  });
+  print_fit(array, table, table.columns.size(), arguments.format);
+  return code;
+}
+
+}  // namespace
+
+Command add_fit_preconsolidation(CLI::App& fit) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* app = fit.add_subcommand(
+      "preconsolidation", "preconsolidation pressure of overconsolidated samples, from reloading branches");
+  app->add_option(
+         "TABLE", arguments->inputs,
+         "tables with columns P_star, phi (or void_ratio) and perhaps branch; directories of `floc run`; "
+         "- is stdin")
+      ->required();
+  add_columns_option(*app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_format_option(*app, arguments->format);
+  return {app, [arguments] { return fit_tables(*arguments); }};
+}
+
+}  // namespace floc

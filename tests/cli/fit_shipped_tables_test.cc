@@ -1,0 +1,151 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kOedometer = std::string(FLOC_SOURCE_DIR) + "/data/tables/oedometer/oedometer.csv";
+const std::string kColumns = " --columns P_star=Effective_Vertical_Stress,void_ratio=Void_Ratio --format json";
+const std::string kDemo = std::string(FLOC_SOURCE_DIR) + "/data/tables/demo";
+
+TEST(Oedometer, VirginSlopeIsThatOfItsLastTwoSteps) {
+  const Outcome o =
+      run_floc("fit consolidation " + kOedometer + " --loading virgin --law log --window 1500,6400" + kColumns);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fit = json::parse(o.out).at(0);
+  // The point at 1585 kPa is that of the first loading: the one of the reloading is none of the virgin line.
+  EXPECT_EQ(fit["rows_used"], json({9, 20, 21}));
+  EXPECT_NEAR(fit["parameters"]["lambda"]["value"], 0.095, 0.005);
+}
+
+TEST(Oedometer, LoopsAreRecognised) {
+  const Outcome o = run_floc("fit consolidation " + kOedometer + " --law log" + kColumns);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json out = json::parse(o.out).at(0)["rows_left_out"];
+  EXPECT_EQ(out["zero_pressure"], json({0}));
+  EXPECT_EQ(out["unloading"], json({10, 11, 12, 13, 14, 22, 23, 24, 25, 26}));
+  EXPECT_EQ(out["reloading"], json({15, 16, 17, 18, 19}));
+  EXPECT_EQ(out["later_virgin"], json({20, 21}));
+}
+
+TEST(Oedometer, ReloadingTellsThePressureItHadSeen) {
+  const Outcome o = run_floc("fit preconsolidation " + kOedometer + kColumns);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fit = json::parse(o.out).at(0);
+  EXPECT_EQ(fit["largest_before"], 1585.43);
+  const json P_c = fit["parameters"]["P_c"];
+  EXPECT_LT(P_c["low95"], 1585.43);
+  EXPECT_GT(P_c["high95"], 1585.43);
+  // Pressures are a factor of two apart.
+  EXPECT_LT(P_c["high95"].get<double>() / P_c["low95"].get<double>(), 2.1);
+}
+
+TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
+  const Outcome o = run_floc("fit consolidation " + kDemo + " --bootstrap 50 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fits = json::parse(o.out);
+  ASSERT_EQ(fits.size(), 9u);
+  const json pooled = fits.back();
+  EXPECT_EQ(pooled["sample"], "pooled");
+  EXPECT_EQ(pooled["errors_from"], "samples");
+  EXPECT_EQ(pooled["weights"], "scatter");
+  // Published for the same model with 1400 grains: 0.194 and 0.7745 (G08).
+  const json lambda = pooled["parameters"]["lambda"], phi_max = pooled["parameters"]["Phi_max"];
+  EXPECT_LT(lambda["low95"], 0.194);
+  EXPECT_GT(lambda["high95"], 0.194);
+  // 400 grains are denser by finite size: a few per cent at most.
+  EXPECT_NEAR(phi_max["value"], 0.7745, 0.03);
+  EXPECT_FALSE(pooled["regimes"]["plateau_end"].is_null());
+  EXPECT_GT(pooled["bootstrap"]["n"], 25);
+}
+
+TEST(ShippedPaths, UnloadingIsElastic) {
+  const Outcome o = run_floc("fit elastic " + kDemo + "/seed-1 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fit = json::parse(o.out).at(0);
+  EXPECT_EQ(fit["n_points"], 14);
+  EXPECT_TRUE(fit["state"].is_null());
+  // floc moduli gives 24 000 to 28 000 for such states (README).
+  EXPECT_NEAR(fit["parameters"]["B"]["value"], 26000, 6000);
+}
+
+TEST(Plots, AreDrawnWithDataAndScriptBesideThem) {
+  const ScratchDirectory dir;
+  const Outcome o =
+      run_floc("fit consolidation " + kDemo + "/seed-1 --plot \"a fit's.svg\" --format csv", dir.path());
+  ASSERT_EQ(o.code, 0) << o.err;
+  const std::string svg = content_of(dir.file("a fit's.svg"));
+  EXPECT_THAT(svg, HasSubstr("<svg"));
+  EXPECT_THAT(svg, HasSubstr("</svg>"));
+  EXPECT_THAT(svg, HasSubstr("residual"));
+  EXPECT_THAT(content_of(dir.file("a fit's.dat")), HasSubstr("# law"));
+  EXPECT_THAT(content_of(dir.file("a fit's.gp")), HasSubstr("multiplot"));
+}
+
+TEST(Plots, BadNamesAndFullDisksAreSaid) {
+  const ScratchDirectory dir;
+  EXPECT_EQ(run_floc("fit consolidation " + kDemo + "/seed-1 --plot fit.png", dir.path()).code, 4);
+  EXPECT_EQ(run_floc("fit consolidation " + kDemo + "/seed-1 --plot absent/fit.svg", dir.path()).code, 1);
+}
+
+TEST(Units, ComeFromTheHeaderAndStayWithPressures) {
+  std::string table = "sigma [kPa],void_ratio\n";
+  for (int k = 0; k < 8; ++k) table += std::to_string(100 << k) + "," + std::to_string(1.2 - 0.07 * k) + "\n";
+  const Outcome o = run_floc(
+      "fit consolidation - --law log --columns P_star=sigma --window 100,20000 --format json", ".", table);
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(json::parse(o.out).at(0)["pressure_unit"], "kPa");
+  const Outcome csv = run_floc(
+      "fit consolidation - --law log --columns P_star=sigma --window 100,20000 --format csv", ".", table);
+  EXPECT_THAT(csv.out, HasSubstr("P0_star,100,,,,true,kPa"));
+}
+
+TEST(FitDynamicCompaction, ReadsATable) {
+  std::string table = "e,p,sc,se\n";
+  for (const double p : {0.01, 1.0, 10.0, 100.0})
+    for (const double sc : {1.5, 3.0, 9.0, 30.0}) {
+      const double x = sc / std::sqrt(p * 100) / 0.045;
+      const double S = 0.475 * std::pow(x, 0.74) + (1 / 1.55 - 0.475) * std::pow(x, 2.3);
+      const double plateau = 1 / (1 + 0.24 * std::log(sc * sc / 100 / 0.01));
+      table += std::to_string(0.76 + plateau * S / (1 + S)) + "," + std::to_string(p) + "," +
+               std::to_string(sc) + ",100\n";
+    }
+  const Outcome o = run_floc("fit dynamic-compaction - --format json", ".", table);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json p = json::parse(o.out).at(0)["parameters"];
+  // The table has six decimals.
+  EXPECT_NEAR(p["e_min"]["value"], 0.76, 1e-3);
+  EXPECT_NEAR(p["C"]["value"], 0.24, 1e-3);
+}
+
+TEST(FitForceDistribution, FitsEveryFormOfATable) {
+  std::string table = "normal_force\n";
+  for (int k = 1; k < 100; ++k)
+    table += std::to_string(-2 * std::log(k / 100.0)) + "\n" + std::to_string(0.5 * std::log(k / 100.0)) + "\n";
+  const Outcome o = run_floc("fit force-distribution - --threshold 0 --draws 50 --format json", ".", table);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fits = json::parse(o.out);
+  ASSERT_EQ(fits.size(), 4u);
+  std::vector<std::string> forms;
+  for (const json& fit : fits) forms.push_back(fit["form"]);
+  EXPECT_THAT(forms,
+              ElementsAre("tail_positive", "tail_negative", "power_exponential", "quadratic_exponential"));
+  // Quantiles of exponentials of scale 2 and 0.5; the mean of 99 of them is 2 % short.
+  EXPECT_NEAR(fits[0]["parameters"]["f_0"]["value"], 2.0, 0.06);
+  EXPECT_NEAR(fits[1]["parameters"]["f_0"]["value"], 0.5, 0.015);
+  // An exponential is the quadratic form at beta = 1.
+  EXPECT_NEAR(fits[3]["parameters"]["beta"]["value"], 1.0, 0.1);
+  for (const json& fit : fits) EXPECT_GT(fit["p_value"], 0.01) << fit["form"];
+}
+
+}  // namespace
+}  // namespace floc::test

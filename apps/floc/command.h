@@ -26,6 +26,7 @@ Command add_info(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_convert(CLI::App& program);
 Command add_moduli(CLI::App& program);
+Command add_modes(CLI::App& program);
 Command add_run(CLI::App& program);
 Command add_scene(CLI::App& program);
 Command add_fit(CLI::App& program);

@@ -13,9 +13,9 @@
 namespace {
 
 using AddCommand = floc::Command (*)(CLI::App&);
-constexpr std::array<AddCommand, 8> kCommands = {floc::add_run,     floc::add_scene,  floc::add_moduli,
-                                                 floc::add_fit,     floc::add_verify, floc::add_info,
-                                                 floc::add_convert, floc::add_chain};
+constexpr std::array<AddCommand, 9> kCommands = {floc::add_run,   floc::add_scene,   floc::add_moduli,
+                                                 floc::add_modes, floc::add_fit,     floc::add_verify,
+                                                 floc::add_info,  floc::add_convert, floc::add_chain};
 
 int run_command(const std::vector<floc::Command>& commands) {
   for (const floc::Command& command : commands)

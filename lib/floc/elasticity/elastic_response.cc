@@ -134,6 +134,7 @@ ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const Respo
   out.n_negative = inverse->n_negative + out.free.n_unstable_ends;
   out.n_mechanisms = inverse->n_mechanisms;
   out.condition = inverse->condition;
+  out.resolved = !inverse->inverse.definite || inverse->inverse.smallest_ratio > 0.0;
 
   out.relaxed = unit * condensed.stiffness;
   out.error = unit * condensed.error;

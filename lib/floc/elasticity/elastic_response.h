@@ -14,11 +14,12 @@ struct ResponseOptions {
   bool prestress = false;  ///< geometric terms, see StiffnessOptions
   Ordering ordering = Ordering::automatic;
   /// Relative error wanted of the diagonal of `relaxed`: refinement goes on until its bound is below, or rounding
-  /// is reached. A tenth of what moduli are compared to, and never more than a step or two away.
+  /// is reached. The default is seldom more than one step away.
   double tolerance = 1e-11;
   /// Eigenvalues of K within this of zero, in units of the largest contact stiffness (rotations times the
-  /// grain's size), are mechanisms where K may be indefinite; else its square root G tells. Rounding of K moves an eigenvalue by some 1e-15; near-mechanisms of real
-  /// packings have been seen down to 6e-13 and carry 3 % of B, so they must stay above.
+  /// grain's size), are mechanisms where K may be indefinite; else the rank of its square root tells. Rounding of
+  /// K moves an eigenvalue by some 1e-15; near-mechanisms of real packings have been seen down to 6e-13 and carry
+  /// 3 % of B, so they must stay above.
   double mechanism_bound = 1e-13;
 };
 
@@ -39,6 +40,7 @@ struct ElasticResponse {
   int n_mechanisms = 0;    ///< its vanishing eigenvalues beyond those of `free`
   double residual = 0.0;   ///< backward error of the solution
   double condition = 1.0;  ///< estimate, of K; infinite with mechanisms
+  bool resolved = true;    ///< false where even the square root of K leaves no digit
 };
 
 /// Solves for the response. A singular or indefinite K is an answer; without prestress and distant bonds a

@@ -13,4 +13,15 @@ double bulk_modulus(const Eigen::MatrixXd& c) {
   return c.mean();
 }
 
+double pure_shear_modulus_error(const Eigen::MatrixXd& error) {
+  // The entries off the diagonal enter with the other sign.
+  Eigen::MatrixXd worst = -error;
+  worst.diagonal() = error.diagonal();
+  return pure_shear_modulus(worst);
+}
+
+double bulk_modulus_error(const Eigen::MatrixXd& error) {
+  return error.mean();
+}
+
 }  // namespace floc

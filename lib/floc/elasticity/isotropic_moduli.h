@@ -11,4 +11,8 @@ double pure_shear_modulus(const Eigen::MatrixXd& diagonal_block);
 /// Mean of the entries of such a matrix: pressure over decrease of volume, all strains equal.
 double bulk_modulus(const Eigen::MatrixXd& diagonal_block);
 
+/// Bounds of the errors of the two above for a bound of each entry.
+double pure_shear_modulus_error(const Eigen::MatrixXd& diagonal_block_error);
+double bulk_modulus_error(const Eigen::MatrixXd& diagonal_block_error);
+
 }  // namespace floc

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "floc/elasticity/isotropic_moduli.h"
 #include "floc/network/rattlers.h"
@@ -15,10 +16,15 @@
 namespace floc {
 namespace {
 
-/// A modulus below this share of the Voigt stiffness is what rounding leaves of zero.
+/// A modulus below this share of the Voigt stiffness is what rounding leaves of zero, where no error bound says better.
 constexpr double kVanishingModulus = 1e-11;
-/// Product of condition number and rounding beyond which digits of the moduli are in doubt.
+/// Condition number beyond which soft modes decide the moduli.
 constexpr double kWarnCondition = 1e10;
+/// Share of the tolerance of the moduli that the refinement is given: a step squares the error, so it costs nothing.
+constexpr double kToleranceOfSolution = 1e-3;
+/// Relative rounding of the volume of the cell and of the forces that convect.
+constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Component of a symmetric tensor that a strain unknown does work on.
 template <int Dim>
@@ -39,47 +45,87 @@ Eigen::MatrixXd convected_stress(const Mat<Dim>& stress, int n) {
   return 0.5 * (added + added.transpose());
 }
 
+/// Below it an eigenvalue of C is not told from zero.
+double vanishing_bound(double scale, const Moduli& m) {
+  const double error = m.C_error.rowwise().sum().maxCoeff();
+  return std::isfinite(error) ? error : kVanishingModulus * scale;
+}
+
 /// Counts vanishing and negative eigenvalues of C and sets the vanishing ones to zero.
-void settle_coupled_mechanisms(double scale, Moduli& m) {
+void settle_coupled_mechanisms(double bound, Moduli& m) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(m.C);
   Eigen::VectorXd values = eigen.eigenvalues();
-  const double bound = kVanishingModulus * scale;
-  for (double& v : values) {
-    if (v < -bound) ++m.n_negative;
-    if (std::abs(v) > bound) continue;
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    if (values[k] < -bound) ++m.n_negative;
+    if (std::abs(values[k]) > bound) continue;
     ++m.n_coupled_mechanisms;
-    v = 0.0;
+    const Eigen::VectorXd direction = eigen.eigenvectors().col(k).cwiseAbs();
+    m.C_error += std::abs(values[k]) * direction * direction.transpose();
+    values[k] = 0.0;
   }
   if (m.n_coupled_mechanisms > 0)
     m.C = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
   m.n_mechanisms += m.n_coupled_mechanisms;
 }
 
-/// 1/(1^T C^-1 1), and 0 where the unit stress works on a strain that costs nothing.
-double stress_controlled_bulk(const Eigen::MatrixXd& c, double scale) {
+/// B_S = 1/(1^T C^-1 1), and 0 where the unit stress works on a strain that costs nothing.
+void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::MatrixXd& error, double bound,
+                                   Moduli& m) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(c);
   double compliance = 0.0;
+  Eigen::VectorXd strain = Eigen::VectorXd::Zero(c.rows());  // C^-1 1
   for (Eigen::Index k = 0; k < c.rows(); ++k) {
     const double value = eigen.eigenvalues()[k];
     const double load = eigen.eigenvectors().col(k).sum();
-    if (std::abs(value) > kVanishingModulus * scale)
+    if (std::abs(value) > bound) {
       compliance += load * load / value;
-    else if (std::abs(load) > std::sqrt(kVanishingModulus))
-      return 0.0;
+      strain += load / value * eigen.eigenvectors().col(k);
+    } else if (std::abs(load) > std::sqrt(kVanishingModulus)) {
+      m.B_S_error = bound;
+      return;
+    }
   }
-  return compliance == 0.0 ? 0.0 : 1.0 / compliance;
+  if (compliance == 0.0) return;
+  m.B_S = 1.0 / compliance;
+  // d(1/B_S) = -strain^T dC strain to first order; the rest is a share of it while the compliance moves little.
+  const double change = strain.cwiseAbs().dot(error * strain.cwiseAbs()) / std::abs(compliance);
+  m.B_S_error = change < 0.5 ? 2.0 * change * std::abs(m.B_S) : kInfinity;
 }
 
 template <int Dim>
 void derive_constants(double scale, Moduli& m) {
-  settle_coupled_mechanisms(scale, m);
+  const double bound = vanishing_bound(scale, m);
+  settle_coupled_mechanisms(bound, m);
   const Eigen::MatrixXd block = m.C.topLeftCorner(Dim, Dim);
+  const Eigen::MatrixXd error = m.C_error.topLeftCorner(Dim, Dim);
   const Eigen::VectorXd diagonal = block.diagonal();
   m.B = bulk_modulus(block);
+  m.B_error = bulk_modulus_error(error);
   m.G = pure_shear_modulus(block);
-  m.B_S = stress_controlled_bulk(block, scale);
+  m.G_error = pure_shear_modulus_error(error);
+  derive_stress_controlled_bulk(block, error, bound, m);
   const double mean = diagonal.mean();
   m.isotropy_defect = mean == 0.0 ? 0.0 : (diagonal.maxCoeff() - diagonal.minCoeff()) / std::abs(mean);
+}
+
+/// Says where the error bounds stay above what was asked for, and takes back what has no digit.
+void judge_errors(bool resolved, double tolerance, Moduli& m) {
+  if (!resolved) {
+    m.warnings.push_back(
+        "rounding leaves no digit of the moduli, by the factor of the rigidity matrix either: none are given");
+    m.C.setConstant(std::numeric_limits<double>::quiet_NaN());
+    m.B = m.B_S = m.G = m.isotropy_defect = m.C(0, 0);
+    return;
+  }
+  if (!std::isfinite(m.B_error + m.G_error)) {
+    m.warnings.push_back("no error bound can be given beside mechanisms and negative eigenvalues together");
+    return;
+  }
+  const double relative =
+      std::max(m.B == 0.0 ? 0.0 : m.B_error / std::abs(m.B), m.G == 0.0 ? 0.0 : m.G_error / std::abs(m.G));
+  if (relative > tolerance)
+    m.warnings.push_back(fmt::format(
+        "the relative error bound of B or G is {:.1e}, above the tolerance of {:.1e}", relative, tolerance));
 }
 
 void add_warnings(Moduli& m) {
@@ -97,10 +143,8 @@ void add_warnings(Moduli& m) {
     m.warnings.push_back(
         fmt::format("{} contact(s) slide or yield; the moduli treat them as elastic", m.n_at_cap));
   if (std::isfinite(m.condition) && m.condition > kWarnCondition)
-    m.warnings.push_back(
-        fmt::format("condition number {:.1e}: soft modes decide the moduli, and rounding limits their "
-                    "digits; see the moduli with and without prestress",
-                    m.condition));
+    m.warnings.push_back(fmt::format(
+        "condition number {:.1e}: soft modes decide the moduli; see those with prestress", m.condition));
 }
 
 template <int Dim>
@@ -115,7 +159,9 @@ MeanField mean_field(const Packing<Dim>& packing) {
 std::vector<std::string> ModuliOptions::validate() const {
   std::vector<std::string> faults;
   if (!(force_tolerance >= 0.0) || !std::isfinite(force_tolerance))
-    faults.push_back(fmt::format("tolerance = {}: must be >= 0 and finite", force_tolerance));
+    faults.push_back(fmt::format("force-tolerance = {}: must be >= 0 and finite", force_tolerance));
+  if (!(tolerance > 0.0) || !std::isfinite(tolerance))
+    faults.push_back(fmt::format("tolerance = {}: must be > 0 and finite", tolerance));
   if (rolling_stiffness && (!(*rolling_stiffness >= 0.0) || !std::isfinite(*rolling_stiffness)))
     faults.push_back(fmt::format("rolling-stiffness = {}: must be >= 0 and finite", *rolling_stiffness));
   return faults;
@@ -130,8 +176,11 @@ ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) c
   return network;
 }
 
+namespace {
+
+/// @param factor  keeps its symbolic part from one call to the next
 template <int Dim>
-Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options) {
+Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, SymmetricFactor& factor) {
   assert(options.validate().empty());
   Moduli m;
   const Mat<Dim> stress = static_stress(packing);
@@ -141,9 +190,13 @@ Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options)
   const ContactNetwork<Dim> network = options.loaded_network(packing);
   m.bounds = elastic_bounds(network, m.pressure, mean_field(packing));
 
-  ElasticResponse response = elastic_response(network, {options.strains, options.prestress, options.ordering});
+  const ResponseOptions response_options{.strains = options.strains,
+                                         .prestress = options.prestress,
+                                         .tolerance = kToleranceOfSolution * options.tolerance};
+  ElasticResponse response = elastic_response(network, response_options, factor);
   m.C = response.relaxed / network.volume;
   if (options.prestress) m.C += convected_stress<Dim>(stress, static_cast<int>(m.C.rows()));
+  m.C_error = response.error / network.volume + kCellRounding * m.C.cwiseAbs();
   m.n_negative = response.n_negative;
   m.n_mechanisms = response.n_mechanisms;
   m.n_rattlers = response.free.count(FreeMotionKind::rattler) / kDofs<Dim>;
@@ -151,10 +204,11 @@ Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options)
   m.residual = response.residual;
   m.condition = response.condition;
   derive_constants<Dim>(m.bounds.B_voigt + m.bounds.G_voigt, m);
+  judge_errors(response.resolved, options.tolerance, m);
   if (options.prestress) {
     ModuliOptions plain = options;
     plain.prestress = false;
-    Moduli without = elastic_moduli(packing, plain);
+    Moduli without = moduli_with(packing, plain, factor);
     m.B_without_prestress = without.B;
     m.G_without_prestress = without.G;
     response = std::move(without.response);
@@ -164,9 +218,34 @@ Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options)
   return m;
 }
 
+}  // namespace
+
+template <int Dim>
+Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options) {
+  SymmetricFactor factor(options.ordering);
+  return moduli_with(packing, options, factor);
+}
+
+template <int Dim>
+std::vector<Moduli> elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options,
+                                   const std::vector<double>& rolling_stiffness) {
+  SymmetricFactor factor(options.ordering);
+  std::vector<Moduli> all;
+  ModuliOptions each = options;
+  for (const double kr : rolling_stiffness) {
+    each.rolling_stiffness = kr;
+    all.push_back(moduli_with(packing, each, factor));
+  }
+  return all;
+}
+
 template ContactNetwork<2> ModuliOptions::loaded_network(const Packing<2>&) const;
 template ContactNetwork<3> ModuliOptions::loaded_network(const Packing<3>&) const;
 template Moduli elastic_moduli(const Packing<2>&, const ModuliOptions&);
 template Moduli elastic_moduli(const Packing<3>&, const ModuliOptions&);
+template std::vector<Moduli> elastic_moduli(const Packing<2>&, const ModuliOptions&,
+                                            const std::vector<double>&);
+template std::vector<Moduli> elastic_moduli(const Packing<3>&, const ModuliOptions&,
+                                            const std::vector<double>&);
 
 }  // namespace floc

@@ -20,7 +20,9 @@ struct ModuliOptions {
   double force_tolerance = 1e-5;
   /// Rolling stiffness given to every touching contact in place of its own (force * length).
   std::optional<double> rolling_stiffness;
-  Ordering ordering = Ordering::amd;
+  Ordering ordering = Ordering::automatic;
+  /// Relative error wanted of B and G. A warning says where their error bounds stay above it.
+  double tolerance = 1e-10;
 
   /// The contacts that moduli are those of: rattlers removed, the rolling stiffness asked for.
   template <int Dim>
@@ -34,9 +36,15 @@ struct ModuliOptions {
 struct Moduli {
   /// Stress against strain, both positive in compression, order of StrainSet; symmetric.
   Eigen::MatrixXd C;
-  double B = 0.0;                ///< B_C: mean of the diagonal block of C, strain-controlled
-  double B_S = 0.0;              ///< 1/(sum of the compliances of the diagonal block), stress-controlled
-  double G = 0.0;                ///< (C11 + C22 - 2 C12)/4; in 3D its mean over the pairs of axes
+  double B = 0.0;    ///< B_C: mean of the diagonal block of C, strain-controlled
+  double B_S = 0.0;  ///< 1/(sum of the compliances of the diagonal block), stress-controlled
+  double G = 0.0;    ///< (C11 + C22 - 2 C12)/4; in 3D its mean over the pairs of axes
+  /// Bounds of the errors that solving and rounding leave in C (entry by entry), B, B_S and G, in their units: see
+  /// ElasticResponse::error. Infinite where none can be given.
+  Eigen::MatrixXd C_error;
+  double B_error = 0.0;
+  double B_S_error = 0.0;
+  double G_error = 0.0;
   double isotropy_defect = 0.0;  ///< largest less smallest of C11, C22 (, C33), over their mean
   Bounds bounds;
   int n_negative = 0;    ///< negative eigenvalues of K, strains included
@@ -62,8 +70,16 @@ struct Moduli {
 /// for diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the relaxed
 /// Hessian of the energy in ln L, so B gains P and G nothing over H. Where the stress is not isotropic this is
 /// not symmetric; the symmetric part is given.
+/// A vanishing modulus, one that its error bound does not tell from zero, is given as zero and counted as a coupled
+/// mechanism. Moduli of which no digit is left are not a number, with a warning.
 /// @pre options.validate() is empty.
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
+
+/// The same for each of several rolling stiffnesses (>= 0, force * length) in place of the one of the options, with one
+/// symbolic factorisation for all.
+template <int Dim>
+[[nodiscard]] std::vector<Moduli> elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options,
+                                                 const std::vector<double>& rolling_stiffness);
 
 }  // namespace floc

@@ -22,6 +22,34 @@ TEST(Moduli, RollingStiffnessIsReplacedInEveryTouchingContact) {
   EXPECT_EQ((elastic_moduli(soft, options).C - expected).cwiseAbs().maxCoeff(), 0.0);
 }
 
+TEST(Moduli, OfSeveralRollingStiffnessesAreThoseOfEachAlone) {
+  const Packing<2> packing = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.01));
+  const std::vector<double> rolling{1e-2, 0.0, 1e-4, 1.0};
+  const std::vector<Moduli> all = elastic_moduli(packing, {}, rolling);
+  ASSERT_EQ(all.size(), rolling.size());
+  for (std::size_t k = 0; k < rolling.size(); ++k) {
+    ModuliOptions options;
+    options.rolling_stiffness = rolling[k];
+    // The same sums of the same numbers.
+    EXPECT_EQ((all[k].C - elastic_moduli(packing, options).C).cwiseAbs().maxCoeff(), 0.0) << rolling[k];
+  }
+}
+
+TEST(Moduli, TellWhatRoundingLeavesOfThem) {
+  const Packing<2> packing = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.01));
+  const Moduli m = elastic_moduli(packing, {});
+  for (const double relative : {m.B_error / m.B, m.B_S_error / m.B_S, m.G_error / m.G}) {
+    EXPECT_GT(relative, 0.0);
+    EXPECT_LT(relative, 1e-12);
+  }
+  EXPECT_TRUE(m.warnings.empty());
+  ModuliOptions options;
+  options.tolerance = 1e-20;
+  const Moduli strict = elastic_moduli(packing, options);
+  ASSERT_EQ(strict.warnings.size(), 1u);
+  EXPECT_NE(strict.warnings[0].find("above the tolerance of 1.0e-20"), std::string::npos);
+}
+
 TEST(Moduli, CountContactsAtTheirCap) {
   Packing<2> packing = test::square_frames(3, 1.0, test::elastic_law(1.0, 0.7, 0.01));
   packing.contacts[0].sliding = true;
@@ -35,7 +63,8 @@ TEST(Moduli, OptionsSayEveryFault) {
   ModuliOptions options;
   options.force_tolerance = -1.0;
   options.rolling_stiffness = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(options.validate().size(), 2u);
+  options.tolerance = 0.0;
+  EXPECT_EQ(options.validate().size(), 3u);
   EXPECT_TRUE(ModuliOptions{}.validate().empty());
 }
 

@@ -184,6 +184,19 @@ SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions&
   return out;
 }
 
+template <int Dim>
+int count_near_mechanisms(const ContactNetwork<Dim>& network) {
+  const ConnectedUnknowns<Dim> unknowns(network);
+  const double zero = ModeOptions{}.mechanism_bound;
+  const double bound = near_bound(network) / stiffness_scale(network);
+  if (unknowns.n() == 0 || bound <= zero) return 0;
+  SymmetricFactor factor;
+  factor.set_matrix(scaled_stiffness(network, unknowns, StrainSet::diagonal));
+  return factor.count_eigenvalues_below(bound) - factor.count_eigenvalues_below(zero);
+}
+
+template int count_near_mechanisms(const ContactNetwork<2>&);
+template int count_near_mechanisms(const ContactNetwork<3>&);
 template SoftModes<2> soft_modes(const ContactNetwork<2>&, const ModeOptions&);
 template SoftModes<3> soft_modes(const ContactNetwork<3>&, const ModeOptions&);
 

@@ -65,4 +65,8 @@ struct SoftModes {
 template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
 
+/// Number of eigenvalues between a mechanism's and max |F_N|/r, by inertia alone.
+template <int Dim>
+int count_near_mechanisms(const ContactNetwork<Dim>& network);
+
 }  // namespace floc

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "floc/elasticity/force_increments.h"
+#include "floc/elasticity/indeterminacy.h"
+#include "floc/elasticity/moduli.h"
+#include "floc/network/percolation.h"
+
+namespace floc {
+
+/// What each contact of a network does in a small step, isotropic and deviatoric.
+template <int Dim>
+struct ContactMechanics {
+  std::optional<StepResponse<Dim>> isotropic;   ///< nothing where a mechanism leaves the stress no answer
+  std::optional<StepResponse<Dim>> deviatoric;  ///< likewise
+  Percolation percolation;
+  std::vector<bool> backbone;  ///< carries an increment in one step or the other; empty if there is neither
+};
+
+/// @param moduli  of the same network
+template <int Dim>
+ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, const Moduli& moduli);
+
+/// How determined a contact network is, in numbers (PHYSICS sections 3 and 5).
+struct NetworkMechanics {
+  double rattler_fraction = 0.0;  ///< x0
+  /// Touching contacts a grain that is no rattler, times 2; contacts of rattlers left out.
+  double z_star = 0.0;
+  /// G/(K_N Phi (1 - x0)) with the mean K_N of touching contacts, in 3D times the largest diameter so that it has no
+  /// dimension; nothing without contacts.
+  std::optional<double> G_star;
+  Indeterminacy indeterminacy;
+  std::optional<double> energy_share_95;  ///< isotropic step, see StepResponse
+  std::optional<double> energy_share_95_deviatoric;
+  std::optional<double> backbone_share;  ///< contacts of the mechanical backbone over all
+  std::optional<double>
+      scalar_backbone_share;  ///< contacts of the scalar backbone over all; nothing without contacts
+  int n_percolating = 0;      ///< directions in which the network winds around the cell
+};
+
+template <int Dim>
+NetworkMechanics network_mechanics(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
+                                   const Moduli& moduli, const ContactMechanics<Dim>& contacts);
+
+}  // namespace floc

@@ -73,11 +73,11 @@ bool expect_bounds_in_order(int n_grains, unsigned seed) {
   return true;
 }
 
-TEST(Bounds, AreInOrderOn200RandomNetworks) {
+TEST(Bounds, AreInOrderOn1000RandomNetworks) {
   int n_tested = 0;
-  for (unsigned seed = 0; n_tested < 160; ++seed)
+  for (unsigned seed = 0; n_tested < 700; ++seed)
     n_tested += expect_bounds_in_order<2>(10 + static_cast<int>(seed) % 30, seed) ? 1 : 0;
-  for (unsigned seed = 0; n_tested < 200; ++seed)
+  for (unsigned seed = 0; n_tested < 1000; ++seed)
     n_tested += expect_bounds_in_order<3>(10 + static_cast<int>(seed) % 20, seed) ? 1 : 0;
 }
 

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "floc/elasticity/moduli.h"
+#include "floc/packing/contact_forces.h"
+#include "floc/relaxation/relaxer.h"
+#include "support/dynamics.h"
+
+namespace floc {
+namespace {
+
+/// Equilibrium under a pressure, solved to rounding.
+Packing<2> equilibrium(int n, const LawParameters& law, double pressure, std::uint64_t seed) {
+  const Vec<2> target = Vec<2>::Constant(pressure);
+  RelaxationOptions options;
+  options.strain_rate_cap = law.pull_off_force() > 0.0 ? std::optional<double>(0.05) : std::nullopt;
+  Relaxer<2> relaxer(options, test::gas_of(n, law, 0.5, seed), target);
+  RelaxationStatus status = RelaxationStatus::running;
+  while (status == RelaxationStatus::running) status = relaxer.advance();
+  EXPECT_EQ(status, RelaxationStatus::converged) << relaxer.report().blocking;
+  return relaxer.packing();
+}
+
+Packing<2> solved(const Packing<2>& start, const Vec<2>& target) {
+  StaticSolverOptions options;
+  options.target = 1e-11;
+  options.max_iterations = 30;
+  const StaticSolution<2> solution = solve_statics(start, target, options);
+  // The floor of positions written back as absolute ones is near the target.
+  EXPECT_LT(solution.residual, 1e-9) << solution.reason;
+  return solution.packing;
+}
+
+/// Logarithmic strains that a change of stress by +-step about the pressure gives, found by solving the equilibrium.
+Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step) {
+  const Packing<2> more = solved(start, Vec<2>::Constant(pressure) + step);
+  const Packing<2> less = solved(start, Vec<2>::Constant(pressure) - step);
+  EXPECT_EQ(more.contacts.size(), less.contacts.size());
+  for (const Packing<2>* p : {&more, &less})
+    EXPECT_TRUE(std::none_of(p->contacts.begin(), p->contacts.end(),
+                             [](const auto& c) { return c.sliding || c.rolling_yield; }));
+  return -0.5 * (more.cell.matrix.diagonal().array().log() - less.cell.matrix.diagonal().array().log());
+}
+
+/// Largest relative difference of the stresses that the moduli give for the strains found from those imposed.
+double worst_difference(const Packing<2>& start, double pressure, double relative_step, bool prestress) {
+  ModuliOptions options;
+  options.prestress = prestress;
+  const Mat<2> C = elastic_moduli(start, options).C;
+  double worst = 0.0;
+  for (const Vec<2>& direction : {Vec<2>(1.0, 1.0), Vec<2>(1.0, -1.0)}) {
+    const Vec<2> step = relative_step * pressure * direction;
+    worst = std::max(worst, (C * strain_found(start, pressure, step) - step).norm() / step.norm());
+  }
+  return worst;
+}
+
+TEST(ModuliAndRelaxation, AgreeOnACohesivePacking) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Packing<2> packing = solved(equilibrium(40, test::cohesive_law(), 1.0, seed), Vec<2>::Constant(1.0));
+    // What is left is the geometric terms of the tangential forces, which K leaves out: 2e-5 at most, whatever the step.
+    EXPECT_LT(worst_difference(packing, 1.0, 1e-3, true), 1e-4);
+    EXPECT_GT(worst_difference(packing, 1.0, 1e-3, false), 2e-4);
+  }
+}
+
+TEST(ModuliAndRelaxation, AgreeOnAFrictionlessPackingWherePrestressCounts) {
+  LawParameters law;
+  law.normal_stiffness = 1e3;
+  law.damping = {0.1, DampingMass::effective};
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Packing<2> packing = solved(equilibrium(40, law, 1.0, seed), Vec<2>::Constant(1.0));
+    // Without tangential forces nothing is left but the square of the step; prestress is worth 5 to 40 %.
+    EXPECT_LT(worst_difference(packing, 1.0, 1e-4, true), 1e-6);
+    EXPECT_GT(worst_difference(packing, 1.0, 1e-4, false), 1e-2);
+  }
+}
+
+TEST(Bounds, AreInOrderOnEquilibria) {
+  LawParameters law = test::cohesive_law();
+  law.adhesion = {1.0, 0.0};  // in contact only: a distant attraction has no place in the theorem
+  for (const std::uint64_t seed : {1, 2})
+    for (const double pressure : {0.1, 1.0, 10.0}) {
+      const Packing<2> packing = solved(equilibrium(40, law, pressure, seed), Vec<2>::Constant(pressure));
+      const Moduli m = elastic_moduli(packing, {});
+      const double slack = 1e-9 * m.B;  // forces are in balance to that share
+      EXPECT_GT(m.bounds.B_reuss, 0.0);
+      EXPECT_LE(m.bounds.B_reuss, m.B_S + slack);
+      EXPECT_LE(m.B_S, m.B + slack);
+      EXPECT_LE(m.B, m.bounds.B_voigt + slack);
+      EXPECT_LE(m.G, m.bounds.G_voigt + slack);
+    }
+}
+
+}  // namespace
+}  // namespace floc

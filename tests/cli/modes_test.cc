@@ -21,17 +21,20 @@ using testing::StartsWith;
 class ModesCommand : public testing::Test {
  protected:
   void SetUp() override {
+    // Adhesive: without adhesion a disk held by one contact would be a rattler too.
+    LawParameters law = elastic_law(1.0, 0.5, 0.0);
+    law.adhesion = LawParameters::Adhesion{1e-3, 0.0};
     State<2> state;
-    state.packing = square_frames(5, 1.0, elastic_law(1.0, 0.5, 0.0));
+    state.packing = square_frames(5, 1.0, law);
     Grains<2>& g = state.packing.grains;
-    g = Grains<2>::with_size(g.size() + 2);
-    const Packing<2> frames = square_frames(5, 1.0, elastic_law(1.0, 0.5, 0.0));
-    for (int i = 0; i < frames.grains.size(); ++i) g.position[i] = frames.grains.position[i];
-    g.position[frames.grains.size()] = {2.0, 1.0};
-    g.position[frames.grains.size() + 1] = {2.2, 2.2};
-    g.radius.assign(g.size(), 0.51);
-    g.radius[g.size() - 1] = 0.2;
-    g.mass.assign(g.size(), 1.0);
+    std::vector<Vec<2>> places = g.position;
+    places.emplace_back(2.0, 1.0);
+    places.emplace_back(2.2, 2.2);
+    g = Grains<2>::with_size(static_cast<int>(places.size()));
+    g.position = places;
+    g.radius.assign(places.size(), 0.51);
+    g.radius.back() = 0.2;
+    g.mass.assign(places.size(), 1.0);
     find_contacts(state.packing);
     write_state(scratch_.file("frames.h5"), state);
   }

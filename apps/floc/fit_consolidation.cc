@@ -234,7 +234,8 @@ std::string change_in_words(const std::optional<ChangePoint>& change, const Cons
                      at(change->first - 1), at(change->first), at(change->low95 - 1), at(change->high95));
 }
 
-void say(const Sample& sample, const ConsolidationFit& fit) {
+/// @param n_asked  resampled fits asked for
+void say(const Sample& sample, const ConsolidationFit& fit, int n_asked) {
   if (!fit.found()) {
     spdlog::warn("{}: no fit: {}", sample.name, fit.refusal);
     return;
@@ -260,6 +261,9 @@ void say(const Sample& sample, const ConsolidationFit& fit) {
       words.push_back(fmt::format("{} ({})", s.lambda ? fmt::format("{:.4g}", *s.lambda) : "none", s.change));
     spdlog::info("{}: lambda with the window moved by a row: {}", sample.name, fmt::join(words, ", "));
   }
+  if (n_asked > 0)
+    spdlog::info("{}: bootstrap: {} of {} resampled fits have a regime II", sample.name, fit.n_bootstrapped,
+                 n_asked);
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", sample.name, warning);
 }
 
@@ -300,7 +304,7 @@ int fit_tables(const Arguments& arguments) {
       own.weighting = Weighting::scatter;
     start_at_P0(arguments.P0, sample.loading.curve, own);
     fit = fit_consolidation(sample.loading.curve, own);
-    say(sample, fit);
+    say(sample, fit, arguments.n_bootstrap);
     if (!fit.found()) code = worse(code, kNotConverged);
     array.push_back(as_json(sample, fit, arguments));
     add_table_rows(sample, fit, arguments, table);

@@ -98,7 +98,7 @@ plot data index 2 using 1:2 with lines linewidth 2 linecolor rgb '#c0392b' title
      data index 1 using 1:2:3 with yerrorbars pointtype 6 linecolor rgb '#888888' title 'left out', \
      data index 0 using 1:2:3 with yerrorbars pointtype 7 pointsize 0.7 linecolor rgb '#1f4e79' title 'fitted; window dashed'
 unset title
-set format x '10^{{%L}}'
+set format x '%g'
 set tmargin at screen 0.33
 set bmargin at screen 0.11
 set xlabel {xlabel}

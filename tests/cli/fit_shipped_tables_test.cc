@@ -15,6 +15,7 @@ using testing::HasSubstr;
 
 const std::string kOedometer = std::string(FLOC_SOURCE_DIR) + "/data/tables/oedometer/oedometer.csv";
 const std::string kColumns = " --columns P_star=Effective_Vertical_Stress,void_ratio=Void_Ratio --format json";
+const std::string kReload = std::string(FLOC_SOURCE_DIR) + "/data/tables/reload";
 const std::string kDemo = std::string(FLOC_SOURCE_DIR) + "/data/tables/demo";
 
 TEST(Oedometer, VirginSlopeIsThatOfItsLastTwoSteps) {
@@ -66,6 +67,21 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   EXPECT_NEAR(phi_max["value"], 0.7745, 0.03);
   EXPECT_FALSE(pooled["regimes"]["plateau_end"].is_null());
   EXPECT_GT(pooled["bootstrap"]["n"], 25);
+}
+
+TEST(ShippedPaths, ReloadingTellsThePressureTheyHadSeen) {
+  const Outcome o = run_floc("fit preconsolidation " + kReload + " --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fits = json::parse(o.out);
+  ASSERT_EQ(fits.size(), 2u);
+  for (const json& fit : fits) {
+    EXPECT_EQ(fit["largest_before"], 1.0);
+    // Pressures are a factor of 1.33 apart.
+    EXPECT_NEAR(std::log(fit["parameters"]["P_c"]["value"].get<double>()), 0.0, std::log(1.34));
+    EXPECT_LT(fit["parameters"]["P_c"]["low95"], 1.0);
+    EXPECT_GT(fit["parameters"]["P_c"]["high95"], 1.0);
+    EXPECT_LT(fit["parameters"]["kappa"]["value"], 0.01);
+  }
 }
 
 TEST(ShippedPaths, UnloadingIsElastic) {

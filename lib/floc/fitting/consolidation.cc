@@ -16,8 +16,6 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// P0* should lie at the end of the plateau to within this factor.
-constexpr double kFarFromTheEnd = 2.0;
 /// Samples whose scatter gives weights and errors.
 constexpr Eigen::Index kFewestSamples = 3;
 
@@ -207,17 +205,6 @@ void bound_regime_three(const LawEstimate& told, const Covariance& covariance, d
                   fit.window_high, told.law == Law::full ? "the full law" : "the line of regime II"));
 }
 
-/// The plateau ends between its last point and the first of the window, where the line should meet it.
-void check_joint(ConsolidationFit& fit) {
-  const FittedParameter* P0 = fit.find("P0_star");
-  if (fit.n_plateau == 0 || !P0 || !P0->value || !P0->standard_error) return;
-  if (*P0->value < fit.plateau_high / kFarFromTheEnd || *P0->value > fit.window_low * kFarFromTheEnd)
-    fit.warnings.push_back(fmt::format(
-        "the line of regime II meets the plateau at P0* = {:.4g}, but the plateau ends between {:.4g} and "
-        "{:.4g}: the density jumps there; a mean over samples, or --window, gives a better P0*",
-        *P0->value, fit.plateau_high, fit.window_low));
-}
-
 /// Residuals that follow each other make the errors of a single curve too small.
 void check_independence(const LawEstimate& estimate, ConsolidationFit& fit) {
   const Eigen::VectorXd& r = estimate.solution.residuals;
@@ -336,7 +323,6 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
     bound_regime_three(told, covariance, curve.phi[fit.used.back()], fit);
   else
     add_parameters(told, covariance, fit);
-  check_joint(fit);
   if (!is_mean) check_independence(told, fit);
   shift_window(told, all, window, fit);
   if (options.n_bootstrap > 0) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "floc/fitting/law_estimate.h"
+
 namespace floc {
 namespace {
 
@@ -66,10 +68,21 @@ ChangePoint change_among(std::vector<Place> places, int shift) {
   return change;
 }
 
-Place plateau_end(const LawPoints& points, int k, double left_by_rest, int n_free) {
-  const double left = left_by_rest + left_by_constant(points.range(0, k));
-  // A plateau costs two numbers: its level and its end.
-  return {k, information(left, points.size(), n_free + (k > 0 ? 2 : 0))};
+/// What a plateau of the first `k` points leaves that ends where the law after it reaches its level: between its last
+/// point and the next one. `theta` solves the law on the rest.
+double left_by_plateau(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta) {
+  if (k == 0) return 0.0;
+  const double first = points.log_P[k];
+  const double level = std::clamp(mean_level(points.range(0, k)), law_value(law, theta, first, first),
+                                  law_value(law, theta, points.log_P[k - 1], first));
+  return (points.weight.head(k).array() * (points.y.head(k).array() - level)).square().sum();
+}
+
+/// The split before point `k`, whose law leaves `left` of the rest.
+Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta, double left) {
+  // Beside the law, the end of the plateau is fitted.
+  return {k, information(left + left_by_plateau(law, points, k, theta), points.size(),
+                         n_parameters(law) + (k > 0 ? 1 : 0))};
 }
 
 /// Splits into a plateau and a rest that follows the full law; none if no split leaves a regime II.
@@ -91,7 +104,7 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
     }
     ++n_failed;
     if (!std::isfinite(left) || n_below(rest, (*theta)[3]) < kFewestInRegimeTwo) continue;
-    places.push_back(plateau_end(points, k, left, n_parameters(Law::full)));
+    places.push_back(plateau_end(Law::full, points, k, *theta, left));
     n_failed = 0;
   }
   return places;
@@ -102,8 +115,8 @@ std::vector<Place> ends_before_line(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
   for (int k = 0; n - k >= kFewestInRegimeTwo; ++k)
-    if (const auto left = left_by_line(points.range(k, n - k)))
-      places.push_back(plateau_end(points, k, *left, n_parameters(Law::log)));
+    if (const auto theta = start_of_law(Law::log, points.range(k, n - k), 1))
+      places.push_back(plateau_end(Law::log, points, k, *theta, *left_by_line(points.range(k, n - k))));
   return places;
 }
 

@@ -144,16 +144,16 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
   }
 }
 
-TEST(FitConsolidation, AJumpAtTheEndOfThePlateauIsSaid) {
+TEST(FitConsolidation, ThePlateauEndsWhereTheLawReachesItsLevel) {
+  // A plateau that holds on too long, up to P* = 0.1: the law is exact beyond its jump, but meets its level long before.
   ConsolidationCurve jump = curve_of(kNoRolling.law(), published_pressures(0.01));
-  // A plateau up to P* = 0.1 that holds the density of P* = 0.0237, then the law.
   for (std::size_t i = 0; i < 9; ++i) jump.phi[i] = kNoRolling.phi0;
   const auto fit = fit_consolidation(jump, {});
   ASSERT_TRUE(fit.found()) << fit.refusal;
-  EXPECT_EQ(fit.n_plateau, 9);
-  EXPECT_NEAR(fit.plateau_high, 0.1, 1e-12);
-  EXPECT_NEAR(value(fit, "lambda"), kNoRolling.lambda, 1e-8);
-  EXPECT_THAT(fit.warnings, Contains(HasSubstr("the density jumps there")));
+  EXPECT_LT(fit.n_plateau, 9);
+  EXPECT_GT(value(fit, "P0_star"), fit.plateau_high / 2);
+  EXPECT_LT(value(fit, "P0_star"), 2 * fit.window_low);
+  EXPECT_THAT(fit.warnings, Contains(HasSubstr("lambda depends on the window")));
 }
 
 TEST(FitConsolidation, WithoutAPlateauEveryPointIsFitted) {

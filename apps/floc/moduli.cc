@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <iterator>
 
 #include "command.h"
 #include "floc/base/error.h"
@@ -43,9 +44,9 @@ struct ModuliRow {
   double seconds;
 };
 
+/// What a state is, beside its moduli.
 template <int Dim>
-ModuliRow compute_row(const std::string& file, const State<Dim>& state, const ModuliOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+ModuliRow described(const std::string& file, const State<Dim>& state) {
   const Packing<Dim>& packing = state.packing;
   if (packing.grains.size() == 0) throw InputError(file, "has no grains: moduli need a packing");
   ModuliRow row;
@@ -57,14 +58,31 @@ ModuliRow compute_row(const std::string& file, const State<Dim>& state, const Mo
   row.n_contacts = counted.n_contacts;
   row.n_distant = counted.n_distant;
   row.z = counted.z;
-  row.moduli = elastic_moduli(packing, options);
-  row.reduced_pressure = reduced_pressure<Dim>(packing, row.moduli.pressure);
   row.solid_fraction = solid_fraction(packing);
-  row.rolling_stiffness = options.rolling_stiffness;
-  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  for (const std::string& warning : row.moduli.warnings)
-    std::cerr << "floc: " << file << ": warning: " << warning << '\n';
   return row;
+}
+
+/// A row for each rolling stiffness asked for, or one with the state's own.
+template <int Dim>
+std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& state,
+                                    const ModuliOptions& options,
+                                    const std::vector<double>& rolling_stiffness) {
+  const ModuliRow description = described(file, state);
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Moduli> moduli = rolling_stiffness.empty()
+                                         ? std::vector<Moduli>{elastic_moduli(state.packing, options)}
+                                         : elastic_moduli(state.packing, options, rolling_stiffness);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::vector<ModuliRow> rows(moduli.size(), description);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].moduli = moduli[k];
+    rows[k].reduced_pressure = reduced_pressure<Dim>(state.packing, moduli[k].pressure);
+    if (!rolling_stiffness.empty()) rows[k].rolling_stiffness = rolling_stiffness[k];
+    rows[k].seconds = seconds / static_cast<double>(rows.size());
+    for (const std::string& warning : moduli[k].warnings)
+      std::cerr << "floc: " << file << ": warning: " << warning << '\n';
+  }
+  return rows;
 }
 
 /// Name of an entry of C, "C12"; indices from 0.
@@ -128,7 +146,11 @@ std::vector<Column> contract_columns() {
       {"units", [](const ModuliRow& r) { return r.units; }},
       {"n_rattlers", [count](const ModuliRow& r) { return count(r.moduli.n_rattlers); }},
       {"n_free_rollers", [count](const ModuliRow& r) { return count(r.moduli.n_free_rollers); }},
-      {"n_at_cap", [count](const ModuliRow& r) { return count(r.moduli.n_at_cap); }}};
+      {"n_at_cap", [count](const ModuliRow& r) { return count(r.moduli.n_at_cap); }},
+      {"error_C", [](const ModuliRow& r) { return r.moduli.C_error.maxCoeff(); }},
+      {"error_B", [](const ModuliRow& r) { return r.moduli.B_error; }},
+      {"error_B_S", [](const ModuliRow& r) { return r.moduli.B_S_error; }},
+      {"error_G", [](const ModuliRow& r) { return r.moduli.G_error; }}};
 }
 
 std::vector<Column> columns_for(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
@@ -159,17 +181,18 @@ Table to_table(const std::vector<Column>& columns, const std::vector<ModuliRow>&
   return table;
 }
 
-/// One set of options for each rolling stiffness asked for, or the state's own.
-std::vector<ModuliOptions> variants(const ModuliCommand& command) {
-  ModuliOptions base = command.options;
-  base.strains = command.strains == "full" ? StrainSet::full : StrainSet::diagonal;
-  base.prestress = command.prestress;
-  std::vector<ModuliOptions> all(std::max<std::size_t>(1, command.rolling_stiffness.size()), base);
-  for (std::size_t k = 0; k < command.rolling_stiffness.size(); ++k)
-    all[k].rolling_stiffness = command.rolling_stiffness[k];
-  for (const ModuliOptions& options : all)
-    for (const std::string& fault : options.validate()) throw InputError("floc moduli", "--" + fault);
-  return all;
+ModuliOptions options_of(const ModuliCommand& command) {
+  ModuliOptions options = command.options;
+  options.strains = command.strains == "full" ? StrainSet::full : StrainSet::diagonal;
+  options.prestress = command.prestress;
+  std::vector<std::string> faults = options.validate();
+  for (const double kr : command.rolling_stiffness) {
+    ModuliOptions with = command.options;
+    with.rolling_stiffness = kr;
+    for (const std::string& fault : with.validate()) faults.push_back(fault);
+  }
+  for (const std::string& fault : faults) throw InputError("floc moduli", "--" + fault);
+  return options;
 }
 
 /// Whether a state is an equilibrium; if not, says so on stderr. A state not refused with `force` is warned about.
@@ -182,12 +205,16 @@ bool stands(const std::string& file, const AnyState& any, bool force) {
 }
 
 int run_moduli(const ModuliCommand& command) {
-  const std::vector<ModuliOptions> all = variants(command);
+  const ModuliOptions options = options_of(command);
   std::vector<ModuliRow> rows;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
     if (!stands(file, any, command.force) && !command.force) return int{kVerificationFailed};
-    for (const ModuliOptions& options : all)
-      rows.push_back(std::visit([&](const auto& state) { return compute_row(file, state, options); }, any));
+    std::visit(
+        [&](const auto& state) {
+          std::ranges::move(compute_rows(file, state, options, command.rolling_stiffness),
+                            std::back_inserter(rows));
+        },
+        any);
     return int{kDone};
   });
   print_table(to_table(columns_for(command, rows), rows), command.format);
@@ -206,7 +233,10 @@ Command add_moduli(CLI::App& program) {
       ->capture_default_str();
   app->add_flag("--prestress", command->prestress,
                 "add the geometric terms of the forces (those of F_T left out); stress is the Cauchy stress");
-  app->add_option("--tolerance", command->options.force_tolerance,
+  app->add_option("--tolerance", command->options.tolerance,
+                  "relative error wanted of B and G; what is reached is printed, and said where it falls short")
+      ->capture_default_str();
+  app->add_option("--force-tolerance", command->options.force_tolerance,
                   "cohesionless: a contact below this force carries nothing, in max(F0, P a^(d-1))")
       ->capture_default_str();
   app->add_option("--rolling-stiffness", command->rolling_stiffness,

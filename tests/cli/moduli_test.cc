@@ -67,6 +67,21 @@ TEST_F(ModuliCommand, OfManyStatesSkipTheBadOneAndSaySo) {
   EXPECT_EQ(std::count(o.out.begin(), o.out.end(), '\n'), 3);
 }
 
+TEST_F(ModuliCommand, ComeWithBoundsOfTheirErrors) {
+  const Outcome o = moduli("packing.h5 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json row = json::parse(o.out).at(0);
+  for (const auto& [modulus, error] : {std::pair{"B", "error_B"}, {"B_S", "error_B_S"}, {"G", "error_G"}}) {
+    EXPECT_GT(row.at(error).get<double>(), 0.0);
+    EXPECT_LT(row.at(error).get<double>(), 1e-10 * row.at(modulus).get<double>());
+  }
+  EXPECT_GE(row.at("error_C").get<double>(), row.at("error_B").get<double>());
+  const Outcome strict = moduli("packing.h5 --tolerance 1e-20");
+  EXPECT_EQ(strict.code, 0);
+  EXPECT_THAT(strict.err, HasSubstr("packing.h5: warning: the relative error bound of B or G is "));
+  EXPECT_THAT(strict.err, HasSubstr("above the tolerance of 1.0e-20"));
+}
+
 TEST_F(ModuliCommand, GiveARowForEachRollingStiffness) {
   const Outcome o = moduli("packing.h5 --rolling-stiffness 0,1e-3 --rolling-stiffness 2 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
@@ -110,6 +125,8 @@ TEST_F(ModuliCommand, RefuseWhatNoModuliCanBeOf) {
   EXPECT_EQ(negative.code, 4);
   EXPECT_THAT(negative.err, HasSubstr("--rolling-stiffness = -1: must be >= 0"));
   EXPECT_EQ(moduli("packing.h5 --tolerance=-1").code, 4);
+  EXPECT_EQ(moduli("packing.h5 --tolerance=0").code, 4);
+  EXPECT_EQ(moduli("packing.h5 --force-tolerance=-1").code, 4);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <array>
+#include <csignal>
 #include <exception>
 #include <iostream>
 
@@ -31,6 +32,8 @@ int report(int code, const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // "| head -1" ends the program without a word, also where the caller had the signal ignored.
+  std::signal(SIGPIPE, SIG_DFL);
   spdlog::set_default_logger(spdlog::stderr_logger_st("floc"));
   spdlog::set_pattern("%v");
 

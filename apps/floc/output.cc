@@ -37,7 +37,7 @@ int worse(int a, int b) {
 }
 
 void add_states_argument(CLI::App& app, std::vector<std::string>& files) {
-  app.add_option("STATE", files, "state files")->required();
+  app.add_option("STATE", files, "state files, - for one on stdin")->required();
 }
 
 int for_each_file(const std::vector<std::string>& files,

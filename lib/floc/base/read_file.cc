@@ -8,17 +8,25 @@
 #include "floc/base/error.h"
 
 namespace floc {
+namespace {
+
+std::string read_all(const std::string& place, std::FILE* file) {
+  std::string bytes;
+  char buffer[1 << 16];
+  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file)) bytes.append(buffer, n);
+  // A directory opens, and fails only when it is read.
+  if (std::ferror(file)) throw InputError(place, std::strerror(errno));
+  return bytes;
+}
+
+}  // namespace
 
 std::string read_file(const std::string& path) {
   errno = 0;
+  if (path == "-") return read_all("stdin", stdin);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) throw InputError(path, std::strerror(errno));
-  std::string bytes;
-  char buffer[1 << 16];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) bytes.append(buffer, n);
-  // A directory opens, and fails only when it is read.
-  if (std::ferror(file.get())) throw InputError(path, std::strerror(errno));
-  return bytes;
+  return read_all(path, file.get());
 }
 
 }  // namespace floc

@@ -1,6 +1,7 @@
 #include "floc/elasticity/moduli.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,13 +11,20 @@
 
 #include "command.h"
 #include "floc/base/error.h"
+#include "floc/elasticity/mechanisms.h"
+#include "floc/elasticity/modes.h"
+#include "floc/elasticity/network_mechanics.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/structure/coordination.h"
+#include "increments.h"
 #include "output.h"
 #include "standing.h"
 
 namespace floc {
 namespace {
+
+/// Near-mechanisms are counted up to this number of grains: it takes a factor that is slow for large packings.
+constexpr int kLargestCounted = 20000;
 
 struct ModuliCommand {
   std::vector<std::string> files;
@@ -25,6 +33,7 @@ struct ModuliCommand {
   bool force = false;
   ModuliOptions options;
   std::vector<double> rolling_stiffness;
+  std::string increments;  ///< file for the increments of every contact; empty: none
   std::string format;
 };
 
@@ -40,6 +49,10 @@ struct ModuliRow {
   double reduced_pressure;
   double solid_fraction;
   Moduli moduli;
+  NetworkMechanics network;
+  std::optional<int> n_near_mechanisms;
+  std::optional<double> B_prestress;  ///< where near-mechanisms make it count
+  std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
   double seconds;
 };
@@ -62,11 +75,33 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   return row;
 }
 
+/// What the contact network says beside the moduli of a row; increments of its contacts where they are asked for.
+template <int Dim>
+void add_network(const Packing<Dim>& packing, ModuliOptions options, ModuliRow& row, Table* increments) {
+  if (row.rolling_stiffness) options.rolling_stiffness = row.rolling_stiffness;
+  const ContactNetwork<Dim> network = options.loaded_network(packing);
+  const ContactMechanics<Dim> contacts = contact_mechanics(network, row.moduli);
+  row.network = network_mechanics(packing, network, row.moduli, contacts);
+  if (increments != nullptr) add_increments(row.file, packing, network, contacts, *increments);
+  const ElasticResponse response = std::move(row.moduli.response);
+  const auto vanishing = strain_mechanisms<Dim>(response, affine_stiffness(network, options.strains)).vanishing;
+  if (!vanishing.empty())
+    std::cerr << fmt::format("floc: {}: warning: moduli that vanish: {}\n", row.file,
+                             fmt::join(vanishing, ", "));
+  if (network.n_grains > kLargestCounted) return;
+  row.n_near_mechanisms = count_near_mechanisms(network, response);
+  if (*row.n_near_mechanisms == 0 && !options.prestress) return;
+  options.prestress = true;
+  const Moduli with = row.moduli.B_without_prestress ? row.moduli : elastic_moduli(packing, options);
+  row.B_prestress = with.B;
+  row.G_prestress = with.G;
+}
+
 /// A row for each rolling stiffness asked for, or one with the state's own.
 template <int Dim>
 std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& state,
-                                    const ModuliOptions& options,
-                                    const std::vector<double>& rolling_stiffness) {
+                                    const ModuliOptions& options, const std::vector<double>& rolling_stiffness,
+                                    Table* increments) {
   const ModuliRow description = described(file, state);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Moduli> moduli = rolling_stiffness.empty()
@@ -79,6 +114,7 @@ std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& s
     rows[k].reduced_pressure = reduced_pressure<Dim>(state.packing, moduli[k].pressure);
     if (!rolling_stiffness.empty()) rows[k].rolling_stiffness = rolling_stiffness[k];
     rows[k].seconds = seconds / static_cast<double>(rows.size());
+    add_network(state.packing, options, rows[k], increments);
     for (const std::string& warning : moduli[k].warnings)
       std::cerr << "floc: " << file << ": warning: " << warning << '\n';
   }
@@ -153,8 +189,33 @@ std::vector<Column> contract_columns() {
       {"error_G", [](const ModuliRow& r) { return r.moduli.G_error; }}};
 }
 
+std::vector<Column> network_columns() {
+  const auto count = [](int n) { return TableValue{std::int64_t{n}}; };
+  const auto maybe_count = [](const std::optional<int>& n) {
+    TableValue value;
+    if (n) value = std::int64_t{*n};
+    return value;
+  };
+  return {{"n_dead_ends", [count](const ModuliRow& r) { return count(r.network.n_dead_ends); }},
+          {"n_components", [count](const ModuliRow& r) { return count(r.network.n_components); }},
+          {"n_percolating", [count](const ModuliRow& r) { return count(r.network.n_percolating); }},
+          {"n_near_mechanisms", [maybe_count](const ModuliRow& r) { return maybe_count(r.n_near_mechanisms); }},
+          {"B_prestress", [](const ModuliRow& r) { return maybe(r.B_prestress); }},
+          {"G_prestress", [](const ModuliRow& r) { return maybe(r.G_prestress); }},
+          {"x0", [](const ModuliRow& r) { return r.network.rattler_fraction; }},
+          {"z_star", [](const ModuliRow& r) { return r.network.z_star; }},
+          {"G_star", [](const ModuliRow& r) { return maybe(r.network.G_star); }},
+          {"indeterminacy", [count](const ModuliRow& r) { return count(r.network.indeterminacy.degree); }},
+          {"energy_share_95", [](const ModuliRow& r) { return maybe(r.network.energy_share_95); }},
+          {"energy_share_95_deviatoric",
+           [](const ModuliRow& r) { return maybe(r.network.energy_share_95_deviatoric); }},
+          {"backbone_share", [](const ModuliRow& r) { return maybe(r.network.backbone_share); }},
+          {"scalar_backbone_share", [](const ModuliRow& r) { return maybe(r.network.scalar_backbone_share); }}};
+}
+
 std::vector<Column> columns_for(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
   std::vector<Column> columns = contract_columns();
+  std::ranges::move(network_columns(), std::back_inserter(columns));
   int size = 2;
   for (const ModuliRow& r : rows) size = std::max(size, static_cast<int>(r.moduli.C.rows()));
   for (const auto& [a, b] : further_entries(size))
@@ -191,6 +252,8 @@ ModuliOptions options_of(const ModuliCommand& command) {
     with.rolling_stiffness = kr;
     for (const std::string& fault : with.validate()) faults.push_back(fault);
   }
+  if (!command.increments.empty() && command.rolling_stiffness.size() > 1)
+    faults.push_back("increments: expects one rolling stiffness at most, for one set of forces a contact");
   for (const std::string& fault : faults) throw InputError("floc moduli", "--" + fault);
   return options;
 }
@@ -207,16 +270,19 @@ bool stands(const std::string& file, const AnyState& any, bool force) {
 int run_moduli(const ModuliCommand& command) {
   const ModuliOptions options = options_of(command);
   std::vector<ModuliRow> rows;
+  Table increments;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
     if (!stands(file, any, command.force) && !command.force) return int{kVerificationFailed};
     std::visit(
         [&](const auto& state) {
-          std::ranges::move(compute_rows(file, state, options, command.rolling_stiffness),
+          std::ranges::move(compute_rows(file, state, options, command.rolling_stiffness,
+                                         command.increments.empty() ? nullptr : &increments),
                             std::back_inserter(rows));
         },
         any);
     return int{kDone};
   });
+  if (!command.increments.empty()) write_increments(command.increments, increments);
   print_table(to_table(columns_for(command, rows), rows), command.format);
   return code;
 }
@@ -243,6 +309,10 @@ Command add_moduli(CLI::App& program) {
                   "K_R of every touching contact, in the state's units; a row for each value")
       ->delimiter(',')
       ->allow_extra_args(false);
+  app->add_option(
+      "--increments", command->increments,
+      "file for a row a contact: what a unit of isotropic and of deviatoric stress adds to its forces, "
+      "energy and rank, dead end, backbones");
   app->add_flag("--force", command->force,
                 "also of states that are no equilibrium, which are refused otherwise");
   add_format_option(*app, command->format);

@@ -185,18 +185,19 @@ SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions&
 }
 
 template <int Dim>
-int count_near_mechanisms(const ContactNetwork<Dim>& network) {
+int count_near_mechanisms(const ContactNetwork<Dim>& network, const ElasticResponse& response) {
   const ConnectedUnknowns<Dim> unknowns(network);
-  const double zero = ModeOptions{}.mechanism_bound;
   const double bound = near_bound(network) / stiffness_scale(network);
-  if (unknowns.n() == 0 || bound <= zero) return 0;
+  if (unknowns.n() == 0 || bound <= ModeOptions{}.mechanism_bound) return 0;
   SymmetricFactor factor;
   factor.set_matrix(scaled_stiffness(network, unknowns, StrainSet::diagonal));
-  return factor.count_eigenvalues_below(bound) - factor.count_eigenvalues_below(zero);
+  const FreeMotions& free = response.free;
+  const int n_free = static_cast<int>(free.kind.size()) - free.count(FreeMotionKind::rattler);
+  return factor.count_eigenvalues_below(bound) - n_free - response.n_mechanisms - response.n_negative;
 }
 
-template int count_near_mechanisms(const ContactNetwork<2>&);
-template int count_near_mechanisms(const ContactNetwork<3>&);
+template int count_near_mechanisms(const ContactNetwork<2>&, const ElasticResponse&);
+template int count_near_mechanisms(const ContactNetwork<3>&, const ElasticResponse&);
 template SoftModes<2> soft_modes(const ContactNetwork<2>&, const ModeOptions&);
 template SoftModes<3> soft_modes(const ContactNetwork<3>&, const ModeOptions&);
 

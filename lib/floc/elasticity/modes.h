@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/elasticity/elastic_response.h"
 #include "floc/linalg/symmetric_factor.h"
 #include "floc/network/free_motions.h"
 #include "floc/network/stiffness_matrix.h"
@@ -65,8 +66,10 @@ struct SoftModes {
 template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
 
-/// Number of eigenvalues between a mechanism's and max |F_N|/r, by inertia alone.
+/// Number of near-mechanisms: of the eigenvalues up to max |F_N|/r, by inertia, those that are no free motions, no
+/// mechanisms and not negative.
+/// @param response  of the same network, strains clamped or not, without prestress
 template <int Dim>
-int count_near_mechanisms(const ContactNetwork<Dim>& network);
+int count_near_mechanisms(const ContactNetwork<Dim>& network, const ElasticResponse& response);
 
 }  // namespace floc

@@ -45,6 +45,8 @@ NetworkMechanics network_mechanics(const Packing<Dim>& packing, const ContactNet
     out.G_star = moduli.G * std::pow(a, Dim - 2) / (kn / n_touching * solid_fraction(packing)) /
                  (1.0 - out.rattler_fraction);
   }
+  out.n_dead_ends = moduli.response.free.n_dead_ends();
+  out.n_components = moduli.response.free.n_components;
   out.indeterminacy = force_indeterminacy(network, moduli.response);
   if (contacts.isotropic) out.energy_share_95 = contacts.isotropic->energy_share_95;
   if (contacts.deviatoric) out.energy_share_95_deviatoric = contacts.deviatoric->energy_share_95;

@@ -31,6 +31,8 @@ struct NetworkMechanics {
   /// G/(K_N Phi (1 - x0)) with the mean K_N of touching contacts, in 3D times the largest diameter so that it has no
   /// dimension; nothing without contacts.
   std::optional<double> G_star;
+  int n_dead_ends = 0;   ///< grains that hang on a single contact, or on a chain of such
+  int n_components = 0;  ///< connected parts beside them
   Indeterminacy indeterminacy;
   std::optional<double> energy_share_95;  ///< isotropic step, see StepResponse
   std::optional<double> energy_share_95_deviatoric;

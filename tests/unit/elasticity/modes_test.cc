@@ -100,6 +100,12 @@ TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
   EXPECT_LT(softest.eigenvalue, 0.01);
   EXPECT_LT(softest.with_prestress, softest.eigenvalue);
   for (Contact<2>& c : packing.contacts) c.normal_force = -0.01;
+  const auto network = contact_network(packing);
+  const ElasticResponse response = elastic_response(network, {});
+  int n_near = 0;
+  for (const Mode<2>& m : compressed.modes) n_near += m.kind == ModeKind::near_mechanism ? 1 : 0;
+  EXPECT_GT(n_near, 0);
+  EXPECT_EQ(count_near_mechanisms(network, response), n_near);
   const auto stretched = soft_modes(contact_network(packing), {});
   EXPECT_GT(stretched.modes.front().with_prestress, stretched.modes.front().eigenvalue);
 }

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "floc/fitting/consolidation_bootstrap.h"
 #include "floc/fitting/law_estimate.h"
-#include "floc/fitting/student_t.h"
 
 namespace floc {
 namespace {
@@ -280,6 +278,33 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
   }
 }
 
+/// The law that the points of the estimate tell: the line where no bend is seen.
+LawEstimate told_by(LawEstimate estimate) {
+  if (estimate.law == Law::full && !see_regime_three(estimate.points, estimate.solution) &&
+      !see_a_bend(estimate.points, estimate.solution)) {
+    estimate.law = Law::log;
+    estimate.solution = *solve_law(Law::log, estimate.points);
+  }
+  return estimate;
+}
+
+void describe_solution(const LawEstimate& told, ConsolidationFit& fit) {
+  const Eigen::VectorXd misfit = told.solution.residuals.cwiseQuotient(told.points.weight);
+  fit.rms = std::sqrt(misfit.squaredNorm() / static_cast<double>(misfit.size()));
+  fit.told = told.law;
+  fit.theta = told.solution.theta;
+  fit.fitted = told.points.y + misfit;
+  fit.weights = told.points.weight;
+}
+
+void add_bootstrap(const LawEstimate& told, const Eigen::MatrixXd& samples, const ConsolidationOptions& options,
+                   ConsolidationFit& fit) {
+  if (options.n_bootstrap == 0) return;
+  const Resampled resampled = resample(told, samples, options.n_bootstrap, options.seed);
+  fit.n_bootstrapped = resampled.n;
+  fit.bootstrap = resampled.parameters;
+}
+
 /// Solves the law on the window and tells what follows from it.
 ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, const Window& window,
                             const ConsolidationOptions& options, ConsolidationFit fit) {
@@ -291,49 +316,31 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
   const int n_plateau = options.hold_P0 ? 0 : window.n_plateau;
   const LawPoints plateau = all.range(window.first - n_plateau, n_plateau);
   const LawEstimate estimate{law, points, *solution, plateau, mean_level(plateau)};
-  describe_window(curve, window, fit);
-
-  LawEstimate told = estimate;
   const bool ends_early = law == Law::full && !see_regime_three(points, estimate.solution);
-  if (ends_early && !see_a_bend(points, estimate.solution)) {
-    told.law = Law::log;
-    told.solution = *solve_law(Law::log, points);
-  }
-  const int n_before = law == Law::full ? n_before_regime_three(points, estimate.solution) : window.n;
-  if (!ends_early && n_before < kFewestInRegimeTwo)
+  if (!ends_early && !keeps_regime_two(law, points, estimate.solution))
     return refused(law, fmt::format("only {} of the pressures lie before P1* = {:.4g}, regime II needs {}: try "
                                     "--law power",
-                                    n_before, std::exp(estimate.solution.theta[3]), kFewestInRegimeTwo));
-  const Eigen::VectorXd misfit = told.solution.residuals.cwiseQuotient(points.weight);
-  fit.rms = std::sqrt(misfit.squaredNorm() / window.n);
-  fit.told = told.law;
-  fit.theta = told.solution.theta;
-  fit.fitted = points.y + misfit;
-  fit.weights = points.weight;
+                                    n_before_regime_three(points, estimate.solution),
+                                    std::exp(estimate.solution.theta[3]), kFewestInRegimeTwo));
+  const LawEstimate told = told_by(estimate);
+  describe_window(curve, window, fit);
+  describe_solution(told, fit);
 
-  const bool is_mean = curve.samples.cols() >= kFewestSamples;
-  fit.errors_from_samples = is_mean;
-  Covariance covariance =
-      is_mean
-          ? covariance_from_samples(
-                told, deviations_of(curve.samples).middleRows(window.first - n_plateau, window.n + n_plateau))
-          : covariance_from_residuals(told);
+  const Eigen::MatrixXd samples =
+      curve.samples.cols() >= 2
+          ? Eigen::MatrixXd(curve.samples.middleRows(window.first - n_plateau, window.n + n_plateau))
+          : Eigen::MatrixXd();
+  fit.errors_from_samples = samples.cols() >= kFewestSamples;
+  Covariance covariance = fit.errors_from_samples ? covariance_from_samples(told, deviations_of(samples))
+                                                  : covariance_from_residuals(told);
   if (fit.regimes) add_spread_over_places(told, all, window, *fit.regimes, covariance);
   if (ends_early)
     bound_regime_three(told, covariance, curve.phi[fit.used.back()], fit);
   else
     add_parameters(told, covariance, fit);
-  if (!is_mean) check_independence(told, fit);
+  if (!fit.errors_from_samples) check_independence(told, fit);
   shift_window(told, all, window, fit);
-  if (options.n_bootstrap > 0) {
-    const Eigen::MatrixXd samples =
-        curve.samples.cols() >= 2
-            ? Eigen::MatrixXd(curve.samples.middleRows(window.first - n_plateau, window.n + n_plateau))
-            : Eigen::MatrixXd();
-    const Resampled resampled = resample(told, samples, options.n_bootstrap, options.seed);
-    fit.n_bootstrapped = resampled.n;
-    fit.bootstrap = resampled.parameters;
-  }
+  add_bootstrap(told, samples, options, fit);
   return fit;
 }
 

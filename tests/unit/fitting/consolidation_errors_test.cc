@@ -95,6 +95,27 @@ TEST(Law, IsFittedOverTwentyFourDecades) {
   EXPECT_NEAR(value(fit, "P1_star"), law.P1_star, 1e-8 * law.P1_star);
 }
 
+TEST(Law, OfOneRegimeIsFittedOverTwelveDecades) {
+  ConsolidationCurve line, power;
+  for (int k = -24; k <= 24; ++k) {
+    const double P = std::pow(10.0, 0.25 * k);
+    line.P_star.push_back(P);
+    line.phi.push_back(1 / (3.0 - 0.1 * std::log(P)));
+    power.P_star.push_back(P);
+    power.phi.push_back(1 / (1.2 + 1e-3 * std::pow(P, -0.8)));
+  }
+  ConsolidationOptions options;
+  options.window = {1e-7, 1e7};
+  options.law = ConsolidationLaw::log;
+  options.weighting = Weighting::relative;
+  EXPECT_NEAR(value(fit_consolidation(line, options), "lambda"), 0.1, 1e-10);
+  options.law = ConsolidationLaw::power;
+  const auto fit = fit_consolidation(power, options);
+  EXPECT_NEAR(value(fit, "alpha"), 0.8, 1e-8);
+  EXPECT_NEAR(value(fit, "A"), 1e-3, 1e-10);
+  EXPECT_NEAR(value(fit, "Phi_max"), 1 / 1.2, 1e-8);
+}
+
 TEST(Profile, IntervalsAreAsymmetricWhereTheLawIs) {
   RandomStream random(21, 0);
   ConsolidationOptions options;

@@ -15,8 +15,9 @@ double compliance_term(double squared_force, double stiffness) {
   return squared_force == 0.0 ? 0.0 : squared_force / stiffness;
 }
 
-/// A pressure below this share of what the forces could sum up to is what rounding leaves of zero.
-constexpr double kNoPressure = 1e-10;
+/// A pressure below this share of what the forces could sum up to is what an equilibrium, solved to 1e-8, leaves of
+/// zero.
+constexpr double kNoPressure = 1e-8;
 
 struct Sums {
   int n = 0;  // touching contacts

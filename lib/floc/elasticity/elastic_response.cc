@@ -119,7 +119,11 @@ ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const Respo
   ElasticResponse out;
   out.free = find_free_motions(network);
   // Eliminating a dead end takes its contact with it.
-  const ContactNetwork<Dim> core = without_grains(network, out.free.dead_end);
+  ContactNetwork<Dim> pruned;
+  const bool has_ends =
+      std::find(out.free.dead_end.begin(), out.free.dead_end.end(), true) != out.free.dead_end.end();
+  if (has_ends) pruned = without_grains(network, out.free.dead_end);
+  const ContactNetwork<Dim>& core = has_ends ? pruned : network;
   const ReducedUnknowns unknowns = reduce_unknowns(core, out.free.kept);
   const double unit = largest_stiffness(core);
   StiffnessMatrix k = stiffness_matrix(core, {options.strains, options.prestress});

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -304,35 +303,12 @@ Eigen::MatrixXd SymmetricFactor::solve(const Eigen::MatrixXd& B, int max_refinem
   return X;
 }
 
-double SymmetricFactor::pivot_ratio() const {
-  if (factor_->current == nullptr) return 0.0;
-  double smallest = std::numeric_limits<double>::infinity();
-  double largest = 0.0;
-  factor_->for_each_pivot([&](double pivot) {
-    smallest = std::min(smallest, std::abs(pivot));
-    largest = std::max(largest, std::abs(pivot));
-  });
-  return largest > 0.0 ? smallest / largest : 0.0;
-}
-
 double SymmetricFactor::condition_estimate() const {
   Factor& f = *factor_;
   if (f.size() == 0) return 1.0;
   assert(f.current != nullptr);
   const auto apply = [&f](const Eigen::VectorXd& x) -> Eigen::VectorXd { return f.apply_inverse(x); };
   return inverse_norm_estimate(f.size(), apply) * (f.norm + std::abs(f.shift));
-}
-
-double SymmetricFactor::backward_error(const Eigen::MatrixXd& X, const Eigen::MatrixXd& B) const {
-  if (B.size() == 0) return 0.0;
-  const Eigen::MatrixXd R = factor_->multiply(X) - B;
-  double worst = 0.0;
-  for (Eigen::Index c = 0; c < B.cols(); ++c) {
-    const double scale =
-        factor_->norm * X.col(c).lpNorm<Eigen::Infinity>() + B.col(c).lpNorm<Eigen::Infinity>();
-    if (scale > 0.0) worst = std::max(worst, R.col(c).lpNorm<Eigen::Infinity>() / scale);
-  }
-  return worst;
 }
 
 }  // namespace floc

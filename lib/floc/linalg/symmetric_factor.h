@@ -55,17 +55,10 @@ class SymmetricFactor {
   /// A * X.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& X) const;
 
-  /// Smallest over largest pivot of the last factor in absolute value. An upper bound of the reciprocal
-  /// condition number up to a factor of order one; 0 for an empty factor.
-  double pivot_ratio() const;
-
   /// Estimate of the condition number of A + shift in the 1-norm (Hager's method: a lower bound, seldom off by
   /// 3).
   /// @pre the last factorization succeeded.
   double condition_estimate() const;
-
-  /// Largest column of |A X - B| over |A| |X| + |B| (max norms): the backward error of X.
-  double backward_error(const Eigen::MatrixXd& X, const Eigen::MatrixXd& B) const;
 
  private:
   struct Factor;

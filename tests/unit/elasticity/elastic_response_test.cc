@@ -68,6 +68,41 @@ TEST(ElasticResponse, EqualsThePseudoInverseWithEveryKindOfContact) {
   }
 }
 
+/// The Schur complement of the unknowns that are kept, in extended precision from the rigidity matrix.
+template <int Dim>
+Eigen::MatrixXd extended_response(const ContactNetwork<Dim>& network, const std::vector<bool>& kept) {
+  using Extended = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+  const Eigen::MatrixXd g = rigidity_matrix(network, StrainSet::full);
+  const int n = network.n_unknowns();
+  std::vector<int> columns;
+  for (int u = 0; u < n; ++u)
+    if (kept[u]) columns.push_back(u);
+  const Extended a = Eigen::MatrixXd(g(Eigen::all, columns)).cast<long double>();
+  const Extended b = g.rightCols(g.cols() - n).cast<long double>();
+  Extended ka = a, kb = b;
+  for (int r = 0; r < g.rows(); ++r) {
+    const long double k = row_stiffness(network.contacts[r / kDofs<Dim>])[r % kDofs<Dim>];
+    ka.row(r) *= k;
+    kb.row(r) *= k;
+  }
+  const Extended u = Extended(a.transpose() * ka).fullPivLu().solve(a.transpose() * kb);
+  return Extended(kb.transpose() * (b - a * u)).cast<double>();
+}
+
+TEST(ElasticResponse, LiesWithinItsErrorBound) {
+  ResponseOptions options;
+  options.strains = StrainSet::full;
+  for (const double kr : {0.1, 1e-5, 1e-10})
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      const auto network = contact_network(test::random_packing<2>(25, seed, test::elastic_law(1.0, 0.6, kr)));
+      const ElasticResponse response = elastic_response(network, options);
+      const Eigen::MatrixXd error =
+          (response.relaxed - extended_response(network, response.free.kept)).cwiseAbs();
+      EXPECT_TRUE((error.array() <= response.error.array()).all()) << "seed " << seed << ", K_R = " << kr;
+      EXPECT_LT(response.error.maxCoeff(), 1e-11) << "seed " << seed << ", K_R = " << kr;
+    }
+}
+
 TEST(ElasticResponse, EqualsThePseudoInverseWithMechanismsInPlenty) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     expect_dense_answer(

@@ -300,6 +300,8 @@ int fit_tables(const Arguments& arguments) {
   ConsolidationFit fit;
   for (const Sample& sample : samples) {
     ConsolidationOptions own = options;
+    if (arguments.weights == "scatter" && sample.loading.curve.samples.cols() < 2)
+      spdlog::info("{}: a single curve has no scatter between samples: relative weights", sample.name);
     if (arguments.weights == "scatter" && sample.loading.curve.samples.cols() > 1)
       own.weighting = Weighting::scatter;
     start_at_P0(arguments.P0, sample.loading.curve, own);

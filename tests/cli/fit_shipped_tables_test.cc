@@ -69,6 +69,19 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   EXPECT_GT(pooled["bootstrap"]["n"], 25);
 }
 
+TEST(ShippedPaths, PublishedProtocolFitsTheMeanFromAPressureOfTheGridOn) {
+  const Outcome o = run_floc("fit consolidation " + kDemo + " --protocol published --P0 0.03 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fits = json::parse(o.out);
+  ASSERT_EQ(fits.size(), 1u);
+  EXPECT_EQ(fits[0]["sample"], "pooled");
+  EXPECT_EQ(fits[0]["protocol"], "published");
+  // The pressure of the grid nearest to 0.03, held; the window ends with the curve.
+  EXPECT_NEAR(fits[0]["parameters"]["P0_star"]["value"], 0.01 * std::pow(10.0, 0.5), 1e-12);
+  EXPECT_TRUE(fits[0]["parameters"]["P0_star"]["stderr"].is_null());
+  EXPECT_EQ(fits[0]["window"][1], 13.33);
+}
+
 TEST(ShippedPaths, ReloadingTellsThePressureTheyHadSeen) {
   const Outcome o = run_floc("fit preconsolidation " + kReload + " --format json");
   ASSERT_EQ(o.code, 0) << o.err;

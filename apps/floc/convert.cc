@@ -38,7 +38,7 @@ struct ConvertArguments {
   std::string units = "reduced";
   std::optional<int> dimension;
   std::optional<int> index;
-  double tolerance = kForeignTolerance;
+  std::optional<double> tolerance;
   bool overwrite = false;
 };
 
@@ -93,6 +93,15 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   return options;
 }
 
+/// What is asked of an equilibrium: what `--tolerance` says, else of a format that says law and load exactly as much as of
+/// floc's own states, of the others kForeignTolerance. The energy scales with the force.
+EquilibriumTolerance tolerance_for(const Imported& imported, const ConvertArguments& arguments) {
+  const EquilibriumTolerance own;
+  const double force =
+      arguments.tolerance.value_or(imported.target_stress_known ? own.force : kForeignTolerance);
+  return {force, force, force, own.energy * (force / own.force)};
+}
+
 /// Fills in what the file did not say and an analysis needs.
 template <int Dim>
 void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
@@ -106,9 +115,7 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
   } else if (!imported.target_stress_known) {
     state.target_stress = static_stress(state.packing).diagonal();
   }
-  const double relative = arguments.tolerance / EquilibriumTolerance().force;
-  state.tolerance.force = state.tolerance.moment = state.tolerance.stress = arguments.tolerance;
-  state.tolerance.energy *= relative;
+  state.tolerance = tolerance_for(imported, arguments);
   state.residuals = residuals(state.packing, state.target_stress);
   state.provenance.program = "floc " + version();
   state.provenance.commit = commit();
@@ -188,9 +195,9 @@ void add_reading_options(CLI::App& app, ConvertArguments& arguments) {
       "diagonal of the stress imposed, compression positive [what IN says, else what the contacts carry]");
   app.add_option(
          "--tolerance", arguments.tolerance,
-         "how far from equilibrium IN may be: net force / F1, net moment / (F1 a), stress / (F1/a^(d-1))")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+         "how far from equilibrium IN may be: net force / F1, net moment / (F1 a), stress / (F1/a^(d-1)) "
+         "[1e-3; jambashbulk: 1e-5]")
+      ->check(CLI::PositiveNumber);
   app.add_option("--units", arguments.units, "reduced or SI")->check(CLI::IsMember({"reduced", "SI"}));
   app.add_option("--dimension", arguments.dimension, "2 or 3 [2 if every z is the same]")
       ->check(CLI::IsMember({2, 3}));

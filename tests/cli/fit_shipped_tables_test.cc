@@ -107,6 +107,28 @@ TEST(ShippedPaths, UnloadingIsElastic) {
   EXPECT_NEAR(fit["parameters"]["B"]["value"], 26000, 6000);
 }
 
+TEST(FitElastic, TheModulusOfAStateStandsBesideTheFit) {
+  const ScratchDirectory dir;
+  // Four disks of a compressed triangular lattice: B = sqrt(3)/2 K_N.
+  write_text(dir.file("grains.csv"),
+             "x,y,r\n0.0,0.0,0.5\n0.999,0.0,0.5\n0.4995,0.8651594,0.5\n1.4985,0.8651594,0.5\n");
+  ASSERT_EQ(run_floc("convert grains.csv crystal.h5 --columns radius=r --cell \"1.998,0;0,1.7303188\" --law "
+                     "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800",
+                     dir.path())
+                .code,
+            0);
+  std::string table = "P,phi\n";
+  for (const double P : {2.0, 1.5, 1.0, 0.5, 0.0})
+    table += std::to_string(P) + "," + std::to_string(0.9 * std::exp(P / 900)) + "\n";
+  const Outcome o = run_floc("fit elastic - --state crystal.h5 --format json", dir.path(), table);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fit = json::parse(o.out).at(0);
+  EXPECT_NEAR(fit["state"]["B"], 500 * std::sqrt(3.0), 1e-3);
+  // The table has six decimals of a density that changes by 2e-3.
+  EXPECT_NEAR(fit["parameters"]["B"]["value"], 900, 2);
+  EXPECT_TRUE(fit["state"]["rms"].is_number());
+}
+
 TEST(Plots, AreDrawnWithDataAndScriptBesideThem) {
   const ScratchDirectory dir;
   const Outcome o =

@@ -14,6 +14,7 @@
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/moduli.h"
 #include "output.h"
+#include "standing.h"
 
 namespace floc {
 namespace {
@@ -106,9 +107,12 @@ void say_what_is_soft(const std::string& file, const ContactNetwork<Dim>& networ
 }
 
 template <int Dim>
-void add_state(const std::string& file, const Packing<Dim>& packing, const ModesCommand& command,
+void add_state(const std::string& file, const State<Dim>& state, const ModesCommand& command,
                std::vector<ModeRow>& rows) {
+  const Packing<Dim>& packing = state.packing;
   if (packing.grains.size() == 0) throw InputError(file, "has no grains: modes need a packing");
+  if (const std::string faults = unbalance(state); !faults.empty())
+    say(file, "warning: this is no equilibrium: " + faults);
   ModuliOptions options;
   options.prestress = true;
   const ContactNetwork<Dim> network = options.loaded_network(packing);
@@ -178,7 +182,7 @@ Table to_table(const std::vector<ModeRow>& rows) {
 int run_modes(const ModesCommand& command) {
   std::vector<ModeRow> rows;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
-    std::visit([&](const auto& state) { add_state(file, state.packing, command, rows); }, any);
+    std::visit([&](const auto& state) { add_state(file, state, command, rows); }, any);
     return int{kDone};
   });
   print_table(to_table(rows), command.format);

@@ -85,6 +85,9 @@ TEST_F(Increments, OfASquareLatticeAreThoseOfItsTwoContacts) {
   EXPECT_EQ(row.at("n_components"), 1);
   EXPECT_EQ(row.at("energy_share_95"), 1.0);
   EXPECT_EQ(row.at("scalar_backbone_share"), 1.0);
+  const json full = json::parse(moduli("square.h5 --strains full --format json").out).at(0);
+  EXPECT_EQ(full.at("indeterminacy"), row.at("indeterminacy"));
+  EXPECT_EQ(full.at("energy_share_95"), row.at("energy_share_95"));
   // Two contacts of three components, three unknowns and two strains, two translations.
   EXPECT_EQ(row.at("indeterminacy"), 3);
   // G = K_N/2 times r^2/A, over K_N Phi.
@@ -117,6 +120,38 @@ TEST_F(Increments, AreRefusedInWordsWhereOneFileCannotHoldThem) {
   EXPECT_EQ(several.code, 4);
   EXPECT_THAT(several.err, HasSubstr("--increments: expects one rolling stiffness at most"));
   EXPECT_EQ(moduli("square.h5 --increments none/out.csv").code, 1);
+}
+
+TEST_F(Increments, OfRattlersAreNone) {
+  // Without adhesion a disk on one contact is a rattler.
+  State<2> state;
+  state.packing = square_frames(5, 1.0, elastic_law(1.0, 0.6, 0.1));
+  Grains<2>& g = state.packing.grains;
+  std::vector<Vec<2>> places = g.position;
+  places.emplace_back(2.0, 1.0);
+  g = Grains<2>::with_size(static_cast<int>(places.size()));
+  g.position = places;
+  g.radius.assign(places.size(), 0.51);
+  g.mass.assign(places.size(), 1.0);
+  find_contacts(state.packing);
+  write_state(scratch_.file("rattler.h5"), state);
+  const Outcome o = moduli("rattler.h5 --increments out.csv --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json row = json::parse(o.out).at(0);
+  EXPECT_EQ(row.at("x0").get<double>(), 1.0 / 8.0);
+  EXPECT_EQ(row.at("z_star").get<double>(), 2.0 * 8.0 / 7.0);
+  const auto rows = written();
+  ASSERT_THAT(rows, SizeIs(1 + 8 + 1));
+  int n_idle = 0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    if (rows[k][2] != "7" && rows[k][3] != "7") continue;
+    ++n_idle;
+    EXPECT_EQ(std::stod(rows[k][7]), 0.0);
+    EXPECT_EQ(rows[k][12], "");
+    EXPECT_EQ(rows[k][21], "true");
+    EXPECT_EQ(rows[k][22], "false");
+  }
+  EXPECT_EQ(n_idle, 1);
 }
 
 TEST_F(Increments, StateWithAMechanismNamesTheModuliThatVanish) {

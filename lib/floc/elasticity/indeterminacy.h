@@ -14,8 +14,9 @@ struct Indeterminacy {
 };
 
 /// Of a network with its diagonal strains (3 N_b + 2 unknowns in 2D, 6 N_b + 3 in 3D) or all symmetric ones.
-/// @param response  of the same network, over as many strains, without prestress
+/// @param response  of the same network, over these strains at least, without prestress
 template <int Dim>
-Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const ElasticResponse& response);
+Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const ElasticResponse& response,
+                                  StrainSet strains = StrainSet::diagonal);
 
 }  // namespace floc

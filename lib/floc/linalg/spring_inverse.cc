@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kSuspiciousCondition = 1e12;
 /// Share of a column of sqrt(k) A, left after those before it, below which it depends on them: a mechanism. The
-/// softest chain that double precision resolves leaves more, rounding leaves 1e-15.
-constexpr double kDependent = 1e-13;
+/// softest chain that double precision resolves leaves more than the first, rounding alone leaves 1e-15. Where many
+/// columns nearly depend on each other more can be left of a mechanism, up to the last.
+constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
 /// Units of rounding by which a factor may miss its matrix: each column sums some tens of products.
 constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
 /// Hager's estimate is seldom off by more.
@@ -24,16 +25,34 @@ std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor&
   return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
 }
 
+/// Whether every motion is one of the columns that take part, to rounding: those left out are mechanisms then, and no
+/// soft springs.
+bool spans(const Eigen::SparseMatrix<double>& root, const LeastSquaresFactor& qr) {
+  constexpr double kRounding = 1e-14, kLargest = 1e6;
+  Eigen::VectorXd motion(root.cols());
+  for (Eigen::Index c = 0; c < motion.size(); ++c) motion[c] = std::sin(1.0 + static_cast<double>(c));
+  const Eigen::VectorXd stretch = root * motion;
+  Eigen::VectorXd same = qr.solve(root.transpose() * stretch);
+  same += qr.solve(root.transpose() * (stretch - root * same));
+  const double left = (stretch - root * same).lpNorm<Eigen::Infinity>();
+  const double size = 1.0 + same.lpNorm<Eigen::Infinity>();
+  return size < kLargest && left <= kRounding * size * std::sqrt(static_cast<double>(root.cols()));
+}
+
 SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& springs) {
   const Eigen::SparseMatrix<double> root = springs.stiffness.cwiseSqrt().asDiagonal() * springs.on_free;
-  const auto qr = std::make_shared<LeastSquaresFactor>(root, kDependent * std::sqrt(factor.norm()));
   SpringInverse out;
-  out.n_mechanisms = static_cast<int>(root.cols()) - qr->rank();
-  out.inverse.apply = [qr](const Eigen::VectorXd& b) { return qr->solve(b); };
-  const double condition =
-      kEstimateMargin * factor.norm() * inverse_norm_estimate(root.cols(), out.inverse.apply);
-  out.inverse.smallest_ratio = kFactorRounding * std::sqrt(condition) < 0.5 ? 0.5 : 0.0;
-  out.condition = out.n_mechanisms > 0 ? kInfinity : condition;
+  for (const double dependent : kDependent) {
+    const auto qr = std::make_shared<LeastSquaresFactor>(root, dependent * std::sqrt(factor.norm()));
+    if (dependent != kDependent[0] && !spans(root, *qr)) break;
+    out.n_mechanisms = static_cast<int>(root.cols()) - qr->rank();
+    out.inverse.apply = [qr](const Eigen::VectorXd& b) { return qr->solve(b); };
+    const double condition =
+        kEstimateMargin * factor.norm() * inverse_norm_estimate(root.cols(), out.inverse.apply);
+    out.inverse.smallest_ratio = kFactorRounding * std::sqrt(condition) < 0.5 ? 0.5 : 0.0;
+    out.condition = out.n_mechanisms > 0 ? kInfinity : condition;
+    if (out.inverse.smallest_ratio > 0.0) break;
+  }
   return out;
 }
 

@@ -47,8 +47,10 @@ struct ModeOptions {
   StrainSet strains = StrainSet::diagonal;
   /// Number of modes. By default all that are not elastic, but no fewer than 10 and no more than 100.
   std::optional<int> count;
-  /// See ResponseOptions.
-  double mechanism_bound = 1e-13;
+  /// Eigenvalues within this of zero, in units of the largest contact stiffness, are mechanisms. They are sums of
+  /// squares over the contacts, into which the rounding of K does not enter: near-mechanisms show their eigenvalue down
+  /// to here, and mechanisms are seen at 1e-19 and below.
+  double mechanism_bound = 1e-16;
   Ordering ordering = Ordering::amd;
 };
 

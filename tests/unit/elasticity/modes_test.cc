@@ -110,6 +110,28 @@ TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
   EXPECT_GT(stretched.modes.front().with_prestress, stretched.modes.front().eigenvalue);
 }
 
+TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
+  // The same chain: its eigenvalue goes with the square of the distance from the line; two mechanisms stay.
+  double ratio_before = 0.0;
+  for (const double off : {1e-4, 1e-5, 1e-6, 1e-7}) {
+    Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
+    packing.grains.position[1][1] += off;
+    packing.grains.position[3][1] -= 2.0 * off;
+    find_contacts(packing);
+    for (Contact<2>& c : packing.contacts) c.normal_force = 0.01;
+    const SoftModes<2> soft = soft_modes(contact_network(packing), {});
+    EXPECT_EQ(soft.modes[0].kind, ModeKind::mechanism);
+    EXPECT_EQ(soft.modes[1].kind, ModeKind::mechanism);
+    EXPECT_EQ(soft.modes[2].kind, ModeKind::near_mechanism);
+    const double ratio = soft.modes[2].eigenvalue / (off * off);
+    // Positions of order one leave 1e-16/off of the distance, twice over in its square.
+    if (ratio_before > 0.0) {
+      EXPECT_NEAR(ratio / ratio_before, 1.0, 1e-4) << off;
+    }
+    ratio_before = ratio;
+  }
+}
+
 TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
   // One disk of a stiff lattice is held softly: in the softest mode it moves by 1 - 1/n, the others by -1/n.
   auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 1.0, 1.0)));

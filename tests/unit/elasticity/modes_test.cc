@@ -132,6 +132,22 @@ TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
   }
 }
 
+TEST(SoftModes, MechanismsAreAsManyAsTheRankOfTheRigidityMatrixLeaves) {
+  int n_mechanisms = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const auto law = test::elastic_law(1.0, 0.6, 0.0);
+    const auto network = contact_network(test::random_packing<2>(60, seed, law, 1.4));
+    const int expected = elastic_response(network, {}).n_mechanisms;
+    ModeOptions options;
+    options.count = expected + 3;
+    int found = 0;
+    for (const Mode<2>& m : soft_modes(network, options).modes) found += m.kind == ModeKind::mechanism ? 1 : 0;
+    EXPECT_EQ(found, expected) << "seed " << seed;
+    n_mechanisms += found;
+  }
+  EXPECT_GT(n_mechanisms, 20);
+}
+
 TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
   // One disk of a stiff lattice is held softly: in the softest mode it moves by 1 - 1/n, the others by -1/n.
   auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 1.0, 1.0)));

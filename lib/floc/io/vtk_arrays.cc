@@ -15,20 +15,21 @@
 namespace floc {
 namespace {
 
-/// Bytes that base64 text stands for, up to its padding. Empty if a character is none of base64.
+/// Bytes that base64 text stands for, up to a character that is none of base64. Padding may stand inside: VTK encodes the
+/// length of a block and its data one after the other.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
-  std::uint32_t bits = 0;
-  int n_bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const std::size_t value = kAlphabet.find(c);
-    if (value == std::string_view::npos) return {};
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    if ((n_bits += 6) < 8) continue;
-    n_bits -= 8;
-    bytes += static_cast<char>(bits >> n_bits & 0xff);
+  for (std::size_t at = 0; at + 4 <= text.size(); at += 4) {
+    std::uint32_t bits = 0;
+    std::size_t n_padding = 0;
+    for (const char c : text.substr(at, 4)) {
+      const std::size_t value = kAlphabet.find(c);
+      if (value == std::string_view::npos && c != '=') return bytes;
+      n_padding += c == '=';
+      bits = bits << 6 | (c == '=' ? 0u : static_cast<std::uint32_t>(value));
+    }
+    for (std::size_t k = 0; k + n_padding < 3; ++k) bytes += static_cast<char>(bits >> (16 - 8 * k) & 0xff);
   }
   return bytes;
 }
@@ -70,6 +71,14 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
     at = text.find_first_not_of(kSpace, end);
   }
   return values;
+}
+
+/// How many characters of base64 a block takes at most: its length stands in front, encoded by itself or with the data.
+std::size_t encoded_size(std::string_view text, std::size_t header_size) {
+  const std::string header = from_base64(text.substr(0, 12)).substr(0, header_size);
+  std::uint64_t length = 0;
+  std::memcpy(&length, header.data(), header.size());
+  return length > text.size() ? text.size() : 12 + 4 * (length / 3 + 2);
 }
 
 /// The payload of a block: its length in bytes as an integer of `header_size` bytes, then the bytes.
@@ -171,7 +180,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
     if (offset > d.appended.size())
       throw InputError(here, fmt::format("offset = {} is behind the data", offset));
     block = std::string_view(d.appended).substr(offset);
-    if (!d.appended_raw) block = decoded = from_base64(block.substr(0, block.find('=') + 2));
+    if (!d.appended_raw) block = decoded = from_base64(block.substr(0, encoded_size(block, d.header_size)));
   } else if (format == "binary") {
     block = decoded = from_base64(trimmed(array.text().as_string()));
   } else {

@@ -15,8 +15,8 @@
 namespace floc {
 namespace {
 
-/// Bytes that base64 text stands for, up to a character that is none of base64. Padding may stand inside: VTK encodes the
-/// length of a block and its data one after the other.
+/// Bytes that base64 text stands for, up to a character that is none of base64. Padding may stand inside: VTK encodes
+/// the length of a block and its data one after the other.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;

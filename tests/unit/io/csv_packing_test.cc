@@ -152,7 +152,8 @@ TEST_F(CsvPacking, NamesWhatIsWrongInAListOfContacts) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the law has no friction")));
   grains("x,y,radius\n1,1,1\n");
   contacts("id1,id2\n0,1\n");
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("id2 = 1: no grain has this id; they are from 0 to 0")));
+  EXPECT_THAT(refusal(),
+              ThrowsMessage<InputError>(HasSubstr("id2 = 1: no grain has this id; they are from 0 to 0")));
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ StateModuli moduli_of(const std::string& file) {
       any);
 }
 
-/// The state to compare with: the one asked for, else that of the branch's first row if it lies beside the table.
+/// The state to compare with: the one asked for, else that of the branch's first row if it lies beside the
+/// table.
 std::optional<StateModuli> find_state(const Arguments& arguments, const PathTable& path, int row) {
   if (!arguments.state.empty()) return moduli_of(arguments.state);
   if (!path.table.has("state") || path.name == "stdin") return std::nullopt;

@@ -55,7 +55,8 @@ double mean_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-/// Tails of both signs if there are tensions, the forms of compressive networks if there are none; or the form asked for.
+/// Tails of both signs if there are tensions, the forms of compressive networks if there are none; or the form
+/// asked for.
 std::vector<ForceFit> fit_forms(const std::vector<double>& forces, const Arguments& arguments) {
   const std::vector<double> positive = sizes_of(forces, 1.0), negative = sizes_of(forces, -1.0);
   const auto wanted = [&](const char* form) { return arguments.form == "all" || arguments.form == form; };

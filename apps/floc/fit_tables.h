@@ -44,14 +44,15 @@ struct PathTable {
   CsvTable table;
 };
 
-/// Reads the pressure (the first of `pressures` that the table has), phi (or void_ratio) and, if there is one, branch.
-/// @throws InputError naming file, line and value for what is no path: columns missing, values that are no numbers,
-/// negative, or pressures that break their branch
+/// Reads the pressure (the first of `pressures` that the table has), phi (or void_ratio) and, if there is one,
+/// branch.
+/// @throws InputError naming file, line and value for what is no path: columns missing, values that are no
+/// numbers, negative, or pressures that break their branch
 PathTable read_path(const std::string& file, const ColumnNames& columns,
                     const std::vector<std::string>& pressures = {"P_star"});
 
-/// Hands every table of the inputs to `work`, which returns its exit code. What cannot be read is reported by name on
-/// stderr and the others are still done. @return the worst of the exit codes
+/// Hands every table of the inputs to `work`, which returns its exit code. What cannot be read is reported by
+/// name on stderr and the others are still done. @return the worst of the exit codes
 int for_each_table(const std::vector<std::string>& inputs,
                    const std::function<int(const std::string& file)>& work);
 

@@ -24,7 +24,8 @@ struct Tally {
   }
 };
 
-/// 500 noisy repetitions of a curve: bias below a third of the stated error, 95 % intervals that cover 92 to 97 %.
+/// 500 noisy repetitions of a curve: bias below a third of the stated error, 95 % intervals that cover 92 to 97
+/// %.
 void expect_honest_errors(const ConsolidationCurve& exact, const ConsolidationOptions& options,
                           std::map<std::string, Tally> tallies) {
   constexpr int kRepeats = 500;

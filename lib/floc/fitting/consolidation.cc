@@ -35,8 +35,8 @@ Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& samples) {
   return samples.colwise() - samples.rowwise().mean();
 }
 
-/// Variance of 1/Phi between samples. That of one pressure is known badly from a few samples, so it is averaged over five
-/// neighbours, and none counts less than a tenth of their mean.
+/// Variance of 1/Phi between samples. That of one pressure is known badly from a few samples, so it is averaged
+/// over five neighbours, and none counts less than a tenth of their mean.
 Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   constexpr Eigen::Index kReach = 2;
   constexpr double kLeast = 0.1;
@@ -142,7 +142,8 @@ Eigen::MatrixXd correlation_of(const std::vector<Quantity>& quantities, Eigen::I
   return scale.asDiagonal() * c * scale.asDiagonal();
 }
 
-/// Replaces the interval of a parameter by that of the profile likelihood. One that the data leave open keeps no value.
+/// Replaces the interval of a parameter by that of the profile likelihood. One that the data leave open keeps
+/// no value.
 void profile(const LawEstimate& estimate, int coordinate, const Covariance& covariance, bool is_inverse,
              FittedParameter& p, ConsolidationFit& fit) {
   const ProfileInterval c = profile_interval(estimate, coordinate, covariance);
@@ -249,8 +250,8 @@ void shift_window(const LawEstimate& estimate, const LawPoints& all, const Windo
                                          s.change, *lambda->value));
 }
 
-/// Where regimes were searched for, the law also holds, with some probability, on other windows: what theta becomes on them
-/// is part of its error.
+/// Where regimes were searched for, the law also holds, with some probability, on other windows: what theta
+/// becomes on them is part of its error.
 void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Window& window,
                             const Regimes& regimes, Covariance& covariance) {
   struct Other {
@@ -365,7 +366,8 @@ ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const Consol
   fit.weighting = weighting_of(curve, options);
   if (n <= n_parameters(law)) return refused(law, too_few(law, n));
   const LawPoints points = points_of(curve, fit.weighting);
-  // The regimes are a matter of the curve's shape; the scatter of samples, alike at neighbouring pressures, is none of it.
+  // The regimes are a matter of the curve's shape; the scatter of samples, alike at neighbouring pressures, is
+  // none of it.
   const Weighting of_shape = fit.weighting == Weighting::scatter ? Weighting::relative : fit.weighting;
   Window window{};
   if (options.window) {

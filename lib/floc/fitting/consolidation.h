@@ -24,8 +24,9 @@ enum class Weighting {
 
 struct ConsolidationOptions {
   ConsolidationLaw law = ConsolidationLaw::full;
-  /// Reduced pressures to fit on, both included. Absent: the regimes are searched for, and each law is fitted on its own:
-  /// the full law from the end of the plateau on, the line on regime II, the power law on regime III.
+  /// Reduced pressures to fit on, both included. Absent: the regimes are searched for, and each law is fitted
+  /// on its own: the full law from the end of the plateau on, the line on regime II, the power law on regime
+  /// III.
   std::optional<std::pair<double, double>> window;
   /// P0* is the first pressure fitted, held, rather than where the plateau meets the line of regime II.
   bool hold_P0 = false;
@@ -83,14 +84,14 @@ struct ConsolidationFit {
 
 /// Fits a consolidation law by (weighted, robust) least squares in 1/Phi.
 ///
-/// Standard errors: of a single curve from the covariance at the solution, scaled by the residual variance; of a mean of
-/// three samples or more from their scatter, carried through the fit sample by sample, so that errors correlated along the
-/// curve are counted. Where regimes were searched for, the spread of the results over their probable places is added.
-/// Intervals: Student's t in ln(parameter) or 1/Phi; of alpha and Phi_max the profile likelihood.
-/// Bootstrap: resampled samples of a mean (one less than there are, which makes the variance unbiased), resampled residuals of a
-/// single curve.
-/// Where the data stop before P1*, alpha, P1* and Phi_max are given as bounds. Too few points, points of regime I
-/// alone, or a density that does not grow with pressure are refused in words.
+/// Standard errors: of a single curve from the covariance at the solution, scaled by the residual variance; of
+/// a mean of three samples or more from their scatter, carried through the fit sample by sample, so that errors
+/// correlated along the curve are counted. Where regimes were searched for, the spread of the results over
+/// their probable places is added. Intervals: Student's t in ln(parameter) or 1/Phi; of alpha and Phi_max the
+/// profile likelihood. Bootstrap: resampled samples of a mean (one less than there are, which makes the
+/// variance unbiased), resampled residuals of a single curve. Where the data stop before P1*, alpha, P1* and
+/// Phi_max are given as bounds. Too few points, points of regime I alone, or a density that does not grow with
+/// pressure are refused in words.
 /// @pre all pressures and solid fractions are positive and finite, pressures grow.
 [[nodiscard]] ConsolidationFit fit_consolidation(const ConsolidationCurve& curve,
                                                  const ConsolidationOptions& options);

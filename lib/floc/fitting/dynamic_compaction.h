@@ -9,7 +9,8 @@
 
 namespace floc {
 
-/// One compacted sample (B24): void ratio, pressure, and the cohesion and stiffness of its contacts as stresses.
+/// One compacted sample (B24): void ratio, pressure, and the cohesion and stiffness of its contacts as
+/// stresses.
 struct CompactedSample {
   double e;   ///< void ratio, > 0
   double p;   ///< pressure, > 0
@@ -53,8 +54,9 @@ struct CompactionFit {
   bool found() const { return refusal.empty(); }
 };
 
-/// Least squares in e from starts computed on a grid. Samples with p_crit < p_0 are left out. Refused with fewer than
-/// eight samples; parameters that the samples do not tell (De and C, where p_crit hardly varies) are said.
+/// Least squares in e from starts computed on a grid. Samples with p_crit < p_0 are left out. Refused with
+/// fewer than eight samples; parameters that the samples do not tell (De and C, where p_crit hardly varies) are
+/// said.
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);
 

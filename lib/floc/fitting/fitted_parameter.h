@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// One parameter of a fit. Intervals are made in coordinates that keep the parameter in its range, so they need not
-/// be symmetric.
+/// One parameter of a fit. Intervals are made in coordinates that keep the parameter in its range, so they need
+/// not be symmetric.
 struct FittedParameter {
   std::string name;
   std::optional<double> value;           ///< absent when the data bound it only
@@ -19,7 +19,8 @@ struct FittedParameter {
 /// @param t95  half width of a 95 % interval in standard errors
 FittedParameter from_logarithm(const std::string& name, double c, double error, double t95);
 
-/// 1/y, from y > 0 and its standard error; the interval is symmetric in y, and open above where it reaches y = 0.
+/// 1/y, from y > 0 and its standard error; the interval is symmetric in y, and open above where it reaches y =
+/// 0.
 FittedParameter from_inverse(const std::string& name, double y, double error, double t95);
 
 /// A parameter that may have either sign.

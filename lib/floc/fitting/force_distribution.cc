@@ -12,7 +12,8 @@ namespace floc {
 namespace {
 
 constexpr int kFewest = 10;
-/// Half the 95 % quantile of chi squared with one degree of freedom: drop of the log-likelihood at an interval's end.
+/// Half the 95 % quantile of chi squared with one degree of freedom: drop of the log-likelihood at an
+/// interval's end.
 constexpr double kDrop95 = 0.5 * 3.841458820694124;
 constexpr double kNormal95 = 1.959963984540054;
 

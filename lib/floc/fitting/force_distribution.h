@@ -10,8 +10,8 @@
 
 namespace floc {
 
-// Distributions of contact forces f (PHYSICS section 6, R09 Eqs 2-5), each with one free parameter. Those of compressive
-// networks are of f over its mean, and norm and mean are 1 by construction.
+// Distributions of contact forces f (PHYSICS section 6, R09 Eqs 2-5), each with one free parameter. Those of
+// compressive networks are of f over its mean, and norm and mean are 1 by construction.
 
 /// A distribution of f >= 0 with one free parameter.
 struct ForceLaw {
@@ -23,8 +23,8 @@ struct ForceLaw {
   std::function<double(double, RandomStream&)> draw;  ///< a force
 };
 
-/// P(f) = k f^-alpha below the mean, k exp[beta (1 - f)] above; beta^2 = (1-alpha)(2-alpha), 1/k = 1/(1-alpha) + 1/beta.
-/// Free: alpha < 1.
+/// P(f) = k f^-alpha below the mean, k exp[beta (1 - f)] above; beta^2 = (1-alpha)(2-alpha), 1/k = 1/(1-alpha)
+/// + 1/beta. Free: alpha < 1.
 const ForceLaw& power_exponential();
 
 /// P(f) = a (1 - b exp(-f^2)) exp(-beta f); a and b follow from norm and mean. Free: beta.
@@ -54,8 +54,8 @@ struct ForceFitOptions {
 [[nodiscard]] ForceFit fit_compressive_forces(const ForceLaw& law, std::vector<double> forces,
                                               const ForceFitOptions& options);
 
-/// Exponential tail: P(f) ~ exp[-(f - threshold)/f_0] beyond the threshold; the free parameter is f_0, in the forces' unit.
-/// Refused with fewer than 10 forces beyond it.
+/// Exponential tail: P(f) ~ exp[-(f - threshold)/f_0] beyond the threshold; the free parameter is f_0, in the
+/// forces' unit. Refused with fewer than 10 forces beyond it.
 /// @param forces  sizes, > 0   @param threshold  >= 0
 [[nodiscard]] ForceFit fit_exponential_tail(const std::string& form, const std::vector<double>& forces,
                                             double threshold, const ForceFitOptions& options);

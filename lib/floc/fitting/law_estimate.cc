@@ -23,8 +23,8 @@ Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
   return Eigen::VectorXd::Unit(n, k);
 }
 
-/// P0* and Phi0, where the line of regime II, through y at log_P, starts: at the plateau or at the first point. The
-/// gradients of y and log_P to the coordinates are given.
+/// P0* and Phi0, where the line of regime II, through y at log_P, starts: at the plateau or at the first point.
+/// The gradients of y and log_P to the coordinates are given.
 void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::VectorXd& to_log_P, double y,
                              const Eigen::VectorXd& to_y, std::vector<Quantity>& quantities) {
   const double lambda = std::exp(e.solution.theta[0]);
@@ -63,8 +63,9 @@ class Profile {
   Eigen::VectorXd theta_;
 };
 
-/// Where the profile crosses `allowed` on one side of the solution: steps of `step` (signed) that grow, then the rule of
-/// false position in the root of the excess, which is nearly linear. Absent if it does not up to `end`.
+/// Where the profile crosses `allowed` on one side of the solution: steps of `step` (signed) that grow, then
+/// the rule of false position in the root of the excess, which is nearly linear. Absent if it does not up to
+/// `end`.
 std::optional<double> crossing(const LawEstimate& estimate, int coordinate, double step, double end,
                                double allowed) {
   Profile profile(estimate, coordinate);
@@ -202,7 +203,8 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const bool finite = std::isfinite(own_variance) && std::isfinite(error);
   const double ratio = finite ? error * error / own_variance : 1.0;
   const double allowed = estimate.solution.sum_of_squares + t95 * t95 * ratio * residual_variance(estimate);
-  // ln alpha between these says nothing any more; 1/Phi_max ends where Phi_max is infinite, and far above any curve.
+  // ln alpha between these says nothing any more; 1/Phi_max ends where Phi_max is infinite, and far above any
+  // curve.
   const bool is_inverse = coordinate == 2;
   const double low_end = is_inverse ? 1e-3 : std::log(1e-2);
   const double high_end = is_inverse ? 1e3 : std::log(1e2);

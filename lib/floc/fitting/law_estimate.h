@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// A law solved on a window: everything that its parameters and their errors follow from. The coordinates are theta and,
-/// with a plateau before the window, its level of 1/Phi.
+/// A law solved on a window: everything that its parameters and their errors follow from. The coordinates are
+/// theta and, with a plateau before the window, its level of 1/Phi.
 struct LawEstimate {
   ConsolidationLaw law;
   LawPoints points;
@@ -56,8 +56,9 @@ Covariance covariance_from_samples(const LawEstimate& estimate, const Eigen::Mat
 /// The parameter, its standard error and an interval by Student's t.
 FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& covariance);
 
-/// Interval of one coordinate of theta from the profile of the sum of squares: where the best fit with the coordinate held
-/// is worse by t95^2 times `variance_ratio` residual variances. An end is absent if the data allow any value on that side.
+/// Interval of one coordinate of theta from the profile of the sum of squares: where the best fit with the
+/// coordinate held is worse by t95^2 times `variance_ratio` residual variances. An end is absent if the data
+/// allow any value on that side.
 struct ProfileInterval {
   std::optional<double> low, high;
 };

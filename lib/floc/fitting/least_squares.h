@@ -103,7 +103,8 @@ template <class Residual>
   return found;
 }
 
-/// The same by normal equations (Ceres' TinySolver): ten times faster, good to half the digits, for searches among starts.
+/// The same by normal equations (Ceres' TinySolver): ten times faster, good to half the digits, for searches
+/// among starts.
 /// @return the sum of squares reached; `theta` is the start, then the end. It may be NaN.
 template <class Residual>
 double descend(const std::vector<Residual>& residuals, Eigen::VectorXd& theta) {

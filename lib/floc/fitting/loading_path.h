@@ -33,8 +33,8 @@ struct PathFault {
   std::string expected;
 };
 
-/// The first row that breaks its branch: in a run of rows of one name pressures grow, or fall, strictly, or are all the
-/// same (a hold); without names no pressure is repeated. Absent if there is none.
+/// The first row that breaks its branch: in a run of rows of one name pressures grow, or fall, strictly, or are
+/// all the same (a hold); without names no pressure is repeated. Absent if there is none.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 
 /// Rows that consolidation is fitted to.
@@ -43,9 +43,8 @@ struct Loading {
   std::vector<int> rows;  ///< index of the row of each point
 };
 
-/// The first loading; with `virgin`, also what later loadings add beyond it.
-/// The first loading is that of the pressures; where branches are named and one is "load", only "assembly" and the first
-/// run of "load".
+/// The first loading; with `virgin`, also what later loadings add beyond it. The first loading is that of the
+/// pressures; where branches are named and one is "load", only "assembly" and the first run of "load".
 Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
 
 /// A loading that starts again from a smaller pressure.

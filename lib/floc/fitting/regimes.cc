@@ -68,8 +68,8 @@ ChangePoint change_among(std::vector<Place> places, int shift) {
   return change;
 }
 
-/// What a plateau of the first `k` points leaves that ends where the law after it reaches its level: between its last
-/// point and the next one. `theta` solves the law on the rest.
+/// What a plateau of the first `k` points leaves that ends where the law after it reaches its level: between
+/// its last point and the next one. `theta` solves the law on the rest.
 double left_by_plateau(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta) {
   if (k == 0) return 0.0;
   const double first = points.log_P[k];

@@ -22,7 +22,8 @@ struct ChangePoint {
 
 /// The regimes of a curve: a plateau (I), a line in ln P* (II), a power law (III).
 struct Regimes {
-  /// A constant, or a solid fraction linear in P* (elastic), explains the points better than any law of consolidation.
+  /// A constant, or a solid fraction linear in P* (elastic), explains the points better than any law of
+  /// consolidation.
   bool all_in_one = false;
   int n_plateau = 0;                       ///< points of regime I
   std::optional<ChangePoint> plateau_end;  ///< present if there is, or may be, a plateau
@@ -30,11 +31,11 @@ struct Regimes {
   int end_of_two = 0;                      ///< index after the last point of regime II
 };
 
-/// Change-point search by least squares. The end of the plateau is that split into a constant and the full law (or the
-/// line, where that tells more) which leaves least by the Bayesian information criterion, the level of the plateau being
-/// one that the law has between its last point and the next; the onset of III is that
-/// split of the rest into a line and a power law. Places are weighted by exp(-criterion/2).
-/// Absent if no split leaves three points to regime II.
+/// Change-point search by least squares. The end of the plateau is that split into a constant and the full law
+/// (or the line, where that tells more) which leaves least by the Bayesian information criterion, the level of
+/// the plateau being one that the law has between its last point and the next; the onset of III is that split
+/// of the rest into a line and a power law. Places are weighted by exp(-criterion/2). Absent if no split leaves
+/// three points to regime II.
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 
 /// True if the points tell the full law, whose solution on them is given, from the line of regime II.

@@ -159,7 +159,8 @@ TEST(Samples, ErrorsOfTheirMeanAreTheScatterOfRepeatedMeans) {
     stated += std::pow(error(fit, "lambda"), 2);
   }
   const double variance = squares / kRepeats - std::pow(sum / kRepeats, 2);
-  // A variance from 200 repeats is known to 10 % (one sigma); that of weights which follow the data adds a little.
+  // A variance from 200 repeats is known to 10 % (one sigma); that of weights which follow the data adds a
+  // little.
   EXPECT_NEAR(stated / kRepeats / variance, 1.0, 0.35);
 }
 

@@ -145,7 +145,8 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
 }
 
 TEST(FitConsolidation, ThePlateauEndsWhereTheLawReachesItsLevel) {
-  // A plateau that holds on too long, up to P* = 0.1: the law is exact beyond its jump, but meets its level long before.
+  // A plateau that holds on too long, up to P* = 0.1: the law is exact beyond its jump, but meets its level
+  // long before.
   ConsolidationCurve jump = curve_of(kNoRolling.law(), published_pressures(0.01));
   for (std::size_t i = 0; i < 9; ++i) jump.phi[i] = kNoRolling.phi0;
   const auto fit = fit_consolidation(jump, {});
@@ -259,7 +260,8 @@ TEST(FitConsolidation, LawsOfOneRegimeStayInIt) {
   const auto power_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
   ASSERT_TRUE(power_fit.found()) << power_fit.refusal;
   EXPECT_GT(power_fit.window_low, log_fit.window_high);
-  // Both laws are the first terms of expansions; that of the power law leaves u/12, u = (P1*/P*)^alpha of order one.
+  // Both laws are the first terms of expansions; that of the power law leaves u/12, u = (P1*/P*)^alpha of order
+  // one.
   EXPECT_NEAR(value(power_fit, "Phi_max"), law.phi_max, 0.01 * law.phi_max);
 }
 

@@ -74,7 +74,7 @@ inline int wait_for(pid_t child) {
 inline std::string rows_without_seconds(const std::string& file) {
   std::istringstream in(content_of(file));
   std::string line, kept;
-  std::size_t seconds = 0;  // place of the column
+  std::size_t seconds = std::string::npos;  // place of the column
   while (std::getline(in, line)) {
     std::istringstream fields(line);
     std::string field;

@@ -10,10 +10,12 @@
 /// instruction set must not share inline functions with the rest of the program.
 namespace floc {
 
-inline constexpr int kGrainBlock =
-    64;  ///< grains a block owns; all arrays of grains are padded to whole blocks
-inline constexpr int kPairPadding = 8;  ///< pairs of a block are padded to a multiple of this
-inline constexpr int kSumGroup = 8;     ///< grains of a block that are summed side by side
+/// Grains a block owns; all arrays of grains are padded to whole blocks.
+inline constexpr int kGrainBlock = 64;
+/// The pairs of a block are padded to a multiple of this.
+inline constexpr int kPairPadding = 8;
+/// Grains of a block that are summed side by side.
+inline constexpr int kSumGroup = 8;
 
 /// Doubles of the record of a grain that the pairs read: x, y, v_x, v_y, and with friction its spin, one idle.
 constexpr int record_size(bool turns) {
@@ -54,8 +56,8 @@ struct PairArrays {
 struct BlockSumsPlan {
   int grain[kGrainBlock];              ///< grains of the block (from its first), by falling number of pairs
   int depth[kGrainBlock / kSumGroup];  ///< rows of each group
-  const int*
-      entry[kGrainBlock / kSumGroup];  ///< depth x kSumGroup: twice the pair, plus one where the grain is its j
+  /// depth x kSumGroup: where the row begins (bytes), plus kSideOfRow where the grain is the j of its pair
+  const int* entry[kGrainBlock / kSumGroup];
   int n_crossing;
   const int* crossing;  ///< pairs of the block whose branch crosses the boundary, ascending
 };

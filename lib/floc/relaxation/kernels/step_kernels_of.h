@@ -27,7 +27,7 @@ struct GrainKernels {
       const double* const x_list = grains.x_list[a] + begin;
       accelerate(v, grains.force[a] + begin, grains.inverse_mass + begin, kick, a);
       const double stretch = drift.stretch[a], step = drift.drift[a], list_stretch = drift.list_stretch[a];
-#pragma omp simd
+#pragma GCC ivdep
       for (int k = 0; k < kGrainBlock; ++k) {
         x[k] = stretch * x[k] + step * v[k];
         const double moved = x[k] - list_stretch * x_list[k];
@@ -38,7 +38,7 @@ struct GrainKernels {
       turn(grains, begin, kick.half_step);
       const double* const spin = grains.spin + begin;
       double* const angle = grains.angle + begin;
-#pragma omp simd
+#pragma GCC ivdep
       for (int k = 0; k < kGrainBlock; ++k) angle[k] += drift.time_step * spin[k];
     }
     P largest(0.0);
@@ -96,7 +96,7 @@ struct GrainKernels {
   static void accelerate(double* v, const double* force, const double* inverse_mass, const Kick<Dim>& kick,
                          int a) {
     const double half_step = kick.half_step, keep = kick.keep[a], gain = kick.gain[a];
-#pragma omp simd
+#pragma GCC ivdep
     for (int k = 0; k < kGrainBlock; ++k) v[k] = v[k] * keep + half_step * inverse_mass[k] * force[k] * gain;
   }
 
@@ -104,7 +104,7 @@ struct GrainKernels {
     const double* const inverse_inertia = grains.inverse_inertia + begin;
     const double* const torque = grains.torque + begin;
     double* const spin = grains.spin + begin;
-#pragma omp simd
+#pragma GCC ivdep
     for (int k = 0; k < kGrainBlock; ++k) spin[k] += torque[k] * (half_step * inverse_inertia[k]);
   }
 

@@ -101,7 +101,7 @@ TEST_F(RunCommand, StopsAfterTheStepAskedForAndGoesOn) {
 }
 
 TEST_F(RunCommand, SaysWhatBlocksAStepThatDoesNotConverge) {
-  const Outcome moving = run("small.toml -o short --set equilibrium.max_time=150");
+  const Outcome moving = run("small.toml -o short --set equilibrium.max_time=40");
   EXPECT_EQ(moving.code, 3);
   EXPECT_THAT(moving.err,
               ::testing::AllOf(::testing::HasSubstr("did not converge"), ::testing::HasSubstr("against")));

@@ -2,7 +2,9 @@
 //   FLOC_BENCH_STATE=state.h5 floc_bench --benchmark_filter='response/grains:90000'
 // Without a state a triangular lattice of disks stands in. Grains are renumbered along a space-filling curve, as runs
 // do, and stiffnesses carry a jitter of a percent, so that the copies are no symmetry. Spheres are an fcc lattice with
-// bonds taken out at random to z = 6. peak_MB is that of the process: filter for one case a call.
+// bonds taken out at random to z = 6, or tiles of the state FLOC_BENCH_SPHERES, such as
+//   floc convert data/packings/yade/spheres.txt spheres.h5 --contacts data/packings/yade/spheres.interactions
+// peak_MB is that of the process: filter for one case a call.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -17,6 +19,7 @@
 #include "floc/linalg/blas.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/neighbors/space_order.h"
+#include "floc/packing/tile.h"
 
 namespace floc {
 namespace {
@@ -49,40 +52,12 @@ void renumber(Packing<Dim>& packing) {
   for (Contact<Dim>& c : packing.contacts) c.i = place[c.i], c.j = place[c.j];
 }
 
-/// Copies of a packing along each lattice vector.
+/// Copies of a packing along each lattice vector, numbered anew.
 template <int Dim>
-Packing<Dim> tiled(const Packing<Dim>& unit, const Vec<Dim, int>& copies) {
-  const int n = unit.grains.size();
-  const int n_tiles = copies.prod();
-  const auto tile_of = [&](int t) {
-    Vec<Dim, int> at;
-    for (int a = 0; a < Dim; ++a) at[a] = t % copies[a], t /= copies[a];
-    return at;
-  };
-  Packing<Dim> out;
-  out.law = unit.law;
-  out.cell.matrix = copies.template cast<double>().asDiagonal() * unit.cell.matrix;
-  out.grains = Grains<Dim>::with_size(n * n_tiles);
-  for (int t = 0; t < n_tiles; ++t) {
-    const Vec<Dim, int> at = tile_of(t);
-    for (int i = 0; i < n; ++i) {
-      out.grains.position[t * n + i] = unit.cell.wrapped(unit.grains.position[i]) + unit.cell.shift(at);
-      out.grains.radius[t * n + i] = unit.grains.radius[i];
-    }
-    for (Contact<Dim> c : unit.contacts) {
-      Vec<Dim, int> to = at + c.image;
-      int tile = 0;
-      for (int a = Dim - 1; a >= 0; --a) {
-        c.image[a] = to[a] >= 0 ? to[a] / copies[a] : (to[a] + 1) / copies[a] - 1;
-        tile = tile * copies[a] + to[a] - c.image[a] * copies[a];
-      }
-      c.i += t * n;
-      c.j += tile * n;
-      out.contacts.push_back(c);
-    }
-  }
-  renumber(out);
-  return out;
+Packing<Dim> large(const Packing<Dim>& unit, const Vec<Dim, int>& copies) {
+  Packing<Dim> packing = tiled(unit, copies);
+  renumber(packing);
+  return packing;
 }
 
 void jitter(auto& contacts) {
@@ -119,17 +94,24 @@ ContactNetwork<2> disks(int n) {
   const char* file = std::getenv("FLOC_BENCH_STATE");
   const Packing<2> unit = file == nullptr ? lattice<2>() : std::get<State<2>>(read_state(file)).packing;
   const auto side = static_cast<int>(std::lround(std::sqrt(n / static_cast<double>(unit.grains.size()))));
-  Packing<2> packing = tiled<2>(unit, {side, side});
+  Packing<2> packing = large<2>(unit, {side, side});
   jitter(packing.contacts);
   return contact_network(packing);
 }
 
+/// A relaxed packing where FLOC_BENCH_SPHERES names one, else the thinned lattice.
 ContactNetwork<3> spheres(int n) {
-  const auto side = static_cast<int>(std::lround(std::cbrt(0.8 * n)));
-  Packing<3> packing = tiled<3>(lattice<3>(), {side, side, n / (side * side)});
+  const char* file = std::getenv("FLOC_BENCH_SPHERES");
+  const Packing<3> unit = file == nullptr ? lattice<3>() : std::get<State<3>>(read_state(file)).packing;
+  const double n_tiles = n / static_cast<double>(unit.grains.size());
+  const auto side = static_cast<int>(std::lround(std::cbrt(0.8 * n_tiles)));
+  const auto height = static_cast<int>(std::lround(n_tiles / (side * side)));
+  Packing<3> packing = large<3>(unit, {side, side, height});
   jitter(packing.contacts);
-  std::mt19937 engine(2);
-  std::erase_if(packing.contacts, [&](const Contact<3>&) { return engine() % 2 == 0; });
+  if (file == nullptr) {
+    std::mt19937 engine(2);
+    std::erase_if(packing.contacts, [&](const Contact<3>&) { return engine() % 2 == 0; });
+  }
   return contact_network(packing);
 }
 

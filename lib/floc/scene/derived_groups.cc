@@ -99,7 +99,7 @@ double expected_cost(const Scene& scene) {
   // What assembling costs, in loading steps.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
-  constexpr double kSecondsPerGrainAndStep = 150.0 / (1400.0 * (26.0 + kAssembly));
+  constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
   // The step of the scene that was timed, in sqrt(m/K_N).
   constexpr double kTimedStep = 0.1;
   const double step =

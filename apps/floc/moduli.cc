@@ -99,9 +99,9 @@ void add_network(const Packing<Dim>& packing, ModuliOptions options, ModuliRow& 
 
 /// A row for each rolling stiffness asked for, or one with the state's own.
 template <int Dim>
-std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& state,
-                                    const ModuliOptions& options, const std::vector<double>& rolling_stiffness,
-                                    Table* increments) {
+std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& state, ModuliOptions options,
+                                    const std::vector<double>& rolling_stiffness, Table* increments) {
+  options.unloaded = state.target_stress.isZero(0.0);
   const ModuliRow description = described(file, state);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Moduli> moduli = rolling_stiffness.empty()

@@ -188,7 +188,7 @@ Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, Sy
   m.n_at_cap = static_cast<int>(std::count_if(packing.contacts.begin(), packing.contacts.end(),
                                               [](const auto& c) { return c.sliding || c.rolling_yield; }));
   const ContactNetwork<Dim> network = options.loaded_network(packing);
-  m.bounds = elastic_bounds(network, m.pressure, mean_field(packing));
+  m.bounds = elastic_bounds(network, options.unloaded ? 0.0 : m.pressure, mean_field(packing));
 
   const ResponseOptions response_options{.strains = options.strains,
                                          .prestress = options.prestress,

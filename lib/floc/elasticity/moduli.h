@@ -21,6 +21,9 @@ struct ModuliOptions {
   /// Rolling stiffness given to every touching contact in place of its own (force * length).
   std::optional<double> rolling_stiffness;
   Ordering ordering = Ordering::automatic;
+  /// The packing was brought to equilibrium under no stress: what its forces leave of one is residual, and bounds no
+  /// modulus (B_reuss = 0).
+  bool unloaded = false;
   /// Relative error wanted of B and G. A warning says where their error bounds stay above it.
   double tolerance = 1e-10;
 

@@ -50,6 +50,15 @@ TEST(Moduli, TellWhatRoundingLeavesOfThem) {
   EXPECT_NE(strict.warnings[0].find("above the tolerance of 1.0e-20"), std::string::npos);
 }
 
+TEST(Moduli, OfAPackingUnderNoStressAreNotBoundedByWhatItsForcesLeaveOfOne) {
+  Packing<2> packing = test::square_frames(3, 1.0, test::elastic_law(1.0, 0.7, 0.01));
+  for (Contact<2>& c : packing.contacts) c.normal_force = 1e-6;
+  ModuliOptions options;
+  EXPECT_GT(elastic_moduli(packing, options).bounds.B_reuss, 0.0);
+  options.unloaded = true;
+  EXPECT_EQ(elastic_moduli(packing, options).bounds.B_reuss, 0.0);
+}
+
 TEST(Moduli, CountContactsAtTheirCap) {
   Packing<2> packing = test::square_frames(3, 1.0, test::elastic_law(1.0, 0.7, 0.01));
   packing.contacts[0].sliding = true;

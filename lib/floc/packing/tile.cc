@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <tuple>
+#include <utility>
+
+#include "floc/packing/contact_order.h"
 
 namespace floc {
 namespace {
@@ -48,14 +50,6 @@ Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>&
   c.j += other * n_grains;
   if (c.j < c.i) swap_sides(c);
   return c;
-}
-
-template <int Dim>
-bool precedes(const Contact<Dim>& p, const Contact<Dim>& q) {
-  if (std::tie(p.i, p.j) != std::tie(q.i, q.j)) return std::tie(p.i, p.j) < std::tie(q.i, q.j);
-  for (int a = 0; a < Dim; ++a)
-    if (p.image[a] != q.image[a]) return p.image[a] < q.image[a];
-  return p.key < q.key;
 }
 
 template <class T>

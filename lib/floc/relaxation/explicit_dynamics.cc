@@ -9,6 +9,7 @@
 #include "floc/contact/law_table.h"
 #include "floc/neighbors/space_order.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/contact_order.h"
 #include "floc/relaxation/barrier.h"
 
 namespace floc {
@@ -283,9 +284,7 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
     if (!pairs_.roll.empty()) c.rolling_spring[0] = swap ? -pairs_.roll[p] : pairs_.roll[p];
     out.contacts.push_back(c);
   }
-  std::sort(out.contacts.begin(), out.contacts.end(), [](const Contact<Dim>& p, const Contact<Dim>& q) {
-    return before<Dim>({p.i, p.j, p.image}, {q.i, q.j, q.image});
-  });
+  std::sort(out.contacts.begin(), out.contacts.end(), precedes<Dim>);
   refresh_contacts(out);
   return out;
 }

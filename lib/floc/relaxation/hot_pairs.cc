@@ -1,7 +1,6 @@
 #include "floc/relaxation/hot_pairs.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 #include <variant>
 

@@ -56,10 +56,8 @@ struct Pack {
   Vector v;
 
   Pack() = default;
-  Pack(double
-           value) {  // NOLINT(google-explicit-constructor): laws mix their parameters with numbers of any type
-    v = value - Vector{};  // a broadcast
-  }
+  /// The same number in every lane; implicit, since laws mix their parameters with numbers of any type.
+  Pack(double value) : v(value - Vector{}) {}  // NOLINT(google-explicit-constructor)
   explicit Pack(const Vector& vector) : v(vector) {}
 
   static Pack load(const double* from) {

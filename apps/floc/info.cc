@@ -28,10 +28,6 @@ struct Entry {
   TableValue value;
 };
 
-TableValue or_undefined(const std::string& text) {
-  return text.empty() ? TableValue{} : TableValue{text};
-}
-
 template <int Dim>
 std::string cell_text(const Cell<Dim>& cell) {
   std::vector<std::string> vectors;

@@ -127,11 +127,6 @@ void add_state(const std::string& file, const State<Dim>& state, const ModesComm
   say_what_is_soft(file, network, moduli, soft);
 }
 
-TableValue maybe(const std::optional<double>& value) {
-  if (!value) return {};
-  return *value;
-}
-
 TableValue entry(const Eigen::VectorXd& values, int a) {
   if (a >= values.size()) return {};
   return values[a];
@@ -153,11 +148,11 @@ std::vector<Column> columns_for(const std::vector<ModeRow>& rows) {
       {"file", [](const ModeRow& r) { return r.file; }},
       {"kind", [](const ModeRow& r) { return r.kind; }},
       {"count", [](const ModeRow& r) { return r.count; }},
-      {"eigenvalue", [](const ModeRow& r) { return maybe(r.eigenvalue); }},
-      {"eigenvalue_prestress", [](const ModeRow& r) { return maybe(r.with_prestress); }},
-      {"participation", [](const ModeRow& r) { return maybe(r.participation); }},
-      {"softens_B", [](const ModeRow& r) { return maybe(r.softens_B); }},
-      {"softens_G", [](const ModeRow& r) { return maybe(r.softens_G); }}};
+      {"eigenvalue", [](const ModeRow& r) { return or_undefined(r.eigenvalue); }},
+      {"eigenvalue_prestress", [](const ModeRow& r) { return or_undefined(r.with_prestress); }},
+      {"participation", [](const ModeRow& r) { return or_undefined(r.participation); }},
+      {"softens_B", [](const ModeRow& r) { return or_undefined(r.softens_B); }},
+      {"softens_G", [](const ModeRow& r) { return or_undefined(r.softens_G); }}};
   for (int a = 0; a < dimension; ++a)
     columns.emplace_back(fmt::format("coupling{}", a + 1),
                          [a](const ModeRow& r) { return entry(r.coupling, a); });

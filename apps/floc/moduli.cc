@@ -140,10 +140,6 @@ TableValue entry(const Eigen::MatrixXd& c, int a, int b) {
   return c(a, b);
 }
 
-TableValue maybe(const std::optional<double>& value) {
-  return value ? TableValue{*value} : TableValue{};
-}
-
 /// A column of the table: its name and how a row fills it.
 using Column = std::pair<std::string, std::function<TableValue(const ModuliRow&)>>;
 
@@ -200,17 +196,18 @@ std::vector<Column> network_columns() {
           {"n_components", [count](const ModuliRow& r) { return count(r.network.n_components); }},
           {"n_percolating", [count](const ModuliRow& r) { return count(r.network.n_percolating); }},
           {"n_near_mechanisms", [maybe_count](const ModuliRow& r) { return maybe_count(r.n_near_mechanisms); }},
-          {"B_prestress", [](const ModuliRow& r) { return maybe(r.B_prestress); }},
-          {"G_prestress", [](const ModuliRow& r) { return maybe(r.G_prestress); }},
+          {"B_prestress", [](const ModuliRow& r) { return or_undefined(r.B_prestress); }},
+          {"G_prestress", [](const ModuliRow& r) { return or_undefined(r.G_prestress); }},
           {"x0", [](const ModuliRow& r) { return r.network.rattler_fraction; }},
           {"z_star", [](const ModuliRow& r) { return r.network.z_star; }},
-          {"G_star", [](const ModuliRow& r) { return maybe(r.network.G_star); }},
+          {"G_star", [](const ModuliRow& r) { return or_undefined(r.network.G_star); }},
           {"indeterminacy", [count](const ModuliRow& r) { return count(r.network.indeterminacy.degree); }},
-          {"energy_share_95", [](const ModuliRow& r) { return maybe(r.network.energy_share_95); }},
+          {"energy_share_95", [](const ModuliRow& r) { return or_undefined(r.network.energy_share_95); }},
           {"energy_share_95_deviatoric",
-           [](const ModuliRow& r) { return maybe(r.network.energy_share_95_deviatoric); }},
-          {"backbone_share", [](const ModuliRow& r) { return maybe(r.network.backbone_share); }},
-          {"scalar_backbone_share", [](const ModuliRow& r) { return maybe(r.network.scalar_backbone_share); }}};
+           [](const ModuliRow& r) { return or_undefined(r.network.energy_share_95_deviatoric); }},
+          {"backbone_share", [](const ModuliRow& r) { return or_undefined(r.network.backbone_share); }},
+          {"scalar_backbone_share",
+           [](const ModuliRow& r) { return or_undefined(r.network.scalar_backbone_share); }}};
 }
 
 std::vector<Column> columns_for(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
@@ -221,12 +218,13 @@ std::vector<Column> columns_for(const ModuliCommand& command, const std::vector<
   for (const auto& [a, b] : further_entries(size))
     columns.emplace_back(entry_name(a, b), [a, b](const ModuliRow& r) { return entry(r.moduli.C, a, b); });
   if (!command.rolling_stiffness.empty())
-    columns.emplace_back("rolling_stiffness", [](const ModuliRow& r) { return maybe(r.rolling_stiffness); });
+    columns.emplace_back("rolling_stiffness",
+                         [](const ModuliRow& r) { return or_undefined(r.rolling_stiffness); });
   if (command.prestress) {
     columns.emplace_back("B_without_prestress",
-                         [](const ModuliRow& r) { return maybe(r.moduli.B_without_prestress); });
+                         [](const ModuliRow& r) { return or_undefined(r.moduli.B_without_prestress); });
     columns.emplace_back("G_without_prestress",
-                         [](const ModuliRow& r) { return maybe(r.moduli.G_without_prestress); });
+                         [](const ModuliRow& r) { return or_undefined(r.moduli.G_without_prestress); });
   }
   return columns;
 }

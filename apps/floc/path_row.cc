@@ -8,6 +8,7 @@
 #include "floc/io/table.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/structure/coordination.h"
+#include "output.h"
 
 namespace floc {
 namespace {
@@ -73,9 +74,9 @@ std::string path_row(const State<2>& state, std::optional<double> seconds, const
                  std::int64_t{state.n_negative},
                  state.path.time,
                  state.path.n_steps,
-                 seconds ? TableValue{*seconds} : TableValue{},
+                 or_undefined(seconds),
                  file,
-                 state.path.ending.empty() ? TableValue{} : TableValue{state.path.ending}}};
+                 or_undefined(state.path.ending)}};
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;

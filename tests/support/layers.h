@@ -31,7 +31,7 @@ inline const LayerOrder& layer_order() {
       {"relaxation", {"neighbors", "elasticity"}},
       {"assembly", {"relaxation"}},
       {"loading", {"assembly", "relaxation"}},
-      {"structure", {"packing", "network"}},
+      {"structure", {"packing", "neighbors", "network"}},
       {"io", {"packing", "contact"}},
       {"scene", {"contact", "assembly", "loading"}},
       {"picture", {"structure", "elasticity", "packing"}},
@@ -43,10 +43,21 @@ inline const LayerOrder& layer_order() {
 /// Beginning of a foreign header's name -> the one folder that may include it; "" for none in the library.
 inline const std::vector<std::pair<std::string, std::string>>& foreign_owners() {
   static const std::vector<std::pair<std::string, std::string>> owners = {
-      {"cholmod", "linalg"}, {"umfpack", "linalg"},  {"SuiteSparse", "linalg"}, {"suitesparse/", "linalg"},
-      {"cblas", "linalg"},   {"Spectra/", "linalg"}, {"ceres/", "fitting"},     {"glog/", "fitting"},
-      {"hdf5", "io"},        {"H5", "io"},           {"pugixml", "io"},         {"toml", "scene"},
-      {"cairo", "picture"},  {"CLI/", ""},
+      {"cholmod", "linalg"},
+      {"umfpack", "linalg"},
+      {"SuiteSparse", "linalg"},
+      {"suitesparse/", "linalg"},
+      {"cblas", "linalg"},
+      {"Spectra/", "linalg"},
+      {"ceres/", "fitting"},
+      {"glog/", "fitting"},
+      {"hdf5", "io"},
+      {"H5", "io"},
+      {"pugixml", "io"},
+      {"toml", "scene"},
+      {"cairo", "picture"},
+      {"fftw3", "structure"},
+      {"CLI/", ""},
   };
   return owners;
 }

@@ -6,6 +6,20 @@
 #include "floc/network/rattlers.h"
 
 namespace floc {
+namespace {
+
+/// Number of contacts between two grains with two contacts each.
+template <int Dim>
+int between_pairs(const Packing<Dim>& packing) {
+  std::vector<int> degree(packing.grains.size(), 0);
+  for (const Contact<Dim>& c : packing.contacts)
+    if (!c.distant) ++degree[c.i], ++degree[c.j];
+  int n = 0;
+  for (const Contact<Dim>& c : packing.contacts) n += !c.distant && degree[c.i] == 2 && degree[c.j] == 2;
+  return n;
+}
+
+}  // namespace
 
 template <int Dim>
 Coordination coordination(const Packing<Dim>& packing, double zero_force) {
@@ -27,8 +41,13 @@ Coordination coordination(const Packing<Dim>& packing, double zero_force) {
   result.z_plus = per_contact * positive;
   result.z_minus = per_contact * negative;
   result.z_zero = per_contact * (result.n_contacts - positive - negative);
-  const std::vector<bool> rattlers = find_rattlers(packing, zero_force);
-  result.rattler_fraction = static_cast<double>(std::count(rattlers.begin(), rattlers.end(), true)) / n;
+  const std::vector<bool> rattler = find_rattlers(packing, zero_force);
+  result.n_rattlers = static_cast<int>(std::count(rattler.begin(), rattler.end(), true));
+  result.rattler_fraction = static_cast<double>(result.n_rattlers) / n;
+  int n_held = 0;
+  for (const Contact<Dim>& c : packing.contacts) n_held += !c.distant && !rattler[c.i] && !rattler[c.j];
+  if (result.n_rattlers < n) result.z_star = 2.0 * n_held / (n - result.n_rattlers);
+  if (result.n_contacts > 0) result.x22 = static_cast<double>(between_pairs(packing)) / result.n_contacts;
   return result;
 }
 

@@ -7,13 +7,16 @@ namespace floc {
 /// Who touches whom, counted (PHYSICS section 3). Coordination numbers are 2 Nc/N over surfaces that touch; distant
 /// attractions are counted apart (G08 counts them in z and z-: add 2 n_distant/N to compare).
 struct Coordination {
-  int n_contacts = 0;             ///< surfaces that touch
-  int n_distant = 0;              ///< attractions across a gap
-  double z = 0.0;                 ///< 2 n_contacts/N
-  double z_plus = 0.0;            ///< of contacts in compression
-  double z_minus = 0.0;           ///< of contacts in tension
-  double z_zero = 0.0;            ///< of contacts whose normal force is zero within the tolerance
+  int n_contacts = 0;    ///< surfaces that touch
+  int n_distant = 0;     ///< attractions across a gap
+  double z = 0.0;        ///< 2 n_contacts/N
+  double z_plus = 0.0;   ///< of contacts in compression
+  double z_minus = 0.0;  ///< of contacts in tension
+  double z_zero = 0.0;   ///< of contacts whose normal force is zero within the tolerance
+  int n_rattlers = 0;
   double rattler_fraction = 0.0;  ///< x0
+  double z_star = 0.0;  ///< touching contacts a grain that is no rattler, times 2; those of rattlers left out
+  double x22 = 0.0;     ///< share of the contacts that join two grains with two contacts each
 };
 
 /// @param zero_force  largest normal force that counts as zero (force)

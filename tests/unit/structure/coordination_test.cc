@@ -27,5 +27,27 @@ TEST(Coordination, CountsContactsBySignAndDistantOnesApart) {
   EXPECT_DOUBLE_EQ(c.rattler_fraction, 1.0 / 5.0);  // grain 4; grain 3 is held by a tail
 }
 
+TEST(Coordination, LeavesRattlersOutAndCountsPairsOfTwo) {
+  // A ring of four with a tail of one on grain 0, and a lone grain: contacts 01 12 23 30 04.
+  Packing<2> packing;
+  packing.law.normal_stiffness = 1.0;
+  packing.law.adhesion = {1.0, 0.1};
+  packing.grains = Grains<2>::with_size(6);
+  for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 4}}) {
+    Contact<2> c;
+    c.i = i, c.j = j, c.normal_force = 1.0;
+    packing.contacts.push_back(c);
+  }
+  const Coordination c = coordination(packing, 0.0);
+  EXPECT_EQ(c.n_rattlers, 1);
+  EXPECT_DOUBLE_EQ(c.z_star, 10.0 / 5.0);
+  EXPECT_DOUBLE_EQ(c.x22, 2.0 / 5.0);  // 12 and 23
+  // Without adhesion the tail is a rattler too, and its contact is left out of z*.
+  packing.law.adhesion.reset();
+  const Coordination bare = coordination(packing, 0.0);
+  EXPECT_EQ(bare.n_rattlers, 2);
+  EXPECT_DOUBLE_EQ(bare.z_star, 8.0 / 4.0);
+}
+
 }  // namespace
 }  // namespace floc

@@ -1,0 +1,115 @@
+#include "floc/fitting/scattering_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "floc/fitting/least_squares.h"
+#include "floc/fitting/student_t.h"
+
+namespace floc {
+namespace {
+
+constexpr int kFewestBins = 6;
+
+/// ln I - model, over its standard deviation; theta is ln I0, ln xi, dF.
+struct ScatteringResidual {
+  static constexpr int kParameters = 3;
+  double k, log_I, weight;
+  template <class T>
+  T operator()(const T* theta) const {
+    using std::exp;
+    using std::log;
+    const T x = exp(theta[1]) * (k / (2.0 * std::numbers::pi));
+    return weight * (log_I - theta[0] + 0.5 * theta[2] * log(1.0 + x * x));
+  }
+};
+
+/// Mean of the logarithm of a mean of n exponential variables of mean 1: digamma(n) - ln n (Abramowitz and Stegun
+/// 6.3.18, from the recurrence for small n).
+double log_bias(double n) {
+  double shift = 0.0, m = n;
+  for (; m < 6.0; m += 1.0) shift -= 1.0 / m;
+  return shift + std::log(m) - 0.5 / m - 1.0 / (12.0 * m * m) + 1.0 / (120.0 * m * m * m * m) - std::log(n);
+}
+
+std::vector<ScatteringResidual> residuals_of(const std::vector<ScatteredPoint>& points, double low,
+                                             double high) {
+  std::vector<ScatteringResidual> data;
+  for (const ScatteredPoint& p : points) {
+    if (p.k < low || p.k > high || !(p.I > 0.0)) continue;
+    const auto n = static_cast<double>(p.n_vectors);
+    data.push_back({p.k, std::log(p.I) - log_bias(n), std::sqrt(n)});
+  }
+  return data;
+}
+
+/// The best of starts that put the crossover anywhere in the range.
+std::optional<LeastSquaresSolution> solve(const std::vector<ScatteringResidual>& data) {
+  Eigen::VectorXd best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ScatteringResidual& at : data)
+    for (const double dF : {1.0, 1.7, 2.5}) {
+      Eigen::VectorXd theta(3);
+      theta << data.front().log_I, std::log(2.0 * std::numbers::pi / at.k), dF;
+      const double left = descend(data, theta);
+      if (left < least && theta.allFinite()) least = left, best = theta;
+    }
+  if (best.size() == 0) return std::nullopt;
+  return minimize(data, best);
+}
+
+}  // namespace
+
+double scattered_intensity(double I0, double xi, double dF, double k) {
+  const double x = k * xi / (2.0 * std::numbers::pi);
+  return I0 * std::pow(1.0 + x * x, -0.5 * dF);
+}
+
+ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double low, double high) {
+  ScatteringFit fit;
+  const std::vector<ScatteringResidual> data = residuals_of(points, low, high);
+  fit.n_points = static_cast<int>(data.size());
+  if (fit.n_points < kFewestBins) {
+    fit.refusal = fmt::format("{} bins of k between {:.4g} and {:.4g}, the law needs {}", fit.n_points, low,
+                              high, kFewestBins);
+    return fit;
+  }
+  fit.low = data.front().k;
+  fit.high = data.back().k;
+  const auto solution = solve(data);
+  if (!solution) {
+    fit.refusal = "no start leads to a solution: the intensity does not follow the law";
+    return fit;
+  }
+  const int dof = fit.n_points - ScatteringResidual::kParameters;
+  fit.chi_square = solution->sum_of_squares / dof;
+  double sum = 0.0;
+  for (int i = 0; i < fit.n_points; ++i) sum += std::pow(solution->residuals[i] / data[i].weight, 2);
+  fit.rms = std::sqrt(sum / fit.n_points);
+  const Eigen::MatrixXd covariance = std::max(1.0, fit.chi_square) * unit_covariance(solution->jacobian);
+  const auto error = [&](int k) { return std::sqrt(covariance(k, k)); };
+  const double t95 = student_t_95(dof);
+  fit.parameters = {from_logarithm("I0", solution->theta[0], error(0), t95),
+                    from_logarithm("xi", solution->theta[1], error(1), t95),
+                    from_value("dF", solution->theta[2], error(2), t95)};
+  const double xi = *fit.parameters[1].value;
+  if (xi * fit.low > 2.0 * std::numbers::pi)
+    fit.warnings.push_back(
+        fmt::format("the intensity does not level off: xi = {:.4g} is beyond the largest wave "
+                    "length fitted, {:.4g}",
+                    xi, 2.0 * std::numbers::pi / fit.low));
+  if (xi * fit.high < 4.0 * std::numbers::pi)
+    fit.warnings.push_back("there is hardly a range of wave lengths below xi: dF says little");
+  for (FittedParameter& p : fit.parameters) {
+    if (p.identified) continue;
+    fit.warnings.push_back(fmt::format("{} is not identified by these data", p.name));
+    p.value = p.standard_error = std::nullopt;
+  }
+  return fit;
+}
+
+}  // namespace floc

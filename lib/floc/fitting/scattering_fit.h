@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "floc/fitting/fitted_parameter.h"
+
+namespace floc {
+
+/// Mean intensity scattered in a bin of wave numbers.
+struct ScatteredPoint {
+  double k;                ///< > 0 (1/length)
+  double I;                ///< > 0 (length^2)
+  std::int64_t n_vectors;  ///< independent wave vectors it is the mean of, >= 1
+};
+
+/// A fit of the scattering law of fractal aggregates of finite size (PHYSICS section 6), or why there is none:
+///
+///   I(k) = I0 / [1 + (k xi/(2 pi))^2]^(dF/2)
+struct ScatteringFit {
+  std::string refusal;                      ///< empty when there is a fit
+  std::vector<FittedParameter> parameters;  ///< I0, xi, dF
+  double low = 0.0, high = 0.0;             ///< range of k fitted: that of the bins used
+  int n_points = 0;
+  double rms = 0.0;  ///< of the residuals of ln I
+  double chi_square =
+      0.0;  ///< residuals over the scatter of speckles, per degree of freedom; 1 for a law that holds
+  std::vector<std::string> warnings;
+
+  bool found() const { return refusal.empty(); }
+};
+
+/// The law, on values of a fit.
+double scattered_intensity(double I0, double xi, double dF, double k);
+
+/// Least squares in ln I over low <= k <= high. Each wave vector scatters with the exponential distribution of speckles,
+/// so a mean over n of them has relative variance 1/n, and its logarithm a bias that is taken out; errors are those of
+/// this scatter, or of the residuals where these are larger. Refused with fewer than six bins.
+[[nodiscard]] ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double low, double high);
+
+}  // namespace floc

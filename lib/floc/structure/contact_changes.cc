@@ -1,0 +1,174 @@
+#include "floc/structure/contact_changes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "floc/packing/contact_order.h"
+
+namespace floc {
+namespace {
+
+/// Radii of one grain in two states agree up to how files write them.
+constexpr double kSameRadius = 1e-9;
+
+/// Integer matrix M with after = M * before up to a strain: how the lattice vectors after were chosen from those before.
+template <int Dim>
+Mat<Dim> lattice_choice(const Cell<Dim>& before, const Cell<Dim>& after) {
+  return (after.matrix * before.matrix.inverse()).array().round().matrix();
+}
+
+template <int Dim>
+bool is_lattice_choice(const Mat<Dim>& choice) {
+  return std::abs(std::abs(choice.determinant()) - 1.0) < 1e-6;
+}
+
+/// Mean of reduced displacements on the circle, component by component: independent of where the cell is cut.
+template <int Dim>
+Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
+  Vec<Dim> mean;
+  for (int a = 0; a < Dim; ++a) {
+    double sine = 0.0, cosine = 0.0;
+    for (const Vec<Dim>& d : displacement) {
+      sine += std::sin(2.0 * std::numbers::pi * d[a]);
+      cosine += std::cos(2.0 * std::numbers::pi * d[a]);
+    }
+    mean[a] = std::atan2(sine, cosine) / (2.0 * std::numbers::pi);
+  }
+  return mean;
+}
+
+/// A contact and its index, with its image in terms of the other state, i < j or the image's first component positive.
+template <int Dim>
+struct Named {
+  Contact<Dim> name;
+  int index;
+};
+
+template <int Dim>
+Contact<Dim> name_of(const Contact<Dim>& c, const Vec<Dim, int>& image) {
+  Contact<Dim> name;
+  name.i = c.i, name.j = c.j, name.image = image, name.key = c.key;
+  const auto first = std::find_if(image.begin(), image.end(), [](int m) { return m != 0; });
+  if (c.j < c.i || (c.i == c.j && first != image.end() && *first < 0)) {
+    std::swap(name.i, name.j);
+    name.image = -image;
+  }
+  return name;
+}
+
+template <int Dim>
+std::vector<Named<Dim>> named(const std::vector<Contact<Dim>>& contacts, const auto& image_of) {
+  std::vector<Named<Dim>> names;
+  for (int c = 0; c < static_cast<int>(contacts.size()); ++c)
+    names.push_back({name_of(contacts[c], image_of(contacts[c])), c});
+  std::sort(names.begin(), names.end(), [](const auto& p, const auto& q) { return precedes(p.name, q.name); });
+  return names;
+}
+
+/// Walks through both lists, sorted alike.
+template <int Dim>
+void match(const Packing<Dim>& before, const Packing<Dim>& after, const std::vector<Named<Dim>>& old_names,
+           const std::vector<Named<Dim>>& new_names, ContactChanges<Dim>& out) {
+  const auto lose = [&](int c) {
+    if (!before.contacts[c].distant) out.lost.push_back(c);
+  };
+  const auto gain = [&](int c) {
+    if (!after.contacts[c].distant) out.gained.push_back(c);
+  };
+  std::size_t p = 0, q = 0;
+  while (p < old_names.size() || q < new_names.size()) {
+    if (q == new_names.size() || (p < old_names.size() && precedes(old_names[p].name, new_names[q].name))) {
+      lose(old_names[p++].index);
+    } else if (p == old_names.size() || precedes(new_names[q].name, old_names[p].name)) {
+      gain(new_names[q++].index);
+    } else {
+      const int c = old_names[p++].index, d = new_names[q++].index;
+      const bool touched = !before.contacts[c].distant, touches = !after.contacts[d].distant;
+      if (touched && touches) {
+        out.kept.push_back({c, d});
+      } else {
+        out.n_parted += touched ? 1 : 0;
+        lose(c);
+        gain(d);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+double ContactChanges<Dim>::rms_displacement() const {
+  double sum = 0.0;
+  for (const Vec<Dim>& u : displacement) sum += u.squaredNorm();
+  return displacement.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(displacement.size()));
+}
+
+template <int Dim>
+double ContactChanges<Dim>::largest_displacement() const {
+  double largest = 0.0;
+  for (const Vec<Dim>& u : displacement) largest = std::max(largest, u.norm());
+  return largest;
+}
+
+template <int Dim>
+std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) {
+  if (before.grains.size() != after.grains.size())
+    return fmt::format("{} grains against {}: expected states of the same grains", before.grains.size(),
+                       after.grains.size());
+  for (int i = 0; i < before.grains.size(); ++i)
+    if (std::abs(before.grains.radius[i] - after.grains.radius[i]) > kSameRadius * before.grains.radius[i])
+      return fmt::format("grain {} has radius {:.10g} against {:.10g}: expected states of the same grains", i,
+                         before.grains.radius[i], after.grains.radius[i]);
+  if (!is_lattice_choice<Dim>(lattice_choice(before.cell, after.cell)))
+    return "cells that no strain and choice of lattice vectors take into each other";
+  return {};
+}
+
+template <int Dim>
+ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Dim>& after) {
+  assert(incomparable(before, after).empty());
+  ContactChanges<Dim> out;
+  const Mat<Dim> choice = lattice_choice(before.cell, after.cell);
+  const Mat<Dim, int> images = choice.transpose().template cast<int>();
+  out.cell_after = choice.inverse() * after.cell.matrix;
+  out.deformation = out.cell_after.transpose() * before.cell.matrix.transpose().inverse();
+
+  const int n = before.grains.size();
+  const Mat<Dim> to_reduced = out.cell_after.transpose().inverse();
+  std::vector<Vec<Dim>> moved(n);
+  for (int i = 0; i < n; ++i)
+    moved[i] = to_reduced * after.grains.position[i] - before.cell.reduced(before.grains.position[i]);
+  const Vec<Dim> common = circular_mean<Dim>(moved);
+  Vec<Dim> mean = Vec<Dim>::Zero();
+  out.wrapped.resize(n);
+  for (int i = 0; i < n; ++i) {
+    moved[i] -= common;
+    const Vec<Dim> turns = moved[i].array().round().matrix();
+    out.wrapped[i] = turns.template cast<int>();
+    moved[i] -= turns;
+    mean += moved[i] / n;
+  }
+  for (int i = 0; i < n; ++i) out.displacement.push_back(out.cell_after.transpose() * (moved[i] - mean));
+
+  const auto old_names = named<Dim>(before.contacts, [](const Contact<Dim>& c) { return c.image; });
+  const auto new_names = named<Dim>(after.contacts, [&](const Contact<Dim>& c) -> Vec<Dim, int> {
+    return images * c.image + out.wrapped[c.j] - out.wrapped[c.i];
+  });
+  match(before, after, old_names, new_names, out);
+  return out;
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                  \
+  template struct ContactChanges<Dim>;                                         \
+  template std::string incomparable(const Packing<Dim>&, const Packing<Dim>&); \
+  template ContactChanges<Dim> contact_changes(const Packing<Dim>&, const Packing<Dim>&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// A contact that two states share: its index in the contact list of each.
+struct KeptContact {
+  int before;
+  int after;
+};
+
+/// What happened between two states of the same grains (PHYSICS section 6). Contacts are surfaces that touch; attractions
+/// across a gap are none.
+template <int Dim>
+struct ContactChanges {
+  std::vector<KeptContact> kept;
+  std::vector<int> lost;    ///< indices in the contact list before
+  std::vector<int> gained;  ///< indices in the contact list after
+  int n_parted = 0;         ///< of the lost: now attractions across a gap
+  /// Deformation of the cell: the affine part takes x to deformation * x. Identity - deformation is the strain,
+  /// shortening positive.
+  Mat<Dim> deformation = Mat<Dim>::Identity();
+  /// Of each grain, affine part and mean taken off (length).
+  std::vector<Vec<Dim>> displacement;
+  /// Cell vectors by which each grain was moved back into the cell: after, it is at
+  /// deformation * x before + displacement + (the mean) + wrapped * cell.
+  std::vector<Vec<Dim, int>> wrapped;
+  /// The lattice vectors after that correspond to those before, one a row.
+  Mat<Dim> cell_after = Mat<Dim>::Identity();
+
+  int n_before() const { return static_cast<int>(kept.size() + lost.size()); }
+  int n_after() const { return static_cast<int>(kept.size() + gained.size()); }
+  double rms_displacement() const;      ///< (length)
+  double largest_displacement() const;  ///< (length)
+};
+
+/// Why two packings cannot be compared: other numbers or sizes of grains, lattices that do not correspond; empty if they
+/// can.
+template <int Dim>
+std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
+
+/// Grains are told by their index, contacts by both grains, image and key. A displacement is taken to the nearest image
+/// in reduced coordinates, so grains must move less than half the cell against their mean. Neither a common translation
+/// nor another choice of lattice vectors changes anything.
+/// @pre incomparable(before, after) is empty
+template <int Dim>
+ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Dim>& after);
+
+}  // namespace floc

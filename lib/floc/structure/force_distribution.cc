@@ -1,0 +1,100 @@
+#include "floc/structure/force_distribution.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace floc {
+namespace {
+
+constexpr double kMostBins = 1e5;
+
+double mean_size(const std::vector<double>& forces) {
+  double sum = 0.0;
+  for (const double f : forces) sum += std::abs(f);
+  return forces.empty() ? 0.0 : sum / static_cast<double>(forces.size());
+}
+
+template <int Dim>
+double pull_off_unit(const Packing<Dim>& packing, ForceKind kind) {
+  const double F0 = packing.law.pull_off_force();
+  if (kind != ForceKind::rolling) return F0;
+  const auto& radius = packing.grains.radius;
+  return radius.empty() ? 0.0 : 2.0 * F0 * *std::max_element(radius.begin(), radius.end());
+}
+
+}  // namespace
+
+std::string name_of(ForceKind kind) {
+  switch (kind) {
+    case ForceKind::normal:
+      return "normal";
+    case ForceKind::tangential:
+      return "tangential";
+    case ForceKind::rolling:
+      return "rolling";
+  }
+  return {};
+}
+
+template <int Dim>
+std::vector<double> contact_forces(const Packing<Dim>& packing, ForceKind kind) {
+  std::vector<double> forces;
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (kind == ForceKind::normal) {
+      forces.push_back(c.normal_force);
+    } else if (!c.distant) {
+      forces.push_back(kind == ForceKind::tangential ? c.shear_force.norm() : c.rolling_moment.norm());
+    }
+  }
+  return forces;
+}
+
+void ForceDistribution::add(const ForceDistribution& other) {
+  if (other.n == 0) return;
+  if (n == 0) {
+    *this = other;
+    return;
+  }
+  assert(width == other.width);
+  const auto end = [](const ForceDistribution& d) { return d.first + static_cast<int>(d.counts.size()); };
+  const int low_end = std::min(first, other.first);
+  std::vector<std::int64_t> sum(std::max(end(*this), end(other)) - low_end, 0);
+  for (const ForceDistribution* d : {static_cast<const ForceDistribution*>(this), &other})
+    for (std::size_t b = 0; b < d->counts.size(); ++b)
+      sum[d->first - low_end + static_cast<int>(b)] += d->counts[b];
+  unit = (unit * static_cast<double>(n) + other.unit * static_cast<double>(other.n)) /
+         static_cast<double>(n + other.n);
+  n += other.n;
+  first = low_end;
+  counts = std::move(sum);
+}
+
+template <int Dim>
+ForceDistribution force_distribution(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit,
+                                     double width) {
+  assert(width > 0.0);
+  ForceDistribution out;
+  const std::vector<double> forces = contact_forces(packing, kind);
+  out.unit = unit == ForceUnit::mean ? mean_size(forces) : pull_off_unit(packing, kind);
+  out.width = width;
+  if (forces.empty() || !(out.unit > 0.0)) return out;
+  const auto bin_of = [&](double f) {
+    return static_cast<int>(std::clamp(std::floor(f / (out.unit * width)), -kMostBins, kMostBins));
+  };
+  const auto [low, high] = std::minmax_element(forces.begin(), forces.end());
+  out.first = bin_of(*low);
+  out.counts.assign(bin_of(*high) - out.first + 1, 0);
+  for (const double f : forces) ++out.counts[bin_of(f) - out.first];
+  out.n = static_cast<std::int64_t>(forces.size());
+  return out;
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                  \
+  template std::vector<double> contact_forces(const Packing<Dim>&, ForceKind); \
+  template ForceDistribution force_distribution(const Packing<Dim>&, ForceKind, ForceUnit, double);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

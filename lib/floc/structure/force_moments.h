@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Moments of the contact forces and how far friction is mobilised (PHYSICS section 3), over contacts that touch; nothing
+/// else than zeros without any.
+struct ForceMoments {
+  double mean_normal = 0.0;  ///< <F_N>, static normal force, sign kept (force)
+  double largest = 0.0;      ///< |F_N| (force)
+  /// Z(q) = <N^q>/<N>^q of the elastic normal force N, q = 2, 3, 4; without adhesion that is the whole normal force.
+  std::array<double, 3> Z{};
+  /// Mean |F_T|/N over contacts whose N is above, and below, <N>; at most the coefficient of friction.
+  double M1 = 0.0, M2 = 0.0;
+};
+
+template <int Dim>
+ForceMoments force_moments(const Packing<Dim>& packing);
+
+}  // namespace floc

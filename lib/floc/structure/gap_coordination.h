@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// z(h): twice the number of pairs of surfaces no further apart than h, over the number of grains. z(0) is the
+/// coordination number of contacts.
+/// @param gaps  h (length), ascending, >= 0
+/// @return one entry a gap
+template <int Dim>
+std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vector<double>& gaps);
+
+}  // namespace floc

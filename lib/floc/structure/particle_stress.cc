@@ -1,0 +1,37 @@
+#include "floc/structure/particle_stress.h"
+
+#include <cmath>
+
+namespace floc {
+
+template <int Dim>
+std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing) {
+  const Grains<Dim>& g = packing.grains;
+  std::vector<Mat<Dim>> stress(g.size(), Mat<Dim>::Zero());
+  for (const Contact<Dim>& c : packing.contacts) {
+    const Vec<Dim> on_j = c.normal_force * c.normal - c.shear_force;
+    const Mat<Dim> whole = on_j * branch(packing, c).transpose();
+    const double share_i = g.radius[c.i] / (g.radius[c.i] + g.radius[c.j]);
+    stress[c.i] += share_i * whole;
+    stress[c.j] += (1.0 - share_i) * whole;
+  }
+  // V_i = V R_i^Dim / sum R^Dim: the volumes of the grains over Phi.
+  double sum = 0.0;
+  for (const double R : g.radius) sum += std::pow(R, Dim);
+  for (int i = 0; i < g.size(); ++i) stress[i] *= sum / (std::pow(g.radius[i], Dim) * packing.cell.volume());
+  return stress;
+}
+
+template <int Dim>
+std::vector<double> particle_pressure(const Packing<Dim>& packing) {
+  std::vector<double> pressure;
+  for (const Mat<Dim>& stress : particle_stress(packing)) pressure.push_back(stress.trace() / Dim);
+  return pressure;
+}
+
+template std::vector<Mat<2>> particle_stress(const Packing<2>&);
+template std::vector<Mat<3>> particle_stress(const Packing<3>&);
+template std::vector<double> particle_pressure(const Packing<2>&);
+template std::vector<double> particle_pressure(const Packing<3>&);
+
+}  // namespace floc

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Stress of each grain, compression positive (force/length^(Dim-1)):
+///
+///   sigma_i = -(1/V_i) sum_j f_(j on i) (x) l_i,   V_i = volume of the grain / Phi
+///
+/// with l_i the arm from the centre to the contact point, static forces, all interactions. The sum of V_i sigma_i over the
+/// grains is the volume of the cell times static_stress(), exactly.
+template <int Dim>
+std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing);
+
+/// Pressure of each grain: trace of its stress over Dim.
+template <int Dim>
+std::vector<double> particle_pressure(const Packing<Dim>& packing);
+
+}  // namespace floc

@@ -1,0 +1,250 @@
+#include "floc/structure/pores.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "floc/neighbors/pairs.h"
+
+namespace floc {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+/// An edge between the centres of two grains, image by image.
+struct Edge {
+  int i, j;
+  Vec<2, int> image;
+  Vec<2> branch;
+};
+
+/// Sets of grains that edges join.
+class Sets {
+ public:
+  explicit Sets(int n) : parent_(n), n_sets_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  /// @return whether they were apart
+  bool join(int i, int j) {
+    i = root(i), j = root(j);
+    if (i == j) return false;
+    parent_[std::max(i, j)] = std::min(i, j);
+    --n_sets_;
+    return true;
+  }
+  int n_sets() const { return n_sets_; }
+
+ private:
+  int root(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  std::vector<int> parent_;
+  int n_sets_;
+};
+
+std::vector<Edge> edges_of(const Packing<2>& packing, Sets& sets) {
+  std::vector<Edge> edges;
+  const Contact<2>* previous = nullptr;
+  for (const Contact<2>& c : packing.contacts) {
+    const bool again =
+        previous != nullptr && previous->i == c.i && previous->j == c.j && previous->image == c.image;
+    previous = &c;
+    if (again) continue;  // another contact of the same two grains
+    edges.push_back({c.i, c.j, c.image, branch(packing, c)});
+    sets.join(c.i, c.j);
+  }
+  return edges;
+}
+
+/// Joins parts that no edge connects by the shortest gaps between them, as a minimal spanning tree does: none of these
+/// crosses a grain or another edge.
+void bridge(const Packing<2>& packing, Sets& sets, std::vector<Edge>& edges) {
+  const Grains<2>& g = packing.grains;
+  struct Gap {
+    double size;
+    Edge edge;
+  };
+  const double a = 2.0 * *std::max_element(g.radius.begin(), g.radius.end());
+  const double longest = packing.cell.matrix.rowwise().norm().sum();
+  for (double reach = 0.1 * a; sets.n_sets() > 1; reach = std::min(2.0 * reach, longest)) {
+    std::vector<Gap> gaps;
+    for (const NeighborPair<2>& p : find_pairs(packing.cell, g, reach)) {
+      const Vec<2> r = g.position[p.j] + packing.cell.shift(p.image) - g.position[p.i];
+      gaps.push_back({r.norm() - g.radius[p.i] - g.radius[p.j], {p.i, p.j, p.image, r}});
+    }
+    std::stable_sort(gaps.begin(), gaps.end(), [](const Gap& p, const Gap& q) { return p.size < q.size; });
+    for (const Gap& gap : gaps)
+      if (sets.join(gap.edge.i, gap.edge.j)) edges.push_back(gap.edge);
+    if (reach == longest) return;
+  }
+}
+
+/// Integrals of 1, x and x.x over a region, about a fixed origin.
+struct AreaMoments {
+  double area = 0.0;
+  Vec<2> first = Vec<2>::Zero();
+  double second = 0.0;
+
+  /// The triangle of the origin, p and q, signed.
+  void add_triangle(const Vec<2>& p, const Vec<2>& q) {
+    const double cross = p[0] * q[1] - p[1] * q[0];
+    area += cross / 2.0;
+    first += cross / 6.0 * (p + q);
+    second += cross / 12.0 * (p.dot(p) + p.dot(q) + q.dot(q));
+  }
+
+  void add(const AreaMoments& other) {
+    area += other.area;
+    first += other.first;
+    second += other.second;
+  }
+
+  /// Takes off the sector of a disk about c from direction `from` on, counter-clockwise by `angle`.
+  void remove_sector(const Vec<2>& c, double R, double from, double angle) {
+    const double s = 0.5 * R * R * angle;
+    const double to = from + angle;
+    const Vec<2> m = R * R * R / 3.0 * Vec<2>(std::sin(to) - std::sin(from), std::cos(from) - std::cos(to));
+    area -= s;
+    first -= s * c + m;
+    second -= s * c.squaredNorm() + 2.0 * m.dot(c) + 0.25 * R * R * R * R * angle;
+  }
+};
+
+/// One face of the network, its disks taken off.
+struct Face {
+  AreaMoments moments;   // about `origin`
+  double polygon = 0.0;  // signed area of the polygon of centres
+  Vec<2> origin;         // centre of the first grain
+  std::vector<int> grains;
+  bool winds = false;  // around the cell
+};
+
+/// Walks around the faces of a network on the torus. Half edge 2e runs along edge e, 2e + 1 back.
+class FaceWalk {
+ public:
+  FaceWalk(const Packing<2>& packing, const std::vector<Edge>& edges)
+      : packing_(packing), edges_(edges), angle_(2 * edges.size()), next_(2 * edges.size()) {
+    std::vector<std::vector<int>> out(packing.grains.size());
+    for (int h = 0; h < n_half_edges(); ++h) {
+      const Vec<2> r = direction(h);
+      angle_[h] = std::atan2(r[1], r[0]);
+      out[origin(h)].push_back(h);
+    }
+    for (std::vector<int>& around : out) {
+      std::sort(around.begin(), around.end(), [&](int p, int q) { return angle_[p] < angle_[q]; });
+      // Arriving along the twin of `around[k]`, the face on the left goes on along the edge clockwise of it.
+      const std::size_t n = around.size();
+      for (std::size_t k = 0; k < n; ++k) next_[twin(around[k])] = around[(k + n - 1) % n];
+    }
+  }
+
+  std::vector<Face> faces() const {
+    std::vector<Face> found;
+    std::vector<bool> visited(edges_.size() * 2, false);
+    for (int h = 0; h < n_half_edges(); ++h)
+      if (!visited[h]) found.push_back(follow(h, visited));
+    return found;
+  }
+
+ private:
+  int n_half_edges() const { return 2 * static_cast<int>(edges_.size()); }
+  static int twin(int h) { return h ^ 1; }
+  int origin(int h) const { return h % 2 == 0 ? edges_[h / 2].i : edges_[h / 2].j; }
+  int sign(int h) const { return h % 2 == 0 ? 1 : -1; }
+  Vec<2> direction(int h) const { return sign(h) * edges_[h / 2].branch; }
+
+  Face follow(int start, std::vector<bool>& visited) const {
+    Face face;
+    face.origin = packing_.grains.position[origin(start)];
+    Vec<2> at = Vec<2>::Zero();
+    Vec<2, int> winding = Vec<2, int>::Zero();
+    AreaMoments polygon;
+    int h = start;
+    do {
+      visited[h] = true;
+      face.grains.push_back(origin(h));
+      const Vec<2> to = at + direction(h);
+      polygon.add_triangle(at, to);
+      winding += sign(h) * edges_[h / 2].image;
+      const int after = next_[h];
+      double angle = angle_[twin(h)] - angle_[after];
+      if (angle <= 0.0) angle += kTwoPi;  // a tip turns all the way round
+      face.moments.remove_sector(to, packing_.grains.radius[origin(after)], angle_[after], angle);
+      at = to;
+      h = after;
+    } while (h != start);
+    face.polygon = polygon.area;
+    face.moments.add(polygon);
+    face.winds = winding != Vec<2, int>(Vec<2, int>::Zero());
+    return face;
+  }
+
+  const Packing<2>& packing_;
+  const std::vector<Edge>& edges_;
+  std::vector<double> angle_;
+  std::vector<int> next_;
+};
+
+/// Takes away the faces that have no size: those that wind around the cell, or what surrounds a network that does not
+/// span it. Euler's formula tells which of the two there is, and whether the edges cross.
+/// @return false if they do
+bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
+  constexpr double kWhole = 1e-6;
+  const int euler = n_grains - n_edges + static_cast<int>(faces.size());
+  double covered = 0.0;
+  for (const Face& face : faces) covered += face.polygon;
+  if (std::erase_if(faces, [](const Face& face) { return face.winds; }) > 0) {
+    unbounded = true;
+    return euler == 2;
+  }
+  if (euler == 2 && std::abs(covered) < kWhole * area) {
+    unbounded = true;
+    faces.erase(std::min_element(faces.begin(), faces.end(),
+                                 [](const Face& p, const Face& q) { return p.polygon < q.polygon; }));
+    return true;
+  }
+  return euler == 0 && std::abs(covered - area) < kWhole * area;
+}
+
+void summarise(Pores& out) {
+  double second = 0.0;
+  for (const Pore& p : out.pores) {
+    out.total_area += p.area;
+    second += p.area * p.gyration_radius * p.gyration_radius;
+  }
+  if (out.pores.empty()) return;
+  out.size = std::sqrt(second / out.total_area);
+  out.mean_area = out.total_area / static_cast<double>(out.pores.size());
+}
+
+}  // namespace
+
+Pores find_pores(const Packing<2>& packing) {
+  Pores out;
+  const int n = packing.grains.size();
+  if (n == 0) return out;
+  Sets sets(n);
+  std::vector<Edge> edges = edges_of(packing, sets);
+  bridge(packing, sets, edges);
+  if (edges.empty()) {  // a lone grain
+    out.unbounded = true;
+    return out;
+  }
+  std::vector<Face> faces = FaceWalk(packing, edges).faces();
+  if (!remove_unbounded(packing.cell.volume(), n, static_cast<int>(edges.size()), faces, out.unbounded)) {
+    out.refusal = "contacts cross each other: no pores can be told";
+    return out;
+  }
+  for (Face& face : faces) {
+    const AreaMoments& m = face.moments;
+    if (m.area <= 0.0) continue;  // filled by overlaps
+    const Vec<2> centre = m.first / m.area;
+    const double gyration2 = std::max(0.0, m.second / m.area - centre.squaredNorm());
+    out.pores.push_back(
+        {m.area, std::sqrt(gyration2), packing.cell.wrapped(face.origin + centre), std::move(face.grains)});
+  }
+  summarise(out);
+  return out;
+}
+
+}  // namespace floc

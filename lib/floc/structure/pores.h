@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// One pore of a 2D packing.
+struct Pore {
+  double area = 0.0;               ///< (area)
+  double gyration_radius = 0.0;    ///< root mean square distance of its points from its centre of mass (length)
+  Vec<2> centre = Vec<2>::Zero();  ///< of mass, inside the cell
+  std::vector<int> grains;         ///< around it, counter-clockwise; one that it touches twice stands twice
+};
+
+/// Pores of a 2D packing: the faces of the network of its interactions (distant attractions close pores too), less the
+/// sectors of the disks around them and the disks inside (PHYSICS section 6). Closed forms, no mesh: areas add up to
+/// A (1 - Phi) with overlaps counted twice, as in Phi.
+struct Pores {
+  std::vector<Pore> pores;  ///< those that end
+  bool unbounded = false;   ///< there is one that winds around the cell, which has no size
+  double total_area = 0.0;  ///< of all that end
+  /// xi': root of the mean of the squared radius of gyration, weighted by area (length); 0 without pores.
+  double size = 0.0;
+  double mean_area = 0.0;  ///< (area)
+  std::string
+      refusal;  ///< why there are none: contacts cross each other, as disks that overlap far do; else empty
+};
+
+/// Parts of the network and lone grains that lie inside a pore are joined to what is nearest by edges of no width, which
+/// changes no pore.
+Pores find_pores(const Packing<2>& packing);
+
+}  // namespace floc

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/network/contact_network.h"
+
+namespace floc {
+
+/// Grains whose pressure has one sign, joined where two of them interact.
+struct PressurePhase {
+  int n_grains = 0;
+  double share = 0.0;       ///< of all grains
+  double mean = 0.0;        ///< pressure over its grains (stress)
+  int n_clusters = 0;       ///< connected parts, single grains included
+  int largest_cluster = 0;  ///< grains
+  int n_directions =
+      0;  ///< independent ways in which one of its parts winds around the cell: it percolates if > 0
+};
+
+/// The two phases of positive and negative particle pressure (PHYSICS section 6). Grains of pressure zero are in neither.
+struct PressurePhases {
+  PressurePhase positive, negative;
+};
+
+/// @param pressure  of each grain of the network
+template <int Dim>
+PressurePhases pressure_phases(const ContactNetwork<Dim>& network, const std::vector<double>& pressure);
+
+}  // namespace floc

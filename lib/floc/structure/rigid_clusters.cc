@@ -1,0 +1,95 @@
+#include "floc/structure/rigid_clusters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace floc {
+namespace {
+
+/// Rotation of each grain between the two states.
+Eigen::Rotation2Dd turn_of(double before, double after) {
+  return Eigen::Rotation2Dd(after - before);
+}
+Eigen::Quaterniond turn_of(const Eigen::Quaterniond& before, const Eigen::Quaterniond& after) {
+  return after * before.conjugate();
+}
+
+double angle_between(const Eigen::Rotation2Dd& p, const Eigen::Rotation2Dd& q) {
+  return std::abs(std::remainder(p.angle() - q.angle(), 2.0 * std::numbers::pi));
+}
+double angle_between(const Eigen::Quaterniond& p, const Eigen::Quaterniond& q) {
+  return p.angularDistance(q);
+}
+
+/// Branch after, from the grain that is i before to the one that is j before.
+template <int Dim>
+Vec<Dim> branch_after(const Packing<Dim>& after, const Contact<Dim>& before, const Contact<Dim>& c) {
+  const Vec<Dim> r = branch(after, c);
+  return c.i == before.i ? r : Vec<Dim>(-r);
+}
+
+template <int Dim>
+bool stuck(const Packing<Dim>& before, const Packing<Dim>& after, const KeptContact& kept, double length,
+           double angle) {
+  const Contact<Dim>& c = before.contacts[kept.before];
+  const Vec<Dim> r = branch(before, c);
+  const double share_i = before.grains.radius[c.i] / (before.grains.radius[c.i] + before.grains.radius[c.j]);
+  const auto turn_i = turn_of(before.grains.orientation[c.i], after.grains.orientation[c.i]);
+  const auto turn_j = turn_of(before.grains.orientation[c.j], after.grains.orientation[c.j]);
+  const Vec<Dim> point_of_i = turn_i * Vec<Dim>(share_i * r);
+  const Vec<Dim> point_of_j =
+      branch_after(after, c, after.contacts[kept.after]) + turn_j * Vec<Dim>((share_i - 1.0) * r);
+  return (point_of_j - point_of_i).norm() <= length && angle_between(turn_i, turn_j) <= angle;
+}
+
+/// Roots of the sets that joins make of n grains.
+std::vector<int> joined(int n, const std::vector<std::pair<int, int>>& pairs) {
+  std::vector<int> parent(n);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const auto& [i, j] : pairs) parent[std::max(root(i), root(j))] = std::min(root(i), root(j));
+  for (int i = 0; i < n; ++i) parent[i] = root(i);
+  return parent;
+}
+
+}  // namespace
+
+int RigidClusters::n_clustered() const {
+  return std::accumulate(size.begin(), size.end(), 0);
+}
+
+template <int Dim>
+RigidClusters rigid_clusters(const Packing<Dim>& before, const Packing<Dim>& after,
+                             const ContactChanges<Dim>& changes, double tolerance) {
+  RigidClusters out;
+  const int n = before.grains.size();
+  if (n == 0) return out;
+  const double a = 2.0 * *std::max_element(before.grains.radius.begin(), before.grains.radius.end());
+  std::vector<std::pair<int, int>> pairs;
+  for (const KeptContact& kept : changes.kept)
+    if (stuck(before, after, kept, tolerance * a, tolerance))
+      pairs.emplace_back(before.contacts[kept.before].i, before.contacts[kept.before].j);
+  out.n_stuck = static_cast<int>(pairs.size());
+
+  const std::vector<int> root = joined(n, pairs);
+  std::vector<int> count(n, 0);
+  for (const int r : root) ++count[r];
+  std::vector<int> order;
+  for (int r = 0; r < n; ++r)
+    if (count[r] > 1) order.push_back(r);
+  std::stable_sort(order.begin(), order.end(), [&](int p, int q) { return count[p] > count[q]; });
+  std::vector<int> number(n, -1);
+  for (const int r : order) number[r] = static_cast<int>(out.size.size()), out.size.push_back(count[r]);
+  for (const int r : root) out.cluster.push_back(number[r]);
+  return out;
+}
+
+template RigidClusters rigid_clusters(const Packing<2>&, const Packing<2>&, const ContactChanges<2>&, double);
+template RigidClusters rigid_clusters(const Packing<3>&, const Packing<3>&, const ContactChanges<3>&, double);
+
+}  // namespace floc

@@ -1,0 +1,127 @@
+#include "floc/structure/scattering.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace floc {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+/// The smallest product of 2, 3, 5 and 7 that is no smaller than n.
+int smooth_size(int n) {
+  for (;; ++n) {
+    int rest = n;
+    for (const int factor : {2, 3, 5, 7})
+      while (rest % factor == 0) rest /= factor;
+    if (rest == 1) return n;
+  }
+}
+
+/// Fourier coefficients sum_x f(x) exp(-i k x) of a real field on a mesh; the last index runs to size[1]/2.
+std::vector<std::complex<double>> transform(const CoverageMap& field) {
+  std::vector<std::complex<double>> out(static_cast<std::size_t>(field.size[0]) * (field.size[1] / 2 + 1));
+  // The input is not changed out of place with FFTW_PRESERVE_INPUT.
+  fftw_plan plan =
+      fftw_plan_dft_r2c_2d(field.size[0], field.size[1], const_cast<double*>(field.share.data()),
+                           reinterpret_cast<fftw_complex*>(out.data()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  fftw_execute(plan);
+  fftw_destroy_plan(plan);
+  return out;
+}
+
+/// sin(x)/x of x = pi n/size: what averaging over mesh cells leaves of a wave of n periods.
+double kept_by_averaging(int n, int size) {
+  const double x = std::numbers::pi * n / size;
+  return n == 0 ? 1.0 : std::sin(x) / x;
+}
+
+}  // namespace
+
+Vec<2, int> ScatteringMesh::size(const Cell<2>& cell) const {
+  Vec<2, int> n;
+  for (int a = 0; a < 2; ++a)
+    n[a] = smooth_size(static_cast<int>(std::ceil(cell.matrix.row(a).norm() / spacing)));
+  return n;
+}
+
+ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options) {
+  const auto& radius = packing.grains.radius;
+  assert(!radius.empty());
+  const double a = 2.0 * *std::max_element(radius.begin(), radius.end());
+  const double area = packing.cell.volume();
+  ScatteringMesh mesh;
+  mesh.spacing = std::max(a / (options.largest * options.cells_per_wave),
+                          std::sqrt(area / static_cast<double>(options.most_cells)));
+  const double largest = kTwoPi / (mesh.spacing * options.cells_per_wave);
+  const double unit = kTwoPi / std::sqrt(area);
+  mesh.edges.push_back(0.5 * unit);
+  while (mesh.edges.back() < largest)
+    mesh.edges.push_back(std::max(mesh.edges.back() + unit, mesh.edges.back() * options.bin_growth));
+  if (mesh.edges.size() == 1)
+    mesh.edges.push_back(mesh.edges[0] * options.bin_growth);  // a tiny cell: no wave fits
+  mesh.edges.back() = std::max(largest, mesh.edges[0] * options.bin_growth);
+  return mesh;
+}
+
+ScatteringAverage::ScatteringAverage(std::vector<double> edges)
+    : edges_(std::move(edges)),
+      sum_k_(edges_.size() - 1, 0.0),
+      sum_I_(edges_.size() - 1, 0.0),
+      n_(edges_.size() - 1, 0) {
+  assert(edges_.size() >= 2);
+}
+
+void ScatteringAverage::add_vector(double k, double intensity, std::int64_t weight) {
+  const auto above = std::upper_bound(edges_.begin(), edges_.end(), k);
+  if (above == edges_.begin() || above == edges_.end()) return;
+  const auto bin = static_cast<std::size_t>(above - edges_.begin()) - 1;
+  sum_k_[bin] += static_cast<double>(weight) * k;
+  sum_I_[bin] += static_cast<double>(weight) * intensity;
+  n_[bin] += weight;
+}
+
+void ScatteringAverage::add(const Cell<2>& cell, const CoverageMap& field) {
+  const std::vector<std::complex<double>> hat = transform(field);
+  const Mat<2> reciprocal = kTwoPi * cell.matrix.inverse();  // k = reciprocal * (n1, n2)
+  const double area = cell.volume();
+  const double per_cell = area / (static_cast<double>(field.size[0]) * field.size[1]);
+  const int n_columns = field.size[1] / 2 + 1;
+  for (int row = 0; row < field.size[0]; ++row) {
+    const int n1 = row <= field.size[0] / 2 ? row : row - field.size[0];
+    const double kept1 = kept_by_averaging(n1, field.size[0]);
+    for (int n2 = 0; n2 < n_columns; ++n2) {
+      const double k = (reciprocal * Vec<2>(n1, n2)).norm();
+      if (k < edges_.front() || k >= edges_.back()) continue;
+      const double kept = kept1 * kept_by_averaging(n2, field.size[1]);
+      const std::complex<double> chi = hat[static_cast<std::size_t>(row) * n_columns + n2];
+      // Of the row n2 = 0 both k and -k are there, of the others one.
+      add_vector(k, per_cell * per_cell * std::norm(chi) / (kept * kept * area), n2 == 0 ? 1 : 2);
+    }
+  }
+}
+
+Scattering ScatteringAverage::result() const {
+  Scattering out;
+  for (std::size_t bin = 0; bin < n_.size(); ++bin) {
+    if (n_[bin] == 0) continue;
+    out.k.push_back(sum_k_[bin] / static_cast<double>(n_[bin]));
+    out.I.push_back(sum_I_[bin] / static_cast<double>(n_[bin]));
+    out.n_vectors.push_back((n_[bin] + 1) / 2);
+  }
+  return out;
+}
+
+Scattering scattering(const Packing<2>& packing, const ScatteringOptions& options) {
+  const ScatteringMesh mesh = scattering_mesh(packing, options);
+  ScatteringAverage average(mesh.edges);
+  average.add(packing.cell, coverage_map(packing, mesh.size(packing.cell)));
+  return average.result();
+}
+
+}  // namespace floc

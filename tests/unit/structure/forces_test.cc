@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "floc/structure/force_distribution.h"
+#include "floc/structure/force_moments.h"
+
+namespace floc {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+Packing<2> with_forces(const std::vector<double>& normal, double F0) {
+  Packing<2> packing;
+  packing.law.normal_stiffness = 1.0;
+  if (F0 > 0.0) packing.law.adhesion = {F0, 0.1};
+  packing.grains = Grains<2>::with_size(2);
+  packing.grains.radius = {0.5, 1.0};
+  for (const double f : normal) {
+    Contact<2> c;
+    c.normal_force = f;
+    c.elastic_force = f + F0;
+    c.shear_force = {0.3 * f, -0.4 * f};
+    c.rolling_moment = Spin<2>(-0.01 * f);
+    packing.contacts.push_back(c);
+  }
+  return packing;
+}
+
+TEST(ForceDistribution, KeepsTheSignOfNormalForcesAndNeverMixesThem) {
+  const ForceDistribution d = force_distribution(with_forces({-2.4, -0.1, 0.1, 0.2, 1.9, 2.0}, 2.0),
+                                                 ForceKind::normal, ForceUnit::pull_off, 0.5);
+  EXPECT_EQ(d.unit, 2.0);
+  EXPECT_EQ(d.n, 6);
+  EXPECT_EQ(d.first, -3);
+  EXPECT_THAT(d.counts, ElementsAre(1, 0, 1, 2, 1, 1));
+  EXPECT_DOUBLE_EQ(d.low(0), -1.5);
+  EXPECT_DOUBLE_EQ(d.middle(3), 0.25);
+  EXPECT_DOUBLE_EQ(d.density(3), 2.0 / (6.0 * 0.5));
+}
+
+TEST(ForceDistribution, ByTheMeanIsOfMeanOne) {
+  Packing<2> packing = with_forces({-3.0, 1.0, 2.0, 6.0}, 0.0);
+  EXPECT_DOUBLE_EQ(force_distribution(packing, ForceKind::normal, ForceUnit::mean, 0.1).unit, 3.0);
+  const ForceDistribution t = force_distribution(packing, ForceKind::tangential, ForceUnit::mean, 0.1);
+  EXPECT_DOUBLE_EQ(t.unit, 1.5);
+  EXPECT_EQ(t.first, 3);  // sizes: the least is 0.5/1.5
+  EXPECT_DOUBLE_EQ(force_distribution(packing, ForceKind::rolling, ForceUnit::mean, 0.1).unit, 0.03);
+  packing.contacts[0].distant = true;
+  EXPECT_EQ(force_distribution(packing, ForceKind::tangential, ForceUnit::mean, 0.1).n, 3);
+  EXPECT_EQ(force_distribution(packing, ForceKind::normal, ForceUnit::mean, 0.1).n, 4);
+}
+
+TEST(ForceDistribution, OfMomentsIsByForceTimesLargestDiameter) {
+  EXPECT_DOUBLE_EQ(
+      force_distribution(with_forces({1.0}, 3.0), ForceKind::rolling, ForceUnit::pull_off, 0.1).unit, 6.0);
+}
+
+TEST(ForceDistribution, WithoutAUnitIsEmpty) {
+  EXPECT_THAT(force_distribution(with_forces({1.0}, 0.0), ForceKind::normal, ForceUnit::pull_off, 0.1).counts,
+              IsEmpty());
+  EXPECT_THAT(force_distribution(with_forces({}, 1.0), ForceKind::normal, ForceUnit::mean, 0.1).counts,
+              IsEmpty());
+}
+
+TEST(ForceDistribution, OfStatesAddUp) {
+  ForceDistribution sum;
+  sum.add(force_distribution(with_forces({-1.0, 3.0}, 1.0), ForceKind::normal, ForceUnit::pull_off, 1.0));
+  sum.add(force_distribution(with_forces({2.5, -4.5}, 1.0), ForceKind::normal, ForceUnit::pull_off, 1.0));
+  EXPECT_EQ(sum.n, 4);
+  EXPECT_EQ(sum.first, -5);
+  EXPECT_THAT(sum.counts, ElementsAre(1, 0, 0, 0, 1, 0, 0, 1, 1));
+}
+
+TEST(ForceMoments, OfAHandfulOfContacts) {
+  // Elastic forces 1, 2, 3, 6 with mean 3; |F_T|/N = 0.5.
+  Packing<2> packing = with_forces({1.0, 2.0, 3.0, 6.0}, 0.0);
+  packing.contacts[3].shear_force *= 0.5;
+  const ForceMoments m = force_moments(packing);
+  EXPECT_DOUBLE_EQ(m.mean_normal, 3.0);
+  EXPECT_DOUBLE_EQ(m.largest, 6.0);
+  EXPECT_NEAR(m.Z[0], 50.0 / 4.0 / 9.0, 1e-14);
+  EXPECT_NEAR(m.Z[1], 252.0 / 4.0 / 27.0, 1e-14);
+  EXPECT_NEAR(m.Z[2], 1394.0 / 4.0 / 81.0, 1e-14);
+  EXPECT_NEAR(m.M1, 0.25, 1e-15);
+  EXPECT_NEAR(m.M2, 0.5, 1e-15);
+}
+
+TEST(ForceMoments, WithAdhesionAreOfTheElasticPart) {
+  const ForceMoments m = force_moments(with_forces({-1.0, 1.0}, 2.0));  // elastic 1 and 3
+  EXPECT_DOUBLE_EQ(m.mean_normal, 0.0);
+  EXPECT_DOUBLE_EQ(m.Z[0], 5.0 / 4.0);
+  EXPECT_DOUBLE_EQ(m.M1, 0.5 / 3.0);
+  EXPECT_DOUBLE_EQ(m.M2, 0.5);
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,124 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "floc/neighbors/pairs.h"
+#include "floc/network/rattlers.h"
+#include "floc/packing/tile.h"
+#include "floc/structure/coordination.h"
+#include "floc/structure/gap_coordination.h"
+#include "floc/structure/pair_correlation.h"
+#include "floc/structure/pushed_rattlers.h"
+#include "support/lattices.h"
+
+namespace floc::test {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(PairCorrelation, OfALatticeIsItsShellsBeyondTheCellToo) {
+  // One disk a cell: every pair is of images. Shells at 1 (4 neighbours), sqrt 2 (4), 2 (4), sqrt 5 (8).
+  const Packing<2> packing = square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0));
+  const PairCorrelation found = pair_correlation(packing, 2.5, 25);
+  std::vector<double> neighbours(25, 0.0);
+  for (int b = 0; b < 25; ++b) {
+    neighbours[b] = 2.0 * static_cast<double>(found.n_pairs[b]);
+    const double ring = std::numbers::pi * 0.01 * (2 * b + 1);
+    EXPECT_NEAR(found.g[b] * ring, neighbours[b], 1e-12);
+  }
+  EXPECT_THAT(neighbours,
+              ElementsAre(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 0, 0, 4, 0, 8, 0, 0));
+  const PairCorrelation larger = pair_correlation(tiled<2>(packing, {3, 2}), 2.5, 25);
+  for (int b = 0; b < 25; ++b) EXPECT_NEAR(larger.g[b], found.g[b], 1e-12);
+}
+
+TEST(PairCorrelation, OfIndependentGrainsIsOne) {
+  const Packing<3> packing = random_packing<3>(3000, 4, elastic_law(1.0, 0.0, 0.0));
+  const PairCorrelation found = pair_correlation(packing, 2.0, 2);
+  for (int b = 0; b < 2; ++b)
+    EXPECT_NEAR(found.g[b], 1.0, 4.0 / std::sqrt(static_cast<double>(found.n_pairs[b]))) << b;
+}
+
+TEST(GapCoordination, CountsPairsUpToEachGap) {
+  // Disks of diameter 0.9 on a square lattice: 4 neighbours at a gap of 0.1, 4 at sqrt 2 - 0.9, 4 at 1.1.
+  Packing<2> packing = square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0));
+  packing.grains.radius[0] = 0.45;
+  const std::vector<double> z = gap_coordination(packing, {0.0, 0.0999, 0.1001, 0.5, 0.52, 1.2});
+  EXPECT_THAT(z, ElementsAre(0, 0, 4, 4, 8, 12));
+}
+
+TEST(GapCoordination, WithoutAGapIsThatOfContacts) {
+  const Packing<2> packing = random_packing<2>(60, 9, elastic_law(1.0, 0.0, 0.0));
+  EXPECT_NEAR(gap_coordination(packing, {0.0, 1.0})[0], coordination(packing, 0.0).z, 1e-12);
+}
+
+/// Smallest gap of grain i to others, and how many grains are within a hair of it.
+template <int Dim>
+std::pair<double, int> touched_by(const Packing<Dim>& packing, int i) {
+  double least = 1e9;
+  int n = 0;
+  for (const auto& pair : find_pairs(packing.cell, packing.grains, 0.3)) {
+    if (pair.i != i && pair.j != i) continue;
+    const auto& g = packing.grains;
+    const Vec<Dim> r = g.position[pair.j] + packing.cell.shift(pair.image) - g.position[pair.i];
+    const double gap = r.norm() - g.radius[pair.i] - g.radius[pair.j];
+    least = std::min(least, gap);
+    n += gap < 1e-9;
+  }
+  return {least, n};
+}
+
+TEST(PushedRattlers, OfDisksEndOnTwoGrains) {
+  for (const Vec<2>& x : {Vec<2>(2.0, 2.0), Vec<2>(1.7, 2.6), Vec<2>(3.1, 2.9), Vec<2>(1.2, 1.3)}) {
+    Packing<2> packing = square_frames(5, 1.0, elastic_law(1.0, 0.0, 0.0));
+    packing.grains.position.push_back(x);
+    packing.grains.radius.push_back(0.4);
+    find_contacts(packing);
+    const std::vector<bool> rattler = find_rattlers(packing, 0.0);
+    ASSERT_TRUE(rattler.back());
+    const Packing<2> pushed = with_pushed_rattlers(packing, rattler);
+    const int last = packing.grains.size() - 1;
+    for (int i = 0; i < last; ++i) EXPECT_EQ(pushed.grains.position[i], packing.grains.position[i]);
+    const auto [gap, n] = touched_by(pushed, last);
+    EXPECT_EQ(n, 2) << x.transpose();
+    EXPECT_GT(gap, -1e-12);
+  }
+}
+
+TEST(PushedRattlers, OfSpheresEndOnThreeGrains) {
+  // A cage of spheres around the middle of each face, edge and corner of a cube; the cell is the cube.
+  Packing<3> packing;
+  packing.law = elastic_law(1.0, 0.0, 0.0);
+  packing.cell.matrix = 3.0 * Mat<3>::Identity();
+  packing.grains = Grains<3>::with_size(20);
+  int n = 0;
+  for (int k = 0; k < 27; ++k) {
+    const Vec<3, int> at(k % 3, k / 3 % 3, k / 9);
+    if (at.minCoeff() > 0) continue;
+    packing.grains.position[n] = at.cast<double>();
+    packing.grains.radius[n] = 0.51 + 0.003 * n;
+    ++n;
+  }
+  packing.grains.position[n] = {1.4, 1.55, 1.62};
+  packing.grains.radius[n] = 0.3;
+  ASSERT_EQ(n, 19);
+  find_contacts(packing);
+  const Packing<3> pushed = with_pushed_rattlers(packing, find_rattlers(packing, 0.0));
+  const auto [gap, n_touching] = touched_by(pushed, 19);
+  EXPECT_EQ(n_touching, 3);
+  EXPECT_GT(gap, -1e-12);
+}
+
+TEST(PushedRattlers, StayWhereNothingIsNear) {
+  Packing<2> packing = square_frames(20, 1.0, elastic_law(1.0, 0.0, 0.0));
+  packing.grains.position.emplace_back(9.0, 9.5);
+  packing.grains.radius.push_back(0.4);
+  find_contacts(packing);
+  const Packing<2> pushed = with_pushed_rattlers(packing, find_rattlers(packing, 0.0));
+  EXPECT_EQ(pushed.grains.position.back(), packing.grains.position.back());
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,0 +1,175 @@
+#include "floc/structure/pores.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "support/lattices.h"
+
+namespace floc::test {
+namespace {
+
+using testing::SizeIs;
+using testing::UnorderedElementsAre;
+
+constexpr double kPi = std::numbers::pi;
+
+Packing<2> of_radius(Packing<2> packing, double R) {
+  std::fill(packing.grains.radius.begin(), packing.grains.radius.end(), R);
+  return packing;
+}
+
+/// Square of the radius of gyration of a square of side s less a quarter disk of radius R at each corner.
+double square_pore(double s, double R) {
+  const double quarter = kPi * R * R / 4.0;
+  const double second = kPi * R * R * R * R / 8.0 + quarter * s * s / 2.0 - 2.0 * R * R * R / 3.0 * s;
+  return (s * s * s * s / 6.0 - 4.0 * second) / (s * s - 4.0 * quarter);
+}
+
+TEST(Pores, OfASquareLatticeAreExact) {
+  const Pores found = find_pores(of_radius(square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0)), 0.5));
+  ASSERT_THAT(found.pores, SizeIs(1));
+  EXPECT_NEAR(found.pores[0].area, 1.0 - kPi / 4.0, 1e-14);
+  EXPECT_NEAR(found.pores[0].gyration_radius, std::sqrt(square_pore(1.0, 0.5)), 1e-13);
+  EXPECT_NEAR(found.size, std::sqrt(square_pore(1.0, 0.5)), 1e-13);
+  EXPECT_NEAR((found.pores[0].centre - Vec<2>(0.5, 0.5)).norm(), 0.0, 1e-13);
+  EXPECT_FALSE(found.unbounded);
+  EXPECT_EQ(found.refusal, "");
+}
+
+TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
+  const Pores found = find_pores(of_radius(triangular(2.0, elastic_law(1.0, 0.0, 0.0)), 1.0));
+  ASSERT_THAT(found.pores, SizeIs(2));
+  // Second moment of the triangle of side 2 about its centre is side^2 area/12; each sector of 60 degrees has its own,
+  // with its first moment 2 sin(30 deg) R^3/3 towards the centre, which is 2/sqrt 3 away.
+  const double area = std::sqrt(3.0) - kPi / 2.0;
+  const double sector = kPi / 6.0;
+  const double second = sector / 2.0 + sector * 4.0 / 3.0 - 2.0 * (1.0 / 3.0) * 2.0 / std::sqrt(3.0);
+  const double gyration2 = (4.0 * std::sqrt(3.0) / 12.0 - 3.0 * second) / area;
+  for (const Pore& pore : found.pores) {
+    EXPECT_NEAR(pore.area, area, 1e-13);
+    EXPECT_NEAR(pore.gyration_radius, std::sqrt(gyration2), 1e-12);
+    EXPECT_THAT(pore.grains, SizeIs(3));
+  }
+}
+
+TEST(Pores, OfDifferentSizesCountByTheirArea) {
+  // Frames of 5 disks a side: one large pore; two of them in one cell, one with a disk in the middle.
+  const Packing<2> packing = square_frames(5, 1.0, elastic_law(1.0, 0.0, 0.0));
+  const double large = find_pores(of_radius(packing, 0.5)).pores.at(0).gyration_radius;
+  Packing<2> two = packing;
+  two.cell.matrix(0, 0) *= 2.0;
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    two.grains.position.push_back(packing.grains.position[i] + Vec<2>(4.0, 0.0));
+    two.grains.radius.push_back(0.51);
+  }
+  two.grains.position.emplace_back(2.0, 2.0);
+  two.grains.radius.push_back(0.75);
+  find_contacts(two);
+  two = of_radius(two, 0.5);
+  two.grains.radius.back() = 0.75;
+  const Pores found = find_pores(two);
+  ASSERT_THAT(found.pores, SizeIs(2));
+  const double disk = kPi * 0.75 * 0.75;
+  const double open = 16.0 - 7.0 * kPi / 4.0;
+  const double second = open * large * large - disk * 0.75 * 0.75 / 2.0;
+  EXPECT_THAT((std::vector<double>{found.pores[0].area, found.pores[1].area}),
+              UnorderedElementsAre(testing::DoubleNear(open, 1e-12), testing::DoubleNear(open - disk, 1e-12)));
+  const double sum = open * large * large + second;
+  EXPECT_NEAR(found.size, std::sqrt(sum / (2.0 * open - disk)), 1e-12);
+  EXPECT_FALSE(found.unbounded);
+}
+
+TEST(Pores, HoldIslandsAndDeadEnds) {
+  // A frame with a dead end of one disk, a lone disk and a pair inside.
+  Packing<2> packing = square_frames(9, 1.0, elastic_law(1.0, 0.0, 0.0));
+  for (const Vec<2>& x : {Vec<2>(3.0, 1.0), Vec<2>(6.0, 5.5), Vec<2>(2.3, 4.0), Vec<2>(2.3, 5.0)}) {
+    packing.grains.position.push_back(x);
+    packing.grains.radius.push_back(0.51);
+  }
+  find_contacts(packing);
+  packing = of_radius(packing, 0.5);
+  const Pores found = find_pores(packing);
+  ASSERT_THAT(found.pores, SizeIs(1));
+  EXPECT_NEAR(found.pores[0].area, packing.cell.volume() * (1.0 - solid_fraction(packing)), 1e-11);
+  // Against the sum over the disks: the frame's own pore, less each disk with its parallel axis.
+  const Pores bare = find_pores(of_radius(square_frames(9, 1.0, elastic_law(1.0, 0.0, 0.0)), 0.5));
+  const double disk = kPi / 4.0;
+  double area = bare.pores[0].area, second = area * std::pow(bare.pores[0].gyration_radius, 2);
+  Vec<2> first = Vec<2>::Zero();
+  for (int i = packing.grains.size() - 4; i < packing.grains.size(); ++i) {
+    const Vec<2> x = packing.grains.position[i] - Vec<2>(4.0, 4.0);
+    area -= disk;
+    first -= disk * x;
+    second -= disk * (x.squaredNorm() + 0.125);
+  }
+  EXPECT_NEAR(found.pores[0].gyration_radius, std::sqrt(second / area - (first / area).squaredNorm()), 1e-11);
+}
+
+/// A perturbed triangular net, of which some edges are taken out: contacts by topology, disks that do not overlap.
+Packing<2> net(int side, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Packing<2> packing;
+  packing.cell.matrix << side, 0.0, 0.5 * side, std::sqrt(0.75) * side;
+  packing.grains = Grains<2>::with_size(side * side);
+  const Mat<2> step = packing.cell.matrix.transpose() / side;
+  for (int i = 0; i < side * side; ++i) {
+    packing.grains.position[i] =
+        step * Vec<2>(i % side + 0.1 * uniform(engine), i / side + 0.1 * uniform(engine));
+    packing.grains.radius[i] = 0.2 + 0.2 * uniform(engine);
+  }
+  const auto at = [side](int a, int b) { return (b % side) * side + a % side; };
+  for (int b = 0; b < side; ++b)
+    for (int a = 0; a < side; ++a)
+      for (const Vec<2, int>& d : {Vec<2, int>(1, 0), Vec<2, int>(0, 1), Vec<2, int>(-1, 1)}) {
+        if (uniform(engine) < 0.25) continue;
+        Contact<2> c;
+        const int to1 = a + d[0] + side, to2 = b + d[1] + side;
+        c.i = at(a, b);
+        c.j = at(to1, to2);
+        c.image = {to1 / side - 1, to2 / side - 1};
+        packing.contacts.push_back(c);
+      }
+  return packing;
+}
+
+TEST(Pores, FillWhatGrainsLeave) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Packing<2> packing = net(8, seed);
+    const Pores found = find_pores(packing);
+    ASSERT_EQ(found.refusal, "");
+    EXPECT_FALSE(found.unbounded);
+    EXPECT_NEAR(found.total_area, packing.cell.volume() * (1.0 - solid_fraction(packing)), 1e-11);
+    double second = 0.0;
+    for (const Pore& p : found.pores) second += p.area * p.gyration_radius * p.gyration_radius;
+    EXPECT_NEAR(found.size, std::sqrt(second / found.total_area), 1e-12);
+  }
+}
+
+TEST(Pores, ThatWindAroundTheCellHaveNoSize) {
+  const Pores chain = find_pores(of_radius(chain_across(4, 1.0, 3.0, elastic_law(1.0, 0.0, 0.0)), 0.5));
+  EXPECT_TRUE(chain.unbounded);
+  EXPECT_THAT(chain.pores, SizeIs(0));
+  EXPECT_EQ(chain.size, 0.0);
+  Packing<2> ring =
+      disks(10.0 * Mat<2>::Identity(), {{1, 1}, {2, 1}, {2, 2}, {1, 2}}, 1.0, elastic_law(1.0, 0.0, 0.0));
+  const Pores island = find_pores(of_radius(ring, 0.5));
+  EXPECT_TRUE(island.unbounded);
+  ASSERT_THAT(island.pores, SizeIs(1));
+  EXPECT_NEAR(island.size, std::sqrt(square_pore(1.0, 0.5)), 1e-13);
+}
+
+TEST(Pores, OfContactsThatCrossAreRefused) {
+  // Squares whose four corners all touch each other.
+  Packing<2> packing = square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0));
+  packing.grains.radius[0] = 0.8;
+  find_contacts(packing);
+  EXPECT_NE(find_pores(packing).refusal, "");
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,6 +1,8 @@
 #include "floc/linalg/symmetric_factor.h"
 
+#include <SuiteSparse_config.h>
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cassert>
@@ -9,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "floc/base/huge_pages.h"
 #include "floc/linalg/blas.h"
 #include "floc/linalg/condition.h"
 
@@ -17,9 +20,18 @@ namespace {
 
 /// Replaces an exactly vanishing pivot of L D L^T so that the elimination goes on; far below any rounding.
 constexpr double kSmallestPivot = 1e-30;
-/// Operations of a factor, for each group, beyond which nested dissection is looked for: finding it takes as long as
-/// some 3e5 operations a group.
-constexpr double kNestedDissectionCost = 1e6;
+/// CHOLMOD asks for teams of four threads whatever it is told, each of which waits in a loop for panels of some
+/// columns: it is faster with one.
+class OneThread {
+ public:
+  OneThread() { omp_set_max_active_levels(0); }
+  ~OneThread() { omp_set_max_active_levels(levels_); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  int levels_ = omp_get_max_active_levels();
+};
 
 /// A view of a dense matrix as CHOLMOD takes it; it is never written through.
 cholmod_dense as_cholmod(const Eigen::MatrixXd& m) {
@@ -40,9 +52,10 @@ struct SymmetricFactor::Factor {
   using Lower = Eigen::Map<const Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>>;
 
   Ordering ordering;
-  std::vector<SuiteSparse_long> group;  // of each unknown
-  double norm = 0.0;                    // of A, largest absolute row sum
-  double shift = 0.0;                   // of the last factor
+  std::vector<int> group;                              // of each unknown
+  Eigen::PermutationMatrix<Eigen::Dynamic> to_matrix;  // from the caller's unknowns to the order of `matrix`
+  double norm = 0.0;                                   // of A, largest absolute row sum
+  double shift = 0.0;                                  // of the last factor
   cholmod_common common{};
   cholmod_sparse* matrix = nullptr;
   cholmod_factor* positive = nullptr;    // supernodal L L^T; its ordering is kept
@@ -51,12 +64,14 @@ struct SymmetricFactor::Factor {
 
   explicit Factor(Ordering chosen) : ordering(chosen) {
     prepare_blas();
+    SuiteSparse_config.malloc_func = allocate_on_huge_pages;
     cholmod_l_start(&common);
     common.print = 0;
     common.error_handler = nullptr;
     common.useGPU = 0;
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.method[0].ordering = CHOLMOD_NATURAL;  // the matrix is given in its order
+    common.postorder = 0;
     common.quick_return_if_not_posdef = 1;
   }
   ~Factor() {
@@ -93,13 +108,27 @@ struct SymmetricFactor::Factor {
     return std::equal(p, p + other->ncol + 1, columns()) && std::equal(i, i + p[other->ncol], rows());
   }
 
-  /// Takes A over; symbolic factors stay if they hold for it.
-  void take_matrix(cholmod_sparse* next, std::vector<SuiteSparse_long> next_group) {
-    if (group != next_group || !has_pattern_of(next)) release();
-    cholmod_l_free_sparse(&matrix, &common);
-    matrix = next;
-    group = std::move(next_group);
+  /// Takes A, reordered; symbolic factors stay if they hold for it.
+  void take_matrix(const Eigen::SparseMatrix<double>& lower, std::vector<int> next_group) {
     current = nullptr;
+    if (group == next_group && matrix != nullptr) {
+      cholmod_sparse* next = reordered(lower);
+      if (has_pattern_of(next)) {
+        cholmod_l_free_sparse(&matrix, &common);
+        matrix = next;
+        norm = largest_row_sum();
+        return;
+      }
+      cholmod_l_free_sparse(&next, &common);
+    }
+    release();
+    group = std::move(next_group);
+    to_matrix.indices() = elimination_places(lower, group, ordering);
+    matrix = reordered(lower);
+    norm = largest_row_sum();
+  }
+
+  double largest_row_sum() const {
     const SuiteSparse_long n = size();
     Eigen::VectorXd row_sums = Eigen::VectorXd::Zero(n);
     for (SuiteSparse_long c = 0; c < n; ++c)
@@ -107,82 +136,56 @@ struct SymmetricFactor::Factor {
         row_sums[rows()[k]] += std::abs(values()[k]);
         if (rows()[k] != c) row_sums[c] += std::abs(values()[k]);
       }
-    norm = n == 0 ? 0.0 : row_sums.maxCoeff();
+    return n == 0 ? 0.0 : row_sums.maxCoeff();
   }
 
-  /// Pattern of the groups: lower triangle, one entry a pair of groups that share an entry of A.
-  cholmod_sparse* group_pattern(SuiteSparse_long n_groups) {
-    std::vector<SuiteSparse_long> start{0}, row;
-    std::vector<SuiteSparse_long> last_seen(n_groups, -1);
-    for (SuiteSparse_long c = 0; c < size(); ++c) {
-      const SuiteSparse_long g = group[c];
-      while (static_cast<SuiteSparse_long>(start.size()) <= g)
-        start.push_back(static_cast<SuiteSparse_long>(row.size()));
-      for (SuiteSparse_long k = columns()[c]; k < columns()[c + 1]; ++k) {
-        const SuiteSparse_long h = group[rows()[k]];
-        if (h == g || last_seen[h] == g) continue;
-        last_seen[h] = g;
-        row.push_back(h);
-      }
+  /// Lower triangle of A with its unknowns at their places, the diagonal first in each column.
+  cholmod_sparse* reordered(const Eigen::SparseMatrix<double>& lower) {
+    using Entry = Eigen::SparseMatrix<double>::InnerIterator;
+    const int* place = to_matrix.indices().data();
+    const auto n = static_cast<int>(lower.cols());
+    std::vector<SuiteSparse_long> next(n + 1, 0);  // first the length of each column, then where it goes on
+    for (int c = 0; c < n; ++c) {
+      ++next[place[c] + 1];
+      for (Entry it(lower, c); it; ++it)
+        if (it.row() > c) ++next[std::min(place[c], place[it.row()]) + 1];
     }
-    while (static_cast<SuiteSparse_long>(start.size()) <= n_groups)
-      start.push_back(static_cast<SuiteSparse_long>(row.size()));
-    cholmod_sparse* pattern =
-        cholmod_l_allocate_sparse(n_groups, n_groups, row.size(), 0, 1, -1, CHOLMOD_PATTERN, &common);
-    check("finding the pattern of a matrix");
-    std::copy(start.begin(), start.end(), static_cast<SuiteSparse_long*>(pattern->p));
-    std::copy(row.begin(), row.end(), static_cast<SuiteSparse_long*>(pattern->i));
-    return pattern;
-  }
-
-  /// Fill-reducing order of the unknowns, found on their groups.
-  std::vector<SuiteSparse_long> order_unknowns(bool metis) {
-    const SuiteSparse_long n_groups = group.back() + 1;
-    std::vector<SuiteSparse_long> group_order(n_groups);
-    cholmod_sparse* pattern = group_pattern(n_groups);
-    if (metis)
-      cholmod_l_metis(pattern, nullptr, 0, 1, group_order.data(), &common);
-    else
-      cholmod_l_amd(pattern, nullptr, 0, group_order.data(), &common);
-    cholmod_l_free_sparse(&pattern, &common);
-    check("ordering a matrix");
-    std::vector<SuiteSparse_long> first(n_groups + 1, 0);
-    for (const SuiteSparse_long g : group) ++first[g + 1];
-    for (SuiteSparse_long g = 0; g < n_groups; ++g) first[g + 1] += first[g];
-    std::vector<SuiteSparse_long> order;
-    order.reserve(group.size());
-    for (const SuiteSparse_long g : group_order)
-      for (SuiteSparse_long k = first[g]; k < first[g + 1]; ++k) order.push_back(k);
-    return order;
-  }
-
-  /// Symbolic factor. Common.fl is left with the operations that the numeric one will take.
-  cholmod_factor* analyse_by(bool metis) {
-    cholmod_factor* symbolic = cholmod_l_analyze_p(matrix, order_unknowns(metis).data(), nullptr, 0, &common);
-    check("analysing a matrix");
-    return symbolic;
-  }
-
-  cholmod_factor* analyse() {
-    cholmod_factor* symbolic = analyse_by(ordering == Ordering::metis);
-    const double operations = common.fl;
-    if (ordering != Ordering::automatic ||
-        operations < kNestedDissectionCost * static_cast<double>(group.back() + 1))
-      return symbolic;
-    cholmod_factor* dissected = analyse_by(true);
-    if (common.fl < operations) std::swap(symbolic, dissected);
-    cholmod_l_free_factor(&dissected, &common);
-    return symbolic;
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    cholmod_sparse* out = cholmod_l_allocate_sparse(n, n, next[n], 0, 1, -1, CHOLMOD_REAL, &common);
+    check("copying a matrix");
+    auto* start = static_cast<SuiteSparse_long*>(out->p);
+    std::copy(next.begin(), next.end(), start);
+    auto* row = static_cast<SuiteSparse_long*>(out->i);
+    auto* value = static_cast<double*>(out->x);
+    for (int c = 0; c < n; ++c) {
+      const SuiteSparse_long diagonal = next[place[c]]++;
+      row[diagonal] = place[c];
+      value[diagonal] = 0.0;
+    }
+    for (int c = 0; c < n; ++c)
+      for (Entry it(lower, c); it; ++it) {
+        if (it.row() < c) continue;
+        if (it.row() == c) {
+          value[start[place[c]]] = it.value();
+          continue;
+        }
+        const auto [column, below] = std::minmax(place[c], place[it.row()]);
+        row[next[column]] = below;
+        value[next[column]++] = it.value();
+      }
+    return out;
   }
 
   bool factorize(cholmod_factor*& factor, double with_shift, bool ll) {
+    const OneThread one_thread;
     current = nullptr;
     if (size() == 0) return true;
     common.supernodal = ll ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
     common.final_ll = ll ? 1 : 0;
     common.dbound = ll ? 0.0 : kSmallestPivot;
     if (factor == nullptr) {
-      factor = analyse();
+      factor = cholmod_l_analyze(matrix, &common);
+      check("analysing a matrix");
     }
     double beta[2] = {with_shift, 0.0};
     cholmod_l_factorize_p(matrix, beta, nullptr, 0, factor, &common);
@@ -194,12 +197,27 @@ struct SymmetricFactor::Factor {
   }
 
   Eigen::MatrixXd apply_inverse(const Eigen::MatrixXd& B) {
+    const OneThread one_thread;
     cholmod_dense b = as_cholmod(B);
     cholmod_dense* x = cholmod_l_solve(CHOLMOD_A, current, &b, &common);
     check("solving");
     Eigen::MatrixXd X = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(x->x), B.rows(), B.cols());
     cholmod_l_free_dense(&x, &common);
     return X;
+  }
+
+  /// Iterative refinement of A X = B while the residual falls.
+  void refine(Eigen::MatrixXd& X, const Eigen::MatrixXd& B, int max_steps) {
+    Eigen::MatrixXd R = B - multiply(X);
+    for (int k = 0; k < max_steps && R.norm() > 0.0; ++k) {
+      Eigen::MatrixXd refined = X + apply_inverse(R);
+      Eigen::MatrixXd left = B - multiply(refined);
+      if (!(left.norm() < R.norm())) break;
+      const bool stalls = left.norm() > 0.5 * R.norm();
+      X.swap(refined);
+      R.swap(left);
+      if (stalls) break;
+    }
   }
 
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& X) const {
@@ -237,26 +255,12 @@ SymmetricFactor& SymmetricFactor::operator=(SymmetricFactor&&) noexcept = defaul
 void SymmetricFactor::set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group) {
   assert(lower.rows() == lower.cols());
   assert(group.empty() || static_cast<Eigen::Index>(group.size()) == lower.cols());
-  Factor& f = *factor_;
-  cholmod_sparse* copy = cholmod_l_allocate_sparse(lower.rows(), lower.cols(), lower.nonZeros(), 1, 1, -1,
-                                                   CHOLMOD_REAL, &f.common);
-  f.check("copying a matrix");
-  auto* start = static_cast<SuiteSparse_long*>(copy->p);
-  auto* rows = static_cast<SuiteSparse_long*>(copy->i);
-  auto* values = static_cast<double*>(copy->x);
-  SuiteSparse_long at = 0;
-  for (int c = 0; c < lower.outerSize(); ++c) {
-    start[c] = at;
-    for (Eigen::SparseMatrix<double>::InnerIterator it(lower, c); it; ++it)
-      if (it.row() >= c) rows[at] = it.row(), values[at++] = it.value();
-  }
-  start[lower.cols()] = at;
-  std::vector<SuiteSparse_long> groups(group.begin(), group.end());
+  std::vector<int> groups = group;
   if (group.empty()) {
     groups.resize(lower.cols());
     std::iota(groups.begin(), groups.end(), 0);
   }
-  f.take_matrix(copy, std::move(groups));
+  factor_->take_matrix(lower, std::move(groups));
 }
 
 bool SymmetricFactor::factorize_positive(double shift) {
@@ -281,26 +285,18 @@ double SymmetricFactor::norm() const {
 }
 
 Eigen::MatrixXd SymmetricFactor::multiply(const Eigen::MatrixXd& X) const {
-  return factor_->multiply(X);
+  const auto& to_matrix = factor_->to_matrix;
+  return to_matrix.transpose() * factor_->multiply(to_matrix * X);
 }
 
-Eigen::MatrixXd SymmetricFactor::solve(const Eigen::MatrixXd& B, int max_refinements) const {
+Eigen::MatrixXd SymmetricFactor::solve(const Eigen::MatrixXd& load, int max_refinements) const {
   Factor& f = *factor_;
-  assert(f.size() == 0 || (f.current != nullptr && B.rows() == f.size()));
-  if (B.size() == 0) return B;
+  assert(f.size() == 0 || (f.current != nullptr && load.rows() == f.size()));
+  if (load.size() == 0) return load;
+  const Eigen::MatrixXd B = f.to_matrix * load;
   Eigen::MatrixXd X = f.apply_inverse(B);
-  if (max_refinements == 0) return X;
-  Eigen::MatrixXd R = B - f.multiply(X);
-  for (int k = 0; k < max_refinements && R.norm() > 0.0; ++k) {
-    Eigen::MatrixXd refined = X + f.apply_inverse(R);
-    Eigen::MatrixXd left = B - f.multiply(refined);
-    if (!(left.norm() < R.norm())) break;
-    const bool stalls = left.norm() > 0.5 * R.norm();
-    X.swap(refined);
-    R.swap(left);
-    if (stalls) break;
-  }
-  return X;
+  if (max_refinements > 0) f.refine(X, B, max_refinements);
+  return f.to_matrix.transpose() * X;
 }
 
 double SymmetricFactor::condition_estimate() const {

@@ -4,13 +4,9 @@
 #include <memory>
 #include <vector>
 
-namespace floc {
+#include "floc/linalg/elimination_order.h"
 
-enum class Ordering {
-  automatic,  ///< amd; where its factor would take long, the better of amd and metis
-  amd,        ///< approximate minimum degree: fast to find
-  metis,      ///< nested dissection: less fill in large matrices, slower to find
-};
+namespace floc {
 
 /// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite
 /// matrices are factorized by supernodes; that a matrix is not positive definite is an answer, and its

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "floc/base/huge_pages.h"
+
 namespace floc {
 namespace {
 
@@ -73,6 +75,8 @@ class LowerBlocks {
   void lay_out(int n_grains) {
     const int n_off = static_cast<int>(graph_.neighbour.size());
     matrix_.resizeNonZeros(n_grains * (kDofs<Dim> * (kDofs<Dim> + 1) / 2) + n_off * kDofs<Dim> * kDofs<Dim>);
+    prefer_huge_pages(matrix_.valuePtr(), matrix_.data().size() * sizeof(double));
+    prefer_huge_pages(matrix_.innerIndexPtr(), matrix_.data().size() * sizeof(int));
     std::fill_n(matrix_.valuePtr(), matrix_.data().size(), 0.0);
     int at = 0;
     for (int g = 0; g < n_grains; ++g)

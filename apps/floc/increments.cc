@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "floc/base/error.h"
+#include "output.h"
 
 namespace floc {
 namespace {
@@ -89,10 +88,7 @@ void add_increments(const std::string& file, const Packing<Dim>& packing, const 
 }
 
 void write_increments(const std::string& path, const Table& table) {
-  std::ofstream out(path, std::ios::binary);
-  write_table(out, table, TableFormat::csv);
-  out.close();
-  if (!out) throw IoError(path, "cannot be written");
+  write_csv(path, table);
 }
 
 template void add_increments(const std::string&, const Packing<2>&, const ContactNetwork<2>&,

@@ -2,7 +2,6 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <array>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -14,9 +13,9 @@
 namespace {
 
 using AddCommand = floc::Command (*)(CLI::App&);
-constexpr std::array<AddCommand, 9> kCommands = {floc::add_run,   floc::add_scene,   floc::add_moduli,
-                                                 floc::add_modes, floc::add_fit,     floc::add_verify,
-                                                 floc::add_info,  floc::add_convert, floc::add_chain};
+constexpr AddCommand kCommands[] = {floc::add_run,     floc::add_scene,     floc::add_moduli,  floc::add_modes,
+                                    floc::add_network, floc::add_structure, floc::add_compare, floc::add_fit,
+                                    floc::add_verify,  floc::add_info,      floc::add_convert, floc::add_chain};
 
 int run_command(const std::vector<floc::Command>& commands) {
   for (const floc::Command& command : commands)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <iostream>
 
 #include "command.h"
@@ -35,6 +36,13 @@ void print_table(const Table& table, const std::string& format) {
   write_table(std::cout, table, chosen_format(format));
   std::cout.flush();
   if (!std::cout) throw IoError("standard output", "cannot be written");
+}
+
+void write_csv(const std::string& path, const Table& table) {
+  std::ofstream out(path, std::ios::binary);
+  write_table(out, table, TableFormat::csv);
+  out.close();
+  if (!out) throw IoError(path, "cannot be written");
 }
 
 int worse(int a, int b) {

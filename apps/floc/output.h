@@ -24,6 +24,9 @@ TableValue or_undefined(const std::string& text);
 /// Prints a table on stdout in the format asked for. @throws IoError if stdout cannot take it (disk full).
 void print_table(const Table& table, const std::string& format);
 
+/// Writes a table as csv. @throws IoError if the file cannot take it.
+void write_csv(const std::string& path, const Table& table);
+
 /// The worse of two exit codes: failure inside, bad input, not converged, verification failed, done.
 int worse(int a, int b);
 

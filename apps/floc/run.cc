@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command.h"
+#include "contact_tracker.h"
 #include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
 #include "run_directory.h"
@@ -34,6 +35,7 @@ struct RunArguments {
   int jobs = 1;
   std::optional<int> threads;
   std::optional<int> until;
+  std::optional<double> track_contacts;  ///< time between two looks
   bool resume = false;
   bool overwrite = false;
 };
@@ -49,9 +51,10 @@ RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
 /// Drives a run and keeps its directory: a state and a row for each equilibrium, a checkpoint now and then.
 class RunDriver {
  public:
-  RunDriver(Run<2>& run, RunDirectory& directory, double checkpoint_every, int until)
+  RunDriver(Run<2>& run, RunDirectory& directory, ContactTracker* tracker, double checkpoint_every, int until)
       : run_(run),
         directory_(directory),
+        tracker_(tracker),
         checkpoint_every_(checkpoint_every),
         until_(until),
         monitor_(static_cast<int>(run.plan().size())) {}
@@ -80,6 +83,9 @@ class RunDriver {
   void save() {
     const double seconds = seconds_since(step_began_);
     const State<2> state = run_.state();
+    if (tracker_ != nullptr) tracker_->finish_step(run_);
+    // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
+    if (tracker_ != nullptr) tracker_->write();
     const std::string sha256 = directory_.save(state, seconds);
     monitor_.equilibrium(state, run_.report(), seconds);
     run_.saved(sha256);
@@ -87,6 +93,7 @@ class RunDriver {
   }
 
   void checkpoint() {
+    if (tracker_ != nullptr) tracker_->write();
     if (!run_.finished()) directory_.save_checkpoint(run_.state(), run_.point());
     last_checkpoint_ = Clock::now();
   }
@@ -108,11 +115,24 @@ class RunDriver {
 
   Run<2>& run_;
   RunDirectory& directory_;
+  ContactTracker* tracker_;  // null: nobody looks at contacts
   double checkpoint_every_;
   int until_;
   RunMonitor monitor_;
   Clock::time_point step_began_, last_checkpoint_;
 };
+
+/// Has the contacts of a run recorded while it moves.
+std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& options,
+                                               const RunDirectory& directory, double interval) {
+  const int step = run.point().step;
+  Packing<2> start = step > 0 ? directory.start_of(step) : Run<2>(options).point().packing;
+  auto tracker = std::make_unique<ContactTracker>(directory.contact_table(), run, std::move(start));
+  run.observe({interval, [&run, watcher = tracker.get()](const Packing<2>& packing, double time) {
+                 watcher->see(run, packing, time);
+               }});
+  return tracker;
+}
 
 int run_scene(const RunArguments& arguments) {
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
@@ -125,9 +145,13 @@ int run_scene(const RunArguments& arguments) {
   std::optional<RunPoint<2>> point = directory.resume_point();
   Run<2> run = point ? Run<2>(options, std::move(*point)) : Run<2>(options);
 
+  std::unique_ptr<ContactTracker> tracker;
+  if (arguments.track_contacts && !run.finished())
+    tracker = track_contacts(run, options, directory, *arguments.track_contacts);
+
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  const int code = RunDriver(run, directory, scene.checkpoint_every,
+  const int code = RunDriver(run, directory, tracker.get(), scene.checkpoint_every,
                              arguments.until.value_or(std::numeric_limits<int>::max()))
                        .drive();
   if (code == kDone)
@@ -153,6 +177,8 @@ int run_seeds(const RunArguments& arguments) {
   for (const std::string& change : arguments.overrides) words.insert(words.end(), {"--set", change});
   if (arguments.threads) words.insert(words.end(), {"--threads", std::to_string(*arguments.threads)});
   if (arguments.until) words.insert(words.end(), {"--until", std::to_string(*arguments.until)});
+  if (arguments.track_contacts)
+    words.insert(words.end(), {"--track-contacts", fmt::format("{}", *arguments.track_contacts)});
   if (arguments.resume) words.emplace_back("--resume");
   if (arguments.overwrite) words.emplace_back("--overwrite");
   return run_ensemble(directory, seeds, arguments.jobs, words, arguments.resume);
@@ -182,6 +208,11 @@ Command add_run(CLI::App& program) {
   app->add_option("--set", arguments->overrides,
                   "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
       ->allow_extra_args(false);
+  app->add_option(
+         "--track-contacts", arguments->track_contacts,
+         "record in DIR/contacts.csv which contacts open and close inside steps, looking each DT of simulated "
+         "time (at least each 500 time steps)")
+      ->check(CLI::PositiveNumber);
   app->add_option("--until", arguments->until, "Stop after the equilibrium of this number")
       ->check(CLI::NonNegativeNumber);
   return {app,

@@ -39,6 +39,7 @@ RunDirectory::RunDirectory(const std::string& path, Existing existing, const Run
   if (existing == Existing::overwrite) {
     for (int step = 0; fs::exists(state_path(step)); ++step) fs::remove(state_path(step));
     fs::remove(path_table());
+    fs::remove(contact_table());
     remove_checkpoint();
   }
   if (count_states() > 0)
@@ -62,6 +63,14 @@ std::string RunDirectory::state_path(int step) const {
 std::string RunDirectory::path_table() const {
   return path_ + "/path.csv";
 }
+std::string RunDirectory::contact_table() const {
+  return path_ + "/contacts.csv";
+}
+
+Packing<2> RunDirectory::start_of(int step) const {
+  return read_run_state(state_path(step - 1)).packing;
+}
+
 std::string RunDirectory::checkpoint_path() const {
   return path_ + "/checkpoint/checkpoint.h5";
 }

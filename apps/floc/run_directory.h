@@ -32,6 +32,9 @@ class RunDirectory {
 
   std::string state_path(int step) const;
   std::string path_table() const;
+  std::string contact_table() const;
+  /// The packing that a step begins with: the equilibrium before it. @pre it is saved
+  Packing<2> start_of(int step) const;
 
  private:
   int count_states() const;

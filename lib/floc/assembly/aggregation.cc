@@ -54,7 +54,7 @@ bool Aggregation<Dim>::advance() {
   CellControl<Dim> control;
   control.fixed = true;
   const auto dynamics = make_dynamics(packing_, control, {time_step_, skin_, options_.threads});
-  dynamics->advance(kStretch, Motion::free);
+  advance_observed(*dynamics, kStretch, Motion::free, observer_, 0.0, time_step_);
   packing_ = dynamics->packing();
   if (!options_.skin) skin_ = dynamics->skin();
   n_clusters_ = count_clusters(packing_);

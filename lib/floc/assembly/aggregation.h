@@ -1,6 +1,7 @@
 #pragma once
 
 #include "floc/packing/packing.h"
+#include "floc/relaxation/motion_observer.h"
 #include "floc/relaxation/relaxation_options.h"
 
 namespace floc {
@@ -21,6 +22,8 @@ class Aggregation {
 
   /// One stretch. @return true when all grains form one cluster
   bool advance();
+  /// Shows the packing to somebody as it moves.
+  void observe(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
 
   const Packing<Dim>& packing() const { return packing_; }
   int n_clusters() const { return n_clusters_; }
@@ -34,6 +37,7 @@ class Aggregation {
   double time_step_;
   double skin_;
   int n_clusters_;
+  MotionObserver<Dim> observer_;
 };
 
 }  // namespace floc

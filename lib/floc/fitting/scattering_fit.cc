@@ -14,6 +14,8 @@ namespace floc {
 namespace {
 
 constexpr int kFewestBins = 6;
+/// Mean squares of residuals, in those of speckles, beyond which the law is not that of the data.
+constexpr double kFarOff = 9.0;
 
 /// ln I - model, over its standard deviation; theta is ln I0, ln xi, dF.
 struct ScatteringResidual {
@@ -96,6 +98,7 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   fit.parameters = {from_logarithm("I0", solution->theta[0], error(0), t95),
                     from_logarithm("xi", solution->theta[1], error(1), t95),
                     from_value("dF", solution->theta[2], error(2), t95)};
+  fit.parameters[2].identified = fit.parameters[1].identified;  // a slope beyond a length that is anywhere
   const double xi = *fit.parameters[1].value;
   if (xi * fit.low > 2.0 * std::numbers::pi)
     fit.warnings.push_back(
@@ -104,6 +107,10 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
                     xi, 2.0 * std::numbers::pi / fit.low));
   if (xi * fit.high < 4.0 * std::numbers::pi)
     fit.warnings.push_back("there is hardly a range of wave lengths below xi: dF says little");
+  if (fit.chi_square > kFarOff)
+    fit.warnings.push_back(
+        fmt::format("the intensity does not follow the law: {:.3g} times the scatter of speckles",
+                    std::sqrt(fit.chi_square)));
   for (FittedParameter& p : fit.parameters) {
     if (p.identified) continue;
     fit.warnings.push_back(fmt::format("{} is not identified by these data", p.name));

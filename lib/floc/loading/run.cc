@@ -62,6 +62,7 @@ void Run<Dim>::start_step() {
   if (point_.aggregating) {
     aggregation_ = std::make_unique<Aggregation<Dim>>(options_.relaxation, point_.packing, agitation_speed(),
                                                       point_.aggregation_skin);
+    pass_observer();
     return;
   }
   aggregation_.reset();
@@ -72,6 +73,25 @@ void Run<Dim>::start_step() {
   }
   relaxer_ = std::make_unique<Relaxer<Dim>>(options_.relaxation, point_.packing,
                                             Vec<Dim>::Constant(target().pressure), point_.relaxation);
+  pass_observer();
+}
+
+template <int Dim>
+void Run<Dim>::observe(MotionObserver<Dim> observer) {
+  observer_ = std::move(observer);
+  pass_observer();
+}
+
+/// Those that move the packing count time from the beginning of a stretch or a step.
+template <int Dim>
+void Run<Dim>::pass_observer() {
+  if (!observer_.see || finished()) return;
+  MotionObserver<Dim> here = observer_;
+  here.see = [this](const Packing<Dim>& packing, double time) { observer_.see(packing, point_.time + time); };
+  if (point_.aggregating)
+    aggregation_->observe(std::move(here));
+  else
+    relaxer_->observe(std::move(here));
 }
 
 template <int Dim>

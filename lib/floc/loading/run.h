@@ -62,6 +62,10 @@ class Run {
   const std::vector<PlannedEquilibrium>& plan() const { return plan_; }
   bool finished() const { return point_.step == static_cast<int>(plan_.size()); }
 
+  /// Shows the packing to somebody as it moves, with the time since the beginning of the run.
+  /// @pre the run stays where it is in memory from now on
+  void observe(MotionObserver<Dim> observer);
+
   /// One stretch. @pre not finished, and `saved()` was called after the last equilibrium.
   RunEvent advance();
   /// The equilibrium just reached.
@@ -77,6 +81,7 @@ class Run {
 
  private:
   void start_step();
+  void pass_observer();
   double agitation_speed() const;
 
   RunOptions options_;
@@ -84,6 +89,7 @@ class Run {
   RunPoint<Dim> point_;
   std::unique_ptr<Aggregation<Dim>> aggregation_;
   std::unique_ptr<Relaxer<Dim>> relaxer_;
+  MotionObserver<Dim> observer_;
 };
 
 }  // namespace floc

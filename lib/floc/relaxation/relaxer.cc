@@ -125,7 +125,8 @@ RelaxationStatus Relaxer<Dim>::advance() {
   control.rate_cap = strain_rate_cap(options_, packing_, target_);
   const auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
   const bool finishing = progress_.stage == RelaxationProgress::finishing;
-  dynamics->advance(kStretch, finishing ? Motion::power_control : Motion::free);
+  advance_observed(*dynamics, kStretch, finishing ? Motion::power_control : Motion::free, observer_,
+                   progress_.time, time_step_);
   if (!dynamics->finite()) {
     ending_ = "diverged";
     return RelaxationStatus::gave_up;

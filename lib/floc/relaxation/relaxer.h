@@ -6,6 +6,7 @@
 
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/relaxation/motion_observer.h"
 #include "floc/relaxation/relaxation_options.h"
 #include "floc/relaxation/static_solver.h"
 
@@ -50,6 +51,8 @@ class Relaxer {
 
   /// One stretch.
   RelaxationStatus advance();
+  /// Shows the packing to somebody as it moves.
+  void observe(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
 
   const Packing<Dim>& packing() const { return packing_; }
   const RelaxationProgress& progress() const { return progress_; }
@@ -74,6 +77,7 @@ class Relaxer {
   std::string ending_;
   double time_step_;
   double time_unit_;  ///< sqrt(a m/F1): T0 of a cohesive scene below P* = 1
+  MotionObserver<Dim> observer_;
 };
 
 /// Time unit of a packing under a stress: sqrt(a m/F1), m the largest grain's mass. With F1 = F0 this is T0.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <limits>
 
 #include "floc/neighbors/pairs.h"
@@ -11,9 +12,9 @@ namespace floc {
 template <int Dim>
 std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vector<double>& gaps) {
   assert(std::is_sorted(gaps.begin(), gaps.end()));
-  std::vector<double> z(gaps.size(), 0.0);
   const Grains<Dim>& g = packing.grains;
-  if (gaps.empty() || g.size() == 0) return z;
+  if (gaps.empty() || g.size() == 0) return std::vector<double>(gaps.size(), 0.0);
+  std::vector<std::int64_t> n_pairs(gaps.size(), 0);
   // Pairs at exactly the largest gap belong to it.
   const double reach =
       gaps.back() + 4.0 * std::numeric_limits<double>::epsilon() *
@@ -22,9 +23,11 @@ std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vec
     const Vec<Dim> r = g.position[pair.j] + packing.cell.shift(pair.image) - g.position[pair.i];
     const double gap = r.norm() - g.radius[pair.i] - g.radius[pair.j];
     const auto first = std::lower_bound(gaps.begin(), gaps.end(), gap);
-    if (first != gaps.end()) z[static_cast<std::size_t>(first - gaps.begin())] += 2.0 / g.size();
+    if (first != gaps.end()) ++n_pairs[static_cast<std::size_t>(first - gaps.begin())];
   }
-  for (std::size_t k = 1; k < z.size(); ++k) z[k] += z[k - 1];
+  std::vector<double> z;
+  std::int64_t n = 0;
+  for (const std::int64_t more : n_pairs) z.push_back(2.0 * static_cast<double>(n += more) / g.size());
   return z;
 }
 

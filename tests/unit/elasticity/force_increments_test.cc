@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "floc/elasticity/backbone.h"
+#include "floc/elasticity/force_correlation.h"
 #include "floc/network/percolation.h"
 #include "support/lattices.h"
 
@@ -86,6 +87,27 @@ TEST(MechanicalBackbone, LeavesOutDeadEndsAndNothingElseWhereEveryContactIsRigid
     }
   }
   EXPECT_GT(n_dead, 30);
+}
+
+TEST(ForceCorrelation, OfForcesInProportionIsOne) {
+  auto network = contact_network(test::random_packing<2>(40, 3, test::elastic_law(1.0, 0.6, 0.1)));
+  const auto step = step_response(network, elastic_response(network, {}), StressStep::isotropic);
+  ASSERT_TRUE(step);
+  for (std::size_t c = 0; c < network.contacts.size(); ++c) {
+    network.contacts[c].normal_force = 3.0 * step->increments[c].normal;
+    network.contacts[c].shear_force = 3.0 * network.contacts[c].frame.col(1) * step->increments[c].shear;
+  }
+  const ForceCorrelation same = force_correlation(network, step->increments);
+  EXPECT_NEAR(*same.normal, 1.0, 1e-12);
+  EXPECT_NEAR(*same.size, 1.0, 1e-12);
+  for (auto& c : network.contacts) c.normal_force = 5.0 - c.normal_force;
+  EXPECT_NEAR(*force_correlation(network, step->increments).normal, -1.0, 1e-12);
+  // A distant attraction says nothing, and equal forces vary with nothing.
+  network.contacts[0].distant = true;
+  network.contacts[0].normal_force = 1e6;
+  EXPECT_NEAR(*force_correlation(network, step->increments).normal, -1.0, 1e-12);
+  for (auto& c : network.contacts) c.normal_force = 0.1;
+  EXPECT_FALSE(force_correlation(network, step->increments).normal);
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "floc/base/error.h"
+#include "floc/io/table.h"
+
+namespace floc {
+
+/// A column of a table: its name and how a row fills it.
+template <class Row>
+using Column = std::pair<std::string, std::function<TableValue(const Row&)>>;
+
+template <class Row>
+Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
+  Table table;
+  for (const auto& [name, value] : columns) table.columns.push_back(name);
+  for (const Row& row : rows) {
+    std::vector<TableValue> values;
+    for (const auto& [name, value] : columns) values.push_back(value(row));
+    table.rows.push_back(std::move(values));
+  }
+  return table;
+}
+
+/// Gives a table that many states fill its columns. @throws InputError if it has others: states of another dimension
+inline void expect_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
+  if (table.columns.empty()) table.columns = names;
+  if (table.columns != names)
+    throw InputError(file,
+                     "has another dimension than the states before it: one file takes states of one dimension");
+}
+
+/// A count as tables hold it.
+inline TableValue count(std::int64_t n) {
+  return n;
+}
+
+}  // namespace floc

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/loading/run.h"
+
+namespace floc {
+
+/// Records which contacts open and close inside the steps of a run: DIR/contacts.csv, a row each time it looks.
+///
+/// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, n_contacts, gained and
+/// lost (since the row before, or the beginning of the step), kept (of the contacts the step began with). The last row of a
+/// step is its equilibrium.
+class ContactTracker {
+ public:
+  /// @param file   where the rows go; those of an earlier part of the run, up to its point, are kept
+  /// @param start  packing that the present step began with
+  ContactTracker(const std::string& file, const Run<2>& run, Packing<2> start);
+
+  /// Of a packing on its way. @param time  since the beginning of the run
+  void see(const Run<2>& run, const Packing<2>& packing, double time);
+  /// The equilibrium a step ended with: the next one begins with it.
+  void finish_step(const Run<2>& run);
+
+  /// Writes the file anew. @throws IoError if it cannot be written
+  void write() const;
+
+ private:
+  void read_rows(const RunPoint<2>& point);
+
+  std::string file_;
+  std::vector<std::string> rows_;
+  Packing<2> start_, previous_;
+};
+
+}  // namespace floc

@@ -1,0 +1,327 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <optional>
+
+#include "columns.h"
+#include "command.h"
+#include "fit_parameters.h"
+#include "floc/base/error.h"
+#include "floc/fitting/scattering_fit.h"
+#include "floc/network/rattlers.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/structure/coverage.h"
+#include "floc/structure/gap_coordination.h"
+#include "floc/structure/pair_correlation.h"
+#include "floc/structure/pores.h"
+#include "floc/structure/pushed_rattlers.h"
+#include "floc/structure/scattering.h"
+#include "output.h"
+
+namespace floc {
+namespace {
+
+struct StructureCommand {
+  std::vector<std::string> files;
+  ScatteringOptions scattering;
+  std::vector<double> fit_range = {0.0, 1.0};  ///< in 2 pi over the largest diameter
+  bool average = false;
+  std::string intensity, pairs, gaps, pores, map;  ///< files for series; empty: none
+  double reach = 5.0;                              ///< of g(r), in largest diameters
+  std::vector<int> map_size = {32, 32};
+  std::string format;
+};
+
+/// One row: the structure of a state, or of all together.
+struct StructureRow {
+  std::string file;
+  int dimension = 0;
+  std::int64_t n_grains = 0;
+  double reduced_pressure = 0.0, solid_fraction = 0.0;
+  std::optional<double> mesh_spacing;
+  Vec<2, int> mesh = Vec<2, int>::Zero();
+  std::optional<ScatteringFit> fit;
+  std::optional<std::int64_t> n_pores;
+  std::optional<double> pore_size, pore_mean_area;
+  bool unbounded = false;
+  double seconds = 0.0;
+};
+
+/// What goes to files, and sums over the states.
+struct Series {
+  Table intensity{{"file", "k", "I", "n_vectors", "I_fit"}, {}};
+  Table pairs{{"file", "r", "g", "n_pairs"}, {}};
+  Table gaps{{"file", "gap", "z", "z_pushed"}, {}};
+  Table pores{{"file", "x1", "x2", "area", "gyration_radius", "n_grains"}, {}};
+  Table map{{"file", "k1", "k2", "x1", "x2", "solid_fraction"}, {}};
+  std::optional<ScatteringMesh> mesh;  ///< that of the first state
+  std::optional<ScatteringAverage> average;
+  double diameter = 0.0;  ///< largest, of the first state
+  double pore_area = 0.0, pore_second_moment = 0.0;
+  StructureRow mean;  ///< sums, until they are divided by the number of states
+};
+
+template <int Dim>
+double largest_diameter(const Packing<Dim>& packing) {
+  return 2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end());
+}
+
+ScatteringFit fit_of(const Scattering& s, const StructureCommand& command, double diameter) {
+  std::vector<ScatteredPoint> points;
+  for (std::size_t b = 0; b < s.k.size(); ++b) points.push_back({s.k[b], s.I[b], s.n_vectors[b]});
+  const double unit = 2.0 * std::numbers::pi / diameter;
+  return fit_scattering(points, command.fit_range[0] * unit, command.fit_range[1] * unit);
+}
+
+/// Says what a fit could not do, and adds the intensity to its table.
+void report(const std::string& file, const Scattering& s, const ScatteringFit& fit, Table& table) {
+  if (!fit.found()) std::cerr << fmt::format("floc: {}: no fit of I(k): {}\n", file, fit.refusal);
+  for (const std::string& warning : fit.warnings)
+    std::cerr << fmt::format("floc: {}: warning: {}\n", file, warning);
+  const bool drawn = fit.found() && std::all_of(fit.parameters.begin(), fit.parameters.end(),
+                                                [](const FittedParameter& p) { return p.value.has_value(); });
+  for (std::size_t b = 0; b < s.k.size(); ++b) {
+    const bool used = drawn && s.k[b] >= fit.low && s.k[b] <= fit.high;
+    table.rows.push_back(
+        {file, s.k[b], s.I[b], s.n_vectors[b],
+         used ? TableValue{scattered_intensity(*fit.parameters[0].value, *fit.parameters[1].value,
+                                               *fit.parameters[2].value, s.k[b])}
+              : TableValue{}});
+  }
+}
+
+void add_scattering(const Packing<2>& packing, const StructureCommand& command, Series& series,
+                    StructureRow& row) {
+  const ScatteringMesh mesh = scattering_mesh(packing, command.scattering);
+  row.mesh_spacing = mesh.spacing;
+  row.mesh = mesh.size(packing.cell);
+  const CoverageMap coverage = coverage_map(packing, row.mesh);
+  ScatteringAverage alone(mesh.edges);
+  alone.add(packing.cell, coverage);
+  const Scattering s = alone.result();
+  row.fit = fit_of(s, command, largest_diameter(packing));
+  report(row.file, s, *row.fit, series.intensity);
+  if (!command.average) return;
+  if (!series.average) {
+    series.mesh = mesh;
+    series.diameter = largest_diameter(packing);
+    series.average.emplace(mesh.edges);
+    series.mean.mesh_spacing = mesh.spacing;
+  }
+  series.average->add(packing.cell, coverage);
+}
+
+void add_pores(const Packing<2>& packing, Series& series, StructureRow& row) {
+  const Pores pores = find_pores(packing);
+  if (!pores.refusal.empty()) {
+    std::cerr << fmt::format("floc: {}: warning: {}\n", row.file, pores.refusal);
+    return;
+  }
+  row.n_pores = static_cast<std::int64_t>(pores.pores.size());
+  row.unbounded = pores.unbounded;
+  if (pores.unbounded)
+    std::cerr << fmt::format(
+        "floc: {}: warning: a pore winds around the cell: it has no size and is left out\n", row.file);
+  if (!pores.pores.empty()) row.pore_size = pores.size, row.pore_mean_area = pores.mean_area;
+  for (const Pore& p : pores.pores)
+    series.pores.rows.push_back({row.file, p.centre[0], p.centre[1], p.area, p.gyration_radius,
+                                 static_cast<std::int64_t>(p.grains.size())});
+  series.pore_area += pores.total_area;
+  series.pore_second_moment += pores.total_area * pores.size * pores.size;
+  series.mean.n_pores = series.mean.n_pores.value_or(0) + *row.n_pores;
+}
+
+void add_map(const std::string& file, const Packing<2>& packing, const StructureCommand& command,
+             Table& table) {
+  const CoverageMap map = coverage_map(packing, {command.map_size[0], command.map_size[1]});
+  for (int k1 = 0; k1 < map.size[0]; ++k1)
+    for (int k2 = 0; k2 < map.size[1]; ++k2) {
+      const Vec<2> middle((k1 + 0.5) / map.size[0], (k2 + 0.5) / map.size[1]);
+      const Vec<2> x = packing.cell.matrix.transpose() * middle;
+      table.rows.push_back({file, count(k1), count(k2), x[0], x[1], map(k1, k2)});
+    }
+}
+
+template <int Dim>
+void add_pairs(const std::string& file, const Packing<Dim>& packing, const StructureCommand& command,
+               Table& table) {
+  constexpr double kBinsPerDiameter = 50.0;
+  const double reach = command.reach * largest_diameter(packing);
+  const PairCorrelation found =
+      pair_correlation(packing, reach, static_cast<int>(std::ceil(command.reach * kBinsPerDiameter)));
+  for (int b = 0; b < static_cast<int>(found.g.size()); ++b)
+    table.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b]});
+}
+
+/// Gaps from none over 1e-6 to 1 largest diameters, ten a decade.
+std::vector<double> gaps_of(double diameter) {
+  std::vector<double> gaps = {0.0};
+  for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
+  return gaps;
+}
+
+template <int Dim>
+void add_gaps(const std::string& file, const State<Dim>& state, Table& table) {
+  const Packing<Dim>& packing = state.packing;
+  const double zero_force = state.tolerance.force * force_scale(packing, state.target_stress).force;
+  const std::vector<double> gaps = gaps_of(largest_diameter(packing));
+  const std::vector<double> z = gap_coordination(packing, gaps);
+  const std::vector<double> pushed =
+      gap_coordination(with_pushed_rattlers(packing, find_rattlers(packing, zero_force)), gaps);
+  for (std::size_t k = 0; k < gaps.size(); ++k) table.rows.push_back({file, gaps[k], z[k], pushed[k]});
+}
+
+template <int Dim>
+StructureRow structure_row(const std::string& file, const State<Dim>& state, const StructureCommand& command,
+                           Series& series) {
+  const auto start = std::chrono::steady_clock::now();
+  const Packing<Dim>& packing = state.packing;
+  if (packing.grains.size() == 0) throw InputError(file, "has no grains: a structure needs some");
+  StructureRow row;
+  row.file = file;
+  row.dimension = Dim;
+  row.n_grains = packing.grains.size();
+  row.reduced_pressure = reduced_pressure(packing, static_stress(packing).trace() / Dim);
+  row.solid_fraction = solid_fraction(packing);
+  if constexpr (Dim == 2) {
+    add_scattering(packing, command, series, row);
+    add_pores(packing, series, row);
+    if (!command.map.empty()) add_map(file, packing, command, series.map);
+  } else {
+    std::cerr << fmt::format("floc: {}: warning: is 3D: I(k), pores and maps are for disks and left out\n",
+                             file);
+  }
+  if (!command.pairs.empty()) add_pairs(file, packing, command, series.pairs);
+  if (!command.gaps.empty()) add_gaps(file, state, series.gaps);
+  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return row;
+}
+
+/// The last row: all states as samples of one.
+StructureRow averaged(const std::vector<StructureRow>& rows, const StructureCommand& command, Series& series) {
+  StructureRow mean = series.mean;
+  mean.file = "average";
+  const auto n = static_cast<double>(rows.size());
+  for (const StructureRow& row : rows) {
+    mean.dimension = row.dimension;
+    mean.n_grains += row.n_grains;
+    mean.reduced_pressure += row.reduced_pressure / n;
+    mean.solid_fraction += row.solid_fraction / n;
+    mean.unbounded = mean.unbounded || row.unbounded;
+    mean.seconds += row.seconds;
+  }
+  const Scattering s = series.average->result();
+  mean.fit = fit_of(s, command, series.diameter);
+  report(mean.file, s, *mean.fit, series.intensity);
+  if (series.pore_area > 0.0) {
+    mean.pore_size = std::sqrt(series.pore_second_moment / series.pore_area);
+    mean.pore_mean_area = series.pore_area / static_cast<double>(*mean.n_pores);
+  }
+  return mean;
+}
+
+void append_parameter(int index, const std::string& name, std::vector<Column<StructureRow>>& columns) {
+  const std::string parts[] = {"", "_stderr", "_low95", "_high95"};
+  for (int part = 0; part < 4; ++part)
+    columns.emplace_back(name + parts[part], [index, part](const StructureRow& r) {
+      return r.fit && r.fit->found() ? parameter_cells(r.fit->parameters[index])[part] : TableValue{};
+    });
+}
+
+std::vector<Column<StructureRow>> all_columns() {
+  using Row = StructureRow;
+  const auto maybe = [](const std::optional<std::int64_t>& n) { return n ? TableValue{*n} : TableValue{}; };
+  std::vector<Column<Row>> columns = {{"file", [](const Row& r) { return r.file; }},
+                                      {"dimension", [](const Row& r) { return count(r.dimension); }},
+                                      {"n_grains", [](const Row& r) { return r.n_grains; }},
+                                      {"P_star", [](const Row& r) { return r.reduced_pressure; }},
+                                      {"phi", [](const Row& r) { return r.solid_fraction; }}};
+  append_parameter(1, "xi", columns);
+  append_parameter(2, "dF", columns);
+  append_parameter(0, "I0", columns);
+  const auto of_fit = [](auto value) {
+    return [value](const Row& r) { return r.fit && r.fit->found() ? TableValue{value(*r.fit)} : TableValue{}; };
+  };
+  columns.emplace_back("fit_low", of_fit([](const ScatteringFit& f) { return f.low; }));
+  columns.emplace_back("fit_high", of_fit([](const ScatteringFit& f) { return f.high; }));
+  columns.emplace_back("fit_points", of_fit([](const ScatteringFit& f) { return count(f.n_points); }));
+  columns.emplace_back("chi_square", of_fit([](const ScatteringFit& f) { return f.chi_square; }));
+  columns.emplace_back("mesh_spacing", [](const Row& r) { return or_undefined(r.mesh_spacing); });
+  for (const int a : {0, 1})
+    columns.emplace_back(fmt::format("mesh{}", a + 1),
+                         [a](const Row& r) { return r.mesh[a] > 0 ? count(r.mesh[a]) : TableValue{}; });
+  columns.emplace_back("n_pores", [maybe](const Row& r) { return maybe(r.n_pores); });
+  columns.emplace_back("pore_size", [](const Row& r) { return or_undefined(r.pore_size); });
+  columns.emplace_back("pore_mean_area", [](const Row& r) { return or_undefined(r.pore_mean_area); });
+  columns.emplace_back("pore_unbounded",
+                       [](const Row& r) { return r.n_pores ? TableValue{r.unbounded} : TableValue{}; });
+  columns.emplace_back("seconds", [](const Row& r) { return r.seconds; });
+  return columns;
+}
+
+int run_structure(const StructureCommand& command) {
+  if (command.fit_range.size() != 2 || !(command.fit_range[0] < command.fit_range[1]))
+    throw InputError("floc structure", "--fit-range: expected LOW,HIGH with LOW < HIGH");
+  std::vector<StructureRow> rows;
+  Series series;
+  const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
+    std::visit([&](const auto& state) { rows.push_back(structure_row(file, state, command, series)); }, any);
+    return int{kDone};
+  });
+  if (series.average && rows.size() > 1) rows.push_back(averaged(rows, command, series));
+  for (const auto& [path, table] : {std::pair{&command.intensity, &series.intensity},
+                                    {&command.pairs, &series.pairs},
+                                    {&command.gaps, &series.gaps},
+                                    {&command.pores, &series.pores},
+                                    {&command.map, &series.map}})
+    if (!path->empty()) write_csv(*path, *table);
+  print_table(to_table(all_columns(), rows), command.format);
+  return code;
+}
+
+}  // namespace
+
+Command add_structure(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("structure",
+                             "Structure of saved states: I(k) with xi and dF, pores, g(r), z(h), local "
+                             "solid fraction");
+  const auto command = std::make_shared<StructureCommand>();
+  add_states_argument(*app, command->files);
+  app->add_flag("--average", command->average, "a last row for all states together, as samples of one");
+  app->add_option("--fit-range", command->fit_range,
+                  "LOW,HIGH: wave numbers fitted, in 2 pi over the largest diameter")
+      ->delimiter(',')
+      ->expected(2)
+      ->capture_default_str();
+  app->add_option("--largest-k", command->scattering.largest,
+                  "largest wave number, in 2 pi over the largest diameter")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app->add_option("--cells-per-wave", command->scattering.cells_per_wave,
+                  "mesh cells for each wave length of the largest wave number, at least 4")
+      ->check(CLI::Range(4.0, 1000.0))
+      ->capture_default_str();
+  app->add_option("--intensity", command->intensity, "file for I(k), a row a bin of k");
+  app->add_option("--pair-correlation", command->pairs, "file for g(r), a row a bin of r");
+  app->add_option("--reach", command->reach, "of g(r), in largest diameters")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app->add_option("--gaps", command->gaps,
+                  "file for z(h), neighbours within a gap h: rattlers as found, and pushed against the others");
+  app->add_option("--pores", command->pores, "file for the pores, a row each");
+  app->add_option("--map", command->map, "file for the local solid fraction, a row a mesh cell");
+  app->add_option("--map-size", command->map_size, "mesh cells along each lattice vector")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  add_format_option(*app, command->format);
+  return {app, [command] { return run_structure(*command); }};
+}
+
+}  // namespace floc

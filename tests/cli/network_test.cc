@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "floc/io/csv.h"
+#include "floc/io/state_file.h"
+#include "floc/packing/balance.h"
+#include "support/lattices.h"
+#include "support/run_program.h"
+#include "support/states.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A square lattice under pressure, a chain that pulls, a packing of spheres.
+class Network : public testing::Test {
+ protected:
+  void SetUp() override {
+    State<2> square;
+    square.packing = square_frames(2, 1.0, elastic_law(2.0, 0.6, 0.1));
+    square.target_stress.setConstant(0.04);
+    write_state(scratch_.file("square.h5"), square);
+    State<2> chain;
+    chain.packing = chain_across(4, 1.0, 3.0, elastic_law(1.0, 0.5, 0.1));
+    for (Contact<2>& c : chain.packing.contacts) c.normal_force = -0.25;
+    write_state(scratch_.file("chain.h5"), chain);
+    write_state(scratch_.file("spheres.h5"), busy_state<3>());
+  }
+
+  Outcome network(const std::string& arguments) const {
+    return run_floc("network " + arguments, scratch_.path());
+  }
+  CsvTable table(const std::string& name) const { return CsvTable::read(scratch_.file(name)); }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(Network, CountsAndWeighsContacts) {
+  const Outcome o = network("square.h5 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, IsEmpty());
+  const json row = json::parse(o.out).at(0);
+  EXPECT_EQ(row.at("z"), 4.0);
+  EXPECT_EQ(row.at("z_plus"), 4.0);
+  EXPECT_EQ(row.at("z_minus"), 0.0);
+  EXPECT_EQ(row.at("z_star"), 4.0);
+  EXPECT_EQ(row.at("x22"), 0.0);
+  EXPECT_NEAR(row.at("mean_normal_force").get<double>(), 0.04, 1e-14);  // K_N times the overlap of 2 %
+  EXPECT_NEAR(row.at("moment_2").get<double>(), 1.0, 1e-12);
+  EXPECT_EQ(row.at("M1"), 0.0);
+  EXPECT_EQ(row.at("pressed_share"), 1.0);
+  EXPECT_NEAR(row.at("pressed_mean").get<double>(), 0.04, 1e-14);
+  EXPECT_EQ(row.at("pressed_percolates"), 2);
+  EXPECT_EQ(row.at("pulled_share"), 0.0);
+  EXPECT_EQ(row.at("indeterminacy"), 3);
+  EXPECT_EQ(row.at("energy_share_95"), 1.0);
+  EXPECT_TRUE(row.at("correlation_normal").is_null());  // equal forces vary with nothing
+  EXPECT_NEAR(row.at("P").get<double>(), 0.04, 1e-14);
+}
+
+TEST_F(Network, OfManyStatesIsARowEachAndABadOneIsNamed) {
+  write_text(scratch_.file("bad.h5"), "no state");
+  const Outcome o = network("square.h5 bad.h5 none.h5 chain.h5 --format csv");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, HasSubstr("bad.h5"));
+  EXPECT_THAT(o.err, HasSubstr("none.h5"));
+  EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: this is no equilibrium"));
+  EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: moduli that vanish"));
+  write_text(scratch_.file("out.csv"), o.out);
+  const CsvTable rows = table("out.csv");
+  ASSERT_EQ(rows.n_rows(), 2);
+  EXPECT_EQ(rows.text(1, 0), "chain.h5");
+  EXPECT_EQ(rows.number(1, rows.column("pulled_share")), 1.0);
+  EXPECT_EQ(rows.number(1, rows.column("pulled_percolates")), 1.0);
+  EXPECT_TRUE(rows.is_empty(1, rows.column("energy_share_95")));
+}
+
+TEST_F(Network, ReadsAPipe) {
+  const Outcome o =
+      run_floc("network - --format json", scratch_.path(), content_of(scratch_.file("square.h5")));
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(json::parse(o.out).at(0).at("n_contacts"), 2);
+}
+
+TEST_F(Network, WritesDistributionsOfEachStateAndOfAll) {
+  ASSERT_EQ(network("square.h5 chain.h5 --pdf pdf.csv --unit mean --bin-width 0.5").code, 0);
+  const CsvTable pdf = table("pdf.csv");
+  EXPECT_THAT(pdf.columns(), ElementsAre("file", "kind", "unit_force", "low", "high", "count", "n", "density"));
+  int n_pooled = 0;
+  for (int r = 0; r < pdf.n_rows(); ++r) {
+    if (pdf.text(r, 0) == "pooled" && pdf.text(r, 1) == "normal" && pdf.integer(r, 5) > 0) {
+      ++n_pooled;
+      EXPECT_EQ(pdf.integer(r, 6), 6);
+      EXPECT_EQ(pdf.number(r, 3) < 0.0 ? 4 : 2, pdf.integer(r, 5));
+      EXPECT_NEAR(pdf.number(r, 7), static_cast<double>(pdf.integer(r, 5)) / (6 * 0.5), 1e-14);
+    }
+  }
+  EXPECT_EQ(n_pooled, 2);
+  const Outcome none = network("square.h5 --pdf pdf.csv --unit F0");
+  EXPECT_EQ(none.code, 0);
+  EXPECT_THAT(none.err, HasSubstr("F0 = 0, take --unit mean"));
+}
+
+TEST_F(Network, WritesParticleStressesThatAddUp) {
+  ASSERT_EQ(network("spheres.h5 --particle-stress p.csv").code, 0);
+  const CsvTable p = table("p.csv");
+  const Packing<3> packing = std::get<State<3>>(read_state(scratch_.file("spheres.h5"))).packing;
+  ASSERT_EQ(p.n_rows(), packing.grains.size());
+  double trace = 0.0;
+  for (int r = 0; r < p.n_rows(); ++r) {
+    const double R = p.number(r, p.column("radius"));
+    trace += 4.0 / 3.0 * std::acos(-1.0) * R * R * R * p.number(r, p.column("pressure"));
+  }
+  const double whole = packing.cell.volume() * static_stress(packing).trace() / 3.0 * solid_fraction(packing);
+  EXPECT_NEAR(trace, whole, 1e-12 * std::abs(whole));
+  const Outcome mixed = network("square.h5 spheres.h5 --particle-stress p.csv");
+  EXPECT_EQ(mixed.code, 4);
+  EXPECT_THAT(mixed.err, HasSubstr("spheres.h5: has another dimension"));
+}
+
+TEST_F(Network, RefusesWhatIsNoForceOrFile) {
+  EXPECT_EQ(network("").code, 2);
+  EXPECT_EQ(network("square.h5 --bin-width 0").code, 2);
+  EXPECT_EQ(network("square.h5 --zero-force -1").code, 2);
+  EXPECT_EQ(network("square.h5 --pdf none/pdf.csv").code, 1);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "floc/io/csv.h"
+#include "floc/io/state_file.h"
+#include "support/lattices.h"
+#include "support/run_program.h"
+#include "support/states.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Disks anywhere, a square lattice of frames with a rattler in each, spheres.
+class Structure : public testing::Test {
+ protected:
+  void SetUp() override {
+    State<2> disks_anywhere;
+    disks_anywhere.packing = random_packing<2>(300, 7, elastic_law(1.0, 0.0, 0.0), 0.3);
+    write_state(scratch_.file("gas.h5"), disks_anywhere);
+    State<2> frames;
+    frames.packing = square_frames(5, 1.0, elastic_law(1.0, 0.5, 0.1));
+    Grains<2>& g = frames.packing.grains;
+    std::vector<Vec<2>> places = g.position;
+    places.emplace_back(2.0, 2.1);
+    g = Grains<2>::with_size(static_cast<int>(places.size()));
+    g.position = places;
+    g.radius.assign(places.size(), 0.51);
+    g.mass.assign(places.size(), 1.0);
+    write_state(scratch_.file("frames.h5"), frames);
+    write_state(scratch_.file("spheres.h5"), busy_state<3>());
+  }
+
+  Outcome structure(const std::string& arguments) const {
+    return run_floc("structure " + arguments, scratch_.path());
+  }
+  CsvTable table(const std::string& name) const { return CsvTable::read(scratch_.file(name)); }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(Structure, GivesPoresAndWhatWasMeasuredHow) {
+  const Outcome o = structure("frames.h5 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, HasSubstr("frames.h5: no fit of I(k)"));
+  const json row = json::parse(o.out).at(0);
+  EXPECT_EQ(row.at("n_pores"), 1);
+  EXPECT_NEAR(row.at("pore_mean_area").get<double>(), 16.0 - 8.0 * std::numbers::pi * 0.51 * 0.51, 1e-12);
+  EXPECT_FALSE(row.at("pore_unbounded").get<bool>());
+  EXPECT_TRUE(row.at("xi").is_null());
+  EXPECT_NEAR(row.at("mesh_spacing").get<double>(), 1.02 / 16.0, 1e-12);
+  EXPECT_EQ(row.at("mesh1"), 63);  // the first product of small primes at 4/0.06375
+}
+
+TEST_F(Structure, WritesSeriesOfEachState) {
+  const Outcome o = structure(
+      "frames.h5 gas.h5 --intensity I.csv --pair-correlation g.csv --gaps z.csv --pores p.csv --map m.csv "
+      "--map-size 4,5");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(table("I.csv").columns(), ElementsAre("file", "k", "I", "n_vectors", "I_fit"));
+  EXPECT_THAT(table("g.csv").columns(), ElementsAre("file", "r", "g", "n_pairs"));
+  EXPECT_THAT(table("p.csv").columns(), ElementsAre("file", "x1", "x2", "area", "gyration_radius", "n_grains"));
+  const CsvTable map = table("m.csv");
+  ASSERT_EQ(map.n_rows(), 40);
+  double mean = 0.0;
+  for (int r = 0; r < 20; ++r) mean += map.number(r, map.column("solid_fraction")) / 20.0;
+  EXPECT_NEAR(mean, 8.0 * std::numbers::pi * 0.51 * 0.51 / 16.0, 1e-12);
+  const CsvTable z = table("z.csv");
+  EXPECT_THAT(z.columns(), ElementsAre("file", "gap", "z", "z_pushed"));
+  // Without adhesion the dead grain of the frame is a rattler: pushed, it touches two.
+  EXPECT_EQ(z.number(0, 1), 0.0);
+  EXPECT_NEAR(z.number(0, 2), 2.0, 1e-15);
+  EXPECT_NEAR(z.number(1, 3) - z.number(1, 2), 2.0 * 2 / 8, 1e-12);
+  const CsvTable p = table("p.csv");
+  EXPECT_EQ(p.text(0, 0), "frames.h5");
+}
+
+TEST_F(Structure, AveragesStatesWhenAsked) {
+  const Outcome alone = structure("gas.h5 --intensity one.csv --format json");
+  const Outcome o = structure("gas.h5 gas.h5 --average --intensity I.csv --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json rows = json::parse(o.out);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows.at(2).at("file"), "average");
+  EXPECT_EQ(rows.at(2).at("n_grains"), 600);
+  const CsvTable one = table("one.csv"), all = table("I.csv");
+  ASSERT_EQ(all.n_rows(), 3 * one.n_rows());
+  for (int r = 0; r < one.n_rows(); ++r) {
+    const int last = 2 * one.n_rows() + r;
+    EXPECT_EQ(all.text(last, 0), "average");
+    EXPECT_NEAR(all.number(last, 2), one.number(r, 2), 1e-12 * one.number(r, 2));
+    EXPECT_EQ(all.integer(last, 3), 2 * one.integer(r, 3));
+  }
+}
+
+TEST_F(Structure, OfSpheresIsWhatHasAMeaningThere) {
+  const Outcome o = structure("spheres.h5 --pair-correlation g.csv --gaps z.csv --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, HasSubstr("spheres.h5: warning: is 3D: I(k), pores and maps are for disks"));
+  EXPECT_TRUE(json::parse(o.out).at(0).at("n_pores").is_null());
+  EXPECT_GT(table("g.csv").n_rows(), 0);
+  EXPECT_GT(table("z.csv").n_rows(), 0);
+}
+
+TEST_F(Structure, BadInputIsNamedAndTheOthersAreDone) {
+  write_text(scratch_.file("bad.h5"), "no state");
+  State<2> empty;
+  write_state(scratch_.file("empty.h5"), empty);
+  const Outcome o = structure("bad.h5 empty.h5 frames.h5 --format csv");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, HasSubstr("bad.h5"));
+  EXPECT_THAT(o.err, HasSubstr("empty.h5:/grains/radius: holds no grains"));
+  EXPECT_THAT(o.out, HasSubstr("\nframes.h5,2,8,"));
+  EXPECT_EQ(structure("frames.h5 --fit-range 1,0.5").code, 4);
+  EXPECT_EQ(structure("frames.h5 --cells-per-wave 1").code, 2);
+  EXPECT_EQ(structure("frames.h5 --intensity none/I.csv").code, 1);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <utility>
 
+#include "columns.h"
 #include "command.h"
 #include "floc/base/error.h"
 #include "floc/elasticity/mechanisms.h"
@@ -137,14 +138,11 @@ TableValue list(const std::vector<int>& grains) {
   return fmt::format("{}", fmt::join(grains, " "));
 }
 
-/// A column of the table: its name and how a row fills it.
-using Column = std::pair<std::string, std::function<TableValue(const ModeRow&)>>;
-
-std::vector<Column> columns_for(const std::vector<ModeRow>& rows) {
+std::vector<Column<ModeRow>> columns_for(const std::vector<ModeRow>& rows) {
   int dimension = 2;
   for (const ModeRow& r : rows)
     dimension = std::max({dimension, static_cast<int>(r.coupling.size()), static_cast<int>(r.strain.size())});
-  std::vector<Column> columns{
+  std::vector<Column<ModeRow>> columns{
       {"file", [](const ModeRow& r) { return r.file; }},
       {"kind", [](const ModeRow& r) { return r.kind; }},
       {"count", [](const ModeRow& r) { return r.count; }},
@@ -162,25 +160,13 @@ std::vector<Column> columns_for(const std::vector<ModeRow>& rows) {
   return columns;
 }
 
-Table to_table(const std::vector<ModeRow>& rows) {
-  const std::vector<Column> columns = columns_for(rows);
-  Table table;
-  for (const auto& [name, value] : columns) table.columns.push_back(name);
-  for (const ModeRow& row : rows) {
-    std::vector<TableValue> values;
-    for (const auto& [name, value] : columns) values.push_back(value(row));
-    table.rows.push_back(std::move(values));
-  }
-  return table;
-}
-
 int run_modes(const ModesCommand& command) {
   std::vector<ModeRow> rows;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
     std::visit([&](const auto& state) { add_state(file, state, command, rows); }, any);
     return int{kDone};
   });
-  print_table(to_table(rows), command.format);
+  print_table(to_table(columns_for(rows), rows), command.format);
   return code;
 }
 

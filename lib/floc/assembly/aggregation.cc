@@ -1,8 +1,8 @@
 #include "floc/assembly/aggregation.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "floc/base/disjoint_sets.h"
 #include "floc/relaxation/dynamics.h"
 
 namespace floc {
@@ -16,21 +16,9 @@ constexpr double kStepsAcrossTail = 4.0;
 
 template <int Dim>
 int count_clusters(const Packing<Dim>& packing) {
-  std::vector<int> parent(packing.grains.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  int clusters = packing.grains.size();
-  for (const Contact<Dim>& c : packing.contacts) {
-    const int a = root(c.i);
-    const int b = root(c.j);
-    if (a == b) continue;
-    parent[std::max(a, b)] = std::min(a, b);
-    --clusters;
-  }
-  return clusters;
+  DisjointSets sets(packing.grains.size());
+  for (const Contact<Dim>& c : packing.contacts) sets.join(c.i, c.j);
+  return sets.n_sets();
 }
 
 template <int Dim>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
+#include "floc/base/disjoint_sets.h"
 #include "floc/neighbors/pairs.h"
 
 namespace floc {
@@ -19,30 +19,7 @@ struct Edge {
   Vec<2> branch;
 };
 
-/// Sets of grains that edges join.
-class Sets {
- public:
-  explicit Sets(int n) : parent_(n), n_sets_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  /// @return whether they were apart
-  bool join(int i, int j) {
-    i = root(i), j = root(j);
-    if (i == j) return false;
-    parent_[std::max(i, j)] = std::min(i, j);
-    --n_sets_;
-    return true;
-  }
-  int n_sets() const { return n_sets_; }
-
- private:
-  int root(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  std::vector<int> parent_;
-  int n_sets_;
-};
-
-std::vector<Edge> edges_of(const Packing<2>& packing, Sets& sets) {
+std::vector<Edge> edges_of(const Packing<2>& packing, DisjointSets& sets) {
   std::vector<Edge> edges;
   const Contact<2>* previous = nullptr;
   for (const Contact<2>& c : packing.contacts) {
@@ -58,7 +35,7 @@ std::vector<Edge> edges_of(const Packing<2>& packing, Sets& sets) {
 
 /// Joins parts that no edge connects by the shortest gaps between them, as a minimal spanning tree does: none of these
 /// crosses a grain or another edge.
-void bridge(const Packing<2>& packing, Sets& sets, std::vector<Edge>& edges) {
+void bridge(const Packing<2>& packing, DisjointSets& sets, std::vector<Edge>& edges) {
   const Grains<2>& g = packing.grains;
   struct Gap {
     double size;
@@ -223,7 +200,7 @@ Pores find_pores(const Packing<2>& packing) {
   Pores out;
   const int n = packing.grains.size();
   if (n == 0) return out;
-  Sets sets(n);
+  DisjointSets sets(n);
   std::vector<Edge> edges = edges_of(packing, sets);
   bridge(packing, sets, edges);
   if (edges.empty()) {  // a lone grain

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "floc/base/disjoint_sets.h"
+
 namespace floc {
 namespace {
 
@@ -44,19 +46,6 @@ bool stuck(const Packing<Dim>& before, const Packing<Dim>& after, const KeptCont
   return (point_of_j - point_of_i).norm() <= length && angle_between(turn_i, turn_j) <= angle;
 }
 
-/// Roots of the sets that joins make of n grains.
-std::vector<int> joined(int n, const std::vector<std::pair<int, int>>& pairs) {
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const auto& [i, j] : pairs) parent[std::max(root(i), root(j))] = std::min(root(i), root(j));
-  for (int i = 0; i < n; ++i) parent[i] = root(i);
-  return parent;
-}
-
 }  // namespace
 
 int RigidClusters::n_clustered() const {
@@ -70,13 +59,14 @@ RigidClusters rigid_clusters(const Packing<Dim>& before, const Packing<Dim>& aft
   const int n = before.grains.size();
   if (n == 0) return out;
   const double a = 2.0 * *std::max_element(before.grains.radius.begin(), before.grains.radius.end());
-  std::vector<std::pair<int, int>> pairs;
-  for (const KeptContact& kept : changes.kept)
-    if (stuck(before, after, kept, tolerance * a, tolerance))
-      pairs.emplace_back(before.contacts[kept.before].i, before.contacts[kept.before].j);
-  out.n_stuck = static_cast<int>(pairs.size());
-
-  const std::vector<int> root = joined(n, pairs);
+  DisjointSets sets(n);
+  for (const KeptContact& kept : changes.kept) {
+    if (!stuck(before, after, kept, tolerance * a, tolerance)) continue;
+    ++out.n_stuck;
+    sets.join(before.contacts[kept.before].i, before.contacts[kept.before].j);
+  }
+  std::vector<int> root;
+  for (int i = 0; i < n; ++i) root.push_back(sets.root(i));
   std::vector<int> count(n, 0);
   for (const int r : root) ++count[r];
   std::vector<int> order;

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <limits>
 
 #include "floc/neighbors/pairs.h"
 
 namespace floc {
+namespace {
+
+/// Surfaces this close, in the sum of their radii, touch: rattlers are pushed against others up to rounding.
+constexpr double kTouching = 1e-12;
+
+}  // namespace
 
 template <int Dim>
 std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vector<double>& gaps) {
@@ -16,12 +21,12 @@ std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vec
   if (gaps.empty() || g.size() == 0) return std::vector<double>(gaps.size(), 0.0);
   std::vector<std::int64_t> n_pairs(gaps.size(), 0);
   // Pairs at exactly the largest gap belong to it.
-  const double reach =
-      gaps.back() + 4.0 * std::numeric_limits<double>::epsilon() *
-                        (gaps.back() + 2.0 * *std::max_element(g.radius.begin(), g.radius.end()));
+  const double largest = *std::max_element(g.radius.begin(), g.radius.end());
+  const double reach = gaps.back() * (1.0 + kTouching) + 4.0 * kTouching * largest;
   for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, g, reach)) {
     const Vec<Dim> r = g.position[pair.j] + packing.cell.shift(pair.image) - g.position[pair.i];
-    const double gap = r.norm() - g.radius[pair.i] - g.radius[pair.j];
+    const double diameter = g.radius[pair.i] + g.radius[pair.j];
+    const double gap = r.norm() - diameter * (1.0 + kTouching);
     const auto first = std::lower_bound(gaps.begin(), gaps.end(), gap);
     if (first != gaps.end()) ++n_pairs[static_cast<std::size_t>(first - gaps.begin())];
   }

@@ -6,7 +6,8 @@
 
 namespace floc {
 
-/// z(h): twice the number of pairs of surfaces no further apart than h, over the number of grains. z(0) is the
+/// z(h): twice the number of pairs of surfaces no further apart than h, over the number of grains, rounding
+/// (1e-12 of their diameters) allowed for. z(0) is the
 /// coordination number of contacts.
 /// @param gaps  h (length), ascending, >= 0
 /// @return one entry a gap

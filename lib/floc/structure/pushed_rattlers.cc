@@ -82,7 +82,7 @@ std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, cons
     const Vec<Dim> move = furthest_corner(spaces, direction, length);
     x += move;
     if (x.norm() > length) return std::nullopt;
-    if (direction.dot(move) < 1e-14 * length) return x;
+    if (move.norm() < 1e-14 * length) return x;
   }
   return x;
 }

@@ -71,7 +71,7 @@ std::pair<double, int> touched_by(const Packing<Dim>& packing, int i) {
 }
 
 TEST(PushedRattlers, OfDisksEndOnTwoGrains) {
-  for (const Vec<2>& x : {Vec<2>(2.0, 2.0), Vec<2>(1.7, 2.6), Vec<2>(3.1, 2.9), Vec<2>(1.2, 1.3)}) {
+  for (const Vec<2>& x : {Vec<2>(2.0, 2.0), Vec<2>(1.7, 2.6), Vec<2>(3.05, 2.9), Vec<2>(1.2, 1.3)}) {
     Packing<2> packing = square_frames(5, 1.0, elastic_law(1.0, 0.0, 0.0));
     packing.grains.position.push_back(x);
     packing.grains.radius.push_back(0.4);
@@ -84,6 +84,8 @@ TEST(PushedRattlers, OfDisksEndOnTwoGrains) {
     const auto [gap, n] = touched_by(pushed, last);
     EXPECT_EQ(n, 2) << x.transpose();
     EXPECT_GT(gap, -1e-12);
+    EXPECT_NEAR(gap_coordination(pushed, {0.0, 1.0})[0],
+                (2.0 * static_cast<double>(packing.contacts.size()) + 4.0) / (last + 1), 1e-12);
   }
 }
 

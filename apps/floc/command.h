@@ -34,5 +34,8 @@ Command add_run(CLI::App& program);
 Command add_scene(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_chain(CLI::App& program);
+Command add_draw(CLI::App& program);
+Command add_plot(CLI::App& program);
+Command add_report(CLI::App& program);
 
 }  // namespace floc

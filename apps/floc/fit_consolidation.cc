@@ -313,8 +313,8 @@ int fit_tables(const Arguments& arguments) {
   }
   // With several samples the last is their mean.
   if (!arguments.plot.empty() && !samples.empty() && fit.found())
-    plot_consolidation(arguments.plot,
-                       {samples.back().name, samples.back().unit, samples.back().loading.curve, fit});
+    write_plot(arguments.plot,
+               plot_of_fit({samples.back().name, samples.back().unit, samples.back().loading.curve, fit}));
   constexpr std::size_t kOfParameters = 8;
   print_fit(array, table, kOfParameters, arguments.format);
   return code;
@@ -358,7 +358,8 @@ Command add_fit_consolidation(CLI::App& fit) {
   app->add_option("--seed", arguments->seed, "of the bootstrap [1]");
   add_columns_option(*app, arguments->columns, "P_star, phi, void_ratio, branch");
   app->add_option("--plot", arguments->plot,
-                  "F.svg: curve, points, window and residuals; data and gnuplot script are written beside it");
+                  "F.svg, F.pdf or F.png: curve, points, window and residuals; data and gnuplot script are "
+                  "written beside it");
   add_format_option(*app, arguments->format);
   return {app, [arguments] { return fit_tables(*arguments); }};
 }

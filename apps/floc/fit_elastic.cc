@@ -2,7 +2,6 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -10,10 +9,9 @@
 #include "fit_parameters.h"
 #include "fit_tables.h"
 #include "floc/base/error.h"
-#include "floc/elasticity/moduli.h"
 #include "floc/fitting/elastic_line.h"
-#include "floc/io/state_file.h"
 #include "output.h"
+#include "state_moduli.h"
 
 namespace floc {
 namespace {
@@ -25,30 +23,10 @@ struct Arguments {
   std::string format;
 };
 
-/// Moduli of a saved state, and where it stands: the line ln Phi = ln phi + (P - pressure)/B.
-struct StateModuli {
-  std::string file;
-  double B, B_S, pressure, phi;
-};
-
-StateModuli moduli_of(const std::string& file) {
-  const AnyState any = read_state(file);
-  return std::visit(
-      [&file](const auto& state) {
-        const Moduli m = elastic_moduli(state.packing, ModuliOptions{});
-        return StateModuli{file, m.B, m.B_S, state.target_stress.mean(), solid_fraction(state.packing)};
-      },
-      any);
-}
-
 /// The state to compare with: the one asked for, else that of the branch's first row if it lies beside the
 /// table.
 std::optional<StateModuli> find_state(const Arguments& arguments, const PathTable& path, int row) {
-  if (!arguments.state.empty()) return moduli_of(arguments.state);
-  if (!path.table.has("state") || path.name == "stdin") return std::nullopt;
-  const auto file =
-      std::filesystem::path(path.name).parent_path() / path.table.text(row, path.table.column("state"));
-  return std::filesystem::is_regular_file(file) ? std::optional(moduli_of(file.string())) : std::nullopt;
+  return arguments.state.empty() ? moduli_of_row(path, row) : std::optional(moduli_of(arguments.state));
 }
 
 /// Root mean square distance of ln Phi from the line of a state.

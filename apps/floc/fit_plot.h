@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "floc/fitting/consolidation.h"
+#include "gnuplot.h"
 
 namespace floc {
 
@@ -14,10 +16,13 @@ struct ConsolidationPlot {
   const ConsolidationFit& fit;
 };
 
-/// Draws 1/Phi against P* with the fitted curve, window and plateau, and the residuals below, by gnuplot. Data
-/// and script are kept beside the picture: F.svg, F.dat, F.gp.
-/// @throws InputError if the name does not end in .svg; IoError if a file cannot be written or gnuplot fails or
-/// is missing
-void plot_consolidation(const std::string& file, const ConsolidationPlot& plot);
+/// 1/Phi against P* with the fitted curve and its window, and the residuals below.
+Plot plot_of_fit(const ConsolidationPlot& of);
+
+/// Standard error of the mean of 1/Phi over samples at the i-th pressure; 0 for a single curve.
+double error_of_mean(const ConsolidationCurve& curve, std::size_t i);
+
+/// The fitted curve over its window: rows of P* and 1/Phi. @pre fit.found()
+std::vector<std::vector<double>> law_points(const ConsolidationFit& fit);
 
 }  // namespace floc

@@ -144,7 +144,7 @@ TEST(Plots, AreDrawnWithDataAndScriptBesideThem) {
 
 TEST(Plots, BadNamesAndFullDisksAreSaid) {
   const ScratchDirectory dir;
-  EXPECT_EQ(run_floc("fit consolidation " + kDemo + "/seed-1 --plot fit.png", dir.path()).code, 4);
+  EXPECT_EQ(run_floc("fit consolidation " + kDemo + "/seed-1 --plot fit.gif", dir.path()).code, 4);
   EXPECT_EQ(run_floc("fit consolidation " + kDemo + "/seed-1 --plot absent/fit.svg", dir.path()).code, 1);
 }
 

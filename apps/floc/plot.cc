@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "command.h"
+#include "floc/base/error.h"
+#include "floc/elasticity/moduli.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/picture/drawn_scale.h"
+#include "output.h"
+#include "path_plots.h"
+#include "run_states.h"
+#include "state_picture.h"
+#include "state_plots.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlotArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string show;
+  std::vector<int> steps;
+  std::string kind = "normal";
+  std::string unit = "mean";
+  std::string columns;
+  std::string format;
+};
+
+/// A plot, and how the inputs fared.
+struct Made {
+  int code = kDone;
+  std::optional<Plot> plot;
+};
+
+Made consolidation(const PlotArguments& arguments) {
+  const ColumnNames columns = parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"});
+  std::vector<PathTable> samples;
+  Made made;
+  made.code = for_each_table(arguments.inputs, [&](const std::string& file) {
+    samples.push_back(read_path(file, columns));
+    return int{kDone};
+  });
+  if (samples.empty()) return made;
+  const FittedConsolidation fitted = fitted_consolidation(samples);
+  if (!fitted.fit.found()) {
+    spdlog::warn("no fit, so no law is drawn: {}", fitted.fit.refusal);
+    made.code = worse(made.code, kNotConverged);
+  }
+  for (const std::string& warning : fitted.fit.warnings) spdlog::warn("warning: {}", warning);
+  made.plot = consolidation_plot(samples, fitted);
+  return made;
+}
+
+ModuliPoint moduli_of_state(const AnyState& any) {
+  return std::visit(
+      [](const auto& state) {
+        ModuliOptions options;
+        options.unloaded = state.target_stress.isZero(0.0);
+        const Moduli m = elastic_moduli(state.packing, options);
+        return ModuliPoint{reduced_pressure(state.packing, state.target_stress.mean()),
+                           m.B,
+                           m.B_S,
+                           m.G,
+                           m.bounds.B_reuss,
+                           m.bounds.B_voigt,
+                           m.bounds.G_voigt};
+      },
+      any);
+}
+
+Made moduli(const PlotArguments& arguments) {
+  Made made;
+  std::vector<ModuliPoint> points;
+  std::string unit;
+  const std::string& input = arguments.inputs.front();
+  if (arguments.inputs.size() == 1 && !fs::is_directory(input) && !input.ends_with(".h5")) {
+    const CsvTable table = CsvTable::read(input);
+    std::vector<int> columns;
+    for (const char* name : {"P_star", "B", "B_S", "G", "B_reuss", "B_voigt", "G_voigt"})
+      columns.push_back(table.column(name));
+    for (int i = 0; i < table.n_rows(); ++i) {
+      const auto x = [&](int k) {
+        return table.is_empty(i, columns[k]) ? std::nan("") : table.number(i, columns[k]);
+      };
+      // A packing without load has no Reuss bound, and no place on a logarithmic axis of pressures.
+      points.push_back({x(4) > 0.0 ? x(0) : 0.0, x(1), x(2), x(3), x(4), x(5), x(6)});
+    }
+    if (table.has("units") && table.n_rows() > 0) unit = table.text(0, table.column("units"));
+  } else {
+    made.code =
+        for_each_state(states_of_inputs(arguments.inputs), [&](const std::string&, const AnyState& state) {
+          points.push_back(moduli_of_state(state));
+          unit = std::visit([](const auto& s) { return s.units; }, state);
+          return int{kDone};
+        });
+  }
+  if (!points.empty()) made.plot = moduli_plot(points, unit == "reduced" ? "F_0/a" : unit);
+  return made;
+}
+
+Made coordination_of_path(const PlotArguments& arguments) {
+  if (arguments.inputs.size() != 1)
+    throw InputError("--show coordination", fmt::format("expected one input, got {}", arguments.inputs.size()));
+  const std::string& input = arguments.inputs.front();
+  const bool is_directory = input != "-" && fs::is_directory(input);
+  return {kDone, coordination_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
+}
+
+/// The states to plot: of a directory without --steps, three.
+std::vector<std::string> states_of(const PlotArguments& arguments) {
+  return drawn_states(arguments.inputs, arguments.steps, 3);
+}
+
+std::string name_of_state(const AnyState& any) {
+  return std::visit(
+      [](const auto& state) {
+        return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean()));
+      },
+      any);
+}
+
+Made forces(const PlotArguments& arguments) {
+  const ForceKind kind = arguments.kind == "tangential" ? ForceKind::tangential
+                         : arguments.kind == "rolling"  ? ForceKind::rolling
+                                                        : ForceKind::normal;
+  const ForceUnit unit = arguments.unit == "mean" ? ForceUnit::mean : ForceUnit::pull_off;
+  Made made;
+  std::vector<ForceSample> samples;
+  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any) {
+    samples.push_back(std::visit(
+        [&](const auto& state) { return force_sample(file, name_of_state(any), state.packing, kind, unit); },
+        any));
+    return int{kDone};
+  });
+  if (!samples.empty()) made.plot = forces_plot(samples, kind, unit);
+  return made;
+}
+
+Made scattering_of_states(const PlotArguments& arguments) {
+  Made made;
+  std::vector<ScatteringSample> samples;
+  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any) {
+    samples.push_back(scattering_sample(name_of_state(any), disks_of(file, any).packing));
+    if (!samples.back().refusal.empty()) spdlog::warn("{}: no law is drawn: {}", file, samples.back().refusal);
+    return int{kDone};
+  });
+  if (!samples.empty()) made.plot = scattering_plot(samples);
+  return made;
+}
+
+Made make(const PlotArguments& arguments) {
+  if (arguments.show == "forces") return forces(arguments);
+  if (arguments.show == "scattering") return scattering_of_states(arguments);
+  if (arguments.show == "moduli") return moduli(arguments);
+  if (arguments.show == "coordination") return coordination_of_path(arguments);
+  return consolidation(arguments);
+}
+
+int plot(const PlotArguments& arguments) {
+  const Made made = make(arguments);
+  if (!made.plot) return made.code;
+  write_plot(arguments.output, *made.plot);
+  const auto beside = [&](const char* ending) {
+    return fs::path(arguments.output).replace_extension(ending).string();
+  };
+  std::int64_t n_points = 0;
+  for (const Plot::Block& block : made.plot->blocks) n_points += static_cast<std::int64_t>(block.rows.size());
+  print_table({{"shows", "picture", "data", "script", "n_rows"},
+               {{arguments.show, arguments.output, beside(".dat"), beside(".gp"), n_points}}},
+              arguments.format);
+  return made.code;
+}
+
+}  // namespace
+
+Command add_plot(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("plot", "plots of paths and states by gnuplot, data and script beside them");
+  const auto arguments = std::make_shared<PlotArguments>();
+  app->add_option("INPUT", arguments->inputs,
+                  "directories of floc run, tables, or state files; - is a table on stdin")
+      ->required();
+  app->add_option("-o,--output", arguments->output,
+                  "F.svg, F.pdf or F.png; F.dat and F.gp are written beside it")
+      ->required();
+  app->add_option("--show", arguments->show,
+                  "consolidation: 1/Phi against P*, its fit and regimes, unloading and elastic lines; moduli: "
+                  "with their "
+                  "bounds, of states or a table of floc moduli; coordination: by sign of the force; forces: "
+                  "their distributions, "
+                  "of states; scattering: I(k) of states, and its fit "
+                  "[forces for state files, otherwise consolidation]")
+      ->check(CLI::IsMember({"consolidation", "moduli", "coordination", "forces", "scattering"}));
+  app->add_option("--steps", arguments->steps,
+                  "K,...: states of a directory, for forces and scattering [three, from the first to the last]")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber);
+  app->add_option("--kind", arguments->kind, "of forces: normal, tangential or rolling [normal]")
+      ->check(CLI::IsMember({"normal", "tangential", "rolling"}));
+  app->add_option("--unit", arguments->unit, "of forces: mean, of their sizes, or F0 [mean]")
+      ->check(CLI::IsMember({"mean", "F0"}));
+  add_columns_option(*app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_format_option(*app, arguments->format);
+  return {app, [arguments] {
+            if (arguments->show.empty())
+              arguments->show = arguments->inputs.front().ends_with(".h5") ? "forces" : "consolidation";
+            return plot(*arguments);
+          }};
+}
+
+}  // namespace floc

@@ -1,0 +1,252 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "command.h"
+#include "fit_parameters.h"
+#include "floc/base/error.h"
+#include "floc/base/sha256.h"
+#include "floc/elasticity/moduli.h"
+#include "floc/io/atomic_file.h"
+#include "floc/io/law_text.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/picture/drawn_scale.h"
+#include "floc/picture/sheet.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/read_scene.h"
+#include "floc/structure/coordination.h"
+#include "html.h"
+#include "output.h"
+#include "path_plots.h"
+#include "run_states.h"
+#include "standing.h"
+#include "state_picture.h"
+#include "state_plots.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportArguments {
+  std::string directory;
+  std::string output;
+  std::string format;
+};
+
+/// A run as a report sees it, read once.
+struct Run {
+  std::string directory;
+  PathTable path;
+  std::vector<std::string> files;
+  std::vector<State<2>> shown;  ///< the states of which there are pictures and distributions
+  std::vector<std::string> shown_files;
+  std::optional<State<2>> first;
+  std::vector<ModuliPoint> moduli;
+  Table packings{{"state", "branch", "P*", "Φ", "z", "z+", "z−", "z0", "distant", "rattlers x0"}, {}};
+  Table elasticity{
+      {"state", "P*", "B Reuss", "B", "± B", "B Voigt", "G", "± G", "G Voigt", "isotropy defect", "unstable"},
+      {}};
+  std::vector<std::string> warnings;
+  std::map<std::string, std::vector<int>> state_warnings;  ///< what is to be said of which states
+};
+
+/// The loosest state under load, one half way up in the logarithm of the pressure, and the densest.
+std::set<std::size_t> shown_states(const PathTable& path) {
+  std::set<std::size_t> shown;
+  const Loading loading = first_loading(path.rows);
+  if (loading.rows.empty()) return {path.rows.size() - 1};
+  const std::size_t last = loading.rows.size() - 1;
+  for (const std::size_t k : {std::size_t{0}, last / 2, last})
+    shown.insert(static_cast<std::size_t>(loading.rows[k]));
+  return shown;
+}
+
+void add_state(const State<2>& state, Run& run) {
+  const Packing<2>& packing = state.packing;
+  ModuliOptions options;
+  options.unloaded = state.target_stress.isZero(0.0);
+  const Moduli m = elastic_moduli(packing, options);
+  const Coordination counted =
+      coordination(packing, state.tolerance.force * force_scale(packing, state.target_stress).force);
+  const double P_star = reduced_pressure(packing, state.target_stress.mean());
+  const std::int64_t step = state.path.step;
+  run.moduli.push_back({P_star, m.B, m.B_S, m.G, m.bounds.B_reuss, m.bounds.B_voigt, m.bounds.G_voigt});
+  run.packings.rows.push_back({step, state.path.branch, P_star, solid_fraction(packing), counted.z,
+                               counted.z_plus, counted.z_minus, counted.z_zero, std::int64_t{counted.n_distant},
+                               counted.rattler_fraction});
+  run.elasticity.rows.push_back({step, P_star, m.bounds.B_reuss, m.B, m.B_error, m.bounds.B_voigt, m.G,
+                                 m.G_error, m.bounds.G_voigt, m.isotropy_defect, std::int64_t{m.n_negative}});
+  for (const std::string& warning : m.warnings) run.state_warnings[warning].push_back(state.path.step);
+  if (const std::string words = unbalance(state); !words.empty())
+    run.state_warnings["no equilibrium: " + words].push_back(state.path.step);
+}
+
+/// Reads all states, which must be as many as the path has rows.
+Run read_run(const std::string& directory) {
+  Run run;
+  run.directory = directory;
+  run.path = read_path(table_of_run(directory), {});
+  run.files = states_of_run(directory);
+  if (run.files.size() != run.path.rows.size())
+    throw InputError(directory,
+                     fmt::format("holds {} states, and path.csv has {} rows: expected one each (floc run "
+                                 "--resume completes a run)",
+                                 run.files.size(), run.path.rows.size()));
+  const std::set<std::size_t> shown = shown_states(run.path);
+  for (std::size_t k = 0; k < run.files.size(); ++k) {
+    const AnyState any = read_state(run.files[k]);
+    const State<2>& state = disks_of(run.files[k], any);
+    add_state(state, run);
+    if (k == 0) run.first = state;
+    if (shown.contains(k)) run.shown.push_back(state), run.shown_files.push_back(run.files[k]);
+  }
+  return run;
+}
+
+std::string pressure_in_words(const State<2>& state) {
+  return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean()));
+}
+
+std::string provenance_section(const Run& run) {
+  const State<2>& state = *run.first;
+  Table table{{"", ""}, {}};
+  const auto add = [&table](const char* name, const std::string& value) {
+    table.rows.push_back({name, value});
+  };
+  add("program", state.provenance.program);
+  add("commit", state.provenance.commit);
+  add("compiler", state.provenance.compiler);
+  if (!state.provenance.source.empty()) add("converted from", state.provenance.source);
+  add("seed", fmt::format("{}", state.provenance.seed));
+  add("contact law", law_text(state.packing.law));
+  add("units", state.units);
+  add("grains", fmt::format("{}", state.packing.grains.size()));
+  add("states", fmt::format("{}", run.files.size()));
+  add("SHA-256 of the scene", state.scene.empty() ? "–" : sha256(state.scene));
+  add("SHA-256 of the last state", sha256_of_file(run.files.back()));
+  return "<h2>Provenance</h2>\n" + html_table(table);
+}
+
+std::string groups_section(Run& run) {
+  if (run.first->scene.empty()) return "";
+  Table table{{"group", "value", "meaning"}, {}};
+  try {
+    for (const DerivedGroup& group : derived_groups(parse_scene(run.first->scene, "the scene", run.directory)))
+      if (group.name != "cost") table.rows.push_back({group.name, group.value, group.meaning});
+  } catch (const InputError& error) {
+    run.warnings.push_back(std::string("the scene of the states is not read by this version: ") + error.what());
+    return "";
+  }
+  return "<h2>Dimensionless groups</h2>\n" + html_table(table);
+}
+
+std::string fit_section(const ConsolidationFit& fit, Run& run) {
+  for (const std::string& warning : fit.warnings) run.warnings.push_back("fit of consolidation: " + warning);
+  if (!fit.found()) {
+    run.warnings.push_back("no fit of consolidation: " + fit.refusal);
+    return "";
+  }
+  Table table{{"parameter", "value", "standard error", "95 % from", "to", "identified"}, {}};
+  for (const FittedParameter& p : fit.parameters) {
+    std::vector<TableValue> row = {p.name};
+    for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
+    table.rows.push_back(std::move(row));
+  }
+  return "<h2>Consolidation</h2>\n<p>1/Φ = 1/Φ0 − λ ln{(P*/P0*) [1 − exp(−(P1*/P*)^α)]^(1/α)}, fitted to the "
+         "first "
+         "loading; errors are those of one sample and do not hold the scatter between samples.</p>\n" +
+         html_table(table);
+}
+
+std::string plots_section(const FittedConsolidation& fitted, Run& run) {
+  std::string out = "<h2>Plots</h2>\n<div class=\"plots\">\n";
+  const auto add = [&out](const Plot& plot, const std::string& words) {
+    out += html_figure(plot_as_svg(plot), words);
+  };
+  add(consolidation_plot({run.path}, fitted), "Consolidation curve, its fit, unloading and elastic line.");
+  add(moduli_plot(run.moduli, run.first->units == "reduced" ? "F_0/a" : run.first->units),
+      "Bulk and shear moduli between their bounds.");
+  add(coordination_plot(run.path.table), "Coordination by the sign of the normal force; open: unloading.");
+  std::vector<ForceSample> forces;
+  std::vector<ScatteringSample> scattering;
+  for (std::size_t k = 0; k < run.shown.size(); ++k) {
+    const std::string name = pressure_in_words(run.shown[k]);
+    forces.push_back(
+        force_sample(run.shown_files[k], name, run.shown[k].packing, ForceKind::normal, ForceUnit::mean));
+    scattering.push_back(scattering_sample(name, run.shown[k].packing));
+    if (!scattering.back().refusal.empty())
+      run.warnings.push_back("I(k) at " + name + ": no law is drawn: " + scattering.back().refusal);
+  }
+  add(forces_plot(forces, ForceKind::normal, ForceUnit::mean), "Distribution of normal forces, sign kept.");
+  add(scattering_plot(scattering), "Intensity scattered by the grains, and the law of fractal aggregates.");
+  return out + "</div>\n";
+}
+
+std::string pictures_section(const Run& run) {
+  std::string out = "<h2>Force networks</h2>\n";
+  for (std::size_t k = 0; k < run.shown.size(); ++k)
+    out += html_figure(draw_sheet({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
+                       "Forces at " + pressure_in_words(run.shown[k]) + ", " +
+                           fs::path(run.shown_files[k]).filename().string() +
+                           ": lines join the centres of grains that interact, as wide as the force is large.");
+  return out;
+}
+
+std::string warnings_section(const Run& run) {
+  std::string out = "<h2>Warnings</h2>\n";
+  if (run.warnings.empty() && run.state_warnings.empty()) return out + "<p>None.</p>\n";
+  out += "<ul class=\"warnings\">\n";
+  for (const auto& [words, steps] : run.state_warnings)
+    out += html_text(fmt::format("state{} {}: {}", steps.size() == 1 ? "" : "s", ranges(steps), words), "li");
+  for (const std::string& warning : run.warnings) out += html_text(warning, "li");
+  return out + "</ul>\n";
+}
+
+std::string page_of(Run& run) {
+  const FittedConsolidation fitted = fitted_consolidation({run.path});
+  const std::string title = "floc report: " + fs::path(run.directory).lexically_normal().string();
+  const State<2>& dense = run.shown.back();
+  const std::string groups = groups_section(run), fit = fit_section(fitted.fit, run),
+                    plots = plots_section(fitted, run);
+  std::string body = "<h1>" + html_text(title) + "</h1>\n";
+  body += html_text(fmt::format("{} disks, {} equilibria, up to {}, Φ = {:.4f}.", dense.packing.grains.size(),
+                                run.files.size(), pressure_in_words(dense), solid_fraction(dense.packing)));
+  body += warnings_section(run) + pictures_section(run) + plots + fit;
+  body += "<h2>States</h2>\n" + html_table(run.packings);
+  body += "<h2>Moduli</h2>\n<p>In " +
+          std::string(run.first->units == "reduced" ? "F0/a" : html_text(run.first->units)) +
+          "; ± are bounds of what solving and rounding leave.</p>\n" + html_table(run.elasticity);
+  body += groups + provenance_section(run);
+  if (!run.first->scene.empty()) body += "<h2>Scene</h2>\n<pre>" + html_text(run.first->scene) + "</pre>\n";
+  return html_page(title, body);
+}
+
+int report(const ReportArguments& arguments) {
+  Run run = read_run(arguments.directory);
+  const std::string page = page_of(run);
+  write_bytes_atomically(arguments.output, page);
+  print_table({{"run", "report", "n_states", "n_warnings", "bytes"},
+               {{arguments.directory, arguments.output, static_cast<std::int64_t>(run.files.size()),
+                 static_cast<std::int64_t>(run.warnings.size() + run.state_warnings.size()),
+                 static_cast<std::int64_t>(page.size())}}},
+              arguments.format);
+  return kDone;
+}
+
+}  // namespace
+
+Command add_report(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("report", "one self-contained page of a run: pictures, plots, tables, scene");
+  const auto arguments = std::make_shared<ReportArguments>();
+  app->add_option("DIR", arguments->directory, "directory of floc run")->required();
+  app->add_option("-o,--output", arguments->output, "F.html")->required();
+  add_format_option(*app, arguments->format);
+  return {app, [arguments] { return report(*arguments); }};
+}
+
+}  // namespace floc

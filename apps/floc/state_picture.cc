@@ -1,0 +1,89 @@
+#include "state_picture.h"
+
+#include <fmt/format.h>
+
+#include "floc/base/error.h"
+#include "floc/elasticity/moduli.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/picture/change_picture.h"
+#include "floc/picture/drawn_scale.h"
+#include "floc/picture/force_picture.h"
+#include "floc/picture/pressure_picture.h"
+#include "floc/structure/coordination.h"
+
+namespace floc {
+namespace {
+
+PackingPicture increments_of(const std::string& file, const State<2>& state, StressStep step) {
+  ModuliOptions options;
+  options.unloaded = state.target_stress.isZero(0.0);
+  const ContactNetwork<2> network = options.loaded_network(state.packing);
+  const Moduli moduli = elastic_moduli(state.packing, options);
+  const auto response = step_response(network, moduli.response, step);
+  if (!response)
+    throw InputError(file,
+                     "a mechanism strains the cell at no cost, so no forces answer a step of stress (floc "
+                     "modes names it): --forces increment expects a packing that holds");
+  return increment_forces(state.packing, network, *response);
+}
+
+std::string pressure_of(const State<2>& state) {
+  return short_number(reduced_pressure(state.packing, state.target_stress.mean()));
+}
+
+/// Normal forces that path.csv counts as zero.
+double zero_force_of(const State<2>& state) {
+  return state.tolerance.force * force_scale(state.packing, state.target_stress).force;
+}
+
+}  // namespace
+
+const State<2>& disks_of(const std::string& file, const AnyState& state) {
+  const auto* disks = std::get_if<State<2>>(&state);
+  if (disks == nullptr)
+    throw InputError(file,
+                     "is 3D, and pictures are of disks; floc convert STATE OUT.vtu writes spheres and forces "
+                     "for programs that show them");
+  if (disks->packing.grains.size() == 0) throw InputError(file, "has no grains to draw");
+  return *disks;
+}
+
+PackingPicture picture_of(const std::string& file, const State<2>& state, Shown shown) {
+  PackingPicture picture;
+  switch (shown) {
+    case Shown::equilibrium:
+      picture = equilibrium_forces(state.packing, zero_force_of(state));
+      break;
+    case Shown::isotropic_step:
+      picture = increments_of(file, state, StressStep::isotropic);
+      break;
+    case Shown::deviatoric_step:
+      picture = increments_of(file, state, StressStep::deviatoric);
+      break;
+    case Shown::particle_pressure:
+      picture = grain_pressures(state.packing, state.target_stress.mean());
+      break;
+    case Shown::grains:
+      picture = grains_of(state.packing);
+      break;
+  }
+  picture.caption = {"P* = " + pressure_of(state), fmt::format("Φ = {:.4f}", solid_fraction(state.packing)),
+                     fmt::format("z = {:.2f}", coordination(state.packing, 0.0).z)};
+  return picture;
+}
+
+PackingPicture picture_of_changes(const std::string& before_file, const State<2>& before,
+                                  const std::string& after_file, const State<2>& after) {
+  if (const std::string words = incomparable(before.packing, after.packing); !words.empty())
+    throw InputError(after_file, "cannot be compared with " + before_file + ": " + words);
+  const ContactChanges<2> changes = contact_changes(before.packing, after.packing);
+  PackingPicture picture = contacts_changed(before.packing, after.packing, changes);
+  picture.caption = {
+      fmt::format("P* = {} → {}", pressure_of(before), pressure_of(after)),
+      fmt::format("Φ = {:.4f} → {:.4f}", solid_fraction(before.packing), solid_fraction(after.packing)),
+      fmt::format("contacts: {} kept, {} lost, {} gained", changes.kept.size(), changes.lost.size(),
+                  changes.gained.size())};
+  return picture;
+}
+
+}  // namespace floc

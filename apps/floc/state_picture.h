@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "floc/io/state_file.h"
+#include "floc/picture/packing_picture.h"
+
+namespace floc {
+
+/// What of a state a picture shows.
+enum class Shown {
+  equilibrium,        ///< the forces it carries
+  isotropic_step,     ///< what a small step of pressure adds to them
+  deviatoric_step,    ///< what a small step of sigma_1 - sigma_2 adds
+  particle_pressure,  ///< as the colour of the grains
+  grains,             ///< nothing but grains
+};
+
+/// The 2D state among states of any dimension.
+/// @throws InputError for a 3D state, or one without grains: pictures are of disks
+const State<2>& disks_of(const std::string& file, const AnyState& state);
+
+/// The picture of a state, its numbers as caption.
+/// @throws InputError where a mechanism leaves a step of stress no answer
+PackingPicture picture_of(const std::string& file, const State<2>& state, Shown shown);
+
+/// What changed from one state to another, on the geometry of the first: contacts lost and gained, where the grains went
+/// with the affine part taken off.
+/// @throws InputError where the two are not of the same grains
+PackingPicture picture_of_changes(const std::string& before_file, const State<2>& before,
+                                  const std::string& after_file, const State<2>& after);
+
+}  // namespace floc

@@ -1,0 +1,192 @@
+#include "state_plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "floc/base/error.h"
+#include "floc/fitting/force_distribution.h"
+#include "floc/fitting/scattering_fit.h"
+#include "floc/picture/drawn_scale.h"
+#include "floc/structure/scattering.h"
+
+namespace floc {
+namespace {
+
+/// Line colours that stay apart, in the order of use; later samples begin again.
+constexpr const char* kColors =
+    "array color[6] = ['#0072b2', '#d55e00', '#00b377', '#202020', '#cc79a7', '#e69f00']\n";
+constexpr int kDrawsForNoPValue = 1;
+
+/// Histogram width that puts nine tenths of the forces in about twenty bins.
+double bin_width(std::vector<double> forces) {
+  const auto quantile = [&forces](double share) {
+    const auto at =
+        forces.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(forces.size() - 1));
+    std::nth_element(forces.begin(), at, forces.end());
+    return *at;
+  };
+  const double range = quantile(0.95) - quantile(0.05);
+  return range > 0.0 ? round_number_below(range / 20.0) : 0.1;
+}
+
+/// The density of a tail: its share of all forces times exp[-(f - threshold)/f_0]/f_0, from the threshold to the largest.
+void add_tail(const std::vector<double>& forces, double sign, std::vector<std::vector<double>>& rows) {
+  std::vector<double> sizes;
+  double sum = 0.0;
+  for (const double f : forces)
+    if (sign * f > 0.0) sizes.push_back(sign * f), sum += sign * f;
+  if (sizes.empty()) return;
+  ForceFitOptions options;
+  options.n_draws = kDrawsForNoPValue;
+  const ForceFit fit = fit_exponential_tail("tail", sizes, sum / static_cast<double>(sizes.size()), options);
+  if (!fit.found() || !fit.parameters.front().value) return;
+  const double f0 = *fit.parameters.front().value;
+  const double at_threshold = static_cast<double>(fit.n) / static_cast<double>(forces.size()) / f0;
+  const double last = *std::max_element(sizes.begin(), sizes.end());
+  if (!rows.empty()) rows.push_back({std::nan(""), std::nan("")});
+  for (const double f : {fit.mean, last})
+    rows.push_back({sign * f, at_threshold * std::exp(-(f - fit.mean) / f0)});
+}
+
+std::string symbol_of(ForceKind kind) {
+  return kind == ForceKind::normal ? "F_N" : kind == ForceKind::tangential ? "|F_T|" : "|Γ|";
+}
+
+}  // namespace
+
+template <int Dim>
+ForceSample force_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
+                         ForceKind kind, ForceUnit unit) {
+  ForceSample sample{name, {}, contact_forces(packing, kind)};
+  const double size = force_distribution(packing, kind, unit, 1.0).unit;
+  if (sample.forces.empty() || size <= 0.0)
+    throw InputError(place, fmt::format("has no {} forces to plot in this unit", name_of(kind)));
+  for (double& f : sample.forces) f /= size;
+  sample.distribution = force_distribution(packing, kind, unit, bin_width(sample.forces));
+  return sample;
+}
+
+Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit) {
+  Plot plot;
+  std::string curves, tails;
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const ForceDistribution& d = samples[s].distribution;
+    std::vector<std::vector<double>> rows, tail;
+    for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
+      if (d.counts[b] > 0) {
+        // About the 68 % interval of a mean of which n were counted.
+        const auto n = static_cast<double>(d.counts[b]);
+        const double half = std::sqrt(n + 0.25), density = d.density(b) / n;
+        rows.push_back({d.middle(b), n * density, (n + 0.5 - half) * density, (n + 0.5 + half) * density, n});
+      }
+    add_tail(samples[s].forces, 1.0, tail);
+    if (kind == ForceKind::normal) add_tail(samples[s].forces, -1.0, tail);
+    const int points = plot.add(samples[s].name + ": force density low high count", std::move(rows));
+    const int lines = plot.add(samples[s].name + ": exponential tails: force density", std::move(tail));
+    curves += fmt::format(
+        "{}data index {} using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb color[{}] title "
+        "{}",
+        s == 0 ? "" : ", \\\n     ", points, s % 6 + 1, gnuplot_quoted(samples[s].name));
+    tails +=
+        fmt::format(", \\\n     data index {} using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] {}",
+                    lines, s % 6 + 1, s + 1 == samples.size() ? "title 'exponential tails'" : "notitle");
+  }
+  const std::string scale = unit == ForceUnit::mean
+                                ? fmt::format("⟨|{}|⟩", kind == ForceKind::normal       ? "F_N"
+                                                        : kind == ForceKind::tangential ? "F_T"
+                                                                                        : "Γ")
+                            : kind == ForceKind::rolling ? "(F_0 a)"
+                                                         : "F_0";
+  plot.script = fmt::format(R"(set logscale y
+set bars 0.4
+set format y '10^{{%T}}'
+set xlabel {xlabel}
+set ylabel 'probability density'
+set key top right
+{colors}plot {curves}{tails}
+)",
+                            fmt::arg("xlabel", gnuplot_quoted(symbol_of(kind) + " / " + scale)),
+                            fmt::arg("colors", kColors), fmt::arg("curves", curves), fmt::arg("tails", tails));
+  return plot;
+}
+
+ScatteringSample scattering_sample(const std::string& name, const Packing<2>& packing) {
+  constexpr double kLargestFitted = 0.5;
+  const double a = 2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end());
+  const double unit = 2.0 * std::numbers::pi / a;
+  const Scattering s = scattering(packing);
+  std::vector<ScatteredPoint> points;
+  ScatteringSample sample;
+  sample.name = name;
+  for (std::size_t b = 0; b < s.k.size(); ++b) {
+    points.push_back({s.k[b], s.I[b], s.n_vectors[b]});
+    sample.k.push_back(s.k[b] / unit);
+    sample.I.push_back(s.I[b] / (a * a));
+    sample.error.push_back(sample.I.back() / std::sqrt(static_cast<double>(s.n_vectors[b])));
+  }
+  const ScatteringFit fit = fit_scattering(points, 0.0, kLargestFitted * unit);
+  sample.refusal = fit.refusal;
+  if (!fit.found()) return sample;
+  for (const FittedParameter& p : fit.parameters)
+    if (!p.value) {
+      sample.refusal = p.name + " is not identified by these data";
+      return sample;
+    }
+  const double I0 = *fit.parameters[0].value, xi = *fit.parameters[1].value, dF = *fit.parameters[2].value;
+  constexpr int kSteps = 60;
+  for (int n = 0; n <= kSteps; ++n) {
+    const double k = fit.low * std::pow(fit.high / fit.low, static_cast<double>(n) / kSteps);
+    sample.fit_k.push_back(k / unit);
+    sample.fit_I.push_back(scattered_intensity(I0, xi, dF, k) / (a * a));
+  }
+  sample.parameters =
+      fmt::format("d_F = {}, ξ/a = {}", value_and_error(dF, fit.parameters[2].standard_error.value_or(0.0)),
+                  value_and_error(xi / a, fit.parameters[1].standard_error.value_or(0.0) / a));
+  return sample;
+}
+
+Plot scattering_plot(const std::vector<ScatteringSample>& samples) {
+  Plot plot;
+  std::string curves, laws;
+  std::vector<int> all;
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const ScatteringSample& sample = samples[s];
+    std::vector<std::vector<double>> rows, law;
+    for (std::size_t b = 0; b < sample.k.size(); ++b)
+      rows.push_back({sample.k[b], sample.I[b], sample.error[b]});
+    for (std::size_t b = 0; b < sample.fit_k.size(); ++b) law.push_back({sample.fit_k[b], sample.fit_I[b]});
+    const int points = plot.add(sample.name + ": k I error", std::move(rows));
+    const int line = plot.add(sample.name + ": law: k I", std::move(law));
+    all.push_back(points);
+    curves += fmt::format(
+        "{}data index {} using 1:2:3 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb color[{}] title "
+        "{}",
+        s == 0 ? "" : ", \\\n     ", points, s % 6 + 1,
+        gnuplot_quoted(sample.name + (sample.parameters.empty() ? "" : ":  " + sample.parameters)));
+    laws += fmt::format(
+        ", \\\n     data index {} using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] notitle", line,
+        s % 6 + 1);
+  }
+  plot.script = fmt::format(R"(set logscale xy
+set bars 0.4
+{range}set format x '%g'
+set format y '10^{{%T}}'
+set xlabel 'k a/2π'
+set ylabel 'I(k)/a^2'
+set key bottom left
+{colors}plot {curves}{laws}
+)",
+                            fmt::arg("range", range_script(plot, "x", all, 0, true)),
+                            fmt::arg("colors", kColors), fmt::arg("curves", curves), fmt::arg("laws", laws));
+  return plot;
+}
+
+template ForceSample force_sample(const std::string&, const std::string&, const Packing<2>&, ForceKind,
+                                  ForceUnit);
+template ForceSample force_sample(const std::string&, const std::string&, const Packing<3>&, ForceKind,
+                                  ForceUnit);
+
+}  // namespace floc

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/packing/packing.h"
+#include "floc/structure/force_distribution.h"
+#include "gnuplot.h"
+
+namespace floc {
+
+/// Forces of one state on their way into a plot.
+struct ForceSample {
+  std::string name;  ///< in the legend
+  ForceDistribution distribution;
+  std::vector<double> forces;  ///< the same, one by one, in the unit of the distribution
+};
+
+/// The forces of a packing, binned so finely that about twenty bins hold nine tenths of them.
+/// @throws InputError naming the place where the unit vanishes
+template <int Dim>
+ForceSample force_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
+                         ForceKind kind, ForceUnit unit);
+
+/// Probability densities of contact forces on a logarithmic axis, errors by their counts, with exponential tails of both
+/// signs fitted beyond the mean of each.
+Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit);
+
+/// A state whose scattering is plotted.
+struct ScatteringSample {
+  std::string name;
+  std::vector<double> k, I, error;   ///< in 2 pi/a and a^2, a the largest diameter
+  std::vector<double> fit_k, fit_I;  ///< the law where it was fitted; empty without a fit
+  std::string parameters;            ///< of the law, in words
+  std::string refusal;               ///< why there is no fit
+};
+
+/// I(k), the grains' indicator scattered, and the law fitted for k up to half of 2 pi/a.
+ScatteringSample scattering_sample(const std::string& name, const Packing<2>& packing);
+
+Plot scattering_plot(const std::vector<ScatteringSample>& samples);
+
+}  // namespace floc

@@ -1,0 +1,214 @@
+#include "floc/picture/legend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "floc/picture/packing_drawing.h"
+#include "floc/picture/palette.h"
+
+namespace floc {
+namespace {
+
+constexpr double kBetween = 12.0;  ///< items (points)
+constexpr double kAfterSample = 4.0;
+
+std::string name_of(LineKind kind, const PackingPicture& picture) {
+  switch (kind) {
+    case LineKind::idle:
+      return picture.idle_name;
+    case LineKind::zero:
+      return "zero";
+    case LineKind::distant:
+      return "distant";
+    case LineKind::tension:
+      return picture.tension_name;
+    case LineKind::compression:
+      return picture.compression_name;
+    case LineKind::lost:
+      return "contact lost";
+    case LineKind::gained:
+      return "contact gained";
+  }
+  return "";
+}
+
+LegendItem scale_bar(double diameter, double points_per_length, double longest) {
+  const double length = round_number_below(longest / (diameter * points_per_length));
+  const double points = length * diameter * points_per_length;
+  return {points,
+          [points](cairo_t* page, double x, double y) {
+            set_color(page, palette::kText);
+            cairo_set_line_width(page, 1.0);
+            cairo_set_line_cap(page, CAIRO_LINE_CAP_BUTT);
+            for (const double end : {x, x + points}) {
+              cairo_move_to(page, end, y - 2.5);
+              cairo_line_to(page, end, y + 2.5);
+            }
+            cairo_move_to(page, x, y);
+            cairo_line_to(page, x + points, y);
+            cairo_stroke(page);
+          },
+          short_number(length) + " a (largest diameter)"};
+}
+
+LegendItem disk_item(const Color& fill, const std::string& text) {
+  return {8.0,
+          [fill](cairo_t* page, double x, double y) {
+            cairo_new_sub_path(page);
+            cairo_arc(page, x + 4.0, y, 3.7, 0.0, 6.2831853071795862);
+            set_color(page, fill);
+            cairo_fill_preserve(page);
+            set_color(page, palette::kOutline);
+            cairo_set_line_width(page, 0.6);
+            cairo_stroke(page);
+          },
+          text};
+}
+
+LegendItem arrow_item(const PackingPicture& picture, const DrawnScale& scale) {
+  const double a = largest_diameter(picture);
+  const double length = round_number_below(2.0 * rms_displacement(picture) / a);
+  const double points = length * a * scale.points_per_displacement;
+  return {points,
+          [points](cairo_t* page, double x, double y) {
+            set_color(page, palette::kArrow);
+            draw_arrow(page, {x, y}, {x + points, y}, 0.8, 4.5);
+          },
+          short_number(length) + " a moved"};
+}
+
+LegendItem color_bar(const GrainShade& shade) {
+  constexpr double kWidth = 90.0;
+  return {
+      kWidth,
+      [](cairo_t* page, double x, double y) {
+        cairo_pattern_t* gradient = cairo_pattern_create_linear(x, 0.0, x + kWidth, 0.0);
+        const auto n = static_cast<int>(palette::kDiverging.size());
+        for (int k = 0; k < n; ++k) {
+          const Color& c = palette::kDiverging[static_cast<std::size_t>(k)];
+          cairo_pattern_add_color_stop_rgb(gradient, static_cast<double>(k) / (n - 1), c.red, c.green, c.blue);
+        }
+        cairo_rectangle(page, x, y - 4.0, kWidth, 8.0);
+        cairo_set_source(page, gradient);
+        cairo_fill_preserve(page);
+        cairo_pattern_destroy(gradient);
+        set_color(page, palette::kOutline);
+        cairo_set_line_width(page, 0.5);
+        cairo_stroke(page);
+      },
+      fmt::format("{} from −{} to {}", shade.name, short_number(shade.largest), short_number(shade.largest))};
+}
+
+LegendItem words(const std::string& text) {
+  return {-kAfterSample, [](cairo_t*, double, double) {}, text};
+}
+
+/// Calls `place(item, x, line)` for each item, lines filled from the left.
+template <class Place>
+void flow(const std::vector<LegendItem>& items, double width, Place&& place) {
+  double x = 0.0;
+  int line = 0;
+  for (const LegendItem& item : items) {
+    if (x > 0.0 && x + item.width() > width) x = 0.0, ++line;
+    place(item, x, line);
+    x += item.width() + kBetween;
+  }
+}
+
+}  // namespace
+
+void set_font(cairo_t* page) {
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(page, options);
+  cairo_font_options_destroy(options);
+  cairo_select_font_face(page, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(page, kTextSize);
+}
+
+void draw_text(cairo_t* page, double x, double y, const std::string& text) {
+  set_color(page, palette::kText);
+  cairo_move_to(page, x, y);
+  cairo_show_text(page, text.c_str());
+}
+
+double text_width(const std::string& text) {
+  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
+  cairo_t* context = cairo_create(surface);
+  set_font(context);
+  cairo_text_extents_t extents;
+  cairo_text_extents(context, text.c_str(), &extents);
+  cairo_destroy(context);
+  cairo_surface_destroy(surface);
+  return extents.x_advance;
+}
+
+double LegendItem::width() const {
+  return sample_width + kAfterSample + text_width(text);
+}
+
+void LegendItem::draw(cairo_t* page, double x, double baseline) const {
+  draw_sample(page, x, baseline - 0.36 * kTextSize);
+  draw_text(page, x + sample_width + kAfterSample, baseline, text);
+}
+
+LegendItem line_item(const Color& color, double width, const std::string& text) {
+  constexpr double kLength = 16.0;
+  return {kLength,
+          [color, width](cairo_t* page, double x, double y) {
+            set_color(page, color);
+            cairo_set_line_width(page, width);
+            cairo_set_line_cap(page, CAIRO_LINE_CAP_BUTT);
+            cairo_move_to(page, x, y);
+            cairo_line_to(page, x + kLength, y);
+            cairo_stroke(page);
+          },
+          text};
+}
+
+LegendItem force_item(const PackingPicture& picture, const DrawnScale& scale) {
+  const double force = round_number_below(2.0 * rms_force(picture));
+  return line_item(palette::kText, force * scale.points_per_force,
+                   "|" + picture.force_symbol + "| = " + short_number(force) + " " + picture.force_unit);
+}
+
+std::vector<LegendItem> legend_of(const std::vector<PackingPicture>& pictures, const DrawnScale& scale,
+                                  double bar) {
+  const PackingPicture& first = pictures.front();
+  std::vector<LegendItem> items = {scale_bar(largest_diameter(first), scale.points_per_length, bar)};
+  std::set<LineKind> kinds;
+  bool rattlers = false;
+  for (const PackingPicture& picture : pictures) {
+    for (const ContactLine& line : picture.lines) kinds.insert(line.kind);
+    rattlers =
+        rattlers || std::find(picture.rattler.begin(), picture.rattler.end(), true) != picture.rattler.end();
+  }
+  for (auto kind = kinds.rbegin(); kind != kinds.rend(); ++kind)
+    items.push_back(line_item(color_of(*kind), *kind == LineKind::zero ? 0.8 : 2.0, name_of(*kind, first)));
+  if (rattlers) items.push_back(disk_item(palette::kRattler, "rattler"));
+  const auto moved = std::find_if(pictures.begin(), pictures.end(),
+                                  [](const PackingPicture& p) { return rms_displacement(p) > 0.0; });
+  if (moved != pictures.end()) items.push_back(arrow_item(*moved, scale));
+  if (!first.shade.value.empty()) items.push_back(color_bar(first.shade));
+  for (const PackingPicture& picture : pictures)
+    if (!picture.note.empty() && pictures.size() == 1) items.push_back(words(picture.note));
+  return items;
+}
+
+double legend_height(const std::vector<LegendItem>& items, double width) {
+  int lines = 0;
+  flow(items, width, [&lines](const LegendItem&, double, int line) { lines = line + 1; });
+  return lines * kTextLine;
+}
+
+void draw_legend(cairo_t* page, const std::vector<LegendItem>& items, double left, double top, double width) {
+  flow(items, width, [&](const LegendItem& item, double x, int line) {
+    item.draw(page, left + x, top + kTextLine * line + kTextSize);
+  });
+}
+
+}  // namespace floc

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cairo.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "floc/picture/drawn_scale.h"
+#include "floc/picture/packing_picture.h"
+#include "floc/picture/palette.h"
+
+namespace floc {
+
+/// Text of captions and legends, in points.
+inline constexpr double kTextSize = 8.0;
+inline constexpr double kTextLine = 13.0;  ///< from line to line
+
+void set_font(cairo_t* page);
+
+/// Text with its left end on the base line at (x, y).
+void draw_text(cairo_t* page, double x, double y, const std::string& text);
+
+/// Width of a text (points), the same for every format.
+double text_width(const std::string& text);
+
+/// One thing a legend explains: a sample and words after it.
+struct LegendItem {
+  double sample_width;  ///< (points)
+  std::function<void(cairo_t* page, double x, double y)>
+      draw_sample;  ///< from x on, on the line whose middle is at height y
+  std::string text;
+
+  double width() const;
+  void draw(cairo_t* page, double x, double baseline) const;
+};
+
+/// A line of that width (points), and its meaning.
+LegendItem line_item(const Color& color, double width, const std::string& text);
+
+/// How thick a round force is drawn at this scale.
+/// @pre some line has a force
+LegendItem force_item(const PackingPicture& picture, const DrawnScale& scale);
+
+/// What all pictures of a sheet show, explained once: scale bar, kinds of lines, rattlers, arrows, colours, notes.
+/// @param bar  of the scale bar, about its longest length (points)
+std::vector<LegendItem> legend_of(const std::vector<PackingPicture>& pictures, const DrawnScale& scale,
+                                  double bar);
+
+/// Height of a legend set in lines no longer than `width` (points).
+double legend_height(const std::vector<LegendItem>& items, double width);
+
+void draw_legend(cairo_t* page, const std::vector<LegendItem>& items, double left, double top, double width);
+
+}  // namespace floc

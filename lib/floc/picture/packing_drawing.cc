@@ -1,0 +1,222 @@
+#include "floc/picture/packing_drawing.h"
+
+#include <array>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "floc/picture/periodic_copies.h"
+
+namespace floc {
+namespace {
+
+/// Marks that cairo takes at once: long paths cost more than their length.
+constexpr int kBatch = 200;
+constexpr double kSmallestOutlined = 2.5;
+/// Widths of lines are rounded to this (points): lines of one width share a path, which keeps files small.
+constexpr double kWidthStep = 0.05;
+constexpr int kShades = 64;
+/// Least widths in mean diameters, so that what is hardly loaded is still to be seen.
+constexpr double kFaintest = 0.02;
+constexpr double kMarked = 0.09;
+
+struct Segment {
+  Vec<2> from, to;
+};
+
+/// Draws one picture.
+class Drawing {
+ public:
+  Drawing(cairo_t* page, const PackingPicture& picture, const Placement& placement)
+      : page_(page),
+        picture_(picture),
+        placement_(placement),
+        box_(box_of(picture.cell)),
+        copies_(picture.cell),
+        diameter_(mean_diameter(picture) * placement.scale.points_per_length) {}
+
+  Vec<2> on_page(const Vec<2>& x) const {
+    const double s = placement_.scale.points_per_length;
+    return {placement_.left + s * (x[0] - box_.low[0]), placement_.top + s * (box_.high[1] - x[1])};
+  }
+
+  void trace_cell() const {
+    const Vec<2> a = picture_.cell.matrix.row(0), b = picture_.cell.matrix.row(1);
+    cairo_new_path(page_);
+    for (const Vec<2>& corner : {Vec<2>(Vec<2>::Zero()), a, Vec<2>(a + b), b}) {
+      const Vec<2> p = on_page(corner);
+      cairo_line_to(page_, p[0], p[1]);
+    }
+    cairo_close_path(page_);
+  }
+
+  void draw_grains() const {
+    std::map<int, std::vector<int>> by_fill;
+    for (int i = 0; i < static_cast<int>(picture_.position.size()); ++i) by_fill[fill_of(i)].push_back(i);
+    cairo_set_line_width(page_, std::min(0.6, 0.035 * diameter_));
+    for (const auto& [fill, grains] : by_fill) {
+      int n = 0;
+      for (const int i : grains) {
+        copies_.of_disk(picture_.position[i], picture_.radius[i], [&](const Vec<2>& shift) {
+          trace_disk(picture_.position[i] + shift, picture_.radius[i]);
+          if (++n % kBatch == 0) paint_disks(color_of_fill(fill));
+        });
+      }
+      paint_disks(color_of_fill(fill));
+    }
+  }
+
+  void draw_lines() const {
+    std::map<std::pair<LineKind, int>, std::vector<Segment>> by_width;
+    for (const ContactLine& line : picture_.lines) {
+      const int level = static_cast<int>(std::lround(width_of(line) / kWidthStep));
+      const double reach = 0.5 * width_of(line) / placement_.scale.points_per_length;
+      copies_.of_segment(line.from, line.to, reach, [&](const Vec<2>& shift) {
+        by_width[{line.kind, std::max(1, level)}].push_back(
+            {on_page(line.from + shift), on_page(line.to + shift)});
+      });
+    }
+    cairo_set_line_cap(page_, CAIRO_LINE_CAP_ROUND);
+    for (const auto& [kind_and_level, segments] : by_width) {
+      set_color(page_, color_of(kind_and_level.first));
+      cairo_set_line_width(page_, kWidthStep * kind_and_level.second);
+      stroke(segments);
+    }
+  }
+
+  void draw_arrows() const {
+    set_color(page_, palette::kArrow);
+    const double longer = placement_.scale.points_per_displacement / placement_.scale.points_per_length;
+    for (const DisplacementArrow& arrow : picture_.arrows) {
+      const Vec<2> to = arrow.from + longer * arrow.displacement;
+      copies_.of_segment(arrow.from, to, 0.0, [&](const Vec<2>& shift) {
+        draw_arrow(page_, on_page(arrow.from + shift), on_page(to + shift), 0.05 * diameter_, 0.35 * diameter_);
+      });
+    }
+  }
+
+ private:
+  /// Grains of one number have one colour: 0 and 1 plain and rattlers, otherwise shades.
+  int fill_of(int i) const {
+    if (!picture_.shade.value.empty()) {
+      const double share = std::clamp(picture_.shade.value[i] / picture_.shade.largest, -1.0, 1.0);
+      return static_cast<int>(std::lround(share * kShades));
+    }
+    return !picture_.rattler.empty() && picture_.rattler[i];
+  }
+  Color color_of_fill(int fill) const {
+    if (!picture_.shade.value.empty()) return palette::diverging(static_cast<double>(fill) / kShades);
+    return fill == 0 ? palette::kGrain : palette::kRattler;
+  }
+
+  void trace_disk(const Vec<2>& centre, double radius) const {
+    const Vec<2> p = on_page(centre);
+    cairo_new_sub_path(page_);
+    cairo_arc(page_, p[0], p[1], radius * placement_.scale.points_per_length, 0.0, 2.0 * std::numbers::pi);
+    cairo_close_path(page_);
+  }
+
+  void paint_disks(const Color& fill) const {
+    set_color(page_, fill);
+    if (diameter_ < kSmallestOutlined) return cairo_fill(page_);
+    cairo_fill_preserve(page_);
+    set_color(page_, palette::kOutline);
+    cairo_stroke(page_);
+  }
+
+  double width_of(const ContactLine& line) const {
+    const double least = (line.kind == LineKind::distant ? kMarked : kFaintest) * diameter_;
+    if (line.kind == LineKind::lost || line.kind == LineKind::gained) return 1.5 * kMarked * diameter_;
+    return std::max(least, placement_.scale.points_per_force * line.force);
+  }
+
+  void stroke(const std::vector<Segment>& segments) const {
+    int n = 0;
+    for (const Segment& s : segments) {
+      cairo_move_to(page_, s.from[0], s.from[1]);
+      cairo_line_to(page_, s.to[0], s.to[1]);
+      if (++n % kBatch == 0) cairo_stroke(page_);
+    }
+    cairo_stroke(page_);
+  }
+
+  cairo_t* page_;
+  const PackingPicture& picture_;
+  const Placement& placement_;
+  Box box_;
+  PeriodicCopies copies_;
+  double diameter_;  ///< mean (points)
+};
+
+}  // namespace
+
+Box box_of(const Cell<2>& cell) {
+  const Vec<2> a = cell.matrix.row(0), b = cell.matrix.row(1);
+  Box box;
+  for (const Vec<2>& corner : {a, Vec<2>(a + b), b}) {
+    box.low = box.low.cwiseMin(corner);
+    box.high = box.high.cwiseMax(corner);
+  }
+  return box;
+}
+
+void set_color(cairo_t* page, const Color& color) {
+  cairo_set_source_rgb(page, color.red, color.green, color.blue);
+}
+
+Color color_of(LineKind kind) {
+  switch (kind) {
+    case LineKind::idle:
+      return palette::kIdle;
+    case LineKind::zero:
+      return palette::kZero;
+    case LineKind::distant:
+      return palette::kDistant;
+    case LineKind::tension:
+      return palette::kTension;
+    case LineKind::compression:
+      return palette::kCompression;
+    case LineKind::lost:
+      return palette::kLost;
+    case LineKind::gained:
+      return palette::kGained;
+  }
+  return palette::kText;
+}
+
+void draw_arrow(cairo_t* page, const Vec<2>& from, const Vec<2>& to, double width, double largest_head) {
+  const double length = (to - from).norm();
+  if (length == 0.0) return;
+  const Vec<2> along = (to - from) / length, across(-along[1], along[0]);
+  const double head = std::min(largest_head, 0.6 * length);
+  const Vec<2> neck = to - head * along;
+  cairo_set_line_width(page, width);
+  cairo_move_to(page, from[0], from[1]);
+  cairo_line_to(page, neck[0], neck[1]);
+  cairo_stroke(page);
+  for (const Vec<2>& corner : {to, Vec<2>(neck + 0.4 * head * across), Vec<2>(neck - 0.4 * head * across)})
+    cairo_line_to(page, corner[0], corner[1]);
+  cairo_close_path(page);
+  cairo_fill(page);
+}
+
+void draw_packing(cairo_t* page, const PackingPicture& picture, const Placement& placement) {
+  const Drawing drawing(page, picture, placement);
+  cairo_save(page);
+  drawing.trace_cell();
+  cairo_clip(page);
+  drawing.draw_grains();
+  drawing.draw_lines();
+  drawing.draw_arrows();
+  cairo_restore(page);
+}
+
+void draw_cell(cairo_t* page, const PackingPicture& picture, const Placement& placement) {
+  Drawing(page, picture, placement).trace_cell();
+  set_color(page, palette::kCell);
+  cairo_set_line_width(page, 0.5);
+  cairo_stroke(page);
+}
+
+}  // namespace floc

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cairo.h>
+
+#include "floc/picture/drawn_scale.h"
+#include "floc/picture/packing_picture.h"
+#include "floc/picture/palette.h"
+
+namespace floc {
+
+/// Box that holds a cell with one corner at the origin.
+struct Box {
+  Vec<2> low = Vec<2>::Zero();
+  Vec<2> high = Vec<2>::Zero();
+
+  Vec<2> size() const { return high - low; }
+};
+Box box_of(const Cell<2>& cell);
+
+/// Where a picture stands on the page (points), the upper left of its cell's box.
+struct Placement {
+  double left = 0.0, top = 0.0;
+  DrawnScale scale;
+};
+
+void set_color(cairo_t* page, const Color& color);
+
+Color color_of(LineKind kind);
+
+/// Draws grains, lines and arrows of a picture, each with those of its periodic copies that reach into the cell, cut at
+/// the cell's border. Outlines of grains are left out where the mean grain is smaller than 2.5 points.
+void draw_packing(cairo_t* page, const PackingPicture& picture, const Placement& placement);
+
+/// The border of the cell.
+void draw_cell(cairo_t* page, const PackingPicture& picture, const Placement& placement);
+
+/// An arrow from one point of the page to another, its head no longer than `largest_head`.
+void draw_arrow(cairo_t* page, const Vec<2>& from, const Vec<2>& to, double width, double largest_head);
+
+}  // namespace floc

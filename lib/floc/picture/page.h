@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cairo.h>
+
+#include <string>
+
+#include "floc/picture/picture_format.h"
+
+namespace floc {
+
+/// A page that cairo draws on, white, the origin at its upper left, lengths in points (1/72 inch). What comes out holds
+/// no time: equal drawings give equal bytes.
+class Page {
+ public:
+  /// @param pixels_per_point  resolution of a png, and of what is embedded as an image
+  Page(PictureFormat format, double width, double height, double pixels_per_point);
+  ~Page();
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+
+  cairo_t* context() const { return context_; }
+
+  /// The bytes of the picture; the page is used up.
+  /// @throws std::runtime_error with cairo's words if it failed
+  std::string finish();
+
+ private:
+  PictureFormat format_;
+  std::string bytes_;
+  cairo_surface_t* surface_;
+  cairo_t* context_;
+};
+
+/// What is drawn while this lives goes to an image of the same resolution as a png, which is then painted on the page:
+/// for drawings of so many parts that as vectors they would take longer to show than they are worth.
+class ImageLayer {
+ public:
+  /// @param left, top, width, height  the part of the page it covers (points)
+  ImageLayer(cairo_t* page, double left, double top, double width, double height, double pixels_per_point);
+  ~ImageLayer();
+  ImageLayer(const ImageLayer&) = delete;
+  ImageLayer& operator=(const ImageLayer&) = delete;
+
+  /// Draws in the page's own coordinates.
+  cairo_t* context() const { return context_; }
+
+ private:
+  cairo_t* page_;
+  double left_, top_;
+  cairo_surface_t* image_;
+  cairo_t* context_;
+};
+
+}  // namespace floc

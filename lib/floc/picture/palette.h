@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+
+namespace floc {
+
+/// An sRGB colour, components in [0, 1].
+struct Color {
+  double red = 0.0, green = 0.0, blue = 0.0;
+};
+
+/// The colour of 0xRRGGBB.
+constexpr Color hex_color(int rgb) {
+  return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0};
+}
+
+/// Colours of what a picture of a packing shows. Readers with any of the three kinds of colour blindness tell those of
+/// lines apart (a test holds them to it): blue and vermilion are of the set of Okabe and Ito, green is lighter than theirs.
+namespace palette {
+
+inline constexpr Color kCompression = hex_color(0x0072B2);
+inline constexpr Color kTension = hex_color(0xD55E00);
+inline constexpr Color kDistant = hex_color(0x00B377);
+inline constexpr Color kZero = hex_color(0x5A5A5A);
+inline constexpr Color kIdle = hex_color(0xBDBDBD);  ///< contacts that stand back
+inline constexpr Color kLost = kTension;
+inline constexpr Color kGained = kCompression;
+inline constexpr Color kArrow = hex_color(0x222222);
+inline constexpr Color kGrain = hex_color(0xEFEFEF);
+inline constexpr Color kRattler = hex_color(0xFFFFFF);
+inline constexpr Color kOutline = hex_color(0xA6A6A6);
+inline constexpr Color kCell = hex_color(0x707070);
+inline constexpr Color kText = hex_color(0x202020);
+
+/// From the most negative value (orange) over zero (white) to the most positive (blue): ColorBrewer's PuOr and RdBu.
+inline constexpr std::array<Color, 9> kDiverging = {
+    hex_color(0xB35806), hex_color(0xE08214), hex_color(0xFDB863), hex_color(0xFEE0B6), hex_color(0xFFFFFF),
+    hex_color(0xD1E5F0), hex_color(0x92C5DE), hex_color(0x4393C3), hex_color(0x2166AC)};
+
+/// Colour of a value in [-1, 1] (beyond it, of the nearer end), linear between the stops above.
+constexpr Color diverging(double value) {
+  constexpr int kLast = static_cast<int>(kDiverging.size()) - 1;
+  const double place = (value < -1.0 ? 0.0 : value > 1.0 ? 1.0 : 0.5 * (value + 1.0)) * kLast;
+  const int below = place >= kLast ? kLast - 1 : static_cast<int>(place);
+  const Color& a = kDiverging[static_cast<std::size_t>(below)];
+  const Color& b = kDiverging[static_cast<std::size_t>(below + 1)];
+  const double t = place - below;
+  return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green), a.blue + t * (b.blue - a.blue)};
+}
+
+}  // namespace palette
+
+}  // namespace floc

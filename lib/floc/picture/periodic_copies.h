@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/geometry/cell.h"
+
+namespace floc {
+
+/// Which periodic copies of a thing reach into the cell 0 <= s < 1 (s: reduced coordinates). Any lattice vectors, things
+/// larger than the cell too.
+class PeriodicCopies {
+ public:
+  explicit PeriodicCopies(const Cell<2>& cell)
+      : cell_(cell), reciprocal_(cell.matrix.transpose().inverse()), reach_(reciprocal_.rowwise().norm()) {}
+
+  /// Calls `draw(shift)` with the displacement of each copy of the convex hull of two disks of one radius (length) that
+  /// reaches into the cell.
+  template <class Draw>
+  void of_segment(const Vec<2>& from, const Vec<2>& to, double radius, Draw&& draw) const {
+    const Vec<2> a = reciprocal_ * from, b = reciprocal_ * to;
+    const Vec<2> low = a.cwiseMin(b) - radius * reach_;
+    const Vec<2> high = a.cwiseMax(b) + radius * reach_;
+    for (int m = first(high[0]); m <= last(low[0]); ++m)
+      for (int n = first(high[1]); n <= last(low[1]); ++n) draw(cell_.shift({m, n}));
+  }
+
+  template <class Draw>
+  void of_disk(const Vec<2>& centre, double radius, Draw&& draw) const {
+    of_segment(centre, centre, radius, std::forward<Draw>(draw));
+  }
+
+ private:
+  static int first(double high) { return static_cast<int>(std::ceil(-high)); }
+  static int last(double low) { return static_cast<int>(std::floor(1.0 - low)); }
+
+  Cell<2> cell_;
+  Mat<2> reciprocal_;  ///< rows: reciprocal vectors, so s = reciprocal_ x
+  Vec<2> reach_;       ///< of a unit length in reduced coordinates
+};
+
+}  // namespace floc

@@ -1,0 +1,40 @@
+#include "floc/picture/pressure_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/picture/drawn_scale.h"
+#include "floc/structure/particle_stress.h"
+
+namespace floc {
+namespace {
+
+constexpr double kShown = 0.98;
+
+/// The size that a share of the values stays within.
+double size_within(std::vector<double> values, double share) {
+  for (double& value : values) value = std::abs(value);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+PackingPicture grain_pressures(const Packing<2>& packing, double pressure) {
+  PackingPicture picture = grains_of(packing);
+  picture.shade.value = particle_pressure(packing);
+  picture.shade.name = "pressure of a grain over P,";
+  double unit = pressure;
+  if (unit <= 0.0) {
+    picture.shade.name = "pressure of a grain over F₀/a,";
+    unit = packing.law.pull_off_force() / largest_diameter(picture);
+  }
+  if (unit > 0.0)
+    for (double& value : picture.shade.value) value /= unit;
+  const double size = size_within(picture.shade.value, kShown);
+  if (size > 0.0) picture.shade.largest = size;
+  return picture;
+}
+
+}  // namespace floc

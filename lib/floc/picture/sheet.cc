@@ -1,0 +1,188 @@
+#include "floc/picture/sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/picture/legend.h"
+#include "floc/picture/packing_drawing.h"
+#include "floc/picture/page.h"
+
+namespace floc {
+namespace {
+
+constexpr double kMargin = 5.0;   ///< (points)
+constexpr double kGap = 12.0;     ///< between the pictures of a strip
+constexpr double kTallest = 1.3;  ///< height of a picture over the width of the page
+constexpr double kFewestPixels = 200.0 / 72.0;
+constexpr double kMostPixelsASide = 3000.0;
+constexpr double kPixelsADiameter = 6.0;
+constexpr std::size_t kMostVectors = 15000;
+
+/// Where everything of a sheet stands (points).
+class Layout {
+ public:
+  Layout(const std::vector<PackingPicture>& pictures, const SheetOptions& options)
+      : pictures_(pictures), options_(options) {
+    columns_ = std::min(options.columns, static_cast<int>(pictures.size()));
+    Vec<2> largest = Vec<2>::Zero();
+    for (const PackingPicture& p : pictures) largest = largest.cwiseMax(box_of(p.cell).size());
+    column_width_ = (inner_width() - (columns_ - 1) * kGap) / columns_;
+    scale_.points_per_length = std::min(column_width_ / largest[0], kTallest * inner_width() / largest[1]);
+    set_scales();
+    own_keys_ =
+        pictures.size() > 1 && !options.same_force_scale && !options.bare && rms_force(pictures.front()) > 0.0;
+    if (!options.bare) {
+      legend_ = legend_of(pictures, scale_, std::min(100.0, 0.3 * column_width_));
+      if (!own_keys_ && rms_force(pictures.front()) > 0.0)
+        legend_.insert(legend_.begin() + 1, force_item(pictures.front(), scale_));
+      for (const PackingPicture& p : pictures) captions_.push_back(caption_lines(p));
+    }
+    place();
+  }
+
+  double height() const { return height_; }
+  double inner_width() const { return options_.width - 2.0 * kMargin; }
+  double pixels_per_point() const {
+    if (options_.resolution) return *options_.resolution / 72.0;
+    double smallest = scale_.points_per_length * mean_diameter(pictures_.front());
+    for (const PackingPicture& p : pictures_)
+      smallest = std::min(smallest, scale_.points_per_length * mean_diameter(p));
+    const double most = kMostPixelsASide / std::max(options_.width, height_);
+    return std::min(std::max(kFewestPixels, kPixelsADiameter / smallest), std::max(most, kFewestPixels));
+  }
+
+  const std::vector<Placement>& placements() const { return placements_; }
+
+  void draw_words(cairo_t* page) const {
+    if (options_.bare) return;
+    set_font(page);
+    for (std::size_t k = 0; k < pictures_.size(); ++k) {
+      const Placement& at = placements_[k];
+      double baseline = at.top - 4.0;
+      if (own_keys_) {
+        force_item(pictures_[k], at.scale).draw(page, at.left, baseline);
+        baseline -= kTextLine;
+      }
+      for (auto line = captions_[k].rbegin(); line != captions_[k].rend(); ++line, baseline -= kTextLine)
+        draw_text(page, at.left, baseline, *line);
+    }
+    draw_legend(page, legend_, kMargin, legend_top_, inner_width());
+  }
+
+ private:
+  /// What a point on the page is worth, in forces and displacements.
+  void set_scales() {
+    double moved = 0.0, force = 0.0, force_diameter = 0.0;
+    for (const PackingPicture& p : pictures_) {
+      moved = std::max(moved, rms_displacement(p));
+      if (rms_force(p) > force) force = rms_force(p), force_diameter = mean_diameter(p);
+    }
+    const double diameter = scale_.points_per_length * mean_diameter(pictures_.front());
+    if (moved > 0.0) scale_.points_per_displacement = diameter / moved;
+    if (force > 0.0)
+      scale_.points_per_force = options_.line_width * force_diameter * scale_.points_per_length / force;
+  }
+
+  void place() {
+    std::size_t n_lines = own_keys_ ? 1 : 0;
+    for (const auto& lines : captions_) n_lines = std::max(n_lines, lines.size() + (own_keys_ ? 1 : 0));
+    const double above = static_cast<double>(n_lines) * kTextLine;
+    double top = kMargin;
+    for (std::size_t first = 0; first < pictures_.size(); first += static_cast<std::size_t>(columns_)) {
+      const std::size_t end = std::min(pictures_.size(), first + static_cast<std::size_t>(columns_));
+      double row = 0.0;
+      for (std::size_t k = first; k < end; ++k) row = std::max(row, size_of(k)[1]);
+      for (std::size_t k = first; k < end; ++k) {
+        // A single picture stands in the middle, those of a strip at the upper left of their places.
+        const double left = pictures_.size() == 1 ? 0.5 * (inner_width() - size_of(k)[0])
+                                                  : static_cast<double>(k - first) * (column_width_ + kGap);
+        placements_.push_back({kMargin + left, top + above, scale_of(k)});
+      }
+      top += above + row + kGap;
+    }
+    legend_top_ = top - 2.0;
+    height_ =
+        legend_top_ + (legend_.empty() ? kMargin - kGap + 2.0 : legend_height(legend_, inner_width()) + 1.0);
+  }
+
+  std::vector<std::string> caption_lines(const PackingPicture& picture) const {
+    std::vector<std::string> lines;
+    for (const std::string& part : picture.caption) {
+      const std::string longer = lines.empty() ? part : lines.back() + "   " + part;
+      if (lines.empty() || text_width(longer) > column_width_)
+        lines.push_back(part);
+      else
+        lines.back() = longer;
+    }
+    return lines;
+  }
+
+  Vec<2> size_of(std::size_t k) const { return scale_.points_per_length * box_of(pictures_[k].cell).size(); }
+
+  DrawnScale scale_of(std::size_t k) const {
+    DrawnScale scale = scale_;
+    if (const double force = rms_force(pictures_[k]); force > 0.0 && !options_.same_force_scale)
+      scale.points_per_force =
+          options_.line_width * mean_diameter(pictures_[k]) * scale.points_per_length / force;
+    return scale;
+  }
+
+  const std::vector<PackingPicture>& pictures_;
+  const SheetOptions& options_;
+  int columns_ = 1;
+  double column_width_ = 0.0;
+  DrawnScale scale_;
+  std::vector<LegendItem> legend_;
+  std::vector<std::vector<std::string>> captions_;  ///< lines of each picture's
+  bool own_keys_ = false;                           ///< each picture has its own width of a force, and says so
+  std::vector<Placement> placements_;
+  double legend_top_ = 0.0;
+  double height_ = 0.0;
+};
+
+std::size_t count_marks(const std::vector<PackingPicture>& pictures) {
+  std::size_t n = 0;
+  for (const PackingPicture& p : pictures) n += p.position.size() + p.lines.size() + p.arrows.size();
+  return n;
+}
+
+}  // namespace
+
+std::vector<std::string> SheetOptions::validate() const {
+  std::vector<std::string> faults;
+  const auto demand = [&faults](bool holds, const std::string& fault) {
+    if (!holds) faults.push_back(fault);
+  };
+  demand(width >= 50.0 && width <= 5000.0, fmt::format("width = {} points: between 50 and 5000", width));
+  demand(columns >= 1, fmt::format("columns = {}: at least 1", columns));
+  demand(line_width > 0.0 && line_width <= 2.0,
+         fmt::format("line width = {} mean diameters: above 0, at most 2", line_width));
+  demand(!resolution || (*resolution >= 10.0 && *resolution <= 2400.0),
+         fmt::format("resolution = {} pixels per inch: between 10 and 2400", resolution.value_or(0.0)));
+  return faults;
+}
+
+std::string draw_sheet(const std::vector<PackingPicture>& pictures, const SheetOptions& options) {
+  const Layout layout(pictures, options);
+  const double pixels = layout.pixels_per_point();
+  const bool as_image =
+      options.format != PictureFormat::png && options.as_image.value_or(count_marks(pictures) > kMostVectors);
+  Page page(options.format, options.width, layout.height(), pixels);
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    const Placement& at = layout.placements()[k];
+    const Vec<2> size = at.scale.points_per_length * box_of(pictures[k].cell).size();
+    if (as_image) {
+      const ImageLayer image(page.context(), at.left, at.top, size[0], size[1], pixels);
+      draw_packing(image.context(), pictures[k], at);
+    } else {
+      draw_packing(page.context(), pictures[k], at);
+    }
+    draw_cell(page.context(), pictures[k], at);
+  }
+  layout.draw_words(page.context());
+  return page.finish();
+}
+
+}  // namespace floc

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "floc/picture/packing_picture.h"
+#include "floc/picture/picture_format.h"
+
+namespace floc {
+
+/// How packings are laid out on a page. The defaults serve from a hundred to a hundred thousand grains.
+struct SheetOptions {
+  PictureFormat format = PictureFormat::svg;
+  double width = 482.0;  ///< of the page (points); 17 cm, two columns of a journal
+  int columns = 4;       ///< of a film strip, >= 1
+  /// Width of the line of the r.m.s. force, in mean diameters. Forces in granular media are distributed about
+  /// exponentially, so the largest of thousands then have about the width of a grain.
+  double line_width = 0.15;
+  bool same_force_scale = false;  ///< of all pictures of a strip; otherwise each has its own
+  bool bare = false;              ///< no captions and no legend
+  /// Pixels per inch of a png, and of grains and lines that are embedded as an image. Absent: six pixels a mean
+  /// diameter, but at least 200 and a page of at most 3000 pixels a side.
+  std::optional<double> resolution;
+  /// Draw grains and lines of an svg or pdf as an image. Absent: where there are more than 15 000 of them, which as
+  /// vectors would take megabytes. Legend, captions and scale bar are vectors always.
+  std::optional<bool> as_image;
+
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
+};
+
+/// Draws one picture, or several as a film strip with one length scale for all: grains and lines cut at the borders of the
+/// cell, with captions, a legend of what is there, a scale bar in largest diameters and the width of a force.
+/// @return the bytes of the file
+/// @pre options.validate() is empty; there is a picture, and each has a grain.
+std::string draw_sheet(const std::vector<PackingPicture>& pictures, const SheetOptions& options);
+
+}  // namespace floc

@@ -1,0 +1,147 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+
+#include "support/run_arguments.h"
+#include "support/small_run.h"
+
+namespace floc::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+/// The browser's program; empty if it is not installed (.ci/deps installs it).
+std::string browser() {
+  for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+    if (std::system(("command -v " + std::string(name) + " >/dev/null 2>&1").c_str()) == 0) return name;
+  return "";
+}
+
+/// What a browser made of a page.
+struct Seen {
+  std::string document;  ///< after loading and scripts
+  std::string console;   ///< lines that the page wrote to the console, errors among them
+  int n_images = 0;
+  int n_shown = 0;  ///< loaded, with a size of their own
+};
+
+/// Loads a page headless. Pictures are counted by a script added to a copy of it, once all is loaded.
+Seen seen_in_browser(const std::string& page, const std::string& directory) {
+  const std::string script =
+      "<script>addEventListener('load', () => { const all = Array.from(document.images);"
+      "document.body.setAttribute('data-seen', all.length + ' ' +"
+      "all.filter(i => i.complete && i.naturalWidth > 1 && i.getBoundingClientRect().width > 50).length); "
+      "});</script>";
+  write_text(directory + "/looked-at.html", page + script);
+  const Outcome o = run_arguments(
+      browser(), {"--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                  "--user-data-dir=" + directory + "/profile", "--enable-logging=stderr",
+                  "--virtual-time-budget=20000", "--dump-dom", "file://" + directory + "/looked-at.html"});
+  Seen seen;
+  seen.document = o.out;
+  std::istringstream lines(o.err);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("CONSOLE") != std::string::npos) seen.console += line + "\n";
+  std::smatch match;
+  if (std::regex_search(o.out, match, std::regex("data-seen=\"([0-9]+) ([0-9]+)\""))) {
+    seen.n_images = std::stoi(match[1]);
+    seen.n_shown = std::stoi(match[2]);
+  }
+  return seen;
+}
+
+class Report : public SmallRun {
+ protected:
+  static std::string page() {
+    const Outcome o = floc("report run -o report.html --format csv");
+    EXPECT_EQ(o.code, 0) << o.err;
+    return content_of(file("report.html"));
+  }
+};
+
+TEST_F(Report, HoldsEverythingInOneFile) {
+  const std::string html = page();
+  EXPECT_THAT(html, StartsWith("<!DOCTYPE html>"));
+  for (const char* section : {"Warnings", "Force networks", "Plots", "Consolidation", "States",
+                              "Dimensionless groups", "Provenance", "Scene", "kappa", "SHA-256", "protocol = "})
+    EXPECT_THAT(html, HasSubstr(section));
+  // Every address is data within the page, and there is no script to run.
+  const std::regex address("(src|href)=\"([a-z]+:)");
+  int n = 0;
+  for (std::sregex_iterator m(html.begin(), html.end(), address), end; m != end; ++m, ++n)
+    EXPECT_EQ((*m)[2], "data:");
+  EXPECT_EQ(n, 8);  // three pictures, five plots
+  EXPECT_THAT(html, Not(HasSubstr("<script")));
+  EXPECT_TRUE(page() == html);
+}
+
+TEST_F(Report, RefusesWhatIsNoRun) {
+  EXPECT_THAT(floc("report small.toml -o r.html").err, HasSubstr("is no directory"));
+  const Outcome ensemble = floc("report " FLOC_SOURCE_DIR "/data/tables/demo -o r.html");
+  EXPECT_EQ(ensemble.code, 4);
+  EXPECT_THAT(ensemble.err, HasSubstr("holds 8 samples"));
+  EXPECT_THAT(floc("report " FLOC_SOURCE_DIR "/data/tables/demo/seed-1 -o r.html").err,
+              HasSubstr("state-0000.h5"));
+  std::filesystem::copy(file("run"), file("cut"), std::filesystem::copy_options::recursive);
+  std::filesystem::remove(file("cut/state-0008.h5"));
+  EXPECT_THAT(floc("report cut -o r.html").err, HasSubstr("holds 8 states, and path.csv has 9 rows"));
+  write_text(file("cut/state-0008.h5"), "no state");
+  const Outcome broken = floc("report cut -o r.html");
+  EXPECT_EQ(broken.code, 4);
+  EXPECT_THAT(broken.err, HasSubstr("state-0008.h5"));
+  EXPECT_FALSE(exists("r.html"));
+  EXPECT_EQ(floc("report run -o absent/r.html").code, 1);
+}
+
+/// What needs a browser.
+class Browser : public Report {
+ protected:
+  void SetUp() override {
+    if (browser().empty())
+      GTEST_SKIP()
+          << "NOT TESTED: no chromium is installed, so no browser read the report (.ci/deps installs it)";
+  }
+};
+
+TEST_F(Browser, ShowsEveryPictureAndLogsNothing) {
+  const Seen seen = seen_in_browser(page(), file(""));
+  EXPECT_EQ(seen.console, "");
+  EXPECT_EQ(seen.n_images, 8);
+  EXPECT_EQ(seen.n_shown, 8);
+  EXPECT_THAT(seen.document, HasSubstr("Provenance"));
+}
+
+TEST_F(Browser, IsSeenToFailOnABrokenPictureAndAnError) {
+  std::string html = page();
+  const std::string svg = "data:image/svg+xml;charset=utf-8,";
+  html.insert(html.find(svg) + svg.size(), "broken");
+  html += "<script>console.error('heard');</script>";
+  const Seen seen = seen_in_browser(html, file(""));
+  EXPECT_EQ(seen.n_images, 8);
+  EXPECT_EQ(seen.n_shown, 7);
+  EXPECT_THAT(seen.console, HasSubstr("heard"));
+}
+
+TEST_F(Browser, PrintsThePage) {
+  page();
+  const Outcome o =
+      run_arguments(browser(), {"--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                                "--user-data-dir=" + file("profile"), "--print-to-pdf=" + file("report.pdf"),
+                                "file://" + file("report.html")});
+  EXPECT_EQ(o.code, 0);
+  const std::string pdf = content_of(file("report.pdf"));
+  EXPECT_THAT(pdf, StartsWith("%PDF"));
+  // Pages of A4 or letter, more than one, and pictures that are not left out: as vectors they take more than this.
+  const std::regex page_object("/Type ?/Page\\b");
+  EXPECT_GT(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), page_object), std::sregex_iterator()),
+            2);
+  EXPECT_GT(pdf.size(), 100'000u);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,0 +1,129 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "floc/io/state_file.h"
+#include "support/small_run.h"
+#include "support/states.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class Draw : public SmallRun {};
+
+TEST_F(Draw, WritesTheFormatThatTheNameEndsIn) {
+  const std::pair<const char*, const char*> beginnings[] = {
+      {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}, {"a.png", "\x89PNG"}};
+  for (const auto& [name, beginning] : beginnings) {
+    const Outcome o = floc(std::string("draw run/state-0004.h5 -o ") + name);
+    ASSERT_EQ(o.code, 0) << o.err;
+    EXPECT_THAT(content_of(file(name)), StartsWith(beginning));
+    EXPECT_FALSE(exists(std::string(name) + ".part"));
+  }
+}
+
+TEST_F(Draw, TellsWhatIsDrawnAsATable) {
+  const json row = json::parse(floc("draw run/state-0004.h5 -o t.svg --format json").out).at(0);
+  EXPECT_EQ(row.at("file"), "run/state-0004.h5");
+  EXPECT_EQ(row.at("picture"), "t.svg");
+  EXPECT_EQ(row.at("n_grains"), 40);
+  const json network = json::parse(floc("info run/state-0004.h5 --format json").out).at(0);
+  EXPECT_EQ(row.at("n_compression").get<int>() + row.at("n_tension").get<int>() + row.at("n_zero").get<int>(),
+            network.at("n_contacts").get<int>());
+  EXPECT_EQ(row.at("n_distant"), network.at("n_distant"));
+}
+
+TEST_F(Draw, MakesAFilmStripOfAPath) {
+  const Outcome o = floc("draw run -o strip.svg --steps 1,3,7 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json rows = json::parse(o.out);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_THAT(rows[2]["file"].get<std::string>(), HasSubstr("state-0007.h5"));
+  // Without steps four are spread from the first to the last.
+  const json spread = json::parse(floc("draw run -o spread.svg --format json").out);
+  ASSERT_EQ(spread.size(), 4u);
+  EXPECT_THAT(spread[0]["file"].get<std::string>(), HasSubstr("state-0000.h5"));
+  EXPECT_THAT(spread[3]["file"].get<std::string>(), HasSubstr("state-0008.h5"));
+}
+
+TEST_F(Draw, GivesTheSameBytesAgainAndBesideOthers) {
+  ASSERT_EQ(floc("draw run/state-0004.h5 -o one.svg").code, 0);
+  ASSERT_EQ(floc("draw run/state-0003.h5 run/state-0004.h5 -o each/").code, 0);
+  EXPECT_TRUE(content_of(file("one.svg")) == content_of(file("each/state-0004.svg")));
+  EXPECT_TRUE(exists("each/state-0003.svg"));
+}
+
+TEST_F(Draw, WorksInAPipe) {
+  const Outcome o = floc("draw - -o -", content_of(file("run/state-0004.h5")));
+  ASSERT_EQ(o.code, 0) << o.err;
+  ASSERT_EQ(floc("draw run/state-0004.h5 -o one.svg").code, 0);
+  EXPECT_TRUE(o.out == content_of(file("one.svg")));
+  EXPECT_THAT(floc("draw run/state-0004.h5 -o - --as png").out, StartsWith("\x89PNG"));
+}
+
+TEST_F(Draw, ShowsIncrementsPressuresAndChanges) {
+  const json increments =
+      json::parse(floc("draw run/state-0006.h5 -o i.svg --forces increment --format json").out).at(0);
+  EXPECT_GT(increments.at("n_other"), 0);
+  EXPECT_GT(increments.at("n_compression"), 0);
+  EXPECT_EQ(floc("draw run/state-0006.h5 -o d.svg --forces increment --step deviatoric").code, 0);
+  EXPECT_EQ(floc("draw run --steps 2,6 -o p.svg --forces particle-pressure").code, 0);
+  const Outcome o = floc("draw run/state-0001.h5 -o c.svg --compare run/state-0007.h5 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json changes = json::parse(o.out).at(0);
+  const json before = json::parse(floc("info run/state-0001.h5 --format json").out).at(0);
+  const json after = json::parse(floc("info run/state-0007.h5 --format json").out).at(0);
+  const int kept = changes.at("n_other");
+  EXPECT_EQ(kept + changes.at("n_lost").get<int>(), before.at("n_contacts").get<int>());
+  EXPECT_EQ(kept + changes.at("n_gained").get<int>(), after.at("n_contacts").get<int>());
+}
+
+TEST_F(Draw, ReportsABadFileAndDrawsTheOthers) {
+  write_text(file("foreign.h5"), "no state");
+  const Outcome o = floc("draw run/state-0004.h5 foreign.h5 absent.h5 -o some.svg --format json");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, AllOf(HasSubstr("foreign.h5"), HasSubstr("absent.h5")));
+  EXPECT_EQ(json::parse(o.out).size(), 1u);
+  EXPECT_THAT(content_of(file("some.svg")), StartsWith("<?xml"));
+}
+
+TEST_F(Draw, RefusesInWordsWhatItCannotDraw) {
+  write_state(file("spheres.h5"), busy_state<3>());
+  const Outcome spheres = floc("draw spheres.h5 -o s.svg");
+  EXPECT_EQ(spheres.code, 4);
+  EXPECT_THAT(spheres.err, AllOf(HasSubstr("spheres.h5: is 3D"), HasSubstr("floc convert")));
+  EXPECT_FALSE(exists("s.svg"));
+  EXPECT_THAT(floc("draw run/state-0004.h5 -o a.gif").err,
+              HasSubstr("expected a name that ends in .svg, .pdf or .png"));
+  EXPECT_EQ(floc("draw run/state-0004.h5 -o a.gif").code, 4);
+  EXPECT_THAT(floc("draw run/state-0004.h5 -o a.svg --steps 1").err, HasSubstr("--steps"));
+  EXPECT_THAT(floc("draw run -o a.svg --steps 99").err, HasSubstr("state-0099.h5"));
+  EXPECT_THAT(floc("draw run/state-0004.h5 -o a.svg --width 0.5").err, HasSubstr("width"));
+  EXPECT_THAT(floc("draw run/state-0004.h5 -o a.svg --compare spheres.h5").err, HasSubstr("spheres.h5: is 3D"));
+  EXPECT_THAT(floc("draw . -o a.svg").err, HasSubstr("state-0000.h5"));
+  EXPECT_EQ(floc("draw run/state-0004.h5 -o absent/a.svg").code, 1);
+}
+
+TEST_F(Draw, DrawsSkewedCells) {
+  write_state(file("skewed.h5"), busy_state<2>());
+  const Outcome o = floc("draw skewed.h5 -o skewed.svg");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(content_of(file("skewed.svg")), HasSubstr("</svg>"));
+}
+
+TEST_F(Draw, BarePicturesHaveNoLetters) {
+  ASSERT_EQ(floc("draw run/state-0004.h5 -o bare.svg --bare").code, 0);
+  EXPECT_THAT(content_of(file("bare.svg")), Not(HasSubstr("glyph")));
+  ASSERT_EQ(floc("draw run/state-0004.h5 -o full.svg").code, 0);
+  EXPECT_THAT(content_of(file("full.svg")), HasSubstr("glyph"));
+}
+
+}  // namespace
+}  // namespace floc::test

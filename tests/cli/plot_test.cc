@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "support/small_run.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string kDemo = std::string(FLOC_SOURCE_DIR) + "/data/tables/demo";
+
+class PlotCommand : public SmallRun {};
+
+TEST_F(PlotCommand, WritesDataAndScriptFromWhichGnuplotMakesThePictureAgain) {
+  const Outcome o = floc("plot " + kDemo + " -o 'the curve.svg' --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json row = json::parse(o.out).at(0);
+  EXPECT_EQ(row.at("shows"), "consolidation");
+  EXPECT_EQ(row.at("data"), "the curve.dat");
+  const std::string picture = content_of(file("the curve.svg"));
+  EXPECT_THAT(picture, AllOf(HasSubstr("<svg"), HasSubstr("</svg>"), HasSubstr("unloading"), HasSubstr("III")));
+  EXPECT_THAT(content_of(file("the curve.dat")), HasSubstr("# elastic lines: P_star 1/phi"));
+  std::filesystem::remove(file("the curve.svg"));
+  ASSERT_EQ(std::system(("cd '" + file("") + "' && gnuplot 'the curve.gp'").c_str()), 0);
+  EXPECT_TRUE(content_of(file("the curve.svg")) == picture);
+  EXPECT_FALSE(exists("the curve.svg.drawn"));
+}
+
+TEST_F(PlotCommand, GivesTheSameBytesAgainInEveryFormat) {
+  for (const std::string ending : {"svg", "pdf", "png"}) {
+    ASSERT_EQ(floc("plot " + kDemo + " -o one." + ending).code, 0);
+    const std::string first = content_of(file("one." + ending));
+    ASSERT_GT(first.size(), 1000u);
+    EXPECT_THAT(first, ::testing::Not(HasSubstr("/CreationDate (D:")));
+    ASSERT_EQ(floc("plot " + kDemo + " -o one." + ending).code, 0);
+    EXPECT_TRUE(content_of(file("one." + ending)) == first) << ending;
+  }
+}
+
+/// Rows of a block of a data file, each as numbers.
+std::vector<std::vector<double>> block(const std::string& text, const std::string& name) {
+  std::istringstream lines(text.substr(text.find("# " + name)));
+  std::vector<std::vector<double>> rows;
+  std::string line;
+  for (std::getline(lines, line); std::getline(lines, line) && !line.empty();) {
+    std::istringstream numbers(line);
+    rows.emplace_back();
+    for (std::string number; numbers >> number;) rows.back().push_back(std::atof(number.c_str()));
+  }
+  return rows;
+}
+
+TEST_F(PlotCommand, CoordinationGoesUpAndDownThePath) {
+  ASSERT_EQ(floc("plot run -o z.svg --show coordination").code, 0);
+  const std::string data = content_of(file("z.dat"));
+  const auto loading = block(data, "loading"), unloading = block(data, "unloading");
+  // Seven pressures of loading, P = 0 left out; the turn belongs to both.
+  ASSERT_EQ(loading.size(), 7u);
+  ASSERT_EQ(unloading.size(), 2u);
+  EXPECT_EQ(loading.back(), unloading.front());
+  for (const auto& row : loading) EXPECT_NEAR(row[1], row[2] + row[3] + row[4], 1e-12);
+}
+
+TEST_F(PlotCommand, ModuliOfStatesAndOfTheirTableAreTheSame) {
+  ASSERT_EQ(floc("plot run -o states.svg --show moduli").code, 0);
+  const Outcome table = floc("moduli run/state-*.h5 --format csv");
+  const Outcome piped = floc("plot - -o piped.svg --show moduli", table.out);
+  ASSERT_EQ(piped.code, 0) << piped.err;
+  const auto states = block(content_of(file("states.dat")), "loading");
+  const auto rows = block(content_of(file("piped.dat")), "loading");
+  ASSERT_EQ(states.size(), 7u);
+  ASSERT_EQ(rows.size(), 7u);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    // The table has the pressure that the contacts carry, the states the one imposed: within the tolerance of stress.
+    EXPECT_NEAR(rows[i][0], states[i][0], 1e-5);
+    for (std::size_t k = 1; k < 7; ++k) EXPECT_NEAR(rows[i][k] / states[i][k], 1.0, 1e-9) << k;
+  }
+  for (const auto& row : states) {
+    EXPECT_LE(row[4], row[1]);  // Reuss, B
+    EXPECT_LE(row[1], row[5]);  // B, Voigt
+    EXPECT_LE(row[3], row[6]);  // G, Voigt
+  }
+}
+
+TEST_F(PlotCommand, ForceDensitiesHoldAllForces) {
+  const Outcome o = floc("plot run/state-0005.h5 -o f.svg --unit F0 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(json::parse(o.out).at(0).at("shows"), "forces");
+  const json info = json::parse(floc("info run/state-0005.h5 --format json").out).at(0);
+  double n = 0.0;
+  for (const auto& row : block(content_of(file("f.dat")), "P* = ")) n += row[4];
+  EXPECT_EQ(n, info.at("n_contacts").get<double>() + info.at("n_distant").get<double>());
+  for (const std::string kind : {"tangential", "rolling"})
+    EXPECT_EQ(floc("plot run --show forces --steps 2,6 --kind " + kind + " -o f.svg").code, 0) << kind;
+}
+
+TEST_F(PlotCommand, ScatteringIsPlottedAndWhatIsNotFittedIsSaid) {
+  const Outcome o = floc("plot run --show scattering --steps 1,7 -o i.svg");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(content_of(file("i.svg")), HasSubstr("</svg>"));
+  EXPECT_GT(block(content_of(file("i.dat")), "P* = ").size(), 5u);
+}
+
+TEST_F(PlotCommand, BadInputIsNamed) {
+  write_text(file("broken.csv"), "P_star,phi\n0.1,0.5\n0.2,much\n");
+  const Outcome broken = floc("plot broken.csv " + kDemo + "/seed-1 -o some.svg");
+  EXPECT_EQ(broken.code, 4);
+  EXPECT_THAT(broken.err, HasSubstr("broken.csv:3"));
+  EXPECT_THAT(content_of(file("some.svg")), HasSubstr("</svg>"));
+  EXPECT_THAT(floc("plot run -o a.gif").err, HasSubstr("expected a name that ends in .svg, .pdf or .png"));
+  EXPECT_THAT(floc("plot broken.csv -o a.svg --show coordination").err, HasSubstr("z"));
+  EXPECT_EQ(floc("plot broken.csv -o a.svg --show moduli").code, 4);
+  EXPECT_EQ(floc("plot " + kDemo + " -o a.svg --show coordination").code, 4);
+  write_text(file("foreign.h5"), "no state");
+  EXPECT_EQ(floc("plot foreign.h5 -o a.svg").code, 4);
+  EXPECT_EQ(floc("plot run -o absent/a.svg").code, 1);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,0 +1,85 @@
+#include "floc/picture/force_picture.h"
+
+#include <gtest/gtest.h>
+
+#include "floc/elasticity/moduli.h"
+#include "support/lattices.h"
+
+namespace floc {
+namespace {
+
+using test::elastic_law;
+
+/// Three disks; compression of a pair, tension across the border, a distant attraction, a force of zero.
+Packing<2> four_contacts() {
+  Packing<2> packing;
+  packing.law = elastic_law(100.0, 50.0, 0.0);
+  packing.law.adhesion = LawParameters::Adhesion{2.0, 0.1};
+  packing.cell.matrix *= 4.0;
+  packing.grains = Grains<2>::with_size(3);
+  packing.grains.position = {{0.5, 0.5}, {1.5, 0.5}, {3.5, 0.5}};
+  packing.grains.radius.assign(3, 0.5);
+  const auto contact = [](int i, int j, double normal, double shear) {
+    Contact<2> c;
+    c.i = i;
+    c.j = j;
+    c.normal_force = normal;
+    c.shear_force = {0.0, shear};
+    return c;
+  };
+  packing.contacts = {contact(0, 1, 6.0, 8.0), contact(0, 2, -3.0, 0.0), contact(1, 2, -1.0, 0.0),
+                      contact(1, 2, 1e-9, 0.0)};
+  packing.contacts[1].image = {-1, 0};
+  packing.contacts[2].distant = true;
+  return packing;
+}
+
+TEST(EquilibriumForces, LinesJoinCentresAcrossTheBorder) {
+  const PackingPicture picture = equilibrium_forces(four_contacts(), 1e-6);
+  ASSERT_EQ(picture.lines.size(), 4u);
+  EXPECT_EQ(picture.lines[1].from, Vec<2>(0.5, 0.5));
+  EXPECT_EQ(picture.lines[1].to, Vec<2>(-0.5, 0.5));
+}
+
+TEST(EquilibriumForces, KindsGoBySignAndSizesHoldBothComponents) {
+  const PackingPicture picture = equilibrium_forces(four_contacts(), 1e-6);
+  EXPECT_EQ(picture.lines[0].kind, LineKind::compression);
+  EXPECT_EQ(picture.lines[1].kind, LineKind::tension);
+  EXPECT_EQ(picture.lines[2].kind, LineKind::distant);
+  EXPECT_EQ(picture.lines[3].kind, LineKind::zero);
+  // In units of the pull-off force, 2.
+  EXPECT_DOUBLE_EQ(picture.lines[0].force, 5.0);
+  EXPECT_DOUBLE_EQ(picture.lines[1].force, 1.5);
+  EXPECT_EQ(picture.force_unit, "F₀");
+}
+
+TEST(EquilibriumForces, WithoutAdhesionAreMeasuredInTheirMean) {
+  Packing<2> packing = four_contacts();
+  packing.law.adhesion.reset();
+  packing.contacts.resize(1);
+  const PackingPicture picture = equilibrium_forces(packing, 1e-6);
+  EXPECT_DOUBLE_EQ(picture.lines[0].force, 10.0 / 6.0);
+  EXPECT_EQ(picture.force_unit, "⟨F⟩");
+}
+
+TEST(IncrementForces, OfASquareLatticeAreTheStressTimesTheSpacing) {
+  const Packing<2> packing = test::square_frames(2, 1.0, elastic_law(2.0, 0.6, 0.1));
+  const ModuliOptions options;
+  const ContactNetwork<2> network = options.loaded_network(packing);
+  const Moduli moduli = elastic_moduli(packing, options);
+  const auto step = [&](StressStep which) {
+    return increment_forces(packing, network, *step_response(network, moduli.response, which));
+  };
+  const PackingPicture isotropic = step(StressStep::isotropic);
+  ASSERT_EQ(isotropic.lines.size(), 2u);
+  for (const ContactLine& line : isotropic.lines) {
+    EXPECT_EQ(line.kind, LineKind::compression);
+    // A unit of stress on a unit of length, over the diameter, which overlaps by 2 %.
+    EXPECT_NEAR(line.force, 1.0 / 1.02, 1e-12);
+  }
+  const PackingPicture deviatoric = step(StressStep::deviatoric);
+  EXPECT_NE(deviatoric.lines[0].kind, deviatoric.lines[1].kind);
+}
+
+}  // namespace
+}  // namespace floc

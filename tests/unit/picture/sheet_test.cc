@@ -1,0 +1,214 @@
+#include "floc/picture/sheet.h"
+
+#include <cairo.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "floc/packing/tile.h"
+#include "floc/picture/force_picture.h"
+#include "floc/picture/palette.h"
+#include "support/network_packings.h"
+
+namespace floc {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+/// The pixels of a png.
+class Pixels {
+ public:
+  explicit Pixels(const std::string& png) {
+    std::pair<const std::string*, std::size_t> source{&png, 0};
+    surface_ = cairo_image_surface_create_from_png_stream(read, &source);
+    EXPECT_EQ(cairo_surface_status(surface_), CAIRO_STATUS_SUCCESS);
+  }
+  ~Pixels() { cairo_surface_destroy(surface_); }
+  Pixels(const Pixels&) = delete;
+  Pixels& operator=(const Pixels&) = delete;
+
+  int width() const { return cairo_image_surface_get_width(surface_); }
+  int height() const { return cairo_image_surface_get_height(surface_); }
+  int rgb(int x, int y) const {
+    std::uint32_t pixel = 0;
+    std::memcpy(&pixel,
+                cairo_image_surface_get_data(surface_) + y * cairo_image_surface_get_stride(surface_) + 4 * x,
+                4);
+    return static_cast<int>(pixel & 0xFFFFFF);
+  }
+  /// Mean of (255 - grey)/255 over all pixels: 0 white, 1 black.
+  double ink() const {
+    double sum = 0.0;
+    for (int y = 0; y < height(); ++y)
+      for (int x = 0; x < width(); ++x) {
+        const int c = rgb(x, y);
+        sum += 1.0 - ((c >> 16 & 255) + (c >> 8 & 255) + (c & 255)) / 765.0;
+      }
+    return sum / (static_cast<double>(width()) * height());
+  }
+
+ private:
+  static cairo_status_t read(void* source, unsigned char* data, unsigned int length) {
+    auto& [bytes, place] = *static_cast<std::pair<const std::string*, std::size_t>*>(source);
+    if (place + length > bytes->size()) return CAIRO_STATUS_READ_ERROR;
+    std::memcpy(data, bytes->data() + place, length);
+    place += length;
+    return CAIRO_STATUS_SUCCESS;
+  }
+  cairo_surface_t* surface_;
+};
+
+int rgb_of(const Color& c) {
+  const auto byte = [](double x) { return static_cast<int>(std::lround(255.0 * x)); };
+  return byte(c.red) << 16 | byte(c.green) << 8 | byte(c.blue);
+}
+
+/// Four disks on a square, of diameter 1 in a cell of side 4, and two lines along x: at y = 1 of force 2, at y = 3 of
+/// force 1.
+PackingPicture two_lines() {
+  PackingPicture picture;
+  picture.cell.matrix *= 4.0;
+  picture.position = {{1.0, 1.0}, {3.0, 1.0}, {1.0, 3.0}, {3.0, 3.0}};
+  picture.radius.assign(4, 0.5);
+  picture.lines = {{{1.0, 1.0}, {3.0, 1.0}, LineKind::compression, 2.0},
+                   {{1.0, 3.0}, {3.0, 3.0}, LineKind::tension, 1.0}};
+  return picture;
+}
+
+/// 410 points wide with margins of five: 100 points a length; one pixel a point.
+SheetOptions plain_png() {
+  SheetOptions options;
+  options.format = PictureFormat::png;
+  options.width = 410.0;
+  options.resolution = 72.0;
+  options.bare = true;
+  return options;
+}
+
+int count_in_column(const Pixels& pixels, int x, const Color& color) {
+  int n = 0;
+  for (int y = 0; y < pixels.height(); ++y) n += pixels.rgb(x, y) == rgb_of(color);
+  return n;
+}
+
+TEST(Sheet, WidthsOfLinesAreProportionalToForces) {
+  const Pixels pixels(draw_sheet({two_lines()}, plain_png()));
+  ASSERT_EQ(pixels.width(), 410);
+  ASSERT_EQ(pixels.height(), 410);
+  // 0.15 diameters of 100 pixels for the r.m.s. force; pixels at the edges are mixed.
+  const double rms = std::sqrt(2.5);
+  EXPECT_NEAR(count_in_column(pixels, 205, palette::kCompression), 15.0 * 2.0 / rms, 2.0);
+  EXPECT_NEAR(count_in_column(pixels, 205, palette::kTension), 15.0 * 1.0 / rms, 2.0);
+  // y goes up: the line at y = 1 is below.
+  EXPECT_EQ(pixels.rgb(205, 305), rgb_of(palette::kCompression));
+  EXPECT_EQ(pixels.rgb(205, 105), rgb_of(palette::kTension));
+}
+
+TEST(Sheet, PeriodicCopiesAreDrawnAndCutAtTheBorder) {
+  PackingPicture picture = two_lines();
+  picture.position = {{0.0, 0.0}};
+  picture.radius = {0.5};
+  picture.lines = {{{3.5, 2.0}, {4.5, 2.0}, LineKind::compression, 1.0}};
+  const Pixels pixels(draw_sheet({picture}, plain_png()));
+  // A quarter of the disk in every corner, nothing in the middle.
+  for (const int x : {8, 401})
+    for (const int y : {8, 401}) EXPECT_EQ(pixels.rgb(x, y), rgb_of(palette::kGrain)) << x << ' ' << y;
+  EXPECT_EQ(pixels.rgb(205, 305), 0xFFFFFF);
+  // The line leaves at the right and comes in at the left.
+  EXPECT_EQ(pixels.rgb(380, 205), rgb_of(palette::kCompression));
+  EXPECT_EQ(pixels.rgb(30, 205), rgb_of(palette::kCompression));
+  // Nothing but white beyond the border.
+  for (int k = 0; k < 410; ++k)
+    for (const int edge : {0, 2, 407, 409}) {
+      EXPECT_EQ(pixels.rgb(edge, k), 0xFFFFFF);
+      EXPECT_EQ(pixels.rgb(k, edge), 0xFFFFFF);
+    }
+}
+
+TEST(Sheet, DoesNotDependOnTheCopyAGrainIsGivenIn) {
+  PackingPicture moved = two_lines();
+  moved.position[0] += Vec<2>(4.0, -8.0);
+  moved.lines[1].from += Vec<2>(-4.0, 4.0);
+  moved.lines[1].to += Vec<2>(-4.0, 4.0);
+  EXPECT_TRUE(draw_sheet({two_lines()}, plain_png()) == draw_sheet({moved}, plain_png()));
+}
+
+TEST(Sheet, RepeatedDrawingsAreTheSameBytesInEveryFormat) {
+  for (const PictureFormat format : {PictureFormat::svg, PictureFormat::pdf, PictureFormat::png}) {
+    SheetOptions options;
+    options.format = format;
+    EXPECT_TRUE(draw_sheet({two_lines()}, options) == draw_sheet({two_lines()}, options));
+  }
+  SheetOptions pdf;
+  pdf.format = PictureFormat::pdf;
+  EXPECT_THAT(draw_sheet({two_lines()}, pdf), Not(HasSubstr("CreationDate")));
+}
+
+TEST(Sheet, FormatsAreWhatTheyAreCalled) {
+  SheetOptions options;
+  EXPECT_THAT(draw_sheet({two_lines()}, options), StartsWith("<?xml"));
+  options.format = PictureFormat::pdf;
+  EXPECT_THAT(draw_sheet({two_lines()}, options), StartsWith("%PDF"));
+  options.format = PictureFormat::png;
+  EXPECT_THAT(draw_sheet({two_lines()}, options), StartsWith("\x89PNG"));
+}
+
+TEST(Sheet, AStripHasOneLengthScale) {
+  PackingPicture half = two_lines();
+  half.cell.matrix *= 0.5;
+  half.position.resize(1);
+  half.radius.resize(1);
+  half.lines.clear();
+  SheetOptions options = plain_png();
+  options.width = 10.0 + 2 * 400.0 + 12.0;
+  const Pixels pixels(draw_sheet({two_lines(), half}, options));
+  EXPECT_EQ(pixels.height(), 410);
+  // The second, of half the side, stands at the upper left of its column.
+  const auto grey = rgb_of(palette::kGrain);
+  EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 100), grey);
+  EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 300), 0xFFFFFF);
+}
+
+/// Contacts of random disks, in as many copies as give about n grains.
+PackingPicture many(int n) {
+  const Packing<2> packing = test::random_packing<2>(100, 3, test::elastic_law(1.0, 0.5, 0.0), 1.2);
+  const int side = static_cast<int>(std::lround(std::sqrt(n / 100.0)));
+  return equilibrium_forces(tiled<2>(packing, {side, side}), 0.0);
+}
+
+TEST(Sheet, FewGrainsAreVectorsAndManyAreAnImage) {
+  const std::string few = draw_sheet({many(400)}, {});
+  EXPECT_THAT(few, Not(HasSubstr("data:image/png")));
+  EXPECT_LT(few.size(), 500'000u);
+  const std::string image = draw_sheet({many(10'000)}, {});
+  EXPECT_THAT(image, HasSubstr("data:image/png"));
+  EXPECT_LT(image.size(), 6'000'000u);
+}
+
+TEST(Sheet, AHundredThousandGrainsAreNoBlackSquare) {
+  SheetOptions options;
+  options.format = PictureFormat::png;
+  const Pixels dense(draw_sheet({many(100'000)}, options));
+  const Pixels sparse(draw_sheet({many(100)}, options));
+  // As light as a hundred grains of the same kind, to what outlines are worth.
+  EXPECT_NEAR(dense.ink(), sparse.ink(), 0.05);
+  EXPECT_LT(dense.ink(), 0.4);
+  EXPECT_LE(std::max(dense.width(), dense.height()), 3000);
+}
+
+TEST(SheetOptions, FaultsAreNamedWithTheirValue) {
+  SheetOptions options;
+  EXPECT_TRUE(options.validate().empty());
+  options.columns = 0;
+  options.line_width = -1.0;
+  EXPECT_THAT(options.validate(),
+              ::testing::ElementsAre(HasSubstr("columns = 0"), HasSubstr("line width = -1")));
+}
+
+}  // namespace
+}  // namespace floc

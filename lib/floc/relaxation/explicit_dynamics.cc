@@ -18,16 +18,13 @@ namespace {
 /// A list that lives fewer steps than this costs more in rebuilding than a wider skin costs in idle pairs; one that
 /// lives longer than the other carries idle pairs for nothing (measured at N = 1400: a rebuild costs about 15 steps).
 constexpr int kShortListLife = 60;
-constexpr int kLongListLife = 400;
+constexpr int kLongListLife = 250;
+constexpr double kThinnestSkin = 1e-3;  // of the largest diameter
 
 /// The same contact seen from the other grain.
 template <int Dim>
 NeighborPair<Dim> swapped(const NeighborPair<Dim>& p) {
   return {p.j, p.i, -p.image};
-}
-
-bool turns(const AnyContactLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return Law::kHasFriction; }, law);
 }
 
 }  // namespace
@@ -45,7 +42,7 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const CellC
       skin_(settings.skin),
       threads_(settings.threads),
       largest_(2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end())),
-      grains_(packing.grains, space_order(packing.cell, packing.grains), turns(law_)),
+      grains_(packing.grains, space_order(packing.cell, packing.grains)),
       side_(packing.cell.matrix.diagonal()),
       side_rate_(packing.cell.velocity.diagonal()),
       strain_rate_(side_rate_.cwiseQuotient(side_)) {
@@ -91,10 +88,15 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
         if (thread == 0) rebuild_list();
         barrier.wait();
       }
-      for (int b = first; b < last; ++b) compute_pairs(b, dt_);
-      barrier.wait();
-      for (int b = first; b < last; ++b) sum_and_kick(b, 0.5 * dt_);
-      barrier.wait();
+      if (threads == 1) {
+        // Pairs belong to their lower grain: a block's rows stand in it and in those before it, still in the cache.
+        for (int b = first; b < last; ++b) compute_pairs(b, dt_), sum_and_kick(b, 0.5 * dt_);
+      } else {
+        for (int b = first; b < last; ++b) compute_pairs(b, dt_);
+        barrier.wait();
+        for (int b = first; b < last; ++b) sum_and_kick(b, 0.5 * dt_);
+        barrier.wait();
+      }
       if (thread == 0) end_step(motion);
     }
   }
@@ -151,13 +153,14 @@ void ExplicitDynamics<Dim>::kick_and_drift(int block) {
   kernels_.kick_and_drift(grain_arrays_, block * kGrainBlock, kick_over(0.5 * dt_), drift, sums_[block]);
 }
 
-/// Nothing outside the list can interact while the affine shrinking and twice the largest displacement relative to it
-/// eat less than the skin.
+/// The list has carried idle pairs for long, or something outside it might interact: nothing can while the affine
+/// shrinking and twice the largest displacement relative to it eat less than the skin.
 template <int Dim>
 bool ExplicitDynamics<Dim>::list_is_stale() const {
   double squared = 0.0;
   for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.displacement_squared);
   const double shrink = std::max(0.0, 1.0 - list_stretch_.minCoeff());
+  if (steps_since_list_ > kLongListLife && skin_ > kThinnestSkin * largest_) return true;
   return 2.0 * std::sqrt(squared) + shrink * (largest_ + range_ + skin_) >= skin_;
 }
 
@@ -165,7 +168,7 @@ template <int Dim>
 void ExplicitDynamics<Dim>::adapt_skin() {
   if (pairs_.size() == 0 || steps_since_list_ == 0) return;
   if (steps_since_list_ < kShortListLife) skin_ = std::min(1.3 * skin_, 0.5 * largest_);
-  if (steps_since_list_ > kLongListLife) skin_ = std::max(0.7 * skin_, 1e-3 * largest_);
+  if (steps_since_list_ > kLongListLife) skin_ = std::max(0.7 * skin_, kThinnestSkin * largest_);
 }
 
 template <int Dim>
@@ -236,7 +239,6 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
 /// Forces of the present positions and velocities, histories untouched but for their caps.
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
-  for (int b = 0; b < n_blocks(); ++b) kernels_.write_records(grain_arrays_, b * kGrainBlock);
   for (int b = 0; b < n_blocks(); ++b) compute_pairs(b, 0.0);
   for (int b = 0; b < n_blocks(); ++b) sum_and_kick(b, 0.0);
 }

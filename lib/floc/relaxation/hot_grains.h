@@ -9,7 +9,8 @@
 namespace floc {
 
 /// The grains as the force loop reads them: one array a component, in the order of a space-filling curve. The
-/// arrays are padded to whole blocks of kGrainBlock with grains that nothing moves.
+/// arrays are padded with grains that nothing moves: to whole blocks of kGrainBlock, and by what a window on the last
+/// grain reaches beyond it.
 template <int Dim>
 struct HotGrains {
   using Component = std::vector<double>;
@@ -23,10 +24,8 @@ struct HotGrains {
   Component angle;
   Component radius, mass, inertia;
   Component inverse_mass, inverse_inertia;
-  Component record;  ///< what pairs read of each grain, see record_size()
 
-  /// @param turns  the grains can turn
-  HotGrains(const Grains<Dim>& grains, const std::vector<int>& order, bool turns);
+  HotGrains(const Grains<Dim>& grains, const std::vector<int>& order);
 
   int size() const { return static_cast<int>(index.size()); }
   void copy_positions_to(Grains<Dim>& grains) const;
@@ -35,17 +34,16 @@ struct HotGrains {
 };
 
 template <int Dim>
-HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& order, bool turns) : index(order) {
+HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& order) : index(order) {
   static_assert(Dim == 2, "orientations in 3D are not integrated yet");
   const std::size_t n = order.size();
-  const std::size_t padded = (n + kGrainBlock - 1) / kGrainBlock * kGrainBlock;
+  const std::size_t padded = (n + kGrainBlock - 1) / kGrainBlock * kGrainBlock + kWindow;
   for (auto* component : {&angle, &radius, &mass, &inertia, &inverse_mass, &inverse_inertia})
     component->assign(padded, 0.0);
   for (auto* vector : {&x, &v, &force})
     for (auto& component : *vector) component.assign(padded, 0.0);
   for (auto* vector : {&spin, &torque})
     for (auto& component : *vector) component.assign(padded, 0.0);
-  record.assign(record_size(turns) * padded, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
     const int i = order[k];
     for (int a = 0; a < Dim; ++a) {
@@ -84,7 +82,6 @@ GrainArrays<Dim> HotGrains<Dim>::arrays(const std::array<Component, Dim>& x_list
   out.inverse_mass = inverse_mass.data();
   out.inertia = inertia.data();
   out.inverse_inertia = inverse_inertia.data();
-  out.record = record.data();
   return out;
 }
 

@@ -14,11 +14,12 @@ HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::
   end_of_i_.assign(n_grains, 0);
   std::visit(
       [&]<class Law>(const Law& law) {
-        record_size_ = record_size(Law::kHasFriction);
         row_bytes_ = static_cast<int>(sizeof(double)) * row_size(Law::kHasFriction);
         std::size_t next = 0;
         for (int i = 0; i < n_grains; ++i) {
           if (i % kGrainBlock == 0) pad_block();
+          if (const int filled = size() % kPairPadding; filled != 0 && i - i_[size() - filled] >= kWindow)
+            fill_pack();
           first_of_i_[i] = size();
           for (; next < pairs.size() && pairs[next].i == i; ++next) {
             const int j = pairs[next].j;
@@ -38,24 +39,30 @@ HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::
 
 template <int Dim>
 void HotPairs<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping) {
-  record_i_.push_back(key.i * record_size_);
-  record_j_.push_back(key.j * record_size_);
+  i_.push_back(key.i);
+  j_.push_back(key.j);
   for (int a = 0; a < Dim; ++a) image_[a].push_back(key.image[a]);
   radii_.push_back(radius_i + radius_j);
   share_i_.push_back(radius_i / (radius_i + radius_j));
   damping_.push_back(damping);
 }
 
-/// Ends a block, if one was begun, and begins the next.
+/// Completes the pack that was begun, if any.
 template <int Dim>
-void HotPairs<Dim>::pad_block() {
+void HotPairs<Dim>::fill_pack() {
   while (size() % kPairPadding != 0) {
-    const int record = record_i_.back();
-    record_i_.push_back(record);
-    record_j_.push_back(record);
+    const int grain = i_.back();
+    i_.push_back(grain);
+    j_.push_back(grain);
     for (int a = 0; a < Dim; ++a) image_[a].push_back(1.0);
     for (Component* component : {&radii_, &share_i_, &damping_}) component->push_back(0.0);
   }
+}
+
+/// Ends a block, if one was begun, and begins the next.
+template <int Dim>
+void HotPairs<Dim>::pad_block() {
+  fill_pack();
   first_of_block_.push_back(size());
 }
 
@@ -90,8 +97,8 @@ void HotPairs<Dim>::inherit(const HotPairs& old) {
 template <int Dim>
 PairArrays<Dim> HotPairs<Dim>::arrays() {
   PairArrays<Dim> out;
-  out.record_i = record_i_.data();
-  out.record_j = record_j_.data();
+  out.i = i_.data();
+  out.j = j_.data();
   for (int a = 0; a < Dim; ++a) out.image[a] = image_[a].data();
   out.radii = radii_.data();
   out.share_i = share_i_.data();

@@ -47,11 +47,11 @@ class HotPairs {
            const std::vector<double>& mass, const AnyContactLaw& law, double time_step);
 
   /// Pairs and padding.
-  int size() const { return static_cast<int>(record_i_.size()); }
+  int size() const { return static_cast<int>(i_.size()); }
   bool padding(int p) const { return radii_[p] == 0.0; }
   int first_of_block(int b) const { return first_of_block_[b]; }
-  int i(int p) const { return record_i_[p] / record_size_; }
-  int j(int p) const { return record_j_[p] / record_size_; }
+  int i(int p) const { return i_[p]; }
+  int j(int p) const { return j_[p]; }
   NeighborPair<Dim> key(int p) const;
   double radii(int p) const { return radii_[p]; }
   /// Where a pair stands, -1 where it is not in the list.
@@ -65,13 +65,13 @@ class HotPairs {
  private:
   void add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping);
   void pad_block();
+  void fill_pack();
   void plan_sums(int n_grains);
   int plan_block(int block, int n_grains, const std::vector<int>& first_row);
   void plan_crossings();
 
-  int record_size_ = 0;
   int row_bytes_ = 0;
-  std::vector<int> record_i_, record_j_;
+  std::vector<int> i_, j_;
   std::array<Component, Dim> image_;
   Component radii_, share_i_, damping_, row_;
   std::vector<int> first_of_block_;

@@ -2,6 +2,9 @@
 
 namespace floc {
 
+/// Neighbouring doubles that one register of the widest set holds.
+inline constexpr int kWindow = 8;
+
 /// Vector instructions the force loop is compiled for. All give the same bits: lanes are independent, sums have a
 /// fixed order, nothing is fused.
 enum class InstructionSet {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "floc/relaxation/instruction_set.h"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -86,17 +88,37 @@ struct Pack {
   }
 };
 
-/// Reads and writes packs of records, that is of neighbouring doubles that belong to one grain or pair.
+/// Reads numbers from scattered places, and writes records: neighbouring doubles that belong to one pair.
 template <class Isa>
 struct Records {
   using P = Pack<Isa>;
 
-  /// a[l], b[l] = base[offset[l]], the next double after it.
-  static void load_two(const double* base, const int* offset, P& a, P& b) {
-    const typename P::Vector even = every_second(base, offset);
-    const typename P::Vector odd = every_second(base, offset + 1);
-    a = P(low_halves(even, odd));
-    b = P(high_halves(even, odd));
+  /// base[place[l]] in lane l.
+  static P gather(const double* base, const int* place) {
+    P out;
+#if defined(__x86_64__)
+    // With a mask, since the plain forms read a register that nothing was written to.
+    if constexpr (P::kWidth == 8) {
+      const __m256i index = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(place));
+      out.v = _mm512_mask_i32gather_pd(_mm512_setzero_pd(), 0xff, index, base, 8);
+      return out;
+    }
+#endif
+    for (int l = 0; l < P::kWidth; ++l) out.v[l] = base[place[l]];
+    return out;
+  }
+
+  /// The same for places that ascend by less than kWindow in all: one load and a shuffle instead of as many loads as
+  /// lanes.
+  static P gather_window(const double* base, const int* place) {
+    if constexpr (P::kWidth == kWindow) {
+      typedef int Ints __attribute__((vector_size(4 * P::kWidth)));
+      Ints places;
+      __builtin_memcpy(&places, place, sizeof(Ints));
+      return P(__builtin_shuffle(P::load(base + place[0]).v,
+                                 __builtin_convertvector(places - place[0], typename P::Bits)));
+    }
+    return gather(base, place);
   }
 
   /// base[stride * l] = a[l], and b[l] after it.
@@ -110,32 +132,6 @@ struct Records {
  private:
   using Vector = typename P::Vector;
   using Two = VectorOf<2>::Type;
-
-  static Two two(const double* from) {
-    Two t;
-    __builtin_memcpy(&t, from, sizeof(Two));
-    return t;
-  }
-
-  /// The records at offset[0], offset[2], ..., two doubles each.
-  static Vector every_second(const double* base, const int* offset) {
-    const Two first = two(base + offset[0]);
-    if constexpr (P::kWidth == 2) {
-      return first;
-    }
-#if defined(__x86_64__)
-    // Spelled out because the compiler's own concatenation takes twice the shuffles.
-    if constexpr (P::kWidth == 4) {
-      return _mm256_insertf128_pd(_mm256_castpd128_pd256(first), two(base + offset[2]), 1);
-    }
-    if constexpr (P::kWidth == 8) {
-      __m512d all = _mm512_castpd128_pd512(first);
-      all = _mm512_insertf64x2(all, two(base + offset[2]), 1);
-      all = _mm512_insertf64x2(all, two(base + offset[4]), 2);
-      return _mm512_insertf64x2(all, two(base + offset[6]), 3);
-    }
-#endif
-  }
 
   static Vector low_halves(const Vector& a, const Vector& b) {
     if constexpr (P::kWidth == 2) {

@@ -17,10 +17,6 @@ inline constexpr int kPairPadding = 8;
 /// Grains of a block that are summed side by side.
 inline constexpr int kSumGroup = 8;
 
-/// Doubles of the record of a grain that the pairs read: x, y, v_x, v_y, and with friction its spin, one idle.
-constexpr int record_size(bool turns) {
-  return turns ? 6 : 4;
-}
 /// Doubles of the row that a pair writes: force on j, and with friction the moments on i and on j.
 constexpr int row_size(bool turns) {
   return turns ? 4 : 2;
@@ -36,16 +32,15 @@ struct GrainArrays {
   double *spin, *torque, *angle;
   const double *mass, *inverse_mass, *inertia, *inverse_inertia;
   const double* x_list[Dim];  ///< positions when the list was built
-  double* record;
 };
 
 /// The pairs of all blocks, each block's padded by pairs that do not interact.
 template <int Dim>
 struct PairArrays {
-  const int *record_i, *record_j;  ///< where the grains' records begin (doubles)
-  const double* image[Dim];        ///< in sides of the cell
-  const double* radii;             ///< Ri + Rj
-  const double* share_i;           ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
+  const int *i, *j;          ///< grains; those of i ascend, by less than kWindow in kPairPadding pairs
+  const double* image[Dim];  ///< in sides of the cell
+  const double* radii;       ///< Ri + Rj
+  const double* share_i;     ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
   const double* damping;
   double *shear, *roll;  ///< springs, null where the law has none
   double* row;           ///< one more than there are pairs: the last stays zero
@@ -99,7 +94,6 @@ template <int Dim>
 struct StepKernels {
   void (*kick_and_drift)(const GrainArrays<Dim>&, int first_grain, const Kick<Dim>&, const Drift<Dim>&,
                          BlockSums<Dim>&);
-  void (*write_records)(const GrainArrays<Dim>&, int first_grain);
   /// Rows and springs of the pairs [first, last). @param law  the composed law, of the alternative chosen
   void (*compute_pairs)(const void* law, const GrainArrays<Dim>&, const PairArrays<Dim>&, int first, int last,
                         const PairCell<Dim>&);

@@ -14,7 +14,6 @@ template <class Isa, int Dim, bool kTurns>
 struct GrainKernels {
   static_assert(Dim == 2, "orientations in 3D are not integrated yet");
   static constexpr int kRow = row_size(kTurns);
-  static constexpr int kRecord = record_size(kTurns);
   using P = Pack<Isa>;
   using Row = typename VectorOf<kRow>::Type;
 
@@ -49,17 +48,6 @@ struct GrainKernels {
     sums.displacement_squared = 0.0;
     for (int l = 0; l < P::kWidth; ++l)
       if (sums.displacement_squared < largest.v[l]) sums.displacement_squared = largest.v[l];
-    write_records(grains, begin);
-  }
-
-  static void write_records(const GrainArrays<Dim>& grains, int begin) {
-    for (int k = begin; k < begin + kGrainBlock; k += P::kWidth) {
-      double* const record = grains.record + static_cast<std::ptrdiff_t>(kRecord) * k;
-      Records<Isa>::store_two(record, kRecord, P::load(grains.x[0] + k), P::load(grains.x[1] + k));
-      Records<Isa>::store_two(record + Dim, kRecord, P::load(grains.v[0] + k), P::load(grains.v[1] + k));
-      if constexpr (kTurns)
-        Records<Isa>::store_two(record + 2 * Dim, kRecord, P::load(grains.spin + k), P(0.0));
-    }
   }
 
   [[gnu::flatten]] static void sum_and_kick(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs,
@@ -151,7 +139,6 @@ template <class Isa, int Dim, class Law>
 struct PairKernel {
   static constexpr bool kTurns = Law::kHasFriction;
   static constexpr int kRow = row_size(kTurns);
-  static constexpr int kRecord = record_size(kTurns);
   using P = Pack<Isa>;
   using V = Vec<Dim, P>;
 
@@ -159,28 +146,45 @@ struct PairKernel {
                                        const PairArrays<Dim>& pairs, int first, int last,
                                        const PairCell<Dim>& cell) {
     const Law law = *static_cast<const Law*>(any_law);  // a copy that no store of the loop can alias
-    for (int p = first; p < last; p += P::kWidth) compute_pack(law, grains, pairs, p, cell);
+    Approach approach[kChunk];
+    for (int p = first; p < last;) {
+      const int n_packs = (last - p < kChunk * P::kWidth ? last - p : kChunk * P::kWidth) / P::kWidth;
+      for (int k = 0; k < n_packs; ++k) approach[k] = look(grains, pairs, p + k * P::kWidth, cell);
+      for (int k = 0; k < n_packs; ++k, p += P::kWidth) respond(law, approach[k], pairs, p);
+    }
   }
 
  private:
+  /// Packs whose geometry is found before their forces: each half is short enough for several packs to be under way at
+  /// once, where one long chain of operations would be waited for.
+  static constexpr int kChunk = 8;
+
+  struct Approach {
+    V n;
+    P arm_i, arm_j;
+    ContactMotion<Dim, P> motion;
+  };
+
   struct Seen {
     V x, v;
     Spin<Dim, P> spin;
   };
 
-  static Seen look(const double* record, const int* offset) {
+  template <class Gather>
+  static Seen see(const GrainArrays<Dim>& grains, const int* grain, Gather gather) {
     Seen seen;
-    Records<Isa>::load_two(record, offset, seen.x[0], seen.x[1]);
-    Records<Isa>::load_two(record + Dim, offset, seen.v[0], seen.v[1]);
-    P idle;
-    if constexpr (kTurns) Records<Isa>::load_two(record + 2 * Dim, offset, seen.spin[0], idle);
+    for (int a = 0; a < Dim; ++a) {
+      seen.x[a] = gather(grains.x[a], grain);
+      seen.v[a] = gather(grains.v[a], grain);
+    }
+    if constexpr (kTurns) seen.spin[0] = gather(grains.spin, grain);
     return seen;
   }
 
-  static void compute_pack(const Law& law, const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, int p,
-                           const PairCell<Dim>& cell) {
-    const Seen i = look(grains.record, pairs.record_i + p);
-    const Seen j = look(grains.record, pairs.record_j + p);
+  static Approach look(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, int p,
+                       const PairCell<Dim>& cell) {
+    const Seen i = see(grains, pairs.i + p, Records<Isa>::gather_window);
+    const Seen j = see(grains, pairs.j + p, Records<Isa>::gather);
     V r, affine;
     for (int a = 0; a < Dim; ++a) {
       r[a] = (j.x[a] - i.x[a]) + P::load(pairs.image[a] + p) * P(cell.side[a]);
@@ -190,17 +194,24 @@ struct PairKernel {
     const V n = r * (P(1.0) / distance);
     const V centres = (j.v - i.v) + affine;
 
-    ContactMotion<Dim, P> motion{distance - P::load(pairs.radii + p), n.dot(centres), P(0.0),
-                                 Shear<Dim, P>::Zero(), Spin<Dim, P>::Zero()};
-    if constexpr (Law::kHasDamping) motion.damping = P::load(pairs.damping + p);
-    const P arm_i = P::load(pairs.share_i + p) * distance;
-    const P arm_j = distance - arm_i;
+    Approach a;
+    a.n = n;
+    a.arm_i = P::load(pairs.share_i + p) * distance;
+    a.arm_j = distance - a.arm_i;
+    a.motion = {distance - P::load(pairs.radii + p), n.dot(centres), P(0.0), Shear<Dim, P>::Zero(),
+                Spin<Dim, P>::Zero()};
     if constexpr (kTurns) {
       // Velocity of j's surface point against i's: both turn their surfaces the same way round.
-      const V surfaces = centres - cross<P>(Spin<Dim, P>(arm_i * i.spin + arm_j * j.spin), n);
-      motion.slip = P(cell.slip_time) * to_shear<P>(n, surfaces);
-      motion.relative_turn = P(cell.slip_time) * (i.spin - j.spin);
+      const V surfaces = centres - cross<P>(Spin<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), n);
+      a.motion.slip = P(cell.slip_time) * to_shear<P>(n, surfaces);
+      a.motion.relative_turn = P(cell.slip_time) * (i.spin - j.spin);
     }
+    return a;
+  }
+
+  static void respond(const Law& law, const Approach& a, const PairArrays<Dim>& pairs, int p) {
+    ContactMotion<Dim, P> motion = a.motion;
+    if constexpr (Law::kHasDamping) motion.damping = P::load(pairs.damping + p);
     ContactHistory<Law, Dim, P> history;
     if constexpr (Law::kHasFriction) history.shear[0] = P::load(pairs.shear + p);
     if constexpr (Law::kHasRolling) history.roll[0] = P::load(pairs.roll + p);
@@ -208,13 +219,13 @@ struct PairKernel {
     if constexpr (Law::kHasFriction) history.shear[0].store(pairs.shear + p);
     if constexpr (Law::kHasRolling) history.roll[0].store(pairs.roll + p);
 
-    V on_j = (f.normal.force() + f.viscous) * n;
+    V on_j = (f.normal.force() + f.viscous) * a.n;
     double* const row = pairs.row + static_cast<std::ptrdiff_t>(kRow) * p;
     if constexpr (kTurns) {
-      const V shear = from_shear<P>(n, f.shear);
+      const V shear = from_shear<P>(a.n, f.shear);
       on_j -= shear;
-      const P unit = moment<P>(n, shear)[0];
-      Records<Isa>::store_two(row + Dim, kRow, arm_i * unit - f.rolling[0], arm_j * unit + f.rolling[0]);
+      const P unit = moment<P>(a.n, shear)[0];
+      Records<Isa>::store_two(row + Dim, kRow, a.arm_i * unit - f.rolling[0], a.arm_j * unit + f.rolling[0]);
     }
     Records<Isa>::store_two(row, kRow, on_j[0], on_j[1]);
   }
@@ -226,7 +237,6 @@ struct StepKernelTable;
 template <class Isa, class... Law>
 struct StepKernelTable<Isa, std::variant<Law...>> {
   static constexpr StepKernels<2> kTable[] = {{&GrainKernels<Isa, 2, Law::kHasFriction>::kick_and_drift,
-                                               &GrainKernels<Isa, 2, Law::kHasFriction>::write_records,
                                                &PairKernel<Isa, 2, Law>::compute,
                                                &GrainKernels<Isa, 2, Law::kHasFriction>::sum_and_kick}...};
 };

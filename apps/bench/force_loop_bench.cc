@@ -5,15 +5,21 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <tuple>
+#include <variant>
 
 #include "floc/assembly/gas.h"
 #include "floc/elasticity/stability.h"
+#include "floc/neighbors/space_order.h"
 #include "floc/packing/tile.h"
 #include "floc/relaxation/dynamics.h"
+#include "floc/relaxation/hot_grains.h"
+#include "floc/relaxation/hot_pairs.h"
 #include "floc/relaxation/relaxer.h"
 
 namespace floc {
@@ -48,13 +54,15 @@ CellControl<2> pressed(const Packing<2>& packing) {
 }
 
 /// A gas compressed to equilibrium under P = 10 F0/a, that is P/K_N = 1e-4.
-Packing<2> relaxed_from_gas(int n, const LawParameters& law) {
+Packing<2> relaxed_from_gas(int n, const LawParameters& law, double cell_mass) {
   GrainOptions grains;
   grains.count = n;
   grains.diameter.min = 0.5;
   grains.diameter.max = 1.0;
   RandomStream random(1, 1);
-  Relaxer<2> relaxer(relaxation(), make_gas<2>(grains, law, 0.36, random), Vec<2>::Constant(10.0));
+  RelaxationOptions options = relaxation();
+  options.cell_mass = cell_mass;
+  Relaxer<2> relaxer(options, make_gas<2>(grains, law, 0.36, random), Vec<2>::Constant(10.0));
   while (relaxer.advance() == RelaxationStatus::running) continue;
   return relaxer.packing();
 }
@@ -65,7 +73,7 @@ const Packing<2>& dense(int n, int physics, bool adhesive) {
   const auto [entry, is_new] = made.try_emplace({n, physics, adhesive});
   Packing<2>& packing = entry->second;
   if (!is_new) return packing;
-  if (n == kUnit) return packing = relaxed_from_gas(n, law_of(physics, adhesive));
+  if (n == kUnit) return packing = relaxed_from_gas(n, law_of(physics, adhesive), 1.0);
   const int across = static_cast<int>(std::sqrt(static_cast<double>(n) / kUnit));
   return packing =
              tiled<2>(dense(kUnit, physics, adhesive), {across, (n + across * kUnit - 1) / (across * kUnit)});
@@ -92,6 +100,54 @@ void force_loop(benchmark::State& state) {
   state.counters["peak_MB"] = peak_megabytes();
 }
 
+/// Processor time of the passes of a step, as shares, and of a new list of pairs, in steps; the packing stays where it is.
+void passes(benchmark::State& state) {
+  const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
+  const AnyContactLaw law = compose_law(packing.law);
+  const void* const composed = std::visit([](const auto& l) { return static_cast<const void*>(&l); }, law);
+  HotGrains<2> grains(packing.grains, space_order(packing.cell, packing.grains));
+  const auto x_list = grains.x;
+  Grains<2> ordered = Grains<2>::with_size(grains.size());
+  grains.copy_positions_to(ordered);
+  std::copy_n(grains.radius.begin(), grains.size(), ordered.radius.begin());
+  const auto new_pairs = [&] {
+    return HotPairs<2>(find_pairs(packing.cell, ordered, 0.005), ordered.radius, grains.mass, law, 1e-4);
+  };
+  HotPairs<2> pairs = new_pairs();
+  const StepKernels<2>& kernels = step_kernels(widest_instruction_set(), law.index());
+  const GrainArrays<2> g = grains.arrays(x_list);
+  const PairArrays<2> p = pairs.arrays();
+  const PairCell<2> cell{{packing.cell.matrix(0, 0), packing.cell.matrix(1, 1)}, {0.0, 0.0}, 0.0};
+  const Kick<2> kick{0.0, {1.0, 1.0}, {1.0, 1.0}};
+  const Drift<2> drift{0.0, {1.0, 1.0}, {0.0, 0.0}, {1.0, 1.0}};
+  BlockSums<2> sums;
+  const int n_blocks = (grains.size() + kGrainBlock - 1) / kGrainBlock;
+  double seconds[4] = {};
+  const auto clocked = [&](double& total, const auto& pass) {
+    const std::clock_t start = std::clock();
+    for (int k = 0; k < 200; ++k)
+      for (int b = 0; b < n_blocks; ++b) pass(b);
+    total += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / 200;
+  };
+  for (auto _ : state) {
+    clocked(seconds[0], [&](int b) { kernels.kick_and_drift(g, b * kGrainBlock, kick, drift, sums); });
+    clocked(seconds[1], [&](int b) {
+      kernels.compute_pairs(composed, g, p, pairs.first_of_block(b), pairs.first_of_block(b + 1), cell);
+    });
+    clocked(seconds[2],
+            [&](int b) { kernels.sum_and_kick(g, p, pairs.plan(b), b * kGrainBlock, cell, kick, sums); });
+    const std::clock_t start = std::clock();
+    benchmark::DoNotOptimize(new_pairs());
+    seconds[3] += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  }
+  const double step = seconds[0] + seconds[1] + seconds[2];
+  state.counters["drift"] = seconds[0] / step;
+  state.counters["pairs"] = seconds[1] / step;
+  state.counters["sums"] = seconds[2] / step;
+  state.counters["list_in_steps"] = seconds[3] / step;
+}
+BENCHMARK(passes)->ArgName("grains")->Arg(kUnit)->Arg(100000)->Unit(benchmark::kMillisecond);
+
 constexpr int kWidest = static_cast<int>(InstructionSet::avx512);
 
 void sizes(benchmark::internal::Benchmark* b) {
@@ -108,11 +164,13 @@ void sizes(benchmark::internal::Benchmark* b) {
 }
 BENCHMARK(force_loop)->Apply(sizes)->MeasureProcessCPUTime()->Unit(benchmark::kMicrosecond);
 
-/// From the gas to equilibrium under P/K_N = 1e-4 with friction, to the default tolerance.
+/// From the gas to equilibrium under P/K_N = 1e-4 with friction, to the default tolerance, by the mass of the cell: one as
+/// heavy as its grains bounces on them for four times as long as one of a tenth.
 void gas_to_equilibrium(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(relaxed_from_gas(kUnit, law_of(kFriction, false)));
+  const double cell_mass = 0.01 * static_cast<double>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(relaxed_from_gas(kUnit, law_of(kFriction, false), cell_mass));
 }
-BENCHMARK(gas_to_equilibrium)->Unit(benchmark::kSecond);
+BENCHMARK(gas_to_equilibrium)->ArgName("cell_mass_percent")->Arg(10)->Arg(100)->Unit(benchmark::kSecond);
 
 void stability(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFrictionAndRolling, true);

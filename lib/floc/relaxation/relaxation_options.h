@@ -6,11 +6,12 @@
 
 namespace floc {
 
-/// How a relaxation ends once motion has stopped.
+/// What finds the equilibrium.
 enum class Finish {
-  automatic,  ///< power control, then the static polisher where it succeeds
-  dynamic,    ///< power control only
-  statics,    ///< the static polisher is tried at once, dynamics where it fails
+  automatic,  ///< Newton steps from the state before where dynamics could end nowhere else; otherwise dynamics until
+              ///< motion has stopped, power control, and Newton steps where they succeed
+  dynamic,  ///< dynamics and power control only
+  statics,  ///< as automatic, but any equilibrium that Newton steps find at once is taken
 };
 
 /// Numerical settings of a relaxation. Stresses, rates and masses are in the scene's units unless said.

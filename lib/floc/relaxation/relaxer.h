@@ -40,8 +40,8 @@ struct RelaxationReport {
   double decay_rate = 0.0;  ///< of the force residual (1/time); positive when it falls
 };
 
-/// Takes a packing to equilibrium under a diagonal stress: dynamics until motion has stopped, power control, then the
-/// static polisher. State to state in stretches of a fixed number of time steps; between two of them packing and
+/// Takes a packing to equilibrium under a diagonal stress: by Newton steps where nothing rearranges, else by dynamics
+/// until motion has stopped, power control, then Newton steps (see Finish). State to state in stretches of a fixed number of time steps; between two of them packing and
 /// progress are the whole truth, so a run that is stopped there and continued gives the same bits.
 template <int Dim>
 class Relaxer {
@@ -67,7 +67,8 @@ class Relaxer {
   RelaxationStatus judge_finish();
   bool polish();
   bool solved_at_once();
-  bool accept(const StaticSolution<Dim>& solution, const char* ending);
+  bool is_equilibrium(const StaticSolution<Dim>& solution) const;
+  void take(const StaticSolution<Dim>& solution, const char* ending);
 
   RelaxationOptions options_;
   Packing<Dim> packing_;

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/balance.h"
@@ -18,12 +21,17 @@ RelaxationOptions options() {
   return o;
 }
 
-Packing<2> relaxed(const Packing<2>& start, double pressure) {
-  Relaxer<2> relaxer(options(), start, Vec<2>::Constant(pressure));
+/// The relaxer at the end of its way.
+Relaxer<2> run_to_end(const RelaxationOptions& with, const Packing<2>& start, double pressure) {
+  Relaxer<2> relaxer(with, start, Vec<2>::Constant(pressure));
   RelaxationStatus status = RelaxationStatus::running;
   while (status == RelaxationStatus::running) status = relaxer.advance();
   EXPECT_EQ(status, RelaxationStatus::converged) << relaxer.report().blocking;
-  return relaxer.packing();
+  return relaxer;
+}
+
+Packing<2> relaxed(const Packing<2>& start, double pressure) {
+  return run_to_end(options(), start, pressure).packing();
 }
 
 /// One equilibrium that several claims are checked on.
@@ -61,10 +69,45 @@ TEST(Relaxer, ContinuedFromItsProgressGivesTheSameBits) {
 }
 
 TEST(Relaxer, ASmallIncrementIsNotEquilibriumBeforeTheCellHasMoved) {
-  const Packing<2> after = relaxed(equilibrium(), 0.11);
+  RelaxationOptions by_motion = options();
+  by_motion.finish = Finish::dynamic;
+  by_motion.tolerance.stress = 1e-6;
+  const Packing<2> after = run_to_end(by_motion, equilibrium(), 0.11).packing();
   const Mat<2> stress = static_stress(after);
   EXPECT_NEAR(stress(0, 0), 0.11, 1e-6);
   EXPECT_NEAR(stress(1, 1), 0.11, 1e-6);
+}
+
+TEST(Relaxer, AStaticStepEndsWhereMotionEnds) {
+  const Relaxer<2> at_once = run_to_end(options(), equilibrium(), 0.1005);
+  EXPECT_EQ(at_once.report().ending, "static");
+  EXPECT_EQ(at_once.progress().n_steps, 0);
+  RelaxationOptions by_motion = options();
+  by_motion.finish = Finish::dynamic;
+  by_motion.tolerance.force = by_motion.tolerance.moment = by_motion.tolerance.stress = 1e-8;
+  const Relaxer<2> moved = run_to_end(by_motion, equilibrium(), 0.1005);
+  EXPECT_GT(moved.progress().n_steps, 0);
+  const auto& contacts = at_once.packing().contacts;
+  ASSERT_EQ(contacts.size(), moved.packing().contacts.size());
+  double largest_change = 0.0;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact<2>&p = contacts[k], &q = moved.packing().contacts[k];
+    ASSERT_EQ(std::tie(p.i, p.j), std::tie(q.i, q.j));
+    // Forces of the order of 1; 1e-8 on grains leaves some 1e-6 on contacts in the softest directions.
+    EXPECT_NEAR(p.normal_force, q.normal_force, 1e-5);
+    EXPECT_NEAR((p.shear_force - q.shear_force).norm(), 0.0, 1e-5);
+    largest_change =
+        std::max(largest_change, std::abs(p.normal_force - equilibrium().contacts[k].normal_force));
+  }
+  EXPECT_GT(largest_change, 1e-3);
+}
+
+TEST(Relaxer, LeavesToMotionWhereItsVibrationsSlideOrTheSceneWantsNoNewton) {
+  const Relaxer<2> sliding = run_to_end(options(), equilibrium(), 0.2);
+  EXPECT_GT(sliding.progress().n_steps, 0);
+  RelaxationOptions any = options();
+  any.finish = Finish::statics;
+  EXPECT_EQ(run_to_end(any, equilibrium(), 0.2).report().ending, "static");
 }
 
 TEST(Relaxer, SaysWhichCriterionBlocks) {

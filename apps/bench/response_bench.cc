@@ -51,6 +51,7 @@ void renumber(Packing<Dim>& packing) {
   const std::vector<int> order = space_order(packing.cell, packing.grains);
   std::vector<int> place(order.size());
   Grains<Dim> grains = packing.grains;
+  grains.position_low.clear();
   for (int k = 0; k < static_cast<int>(order.size()); ++k) {
     place[order[k]] = k;
     grains.position[k] = packing.grains.position[order[k]];

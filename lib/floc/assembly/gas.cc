@@ -201,11 +201,12 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
 template <int Dim>
 void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   Grains<Dim>& g = packing.grains;
+  const double heaviest = *std::max_element(g.mass.begin(), g.mass.end());
   Vec<Dim> momentum = Vec<Dim>::Zero();
   double mass = 0.0;
   for (int i = 0; i < g.size(); ++i) {
-    // Maxwell's distribution: every grain has the same mean energy.
-    for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i]);
+    // Maxwell's distribution: every grain has the same mean energy. Mass over mass, for no unit to enter its root.
+    for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i] / heaviest);
     momentum += g.mass[i] * g.velocity[i];
     mass += g.mass[i];
   }

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -30,6 +31,13 @@ std::optional<T> parse_number(std::string_view text) {
     if (!std::isfinite(value)) return std::nullopt;
   }
   return value;
+}
+
+/// The whole number that a real one is; nothing if it has a fraction or does not fit.
+inline std::optional<std::int64_t> whole_number(double value) {
+  constexpr double kBeyond = 9223372036854775808.0;  // 2^63
+  if (!(value >= -kBeyond && value < kBeyond) || value != std::floor(value)) return std::nullopt;
+  return static_cast<std::int64_t>(value);
 }
 
 }  // namespace floc

@@ -14,7 +14,10 @@
 namespace floc {
 
 struct UnsymmetricFactor::Factors {
-  Eigen::SparseMatrix<double> matrix;  // refinement needs it
+  Eigen::SparseMatrix<double> matrix;  // times `unit`; refinement needs it
+  /// Power of two that brings the largest entry to 1: UMFPACK rounds otherwise where rows are below 1e-12, and a solution
+  /// would depend on the units.
+  double unit = 1.0;
   void* symbolic = nullptr;
   void* numeric = nullptr;
   double reciprocal_condition = 0.0;
@@ -67,6 +70,9 @@ bool UnsymmetricFactor::factorize(const Eigen::SparseMatrix<double>& matrix) {
   if (f.matrix.cols() == 0) return true;
   if (!std::all_of(values, values + f.matrix.nonZeros(), [](double v) { return std::isfinite(v); }))
     return false;
+  const double largest = f.matrix.nonZeros() == 0 ? 0.0 : f.matrix.coeffs().cwiseAbs().maxCoeff();
+  f.unit = largest > 0.0 ? std::exp2(-std::ilogb(largest)) : 1.0;
+  f.matrix *= f.unit;
   if (!keep_ordering) f.analyse();
 
   std::array<double, UMFPACK_INFO> info{};
@@ -87,8 +93,9 @@ Eigen::VectorXd UnsymmetricFactor::solve(const Eigen::VectorXd& b) const {
   assert(b.size() == f.matrix.rows() && (f.numeric != nullptr || b.size() == 0));
   Eigen::VectorXd x(b.size());
   if (b.size() == 0) return x;
+  const Eigen::VectorXd load = f.unit * b;
   umfpack_di_solve(UMFPACK_A, f.matrix.outerIndexPtr(), f.matrix.innerIndexPtr(), f.matrix.valuePtr(), x.data(),
-                   b.data(), f.numeric, f.control.data(), nullptr);
+                   load.data(), f.numeric, f.control.data(), nullptr);
   return x;
 }
 

@@ -12,10 +12,9 @@ constexpr double kAtCap = 1.0 - 1e-12;
 
 template <class Law, int Dim>
 void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
-  const Vec<Dim> r = branch(packing, c);
-  const double distance = r.norm();
-  c.gap = distance - (packing.grains.radius[c.i] + packing.grains.radius[c.j]);
-  c.normal = r / distance;
+  const TwoPartVec<Dim> r = exact_branch(packing, c);
+  c.gap = surface_gap<Dim>(r, packing.grains.radius[c.i], packing.grains.radius[c.j]);
+  c.normal = rounded<Dim>(r).normalized();
 
   ContactHistory<Law, Dim> history;
   if constexpr (Law::kHasFriction) history.shear = c.shear_spring;

@@ -1,8 +1,23 @@
 #include "floc/packing/packing.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace floc {
+
+template <int Dim>
+void Grains<Dim>::set_centres(const std::vector<TwoPartVec<Dim>>& centres) {
+  position.clear();
+  position_low.clear();
+  for (const TwoPartVec<Dim>& x : centres) {
+    Vec<Dim>& high = position.emplace_back();
+    Vec<Dim>& low = position_low.emplace_back();
+    for (int a = 0; a < Dim; ++a) high[a] = x[a].high, low[a] = x[a].low;
+  }
+  if (std::all_of(position_low.begin(), position_low.end(),
+                  [](const Vec<Dim>& low) { return low.isZero(0.0); }))
+    position_low.clear();
+}
 
 template <int Dim>
 double solid_fraction(const Packing<Dim>& packing) {
@@ -13,13 +28,22 @@ double solid_fraction(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact) {
-  return packing.grains.position[contact.j] + packing.cell.shift(contact.image) -
-         packing.grains.position[contact.i];
+TwoPartVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  return difference<Dim>(displaced<Dim>(packing.grains.centre(contact.j), packing.cell, contact.image),
+                         packing.grains.centre(contact.i));
 }
 
+template <int Dim>
+Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  return rounded<Dim>(exact_branch(packing, contact));
+}
+
+template struct Grains<2>;
+template struct Grains<3>;
 template double solid_fraction(const Packing<2>&);
 template double solid_fraction(const Packing<3>&);
+template TwoPartVec<2> exact_branch(const Packing<2>&, const Contact<2>&);
+template TwoPartVec<3> exact_branch(const Packing<3>&, const Contact<3>&);
 template Vec<2> branch(const Packing<2>&, const Contact<2>&);
 template Vec<3> branch(const Packing<3>&, const Contact<3>&);
 

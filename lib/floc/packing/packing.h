@@ -9,6 +9,7 @@
 #include "floc/base/vec.h"
 #include "floc/contact/law_parameters.h"
 #include "floc/geometry/cell.h"
+#include "floc/geometry/separation.h"
 #include "floc/packing/contact.h"
 
 namespace floc {
@@ -30,6 +31,8 @@ inline Orientation<Dim> no_rotation() {
 template <int Dim>
 struct Grains {
   std::vector<Vec<Dim>> position;  ///< centre (length), inside the cell in a saved state
+  /// What the centre lies beside `position`, less than half a unit in its last place (length); empty: on it.
+  std::vector<Vec<Dim>> position_low;
   std::vector<Vec<Dim>> velocity;  ///< peculiar: without the affine part of the cell (length/time)
   std::vector<double> radius;      ///< (length)
   std::vector<double> mass;        ///< (mass)
@@ -50,6 +53,12 @@ struct Grains {
     return g;
   }
 
+  TwoPartVec<Dim> centre(int i) const {
+    return two_part<Dim>(position[i], position_low.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : position_low[i]);
+  }
+  /// Keeps the second parts only if there is one that is not zero.
+  void set_centres(const std::vector<TwoPartVec<Dim>>& centres);
+
   /// Moment of inertia: m d^2/8 of a disk, m d^2/10 of a sphere.
   double inertia(int i) const { return mass[i] * radius[i] * radius[i] * (Dim == 2 ? 0.5 : 0.4); }
 };
@@ -68,6 +77,10 @@ template <int Dim>
 double solid_fraction(const Packing<Dim>& packing);
 
 /// Branch of a contact: vector from the centre of i to the image of j that it touches.
+template <int Dim>
+TwoPartVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
+
+/// The same, rounded: right to the last digit of each component.
 template <int Dim>
 Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 

@@ -69,18 +69,19 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
   const Vec<Dim> factor = copies.template cast<double>();
   out.cell.matrix = factor.asDiagonal() * packing.cell.matrix;
   out.cell.velocity = factor.asDiagonal() * packing.cell.velocity;
-  repeat(out.grains.position, n_tiles);
   repeat(out.grains.velocity, n_tiles);
   repeat(out.grains.radius, n_tiles);
   repeat(out.grains.mass, n_tiles);
   repeat(out.grains.orientation, n_tiles);
   repeat(out.grains.angular_velocity, n_tiles);
   out.contacts.clear();
+  std::vector<TwoPartVec<Dim>> centres;
   for (int t = 0; t < n_tiles; ++t) {
-    const Vec<Dim> shift = packing.cell.shift(place_of<Dim>(t, copies));
-    for (int i = 0; i < n; ++i) out.grains.position[t * n + i] += shift;
+    for (int i = 0; i < n; ++i)
+      centres.push_back(displaced<Dim>(packing.grains.centre(i), packing.cell, place_of<Dim>(t, copies)));
     for (const Contact<Dim>& c : packing.contacts) out.contacts.push_back(placed(c, t, n, copies));
   }
+  out.grains.set_centres(centres);
   std::sort(out.contacts.begin(), out.contacts.end(), precedes<Dim>);
   return out;
 }

@@ -47,6 +47,7 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const CellC
       side_rate_(packing.cell.velocity.diagonal()),
       strain_rate_(side_rate_.cwiseQuotient(side_)) {
   origin_.contacts.clear();
+  origin_.grains.position_low.clear();  // motion is followed in one part: it ends at the rounding of that
   sums_.resize(n_blocks());
   rebuild_list();
   load_histories(packing);
@@ -301,8 +302,11 @@ template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times) {
   const Grains<Dim>& g = packing.grains;
   double shortest = std::numeric_limits<double>::infinity();
+  // Springs across the contact vibrate faster than those along it where they are stiffer.
+  const double stiffest =
+      std::max(packing.law.normal_stiffness, packing.law.friction ? packing.law.friction->stiffness : 0.0);
   for (int i = 0; i < g.size(); ++i) {
-    shortest = std::min(shortest, std::sqrt(g.mass[i] / packing.law.normal_stiffness));
+    shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
     // Rolling is stable to 1.7 times the step in units of its own period that vibration allows (measured).
     if (packing.law.rolling)
       shortest = std::min(shortest, 1.7 * std::sqrt(g.inertia(i) / packing.law.rolling->stiffness));

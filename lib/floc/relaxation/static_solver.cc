@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <variant>
@@ -24,7 +25,7 @@ constexpr double kHold = 1e-10;
 /// A configuration: where the grains are, how far the surfaces slipped and turned since the start, and the
 /// residual there.
 struct Configuration {
-  std::vector<Vec<2>> position;
+  std::vector<TwoPartVec<2>> centre;
   std::vector<double> angle;
   Vec<2> side;
   std::vector<double> slip, turn;  ///< of each candidate contact
@@ -61,7 +62,7 @@ class StaticProblem {
 
   Configuration initial() const {
     Configuration c;
-    c.position = start_.grains.position;
+    for (int i = 0; i < n_grains(); ++i) c.centre.push_back(start_.grains.centre(i));
     c.angle = start_.grains.orientation;
     c.side = start_.cell.matrix.diagonal();
     c.slip.assign(candidates_.size(), 0.0);
@@ -73,19 +74,29 @@ class StaticProblem {
   int n_grains() const { return start_.grains.size(); }
   int order() const { return 3 * n_grains() + 2; }
 
+  /// Residual of the stress that the sides, which are kept as one double each, cannot be set below: that of a strain of
+  /// one rounding, at most two stiffnesses K_N large in a disk packing.
+  double rounding_of_stress() const {
+    return 2.0 * std::numeric_limits<double>::epsilon() * law_.repulsion.normal_stiffness * scale_.length /
+           scale_.force;
+  }
+
   /// The configuration after a displacement of all unknowns, and the largest relative displacement it gives a
   /// contact.
-  Configuration moved(const Configuration& from, const Eigen::VectorXd& step) const {
+  Configuration moved(const Configuration& from, Eigen::VectorXd step) const {
     Configuration to = from;
-    const Vec<2> strain = step.tail<2>() / scale_.length;
-    to.side = from.side.cwiseProduct(Vec<2>::Ones() + strain);
+    const Vec<2> asked = step.tail<2>() / scale_.length;
+    to.side = from.side + from.side.cwiseProduct(asked);
+    const Vec<2> strain = (to.side - from.side).cwiseQuotient(from.side);  // of the sides as they are rounded
+    step.tail<2>() = strain * scale_.length;
     for (int i = 0; i < n_grains(); ++i) {
-      to.position[i] += from.position[i].cwiseProduct(strain) + step.segment<2>(3 * i);
+      for (int a = 0; a < 2; ++a)
+        to.centre[i][a] = from.centre[i][a] + exact_sum(from.centre[i][a].high * strain[a], step[3 * i + a]);
       to.angle[i] += step[3 * i + 2] / start_.grains.radius[i];
     }
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       const Contact<2>& c = candidates_[k];
-      const Vec<2> r = branch_of(to, c);
+      const Vec<2> r = rounded<2>(branch_of(to, c));
       const double distance = r.norm();
       const double arm_i = distance * share_i(c);
       const double turn_i = step[3 * c.i + 2] / start_.grains.radius[c.i];
@@ -101,8 +112,7 @@ class StaticProblem {
   double largest_relative_displacement(const Configuration& at, const Eigen::VectorXd& step) const {
     double largest = 0.0;
     for (const Contact<2>& c : candidates_) {
-      if (branch_of(at, c).norm() < radii(c) + law_.range())
-        largest = std::max(largest, relative_displacement(at, c, step).norm());
+      if (gap_of(at, c) < law_.range()) largest = std::max(largest, relative_displacement(at, c, step).norm());
     }
     return largest / scale_.length;
   }
@@ -138,18 +148,17 @@ class StaticProblem {
       respond(at, k, history);
       if constexpr (Law::kHasFriction) c.shear_spring = history.shear;
       if constexpr (Law::kHasRolling) c.rolling_spring = history.roll;
-      for (int a = 0; a < 2; ++a)
-        c.image[a] += static_cast<int>(std::floor(at.position[c.j][a] / at.side[a])) -
-                      static_cast<int>(std::floor(at.position[c.i][a] / at.side[a]));
+      c.image += inward(at, c.i) - inward(at, c.j);
       out.contacts.push_back(c);
     }
+    std::vector<TwoPartVec<2>> centres;
     for (int i = 0; i < n_grains(); ++i) {
       out.grains.velocity[i].setZero();
       out.grains.angular_velocity[i].setZero();
       out.grains.orientation[i] = at.angle[i];
-      for (int a = 0; a < 2; ++a)
-        out.grains.position[i][a] = at.position[i][a] - std::floor(at.position[i][a] / at.side[a]) * at.side[a];
+      centres.push_back(displaced<2>(at.centre[i], out.cell, inward(at, i)));
     }
+    out.grains.set_centres(centres);
     refresh_contacts(out);
     return out;
   }
@@ -158,14 +167,29 @@ class StaticProblem {
   double radii(const Contact<2>& c) const { return start_.grains.radius[c.i] + start_.grains.radius[c.j]; }
   double share_i(const Contact<2>& c) const { return start_.grains.radius[c.i] / radii(c); }
 
-  Vec<2> branch_of(const Configuration& at, const Contact<2>& c) const {
-    return at.position[c.j] + c.image.template cast<double>().cwiseProduct(at.side) - at.position[c.i];
+  /// Image that brings a grain into the cell.
+  Vec<2, int> inward(const Configuration& at, int i) const {
+    Vec<2, int> image;
+    for (int a = 0; a < 2; ++a) image[a] = -static_cast<int>(std::floor(at.centre[i][a].high / at.side[a]));
+    return image;
+  }
+
+  TwoPartVec<2> branch_of(const Configuration& at, const Contact<2>& c) const {
+    TwoPartVec<2> r = difference<2>(at.centre[c.j], at.centre[c.i]);
+    for (int a = 0; a < 2; ++a)
+      if (c.image[a] != 0) r[a] = r[a] + exact_product(c.image[a], at.side[a]);
+    return r;
+  }
+
+  double gap_of(const Configuration& at, const Contact<2>& c) const {
+    return surface_gap<2>(branch_of(at, c), start_.grains.radius[c.i], start_.grains.radius[c.j]);
   }
 
   Vec<2> relative_displacement(const Configuration& at, const Contact<2>& c,
                                const Eigen::VectorXd& step) const {
     const Vec<2> strain = step.tail<2>() / scale_.length;
-    return step.segment<2>(3 * c.j) - step.segment<2>(3 * c.i) + strain.cwiseProduct(branch_of(at, c));
+    return step.segment<2>(3 * c.j) - step.segment<2>(3 * c.i) +
+           strain.cwiseProduct(rounded<2>(branch_of(at, c)));
   }
 
   std::array<int, kLocal> local_dofs(const Contact<2>& c) const {
@@ -176,8 +200,7 @@ class StaticProblem {
     const Contact<2>& c = candidates_[k];
     if constexpr (Law::kHasFriction) history.shear = c.shear_spring;
     if constexpr (Law::kHasRolling) history.roll = c.rolling_spring;
-    const ContactMotion<2> motion{branch_of(at, c).norm() - radii(c), 0.0, 0.0, Shear<2>(at.slip[k]),
-                                  Spin<2>(at.turn[k])};
+    const ContactMotion<2> motion{gap_of(at, c), 0.0, 0.0, Shear<2>(at.slip[k]), Spin<2>(at.turn[k])};
     return law_.respond(motion, history);
   }
 
@@ -188,9 +211,10 @@ class StaticProblem {
     const std::vector<double>& radius = start_.grains.radius;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       const Contact<2>& c = candidates_[k];
-      const Vec<2> r = branch_of(at, c);
+      const double gap = gap_of(at, c);
+      if (gap >= law_.range()) continue;
+      const Vec<2> r = rounded<2>(branch_of(at, c));
       const double distance = r.norm();
-      if (distance >= radii(c) + law_.range()) continue;
       const Vec<2> n = r / distance;
       ContactHistory<Law, 2> history;
       const ContactForces<2> f = respond(at, k, history);
@@ -201,7 +225,7 @@ class StaticProblem {
       at.residual[3 * c.i + 2] += per_radius * f.shear[0] - f.rolling[0] / radius[c.i];
       at.residual[3 * c.j + 2] += per_radius * f.shear[0] + f.rolling[0] / radius[c.j];
       at.residual.tail<2>() -= on_i.cwiseProduct(r) / scale_.length;
-      at.n_contacts += distance < radii(c);
+      at.n_contacts += gap < 0.0;
       at.n_yielding += yields(f);
     }
     measure(at);
@@ -235,9 +259,10 @@ class StaticProblem {
   /// f = -F n + S t, and df = -dF n - (F/r)(t.dr) t + dS t - (S/r)(t.dr) n.
   LocalMatrix local_stiffness(const Configuration& at, std::size_t k) const {
     const Contact<2>& c = candidates_[k];
-    const Vec<2> r = branch_of(at, c);
+    const double gap = gap_of(at, c);
+    if (gap >= law_.range()) return LocalMatrix::Zero();
+    const Vec<2> r = rounded<2>(branch_of(at, c));
     const double distance = r.norm();
-    if (distance >= radii(c) + law_.range()) return LocalMatrix::Zero();
     const Vec<2> n = r / distance;
     const Vec<2> t = tangent<double>(n);
     ContactHistory<Law, 2> history;
@@ -245,29 +270,29 @@ class StaticProblem {
     const double radius_i = start_.grains.radius[c.i];
     const double radius_j = start_.grains.radius[c.j];
     const double per_radius = distance / radii(c);
-    const double elastic_stiffness = law_.repulsion.stiffness(distance - radii(c));
+    const double elastic_stiffness = law_.repulsion.stiffness(gap);
 
     // Derivatives by (dr_x, dr_y, angle_i * R_i, angle_j * R_j).
     using Row = Eigen::Matrix<double, 1, 4>;
-    const Row gap(n[0], n[1], 0.0, 0.0);
+    const Row along(n[0], n[1], 0.0, 0.0);
     const Row across(t[0], t[1], 0.0, 0.0);
     Row shear = Row::Zero(), rolling = Row::Zero();
     if constexpr (Law::kHasFriction) {
       if (slides(f))
-        shear = -std::copysign(law_.friction.coefficient * elastic_stiffness, f.shear[0]) * gap;
+        shear = -std::copysign(law_.friction.coefficient * elastic_stiffness, f.shear[0]) * along;
       else if (f.normal.elastic > 0.0)
         shear = law_.friction.tangential_stiffness * (across - Row(0.0, 0.0, per_radius, per_radius));
     }
     if constexpr (Law::kHasRolling) {
       if (rolls(f))
-        rolling = -std::copysign(law_.rolling.coefficient * elastic_stiffness, f.rolling[0]) * gap;
+        rolling = -std::copysign(law_.rolling.coefficient * elastic_stiffness, f.rolling[0]) * along;
       else if (f.normal.elastic > 0.0)
         rolling = law_.rolling.rolling_stiffness * Row(0.0, 0.0, 1.0 / radius_i, -1.0 / radius_j);
     }
-    Eigen::Matrix<double, 2, 4> force = n * (f.normal.stiffness * gap) -
+    Eigen::Matrix<double, 2, 4> force = n * (f.normal.stiffness * along) -
                                         t * (f.normal.force() / distance * across) + t * shear -
                                         n * (f.shear[0] / distance * across);
-    const Row arm = per_radius * shear + f.shear[0] / radii(c) * gap;
+    const Row arm = per_radius * shear + f.shear[0] / radii(c) * along;
 
     Eigen::Matrix<double, kLocal, 4> rows;  // minus the derivative of each equation
     rows.row(0) = -force.row(0);
@@ -306,7 +331,8 @@ StaticSolution<2> solve(const Packing<2>& start, const Law& law, const Vec<2>& t
   UnsymmetricFactor factor;
   StaticSolution<2> solution;
   double travelled = 0.0;
-  for (; now.worst > options.target; ++solution.iterations) {
+  const double target_residual = std::max(options.target, problem.rounding_of_stress());
+  for (; now.worst > target_residual; ++solution.iterations) {
     if (solution.iterations == options.max_iterations) {
       solution.reason = "no convergence within the iterations allowed";
       break;
@@ -345,7 +371,7 @@ StaticSolution<2> solve(const Packing<2>& start, const Law& law, const Vec<2>& t
     }
     now = std::move(next);
   }
-  solution.converged = now.worst <= options.target;
+  solution.converged = now.worst <= target_residual;
   solution.residual = now.worst;
   solution.packing = problem.packing(now);
   return solution;

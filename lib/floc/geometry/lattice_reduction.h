@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "floc/geometry/separation.h"
+
+namespace floc {
+
+/// The same lattice by shorter vectors: row a of `cell.matrix` is the sum over b of combination(a, b) times lattice vector b
+/// of the cell it was made from.
+template <int Dim>
+struct ReducedLattice {
+  Cell<Dim> cell;
+  Mat<Dim, std::int64_t> combination = Mat<Dim, std::int64_t>::Identity();
+  bool is_original = true;
+
+  /// Image in the original lattice that displaces as `image` does in this one.
+  Vec<Dim, std::int64_t> original(const Vec<Dim, int>& image) const {
+    return combination.transpose() * image.template cast<std::int64_t>();
+  }
+};
+
+/// Reduction of Lagrange and Gauss, pair by pair in 3D: each vector is shortened by whole multiples of the others until none
+/// gets shorter. A search of neighbours that goes by the widths of the cell then stays short however slanted it is given.
+/// Lattices of short vectors are left as they are.
+template <int Dim>
+ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
+  ReducedLattice<Dim> lattice{cell};
+  std::array<TwoPartVec<Dim>, Dim> row;
+  for (int a = 0; a < Dim; ++a) row[a] = two_part<Dim>(cell.matrix.row(a).transpose(), Vec<Dim>::Zero());
+  constexpr int kMostRounds = 1000;
+  bool shorter = true;
+  for (int round = 0; shorter && round < kMostRounds; ++round) {
+    shorter = false;
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) {
+        const Vec<Dim> along = lattice.cell.matrix.row(b).transpose();
+        const Vec<Dim> from = lattice.cell.matrix.row(a).transpose();
+        const double steps = std::round(from.dot(along) / along.squaredNorm());
+        if (a == b || steps == 0.0 || !(std::abs(steps) < 1e15)) continue;
+        TwoPartVec<Dim> to = row[a];
+        for (int k = 0; k < Dim; ++k) to[k] = to[k] - row[b][k] * steps;
+        if (!(rounded<Dim>(to).squaredNorm() < from.squaredNorm())) continue;
+        row[a] = to;
+        lattice.cell.matrix.row(a) = rounded<Dim>(to).transpose();
+        lattice.combination.row(a) -= static_cast<std::int64_t>(steps) * lattice.combination.row(b);
+        lattice.is_original = false;
+        shorter = true;
+      }
+  }
+  return lattice;
+}
+
+}  // namespace floc

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "floc/base/decimal.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
@@ -99,6 +100,10 @@ double CsvTable::number(int row, int column) const {
   if (const auto value = parse_number<double>(text(row, column))) return *value;
   throw InputError(place(row),
                    fmt::format("{} = \"{}\", expected a finite number", columns_[column], text(row, column)));
+}
+
+TwoPart CsvTable::two_part_number(int row, int column) const {
+  return decimal(text(row, column), number(row, column));
 }
 
 std::int64_t CsvTable::integer(int row, int column) const {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "floc/base/two_part.h"
+
 namespace floc {
 
 /// A table of text cells with named columns, as read from a csv file: the first line names the columns,
@@ -41,6 +43,8 @@ class CsvTable {
 
   /// @throws InputError naming file, line, column and value if it is not a finite number, or no integer.
   double number(int row, int column) const;
+  /// The same with the digits that a double cannot hold: see decimal().
+  TwoPart two_part_number(int row, int column) const;
   std::int64_t integer(int row, int column) const;
 
   /// "file:line" of a row, for messages.

@@ -5,6 +5,8 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -15,7 +17,7 @@ namespace {
 
 template <class T>
 T checked(T result) {
-  if (result < 0) throw std::runtime_error("the HDF5 library failed");
+  if (result < 0) throw Hdf5Failure("the HDF5 library failed");
   return result;
 }
 
@@ -146,6 +148,14 @@ std::vector<hsize_t> extent_of(hid_t dataset) {
   return extent;
 }
 
+/// Refuses what claims to be longer than the file it stands in: no claim of a damaged file is worth its memory.
+void check_length(hid_t file, const std::string& place, double bytes) {
+  hsize_t size = 0;
+  checked(H5Fget_filesize(file, &size));
+  if (bytes > static_cast<double>(size))
+    throw InputError(place, fmt::format("claims {:.3g} bytes in a file of {}", bytes, size));
+}
+
 template <class T>
 void read_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape,
                 std::vector<T>& values) {
@@ -157,6 +167,9 @@ void read_array(hid_t file, const std::string& place, const std::string& path, c
   const Handle type(checked(H5Dget_type(dataset)), H5Tclose);
   if (H5Tget_class(type) != NativeType<T>::kClass)
     throw InputError(place, fmt::format("holds no {}, as expected", NativeType<T>::kName));
+  check_length(
+      file, place,
+      std::accumulate(shape.begin(), shape.end(), static_cast<double>(H5Tget_size(type)), std::multiplies<>()));
   std::size_t n = 1;
   for (const std::uint64_t size : shape) n *= size;
   values.resize(n);
@@ -283,6 +296,7 @@ std::uint64_t Hdf5Reader::n_rows(const std::string& path) const {
   const Handle dataset = open_dataset(file_, place(path), path);
   const std::vector<hsize_t> extent = extent_of(dataset);
   if (extent.empty()) throw InputError(place(path), "is a single value, expected an array");
+  check_length(file_, place(path), static_cast<double>(extent[0]));
   return extent[0];
 }
 

@@ -1,11 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace floc {
+
+/// The library refused what it was asked for: memory or, in reading, a file that is damaged inside.
+class Hdf5Failure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Shape of an array, slowest index first.
 using Shape = std::vector<std::uint64_t>;

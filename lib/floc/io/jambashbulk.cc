@@ -91,21 +91,25 @@ void find_packing(const std::string& path, Lines& lines, int index) {
 }
 
 Grains<2> read_grains(const std::string& path, Lines& lines, int n) {
-  Grains<2> grains = Grains<2>::with_size(n);
-  int read = 0;
-  while (read < n && lines.next()) {
+  std::vector<Eigen::Vector3d>
+      rows;  // x, y, radius: counted before room is made for as many as the header says
+  while (static_cast<int>(rows.size()) < n && lines.next()) {
     if (lines.line().find('}') != std::string::npos || is_header(lines.line())) break;
     const std::vector<double> row = numbers(lines.place(), lines.line());
     if (row.empty()) continue;
     if (row.size() != 3)
       throw InputError(lines.place(), fmt::format("has {} numbers, expected x, y and the radius", row.size()));
     if (!(row[2] > 0.0)) throw InputError(lines.place(), fmt::format("radius = {}, must be positive", row[2]));
-    grains.position[read] = {row[0], row[1]};
-    grains.radius[read] = row[2];
-    grains.mass[read] = 4.0 * row[2] * row[2];
-    ++read;
+    rows.emplace_back(row[0], row[1], row[2]);
   }
-  if (read != n) throw InputError(path, fmt::format("has {} grains, but its header says N = {}", read, n));
+  if (static_cast<int>(rows.size()) != n)
+    throw InputError(path, fmt::format("has {} grains, but its header says N = {}", rows.size(), n));
+  Grains<2> grains = Grains<2>::with_size(n);
+  for (int i = 0; i < n; ++i) {
+    grains.position[i] = rows[i].head<2>();
+    grains.radius[i] = rows[i][2];
+    grains.mass[i] = 4.0 * rows[i][2] * rows[i][2];
+  }
   return grains;
 }
 
@@ -143,7 +147,12 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   state.packing.law.normal_stiffness = kNormalStiffness;
   state.target_stress.setConstant(header_numbers(place, header, "P0", 1)[0]);
   state.packing.grains = read_grains(path, lines, static_cast<int>(n));
-  for (Vec<2>& x : state.packing.grains.position) x = state.packing.cell.wrapped(x);
+  for (Vec<2>& x : state.packing.grains.position) {
+    if (!(state.packing.cell.reduced(x).cwiseAbs().maxCoeff() < 1e9))
+      throw InputError(
+          path, fmt::format("a grain at ({}, {}) lies more than 1e9 cells away from the cell", x[0], x[1]));
+    x = state.packing.cell.wrapped(x);
+  }
   state.path.branch = "imported";
   state.provenance.source = path;
   Imported imported;

@@ -51,7 +51,9 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
   };
   if (key == "atoms") {
     expect(1);
-    data.n_atoms = static_cast<std::int64_t>(values[0]);
+    const auto n = whole_number(values[0]);
+    if (!n) throw InputError(place, fmt::format("{} atoms, expected a whole number", values[0]));
+    data.n_atoms = *n;
   } else if (key == "xy xz yz") {
     expect(3);
     data.box.xy = values[0], data.box.xz = values[1], data.box.yz = values[2];

@@ -44,6 +44,14 @@ std::optional<double> number_of(const CsvTable& table, int row, int column) {
   return table.number(row, column);
 }
 
+int image_of(const CsvTable& table, int row, int column) {
+  constexpr std::int64_t kFarthest = 1'000'000'000;
+  const std::int64_t image = table.integer(row, column);
+  if (image >= -kFarthest && image <= kFarthest) return static_cast<int>(image);
+  throw InputError(table.place(row), fmt::format("{} = {}, expected a number of cells up to 1e9",
+                                                 table.columns()[column], image));
+}
+
 /// Columns of a list of contacts; -1 or empty where it has none.
 struct ContactColumns {
   int id1, id2, normal_force, kn, kt, rolling_moment_2d;
@@ -70,7 +78,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   if (!columns.image.empty()) {
     c.image = Eigen::Vector3i::Zero();
     for (std::size_t k = 0; k < columns.image.size(); ++k)
-      (*c.image)[k] = static_cast<int>(table.integer(row, columns.image[k]));
+      (*c.image)[k] = image_of(table, row, columns.image[k]);
   }
   c.force = vector_of(table, row, columns.force);
   c.normal_force = number_of(table, row, columns.normal_force);
@@ -111,7 +119,11 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
     ListedGrain grain;
     grain.place = table.place(row);
     grain.id = id >= 0 ? table.integer(row, id) : row;
-    grain.position = *vector_of(table, row, axis);
+    for (std::size_t k = 0; k < axis.size(); ++k) {
+      const TwoPart x = table.two_part_number(row, axis[k]);
+      grain.position[k] = x.high;
+      grain.position_low[k] = x.low;
+    }
     grain.radius = positive(table, row, radius) * (size == "diameter" ? 0.5 : 1.0);
     if (mass >= 0) grain.mass = positive(table, row, mass);
     grains.push_back(std::move(grain));

@@ -18,6 +18,8 @@ namespace {
 constexpr double kAtCap = 1.0 - 1e-6;
 /// A tangential force below this fraction of the normal one is rounding.
 constexpr double kNoShear = 1e-9;
+/// Images farther away, in cells, do not fit an integer.
+constexpr double kFarthest = 1e9;
 /// Lattice vectors that are parallel but for rounding span no volume.
 constexpr double kFlat = 1e-12;
 
@@ -66,12 +68,24 @@ template <int Dim>
 Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
   const int n = static_cast<int>(listed.size());
   Grains<Dim> grains = Grains<Dim>::with_size(n);
+  std::vector<TwoPartVec<Dim>> centres;
   for (int i = 0; i < n; ++i) {
-    grains.position[i] = listed[i].position.template head<Dim>();
+    centres.push_back(
+        two_part<Dim>(listed[i].position.template head<Dim>(), listed[i].position_low.template head<Dim>()));
     grains.radius[i] = listed[i].radius;
     grains.mass[i] = listed[i].mass.value_or(std::pow(2.0 * listed[i].radius, Dim));
   }
+  grains.set_centres(centres);
   return grains;
+}
+
+/// A number of cells along each lattice vector, as integers.
+template <int Dim>
+Vec<Dim, int> whole_cells(const std::string& place, const Vec<Dim>& cells) {
+  if (!(cells.cwiseAbs().maxCoeff() < kFarthest))
+    throw InputError(place,
+                     "lies more than 1e9 cells away from the cell: --cell is too small, or a coordinate wrong");
+  return cells.template cast<int>();
 }
 
 /// Smallest distance of two opposite faces of the cell.
@@ -86,7 +100,7 @@ double smallest_width(const Cell<Dim>& cell) {
 template <int Dim>
 Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const std::string& place, int i, int j) {
   const Vec<Dim> apart = packing.grains.position[j] - packing.grains.position[i];
-  const Vec<Dim, int> guess = (-packing.cell.reduced(apart)).array().round().matrix().template cast<int>();
+  const Vec<Dim, int> guess = whole_cells<Dim>(place, (-packing.cell.reduced(apart)).array().round().matrix());
   Vec<Dim, int> best = guess;
   double nearest = std::numeric_limits<double>::infinity();
   int n_images = 1;
@@ -193,6 +207,8 @@ Contact<Dim> make_contact(const Packing<Dim>& packing, const Identifiers& identi
     c.image = -c.image;
   }
   refresh_contact(packing, c);
+  if (c.normal.isZero(0.0))
+    throw InputError(listed.place, "the grains have the same centre: their contact has no direction");
   const LawParameters& law = packing.law;
   const GivenForces<Dim> given = given_forces<Dim>(listed, reversed, c.normal);
   if (given.normal)
@@ -232,12 +248,15 @@ void add_contacts(const ListedPacking& listed, const Identifiers& identifiers, P
 
 /// Brings every grain into the cell; images of contacts follow.
 template <int Dim>
-void wrap(Packing<Dim>& packing) {
+void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
   std::vector<Vec<Dim, int>> moved;
-  for (Vec<Dim>& x : packing.grains.position) {
-    moved.push_back(-packing.cell.reduced(x).array().floor().matrix().template cast<int>());
-    x = packing.cell.wrapped(x);
+  std::vector<TwoPartVec<Dim>> centres;
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    const Vec<Dim> reduced = packing.cell.reduced(packing.grains.position[i]);
+    moved.push_back(whole_cells<Dim>(listed.grains[i].place, -reduced.array().floor().matrix()));
+    centres.push_back(displaced<Dim>(packing.grains.centre(i), packing.cell, moved.back()));
   }
+  packing.grains.set_centres(centres);
   for (Contact<Dim>& c : packing.contacts) c.image += moved[c.i] - moved[c.j];
 }
 
@@ -251,7 +270,7 @@ Imported assemble_in(const ListedPacking& listed) {
   packing.grains = make_grains<Dim>(listed.grains);
   const Identifiers identifiers(listed.grains);
   if (listed.contacts) add_contacts(listed, identifiers, packing);
-  wrap(packing);
+  wrap(listed, packing);
   state.path.branch = "imported";
   state.provenance.source = listed.place;
   Imported imported;

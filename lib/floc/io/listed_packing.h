@@ -12,11 +12,12 @@ namespace floc {
 
 /// One grain as a file of another program lists it. In 2D the third component of every vector is ignored.
 struct ListedGrain {
-  std::string place;                                   ///< "file:line", for messages
-  std::int64_t id = 0;                                 ///< unique in the file
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< centre, inside the cell or not (length)
-  double radius = 0.0;                                 ///< (length)
-  std::optional<double> mass;                          ///< none: unit mass at unit diameter
+  std::string place;                                       ///< "file:line", for messages
+  std::int64_t id = 0;                                     ///< unique in the file
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< centre, inside the cell or not (length)
+  Eigen::Vector3d position_low = Eigen::Vector3d::Zero();  ///< what the file's digits say beyond these doubles
+  double radius = 0.0;                                     ///< (length)
+  std::optional<double> mass;                              ///< none: unit mass at unit diameter
 };
 
 /// One contact as a file lists it. Forces act on grain id1; in 2D a moment is the third component.

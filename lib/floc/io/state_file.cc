@@ -120,6 +120,10 @@ class WritingArchive {
   void column(const Field& field, const Items& items) {
     rows(field, items, kItself);
   }
+  template <class Items>
+  void column_if_there(const Field& field, const Items& items, std::size_t) {
+    if (!items.empty()) column(field, items);
+  }
 
   template <int Dim>
   void matrix(const Field& field, const Mat<Dim>& m) {
@@ -170,6 +174,12 @@ class ReadingArchive {
   template <class Items>
   void column(const Field& field, Items& items) {
     rows(field, items, kItself);
+  }
+  template <class Items>
+  void column_if_there(const Field& field, Items& items, std::size_t size) {
+    if (!file_.has(field.path)) return;
+    items.resize(size);
+    column(field, items);
   }
 
   template <int Dim>
@@ -279,6 +289,17 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
   throw InputError(file.place(path), fmt::format("entry {} is {}", entry, what));
 }
 
+/// More of them do not fit the indices of grains and contacts, nor images the whole cells they count.
+constexpr std::uint64_t kMostRows = 1'000'000'000;
+constexpr int kFarthestImage = 1'000'000'000;
+
+std::uint64_t counted_rows(const Hdf5Reader& file, const char* path) {
+  const std::uint64_t n = file.n_rows(path);
+  if (n > kMostRows)
+    throw InputError(file.place(path), fmt::format("has {} rows, expected at most {}", n, kMostRows));
+  return n;
+}
+
 /// What no state can hold, beyond numbers that are not finite.
 template <int Dim>
 void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std::vector<std::int32_t>& id) {
@@ -305,6 +326,9 @@ void check_contacts(const Hdf5Reader& file, const Packing<Dim>& packing) {
     const Contact<Dim>& contact = packing.contacts[c];
     require_grain("contacts/id1", c, contact.i);
     require_grain("contacts/id2", c, contact.j);
+    for (const int image : contact.image)
+      if (image < -kFarthestImage || image > kFarthestImage)
+        refuse(file, "contacts/image", c, fmt::format("{}, expected a number of cells up to 1e9", image));
     if (contact.i == contact.j && contact.image.isZero())
       refuse(file, "contacts/id2", c, fmt::format("{}: the grain would touch itself", contact.j));
   }
@@ -317,12 +341,12 @@ State<Dim> decode(const Hdf5Reader& file) {
   file.attribute("/", "units", s.units);
   ReadingArchive archive(file);
   describe_cell(archive, packing.cell);
-  const std::uint64_t n = file.n_rows("grains/radius");
+  const std::uint64_t n = counted_rows(file, "grains/radius");
   packing.grains = Grains<Dim>::with_size(static_cast<int>(n));
   const auto id = archive.take<std::int32_t>(kId, {n});
   describe_grains<Dim>(archive, packing.grains);
   check_grains(file, packing, id);
-  packing.contacts.resize(file.n_rows("contacts/id1"));
+  packing.contacts.resize(counted_rows(file, "contacts/id1"));
   describe_contacts<Dim>(archive, packing.contacts);
   check_contacts(file, packing);
   packing.law = read_law(file);
@@ -370,9 +394,14 @@ void write_state(const std::string& path, const State<Dim>& state, const std::st
 
 AnyState read_state(const std::string& path) {
   const std::string bytes = read_file(path);
-  const Hdf5Reader file(path, unseal(path, bytes));
-  if (read_header(file) == 2) return decode<2>(file);
-  return decode<3>(file);
+  const std::string_view content = unseal(path, bytes);
+  try {
+    const Hdf5Reader file(path, content);
+    if (read_header(file) == 2) return decode<2>(file);
+    return decode<3>(file);
+  } catch (const Hdf5Failure& e) {
+    throw InputError(path, fmt::format("is damaged under its seal: {}", e.what()));
+  }
 }
 
 std::string read_progress(const std::string& path) {

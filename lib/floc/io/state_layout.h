@@ -33,7 +33,8 @@ struct Field {
 };
 
 /// The arrays of a state file, said once for writing and reading. `Archive` has rows(field, items, get) for one
-/// member of each item, column(field, values) for an array of its own, matrix(field, m) and vector(field, v).
+/// member of each item, column(field, values) for an array of its own, column_if_there(field, values, size) for one that
+/// a file holds only where it is not empty, matrix(field, m) and vector(field, v).
 template <class Archive, class Cell>
 void describe_cell(Archive& archive, Cell& cell) {
   archive.matrix({"cell/matrix", Quantity::length, "rows are the lattice vectors"}, cell.matrix);
@@ -44,6 +45,9 @@ template <int Dim, class Archive, class Grains>
 void describe_grains(Archive& archive, Grains& g) {
   using enum Quantity;
   archive.column({"grains/position", length, "centre"}, g.position);
+  archive.column_if_there(
+      {"grains/position_low", length, "what the centre lies beside position; absent: nothing"}, g.position_low,
+      g.position.size());
   archive.column({"grains/velocity", velocity, "peculiar: without the affine part of the cell's motion"},
                  g.velocity);
   archive.column({"grains/radius", length, ""}, g.radius);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "floc/base/error.h"
+#include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
 #include "floc/io/csv_packing.h"
 #include "floc/io/listed_columns.h"
@@ -53,6 +54,10 @@ class PointArray {
 
   std::string place(std::size_t point) const { return fmt::format("{}, point {}", place_, point); }
   double operator[](std::size_t point) const { return values_[point]; }
+  std::int64_t whole(std::size_t point) const {
+    if (const auto number = whole_number(values_[point])) return *number;
+    throw InputError(place(point), fmt::format("{}, expected a whole number", values_[point]));
+  }
   double positive(std::size_t point) const {
     if (values_[point] > 0.0) return values_[point];
     throw InputError(place(point), fmt::format("{}, must be positive", values_[point]));
@@ -95,7 +100,7 @@ std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arr
   for (const std::size_t point : grain_points(arrays, n_points)) {
     ListedGrain grain;
     grain.place = size.place(point);
-    grain.id = id ? static_cast<std::int64_t>((*id)[point]) : static_cast<std::int64_t>(point);
+    grain.id = id ? id->whole(point) : static_cast<std::int64_t>(point);
     grain.position = {x[3 * point], x[3 * point + 1], x[3 * point + 2]};
     grain.radius = size.positive(point) * (radius.empty() ? 0.5 : 1.0);
     if (mass) grain.mass = mass->positive(point);

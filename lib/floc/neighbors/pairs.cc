@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "floc/base/error.h"
+#include "floc/geometry/lattice_reduction.h"
 
 namespace floc {
 namespace {
@@ -15,6 +16,15 @@ bool lexicographically_positive(const Vec<Dim, int>& image) {
     if (image[a] != 0) return image[a] > 0;
   return false;
 }
+
+/// Beyond it images do not fit an integer.
+constexpr double kMostTurns = 1e9;
+/// Trials of a search that are fast whatever the packing, and that a grain may take in a large one.
+constexpr double kTrialsAlways = 1e8;
+constexpr double kTrialsPerGrain = 1e5;
+/// Pairs that a packing may have, and more for each of its grains: beyond it, a wrong radius or cell.
+constexpr std::size_t kPairsAlways = 10'000;
+constexpr std::size_t kPairsPerGrain = 1000;
 
 /// Grains sorted into bins of reduced space, each bin at least the cutoff wide where the cell is large enough.
 template <int Dim>
@@ -27,9 +37,10 @@ class Bins {
       const double height = 1.0 / to_reduced.row(a).norm();
       // Bins much finer than the grains cost memory and find nothing.
       count_[a] = static_cast<int>(std::clamp(std::floor(height / cutoff), 1.0, 2.0 * grains_per_side + 1.0));
-      reach_[a] = static_cast<int>(std::ceil(cutoff * count_[a] / height));
+      reach_[a] = static_cast<int>(std::min(std::ceil(cutoff * count_[a] / height), kMostTurns));
     }
-    sort(grains, to_reduced);
+    check_cost(grains.size());
+    sort(cell, grains, to_reduced);
   }
 
   /// Calls visit(j, image of j's bin) for every grain j in reach of grain i's bin.
@@ -54,9 +65,20 @@ class Bins {
     return index;
   }
 
-  void sort(const Grains<Dim>& grains, const Mat<Dim>& to_reduced) {
+  /// A cell that is tiny beside its grains holds more of their images than could be looked at.
+  void check_cost(double n_grains) const {
+    const double bins_in_reach = (2.0 * reach_.template cast<double>().array() + 1.0).prod();
+    const double trials = n_grains * n_grains * bins_in_reach / count_.template cast<double>().prod();
+    if (trials > std::max(kTrialsAlways, kTrialsPerGrain * n_grains))
+      throw InputError(
+          "cell",
+          "is so small beside its largest grain, or the grains are so different in size, that finding "
+          "contacts would take " +
+              std::to_string(static_cast<std::int64_t>(std::min(trials, 1e18))) + " trials");
+  }
+
+  void sort(const Cell<Dim>& cell, const Grains<Dim>& grains, const Mat<Dim>& to_reduced) {
     const int n = grains.size();
-    const Mat<Dim> to_absolute = to_reduced.inverse();
     bin_.resize(n);
     wrap_.resize(n);
     wrapped_.resize(n);
@@ -65,10 +87,12 @@ class Bins {
       const Vec<Dim> s = to_reduced * grains.position[i];
       for (int a = 0; a < Dim; ++a) {
         const double turns = std::floor(s[a]);
+        if (!(std::abs(turns) < kMostTurns))
+          throw InputError("grain " + std::to_string(i), "lies more than 1e9 cells away from the cell");
         wrap_[i][a] = -static_cast<int>(turns);
         bin_[i][a] = std::min(count_[a] - 1, static_cast<int>((s[a] - turns) * count_[a]));
       }
-      wrapped_[i] = grains.position[i] + to_absolute * wrap_[i].template cast<double>();
+      wrapped_[i] = rounded<Dim>(displaced<Dim>(grains.centre(i), cell, wrap_[i]));
       ++first_[flat(bin_[i]) + 1];
     }
     for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
@@ -98,6 +122,16 @@ class Bins {
   std::vector<int> member_;          ///< grains by bin
 };
 
+/// Image of a pair in the lattice it was asked for.
+template <int Dim>
+Vec<Dim, int> image_in(const ReducedLattice<Dim>& lattice, const Vec<Dim, int>& image) {
+  if (lattice.is_original) return image;
+  const Vec<Dim, std::int64_t> wide = lattice.original(image);
+  if (static_cast<double>(wide.cwiseAbs().maxCoeff()) >= kMostTurns)
+    throw InputError("cell", "lattice vectors are so slanted that neighbours are more than 1e9 of them apart");
+  return wide.template cast<int>();
+}
+
 template <int Dim>
 void check_finite(const Cell<Dim>& cell, const Grains<Dim>& grains) {
   if (!cell.matrix.allFinite() || !(cell.volume() > 0.0))
@@ -114,16 +148,25 @@ std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Di
   check_finite(cell, grains);
   std::vector<NeighborPair<Dim>> pairs;
   if (grains.size() == 0) return pairs;
+  const std::size_t most = kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains.size());
   const double largest = *std::max_element(grains.radius.begin(), grains.radius.end());
-  const Bins<Dim> bins(cell, grains, 2.0 * largest + gap);
+  const ReducedLattice<Dim> lattice = reduced_lattice(cell);
+  const Bins<Dim> bins(lattice.cell, grains, 2.0 * largest + gap);
 
   for (int i = 0; i < grains.size(); ++i) {
     const std::size_t first = pairs.size();
     bins.around(i, [&](int j, const Vec<Dim, int>& image) {
-      if (j < i || (j == i && !lexicographically_positive<Dim>(image))) return;
+      if (j < i) return;
       const double reach = grains.radius[i] + grains.radius[j] + gap;
-      const Vec<Dim> r = bins.wrapped(j) + cell.shift(image) - bins.wrapped(i);
-      if (r.squaredNorm() < reach * reach) pairs.push_back({i, j, image + bins.wrap(j) - bins.wrap(i)});
+      const Vec<Dim> r = bins.wrapped(j) + lattice.cell.shift(image) - bins.wrapped(i);
+      if (!(r.squaredNorm() < reach * reach)) return;
+      const Vec<Dim, int> original = image_in(lattice, Vec<Dim, int>(image + bins.wrap(j) - bins.wrap(i)));
+      if (j == i && !lexicographically_positive<Dim>(original)) return;
+      pairs.push_back({i, j, original});
+      if (pairs.size() > most)
+        throw InputError("cell", "the grains overlap so much, or reach so far, that each has more than " +
+                                     std::to_string(kPairsPerGrain) +
+                                     " neighbours: a radius or the cell is wrong");
     });
     std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(),
               [](const NeighborPair<Dim>& p, const NeighborPair<Dim>& q) {

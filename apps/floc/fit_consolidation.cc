@@ -157,6 +157,12 @@ Json regimes_as_json(const Sample& sample, const ConsolidationFit& fit) {
           {"rows_III", rows_of(sample, r.end_of_two, n)}};
 }
 
+/// What a smaller error would need: "samples", "points" on the curve, or a clearer end of the "regimes".
+const char* limit_of(const ErrorParts& parts, const ConsolidationFit& fit) {
+  if (parts.regimes > parts.scatter) return "regimes";
+  return fit.errors_from_samples ? "samples" : "points";
+}
+
 Json as_json(const Sample& sample, const ConsolidationFit& fit, const Arguments& arguments) {
   Json object;
   object["sample"] = sample.name;
@@ -176,6 +182,11 @@ Json as_json(const Sample& sample, const ConsolidationFit& fit, const Arguments&
   object["weights"] = word_for(fit.weighting);
   object["loss"] = arguments.loss;
   object["errors_from"] = fit.errors_from_samples ? "samples" : "residuals";
+  object["error_budget"] = Json::object();
+  for (const ErrorParts& parts : fit.error_parts)
+    object["error_budget"][parts.name] = {{"scatter", number_or_null(parts.scatter)},
+                                          {"regimes", number_or_null(parts.regimes)},
+                                          {"limited_by", limit_of(parts, fit)}};
   object["profiled"] = fit.profiled;
   object["bootstrap"] = arguments.n_bootstrap > 0
                             ? Json{{"n", fit.n_bootstrapped}, {"parameters", parameters_as_json(fit.bootstrap)}}
@@ -255,6 +266,14 @@ void say(const Sample& sample, const ConsolidationFit& fit, int n_asked) {
         change_in_words(fit.regimes->onset_three, sample.loading.curve, "regime III sets in");
     if (!words.empty()) spdlog::info("{}: {}", sample.name, words.substr(2));
   }
+  std::vector<std::string> budget;
+  for (const ErrorParts& parts : fit.error_parts)
+    budget.push_back(fmt::format("{} {:.2g} and {:.2g} ({})", parts.name, parts.scatter, parts.regimes,
+                                 limit_of(parts, fit)));
+  if (!budget.empty())
+    spdlog::info("{}: errors from {} and from where the regimes end (what limits): {}", sample.name,
+                 fit.errors_from_samples ? "the scatter between samples" : "the residuals",
+                 fmt::join(budget, ", "));
   if (!fit.window_shifts.empty()) {
     std::vector<std::string> words;
     for (const WindowShift& s : fit.window_shifts)

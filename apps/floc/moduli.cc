@@ -11,6 +11,7 @@
 
 #include "command.h"
 #include "floc/base/error.h"
+#include "floc/elasticity/error_budget.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/modes.h"
 #include "floc/elasticity/network_mechanics.h"
@@ -50,6 +51,7 @@ struct ModuliRow {
   double solid_fraction;
   Moduli moduli;
   NetworkMechanics network;
+  ErrorBudget budget;
   std::optional<int> n_near_mechanisms;
   std::optional<double> B_prestress;  ///< where near-mechanisms make it count
   std::optional<double> G_prestress;
@@ -75,13 +77,27 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   return row;
 }
 
+/// A state may have been asked for an equilibrium that its numbers cannot hold.
+template <int Dim>
+void warn_of_rounding(const std::string& file, const State<Dim>& state) {
+  const RoundingFloor floor = rounding_floor(state.packing, state.target_stress);
+  if (floor.force >= state.tolerance.force || floor.stress >= state.tolerance.stress)
+    std::cerr << fmt::format(
+        "floc: {}: warning: rounding of its positions leaves net forces of {:.1e} F1 and a stress of {:.1e} "
+        "F1/a, not below "
+        "the tolerances of {:.1e} and {:.1e}\n",
+        file, floor.force, floor.stress, state.tolerance.force, state.tolerance.stress);
+}
+
 /// What the contact network says beside the moduli of a row; increments of its contacts where they are asked for.
 template <int Dim>
-void add_network(const Packing<Dim>& packing, ModuliOptions options, ModuliRow& row, Table* increments) {
+void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row, Table* increments) {
+  const Packing<Dim>& packing = state.packing;
   if (row.rolling_stiffness) options.rolling_stiffness = row.rolling_stiffness;
   const ContactNetwork<Dim> network = options.loaded_network(packing);
   const ContactMechanics<Dim> contacts = contact_mechanics(network, row.moduli);
   row.network = network_mechanics(packing, network, row.moduli, contacts);
+  row.budget = error_budget(state, network, row.moduli, contacts.isotropic ? &*contacts.isotropic : nullptr);
   if (increments != nullptr) add_increments(row.file, packing, network, contacts, *increments);
   const ElasticResponse response = std::move(row.moduli.response);
   const auto vanishing = strain_mechanisms<Dim>(response, affine_stiffness(network, options.strains)).vanishing;
@@ -103,6 +119,7 @@ std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& s
                                     const std::vector<double>& rolling_stiffness, Table* increments) {
   options.unloaded = state.target_stress.isZero(0.0);
   const ModuliRow description = described(file, state);
+  warn_of_rounding(file, state);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Moduli> moduli = rolling_stiffness.empty()
                                          ? std::vector<Moduli>{elastic_moduli(state.packing, options)}
@@ -114,7 +131,7 @@ std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& s
     rows[k].reduced_pressure = reduced_pressure<Dim>(state.packing, moduli[k].pressure);
     if (!rolling_stiffness.empty()) rows[k].rolling_stiffness = rolling_stiffness[k];
     rows[k].seconds = seconds / static_cast<double>(rows.size());
-    add_network(state.packing, options, rows[k], increments);
+    add_network(state, options, rows[k], increments);
     for (const std::string& warning : moduli[k].warnings)
       std::cerr << "floc: " << file << ": warning: " << warning << '\n';
   }
@@ -210,9 +227,19 @@ std::vector<Column> network_columns() {
            [](const ModuliRow& r) { return or_undefined(r.network.scalar_backbone_share); }}};
 }
 
+std::vector<Column> budget_columns() {
+  return {{"rounding_floor", [](const ModuliRow& r) { return r.budget.floor.force; }},
+          {"residual_force", [](const ModuliRow& r) { return r.budget.residual; }},
+          {"n_undecided", [](const ModuliRow& r) { return TableValue{std::int64_t{r.budget.n_undecided}}; }},
+          {"error_B_equilibrium", [](const ModuliRow& r) { return or_undefined(r.budget.equilibrium); }},
+          {"error_B_sampling", [](const ModuliRow& r) { return r.budget.sampling; }},
+          {"limited_by", [](const ModuliRow& r) { return std::string(r.budget.limit()); }}};
+}
+
 std::vector<Column> columns_for(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
   std::vector<Column> columns = contract_columns();
   std::ranges::move(network_columns(), std::back_inserter(columns));
+  std::ranges::move(budget_columns(), std::back_inserter(columns));
   int size = 2;
   for (const ModuliRow& r : rows) size = std::max(size, static_cast<int>(r.moduli.C.rows()));
   for (const auto& [a, b] : further_entries(size))

@@ -279,6 +279,19 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
   }
 }
 
+/// What the spread over places added to the standard error of each parameter.
+std::vector<ErrorParts> parts_of_errors(const LawEstimate& told, const Covariance& scatter,
+                                        const Covariance& all) {
+  std::vector<ErrorParts> parts;
+  for (const Quantity& quantity : quantities_of(told)) {
+    const auto own = fitted_parameter(quantity, scatter).standard_error;
+    const auto total = fitted_parameter(quantity, all).standard_error;
+    if (own && total)
+      parts.push_back({quantity.name, *own, std::sqrt(std::max(*total * *total - *own * *own, 0.0))});
+  }
+  return parts;
+}
+
 /// The law that the points of the estimate tell: the line where no bend is seen.
 LawEstimate told_by(LawEstimate estimate) {
   if (estimate.law == Law::full && !see_regime_three(estimate.points, estimate.solution) &&
@@ -334,7 +347,9 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
   fit.errors_from_samples = samples.cols() >= kFewestSamples;
   Covariance covariance = fit.errors_from_samples ? covariance_from_samples(told, deviations_of(samples))
                                                   : covariance_from_residuals(told);
+  const Covariance scatter = covariance;
   if (fit.regimes) add_spread_over_places(told, all, window, *fit.regimes, covariance);
+  fit.error_parts = parts_of_errors(told, scatter, covariance);
   if (ends_early)
     bound_regime_three(told, covariance, curve.phi[fit.used.back()], fit);
   else

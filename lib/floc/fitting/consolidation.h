@@ -49,6 +49,13 @@ struct WindowShift {
   std::optional<double> lambda;
 };
 
+/// What the standard error of a parameter is made of.
+struct ErrorParts {
+  std::string name;      ///< of the parameter
+  double scatter = 0.0;  ///< between samples, or of the residuals (ConsolidationFit::errors_from_samples)
+  double regimes = 0.0;  ///< of where the regimes end, over their probable places
+};
+
 /// What a fit found, or why there is none.
 struct ConsolidationFit {
   std::string refusal;  ///< empty when there is a fit
@@ -69,6 +76,7 @@ struct ConsolidationFit {
   Eigen::VectorXd weights;     ///< of the points fitted, as the solution counts them
   Weighting weighting = Weighting::automatic;  ///< the one used
   bool errors_from_samples = false;        ///< standard errors from the scatter between samples, not residuals
+  std::vector<ErrorParts> error_parts;     ///< of the parameters that have a standard error
   std::vector<std::string> profiled;       ///< parameters whose interval is that of the profile likelihood
   std::vector<WindowShift> window_shifts;  ///< those for which enough rows exist
   int n_bootstrapped = 0;                  ///< resampled fits that kept a regime II

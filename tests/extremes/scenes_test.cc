@@ -1,0 +1,158 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/run_program.h"
+
+/// Small scenes with a parameter at an end of its range, each run, verified from its files and taken to moduli by the
+/// program: equilibria that stand, in finite numbers, or a refusal in words.
+namespace floc::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// 40 grains of the shipped scenes' kind, pressed at once and loaded tenfold.
+const char* const kScene = R"([scene]
+dimension = 2
+units = "reduced"
+[grains]
+count = 40
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e5}
+adhesion = {law = "tail", force = 1.0, range = 1e-3}
+damping = {restitution = 0.015, mass = "effective"}
+friction = {coefficient = 0.5, stiffness = 1e5}
+rolling = {coefficient = 0.005, stiffness = 10.0}
+[cell]
+solid_fraction = 0.4
+mass = 1.0
+strain_rate_cap = 0.05
+[assembly]
+protocol = "direct"
+pressure = 0.01
+[[load]]
+to = 0.1
+steps = 1
+)";
+
+struct Extreme {
+  const char* name;
+  std::vector<const char*> set;
+  /// Springs that never slide or roll have no dashpot: nothing takes their energy out, and motion may go on for as long as it
+  /// is allowed to. It is then said not to have converged.
+  bool may_go_on = false;
+};
+
+std::string settings(const std::vector<const char*>& set) {
+  std::string text;
+  for (const char* s : set) text += std::string(" --set '") + s + "'";
+  return text;
+}
+
+void PrintTo(const Extreme& extreme, std::ostream* out) {
+  *out << extreme.name;
+}
+
+class Scene : public ::testing::TestWithParam<Extreme> {};
+
+TEST_P(Scene, ReachesEquilibriaThatStand) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("scene.toml"), kScene);
+  const Outcome run = run_floc("run scene.toml -o out" + settings(GetParam().set), scratch.path());
+  if (GetParam().may_go_on && run.code == 3) {
+    EXPECT_THAT(run.err, ::testing::ContainsRegex("did not converge: [a-z]+ .* against"));
+    return;
+  }
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Outcome verify = run_floc("verify out/state-*.h5", scratch.path());
+  EXPECT_EQ(verify.code, 0) << verify.out << verify.err;
+  const Outcome moduli = run_floc("moduli out/state-*.h5 --format csv", scratch.path());
+  EXPECT_EQ(moduli.code, 0) << moduli.err;
+  EXPECT_THAT(moduli.out, ::testing::Not(::testing::ContainsRegex(",-?nan,")));
+}
+
+const Extreme kExtremes[] = {
+    {"kappa_1e2",
+     {"contact.normal.stiffness=1e2", "contact.friction.stiffness=1e2", "contact.rolling.stiffness=1e-2"}},
+    {"kappa_1e3",
+     {"contact.normal.stiffness=1e3", "contact.friction.stiffness=1e3", "contact.rolling.stiffness=0.1"}},
+    {"kappa_1e7",
+     {"contact.normal.stiffness=1e7", "contact.friction.stiffness=1e7", "contact.rolling.stiffness=1e3"}},
+    {"P_1e4", {"load.0.to=1e4", "load.0.steps=6"}},
+    {"P_0", {"assembly.protocol=aggregation", "assembly.agitation=9.5", "load.0.to=0"}},
+    {"P_1e_minus_6",
+     {"assembly.protocol=aggregation", "assembly.agitation=9.5", "assembly.pressure=1e-6", "load.0.to=1e-5",
+      "equilibrium.stress=1e-8"}},
+    {"K_R_1e_minus_12", {"contact.rolling.stiffness=1e-7"}},
+    {"K_R_1", {"contact.rolling.stiffness=1e5"}},
+    {"K_T_1e_minus_6", {"contact.friction.stiffness=0.1", "equilibrium.max_time=200"}, true},
+    {"K_T_1e3", {"contact.friction.stiffness=1e8"}},
+    {"D0_1e_minus_8", {"contact.adhesion.range=1e-8"}},
+    {"D0_0_1", {"contact.adhesion.range=0.1"}},
+    {"mu_0", {"contact.friction.coefficient=0"}},
+    {"mu_10", {"contact.friction.coefficient=10"}},
+    {"mu_R_0", {"contact.rolling.coefficient=0"}},
+    {"mu_R_10", {"contact.rolling.coefficient=10", "equilibrium.max_time=200"}, true},
+    {"collisions_without_loss", {"contact.damping.restitution=1", "equilibrium.max_time=200"}, true},
+    {"two_grains", {"grains.count=2"}},
+    {"three_grains", {"grains.count=3"}},
+    {"sizes_1_to_30",
+     {"grains.diameter={distribution=\"bidisperse\",small=0.033,large=1.0,share_of_large=0.3}"}},
+};
+INSTANTIATE_TEST_SUITE_P(AtTheEnds, Scene, ::testing::ValuesIn(kExtremes),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+struct Refusal {
+  const char* name;
+  std::vector<const char*> set;
+  int code;
+  const char* words;
+};
+void PrintTo(const Refusal& refusal, std::ostream* out) {
+  *out << refusal.name;
+}
+
+class Refused : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(Refused, InWords) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("scene.toml"), kScene);
+  const Outcome run = run_floc("run scene.toml -o out" + settings(GetParam().set), scratch.path());
+  EXPECT_EQ(run.code, GetParam().code) << run.err;
+  EXPECT_THAT(run.err, HasSubstr(GetParam().words));
+}
+
+const Refusal kRefusals[] = {
+    {"one_grain", {"grains.count=1"}, 4, "grains.count = 1: expected a whole number of grains, 2 to 1e8"},
+    {"first_pressure_below_the_tolerance",
+     {"assembly.pressure=1e-6"},
+     4,
+     "assembly.pressure = 1e-06: expected more than equilibrium.stress * F0/a = 1e-05, the error that a stress "
+     "may have, or "
+     "a smaller equilibrium.stress"},
+    {"load_below_the_tolerance",
+     {"load.0.to=1e-6"},
+     4,
+     "to = 1e-06: expected more than equilibrium.stress * F0/a = 1e-05"},
+    {"contacts_stiffer_than_doubles_resolve",
+     {"contact.normal.stiffness=1e12"},
+     4,
+     "contact.normal.stiffness = 1000000000000: rounding leaves a stress of 4.4e-04 F1/a, expected less than "
+     "equilibrium.stress = 1.0e-05"},
+    {"motion_that_cannot_resolve_its_tolerance",
+     {"contact.normal.stiffness=1e9", "grains.count=1400", "equilibrium.finish=dynamic"},
+     4,
+     "equilibrium.finish = \"dynamic\": rounding of positions leaves net forces of 2.6e-05 F1, expected less "
+     "than "
+     "equilibrium.force = 1.0e-05"},
+    {"too_little_time", {"equilibrium.max_time=1"}, 3, "did not converge: "},
+};
+INSTANTIATE_TEST_SUITE_P(AtTheEnds, Refused, ::testing::ValuesIn(kRefusals),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace floc::test

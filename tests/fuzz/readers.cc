@@ -1,0 +1,278 @@
+#include "readers.h"
+
+#include <hdf5.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "floc/base/error.h"
+#include "floc/io/csv_packing.h"
+#include "floc/io/export.h"
+#include "floc/io/extended_xyz.h"
+#include "floc/io/jambashbulk.h"
+#include "floc/io/lammps_data.h"
+#include "floc/io/lammps_dump.h"
+#include "floc/io/law_text.h"
+#include "floc/io/sealed_bytes.h"
+#include "floc/io/state_file.h"
+#include "floc/io/vtu.h"
+#include "floc/io/yade_text.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/read_scene.h"
+#include "support/states.h"
+
+namespace floc::fuzz {
+namespace {
+
+const std::filesystem::path kData = std::filesystem::path(FLOC_SOURCE_DIR) / "data";
+
+/// A file in memory with a name that any reader can open.
+class MemoryFile {
+ public:
+  explicit MemoryFile(const std::string& bytes) : descriptor_(::memfd_create("fuzz", 0)) {
+    for (std::size_t done = 0; done < bytes.size();) {
+      const ssize_t n = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
+      if (n <= 0) throw std::runtime_error("no memory file");
+      done += static_cast<std::size_t>(n);
+    }
+  }
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
+/// Where the data of all datasets of an HDF5 image lie.
+std::vector<std::size_t> dataset_bytes(const std::string& image) {
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_fapl_core(access, 1 << 16, false);
+  H5Pset_file_image(access, const_cast<char*>(image.data()), image.size());
+  const hid_t file = H5Fopen("/dev/null/memory", H5F_ACC_RDONLY, access);
+  std::vector<std::size_t> places;
+  const auto visit = [](hid_t root, const char* name, const H5O_info_t* object, void* found) -> herr_t {
+    if (object->type != H5O_TYPE_DATASET) return 0;
+    const hid_t dataset = H5Dopen2(root, name, H5P_DEFAULT);
+    const hid_t type = H5Dget_type(dataset);
+    // Texts lie elsewhere, and what says where is no number of theirs.
+    const haddr_t begin = H5Tget_class(type) == H5T_STRING ? HADDR_UNDEF : H5Dget_offset(dataset);
+    H5Tclose(type);
+    for (hsize_t k = 0; begin != HADDR_UNDEF && k < H5Dget_storage_size(dataset); ++k)
+      static_cast<std::vector<std::size_t>*>(found)->push_back(begin + k);
+    H5Dclose(dataset);
+    return 0;
+  };
+  H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, visit, &places);
+  H5Fclose(file);
+  H5Pclose(access);
+  return places;
+}
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+LawParameters law() {
+  return parse_law("fuzz",
+                   "normal.stiffness=1e3,adhesion.force=1,adhesion.range=1e-3,friction.coefficient=0.5,"
+                   "friction.stiffness=1e3,rolling.coefficient=0.01,rolling.stiffness=1");
+}
+
+/// Reads as `floc convert` does, contacts included.
+template <class Read>
+void import(const Read& read, const std::string& bytes, const std::function<void(ImportOptions&)>& set = {}) {
+  const MemoryFile file(bytes);
+  ImportOptions options;
+  options.law = law();
+  if (set) set(options);
+  try {
+    Imported imported = read(file.path(), options);
+    if (!imported.contacts_known) std::visit([](auto& state) { find_contacts(state.packing); }, imported.state);
+  } catch (const InputError&) {
+  }
+}
+
+void read_scene_bytes(const std::string& bytes) {
+  try {
+    const Scene scene = parse_scene(bytes, "fuzz.toml", "/nonexistent", {});
+    derived_groups(scene);
+  } catch (const InputError&) {
+  }
+}
+
+void read_law_bytes(const std::string& bytes) {
+  try {
+    parse_law("fuzz", bytes);
+  } catch (const InputError&) {
+  }
+}
+
+void read_csv_bytes(const std::string& bytes) {
+  import(read_csv_packing, bytes, [](ImportOptions& options) { options.cell = {{2.0, 0.0}, {0.3, 2.0}};
+});
+}  // namespace
+
+/// A csv with contacts of three grains that are given.
+void read_contacts_bytes(const std::string& bytes) {
+  static const std::string kGrains = "x,y,r\n0,0,0.5\n0.999,0,0.5\n0.4995,0.8651,0.5\n";
+  const MemoryFile contacts(bytes);
+  import(read_csv_packing, kGrains, [&](ImportOptions& options) {
+    options.cell = {{4.0, 0.0}, {0.0, 4.0}};
+  options.contacts = contacts.path();
+});
+}  // namespace floc::fuzz
+
+void read_dump_bytes(const std::string& bytes) {
+  import(read_lammps_dump, bytes);
+}
+void read_data_bytes(const std::string& bytes) {
+  import(read_lammps_data, bytes);
+}
+void read_yade_bytes(const std::string& bytes) {
+  import(read_yade_text, bytes);
+}
+void read_vtu_bytes(const std::string& bytes) {
+  import(read_vtu, bytes);
+}
+void read_xyz_bytes(const std::string& bytes) {
+  import(read_extended_xyz, bytes);
+}
+void read_jambashbulk_bytes(const std::string& bytes) {
+  import(read_jambashbulk, bytes, [](ImportOptions& options) { options.law.reset();
+});
+}
+
+/// A small state in each dimension, in a format that floc writes.
+std::vector<std::string> written_states(const std::string& extension) {
+  std::vector<std::string> seeds;
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("floc-fuzz-" + std::to_string(::getpid()) + extension))
+          .string();
+  const auto add = [&]<int Dim>(State<Dim> state) {
+    state.packing.cell.velocity.setZero();
+    find_export_format("", path).write(path, state);
+    seeds.push_back(content_of(path));
+    std::filesystem::remove(path);
+  };
+  add(test::busy_state<2>());
+  add(test::busy_state<3>());
+  return seeds;
+}
+
+/// Bytes that no program sealed: refused before HDF5 sees them.
+void read_unsealed_bytes(const std::string& bytes) {
+  const MemoryFile file(bytes);
+  try {
+    read_state(file.path());
+  } catch (const InputError&) {
+  }
+}
+
+/// The states that edits of the reader "state" start from, without their seals, and where in them datasets lie.
+struct StateImage {
+  std::string content;
+  std::vector<std::size_t> places;  ///< of every byte of every dataset
+};
+
+const std::vector<StateImage>& state_images() {
+  static const std::vector<StateImage> images = [] {
+    std::vector<StateImage> made;
+    for (const std::string& bytes : written_states(".h5")) {
+      StateImage& image = made.emplace_back();
+      image.content = std::string(unseal("seed", bytes));
+      image.places = dataset_bytes(image.content);
+    }
+    return made;
+  }();
+  return images;
+}
+
+/// Edits of a state's numbers, sealed anew: the first byte chooses the state, then two bytes say where and eight what.
+void read_edited_state(const std::string& edits) {
+  if (edits.empty()) return;
+  const StateImage& image = state_images()[static_cast<unsigned char>(edits[0]) % state_images().size()];
+  std::string content = image.content;
+  for (std::size_t at = 1; at + 10 <= edits.size(); at += 10) {
+    std::uint16_t where = 0;
+    std::memcpy(&where, edits.data() + at, 2);
+    for (std::size_t k = 0; k < 8; ++k)
+      content[image.places[(where + k) % image.places.size()]] = edits[at + 2 + k];
+  }
+  read_unsealed_bytes(seal(content));
+}
+
+template <class... Path>
+std::vector<std::string> shipped(const Path&... path) {
+  return {content_of(kData / path)...};
+}
+
+std::vector<std::string> scene_seeds() {
+  std::vector<std::string> seeds;
+  for (const auto& entry : std::filesystem::directory_iterator(kData / "scenes"))
+    if (entry.path().extension() == ".toml") seeds.push_back(content_of(entry.path()));
+  return seeds;
+}
+
+/// Numbers that are no length, no count and no index, at places all over the file.
+std::vector<std::string> edit_seeds() {
+  std::vector<std::string> seeds;
+  const double values[] = {0.0, -1.0, 1e300, 1e-300, std::nan(""), std::numeric_limits<double>::infinity()};
+  for (std::uint16_t where = 0; where < 2000; where = static_cast<std::uint16_t>(where + 16))
+    for (const double value : values) {
+      std::string edit(1, static_cast<char>(where / 16));
+      edit.append(reinterpret_cast<const char*>(&where), 2).append(reinterpret_cast<const char*>(&value), 8);
+      seeds.push_back(edit);
+    }
+  return seeds;
+}
+
+std::vector<std::string> csv_seeds() {
+  return {"x,y,r\n0.0,0.0,0.5\n0.999,0.0,0.5\n0.4995,0.8651594,0.5\n1.4985,0.8651594,0.5\n",
+          "id;x;y;diameter;mass\n1;1000000000.1234567891;-7;1;2\n# words\n2;\"0.5\";1e-3;.5;1\n"};
+}
+std::vector<std::string> contact_seeds() {
+  return {
+      "id1,id2,image1,image2,normal_force,shear_force1,shear_force2,rolling_moment,kn,kt\n"
+      "0,1,0,0,1.5,0,0.1,0.001,1e3,8e2\n1,2,0,0,0.5,0,0,0,1e3,8e2\n",
+      "id1\tid2\tforce1\tforce2\n0\t2\t-0.5\t-0.9\n"};
+}
+std::vector<std::string> law_seeds() {
+  return {law_text(law()), "normal.stiffness=1"};
+}
+
+}  // namespace
+
+const std::vector<Reader>& readers() {
+  static const std::vector<Reader> all = {
+      {"scene", read_scene_bytes, scene_seeds},
+      {"law", read_law_bytes, law_seeds},
+      {"state", read_edited_state, edit_seeds},
+      {"state_bytes", read_unsealed_bytes, [] { return written_states(".h5"); }},
+      {"csv", read_csv_bytes, csv_seeds},
+      {"contacts", read_contacts_bytes, contact_seeds},
+      {"lammps_dump", read_dump_bytes, [] { return shipped("packings/lammps/disks.dump"); }},
+      {"lammps_data", read_data_bytes, [] { return written_states(".data"); }},
+      {"yade", read_yade_bytes, [] { return shipped("packings/yade/spheres.txt"); }},
+      {"vtu", read_vtu_bytes, [] { return written_states(".vtu"); }},
+      {"extended_xyz", read_xyz_bytes, [] { return written_states(".xyz"); }},
+      {"jambashbulk", read_jambashbulk_bytes,
+       [] { return shipped("packings/jambashbulk/N16~P1e-3~0001.txt"); }},
+  };
+  return all;
+}
+
+}  // namespace floc::fuzz

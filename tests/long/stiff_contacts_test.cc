@@ -1,0 +1,25 @@
+#include <gtest/gtest.h>
+
+#include "floc/io/state_file.h"
+#include "support/run_program.h"
+
+namespace floc::test {
+namespace {
+
+/// A loose powder of 1400 disks whose contacts become stiffer up to kappa = 1e9: equilibria to the usual tolerance, and
+/// verified from their files.
+TEST(StiffContacts, OfALoosePowderReachAnEquilibriumThatTheirFileHolds) {
+  const ScratchDirectory scratch;
+  const Outcome run =
+      run_floc("run " FLOC_SOURCE_DIR "/data/scenes/stiff_contacts.toml -o stiff", scratch.path());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Outcome verified = run_floc("verify stiff/state-*.h5", scratch.path());
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+  const State<2> last = std::get<State<2>>(read_state(scratch.file("stiff/state-0008.h5")));
+  EXPECT_EQ(last.packing.law.normal_stiffness, 1e9);
+  EXPECT_EQ(last.packing.grains.size(), 1400);
+  EXPECT_LT(last.residuals.force, 1e-5);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -103,11 +103,11 @@ TEST(Relaxer, AStaticStepEndsWhereMotionEnds) {
 }
 
 TEST(Relaxer, LeavesToMotionWhereItsVibrationsSlideOrTheSceneWantsNoNewton) {
-  const Relaxer<2> sliding = run_to_end(options(), equilibrium(), 0.2);
+  const Relaxer<2> sliding = run_to_end(options(), equilibrium(), 0.15);
   EXPECT_GT(sliding.progress().n_steps, 0);
   RelaxationOptions any = options();
   any.finish = Finish::statics;
-  EXPECT_EQ(run_to_end(any, equilibrium(), 0.2).report().ending, "static");
+  EXPECT_EQ(run_to_end(any, equilibrium(), 0.15).report().ending, "static");
 }
 
 TEST(Relaxer, SaysWhichCriterionBlocks) {

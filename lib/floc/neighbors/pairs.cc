@@ -104,10 +104,10 @@ class Bins {
   template <class Visit>
   void visit_bin(int i, const Vec<Dim, int>& offset, const Visit& visit) const {
     Vec<Dim, int> target = bin_[i] + offset;
-    Vec<Dim, int> image;
-    for (int a = 0; a < Dim; ++a) {
-      image[a] = target[a] >= 0 ? target[a] / count_[a] : -((count_[a] - 1 - target[a]) / count_[a]);
-      target[a] -= image[a] * count_[a];
+    Vec<Dim, int> image = Vec<Dim, int>::Zero();
+    for (int a = 0; a < Dim; ++a) {  // a few turns at most, and seldom any: dividing took a third of the search
+      for (; target[a] < 0; target[a] += count_[a]) --image[a];
+      for (; target[a] >= count_[a]; target[a] -= count_[a]) ++image[a];
     }
     const int b = flat(target);
     for (int m = first_[b]; m < first_[b + 1]; ++m) visit(member_[m], image);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <variant>
 
 namespace floc {
@@ -109,62 +110,70 @@ PairArrays<Dim> HotPairs<Dim>::arrays() {
   return out;
 }
 
-/// Lists for each grain the rows it sums, in the order of the pairs.
+/// In the order of the pairs; grains that pad the last block have none.
+template <int Dim>
+typename HotPairs<Dim>::RowsOfGrains HotPairs<Dim>::rows_of(const std::vector<int>& grain_of_pair,
+                                                            int n_grains) const {
+  const int padded = (n_grains + kGrainBlock - 1) / kGrainBlock * kGrainBlock;
+  RowsOfGrains rows{std::vector<int>(padded + 1, 0), {}};
+  for (int p = 0; p < size(); ++p)
+    if (!padding(p)) ++rows.first[grain_of_pair[p] + 1];
+  std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
+  rows.row.resize(rows.first.back());
+  std::vector<int> next(rows.first.begin(), rows.first.end() - 1);
+  for (int p = 0; p < size(); ++p)
+    if (!padding(p)) rows.row[next[grain_of_pair[p]]++] = row_bytes_ * p;
+  return rows;
+}
+
 template <int Dim>
 void HotPairs<Dim>::plan_sums(int n_grains) {
-  std::vector<int> first_row(n_grains + 1, 0);
-  for (int p = 0; p < size(); ++p) {
-    if (padding(p)) continue;
-    ++first_row[i(p) + 1];
-    ++first_row[j(p) + 1];
+  const RowsOfGrains as_i = rows_of(i_, n_grains);
+  const RowsOfGrains as_j = rows_of(j_, n_grains);
+  plans_.resize((n_grains + kGrainBlock - 1) / kGrainBlock);
+  std::vector<std::size_t> first(plans_.size());
+  for (std::size_t b = 0; b < plans_.size(); ++b) {
+    first[b] = listed_rows_.size();
+    plan_block(static_cast<int>(b), as_i, as_j);
   }
-  std::partial_sum(first_row.begin(), first_row.end(), first_row.begin());
-  std::vector<int> rows(first_row.back());
-  std::vector<int> next(first_row.begin(), first_row.end() - 1);
-  for (int p = 0; p < size(); ++p) {
-    if (padding(p)) continue;
-    rows[next[i(p)]++] = row_bytes_ * p;
-    rows[next[j(p)]++] = row_bytes_ * p + kSideOfRow;
-  }
-
-  const int n_blocks = (n_grains + kGrainBlock - 1) / kGrainBlock;
-  plans_.resize(n_blocks);
-  int n_entries = 0;
-  for (int b = 0; b < n_blocks; ++b) n_entries += plan_block(b, n_grains, first_row);
-  entries_.assign(n_entries, row_bytes_ * size());  // the row that stays zero
-  int* entry = entries_.data();
-  for (int b = 0; b < n_blocks; ++b) {
-    for (int g = 0; g < kGrainBlock / kSumGroup; ++g) {
-      plans_[b].entry[g] = entry;
-      for (int l = 0; l < kSumGroup; ++l) {
-        const int k = b * kGrainBlock + plans_[b].grain[g * kSumGroup + l];
-        if (k >= n_grains) continue;
-        for (int d = 0; d < first_row[k + 1] - first_row[k]; ++d)
-          entry[d * kSumGroup + l] = rows[first_row[k] + d];
+  // Only now that the list has stopped growing does it stay where it is.
+  for (std::size_t b = 0; b < plans_.size(); ++b) {
+    const int* row = listed_rows_.data() + first[b];
+    for (int g = 0; g < BlockSumsPlan::kGroups; ++g) {
+      for (RowList* list : {&plans_[b].as_i[g], &plans_[b].as_j[g]}) {
+        list->row = row;
+        row += list->depth * kSumGroup;
       }
-      entry += plans_[b].depth[g] * kSumGroup;
     }
   }
   plan_crossings();
 }
 
-/// Sorts the grains of a block by falling number of rows. @return the number of entries its groups take
+/// Groups the grains of a block by falling numbers of rows, and lists those of each group.
 template <int Dim>
-int HotPairs<Dim>::plan_block(int block, int n_grains, const std::vector<int>& first_row) {
+void HotPairs<Dim>::plan_block(int block, const RowsOfGrains& as_i, const RowsOfGrains& as_j) {
   BlockSumsPlan& plan = plans_[block];
-  const auto n_rows = [&](int grain) {
-    const int k = block * kGrainBlock + grain;
-    return k < n_grains ? first_row[k + 1] - first_row[k] : 0;
-  };
+  const int begin = block * kGrainBlock;
   std::iota(std::begin(plan.grain), std::end(plan.grain), 0);
-  std::stable_sort(std::begin(plan.grain), std::end(plan.grain),
-                   [&](int p, int q) { return n_rows(p) > n_rows(q); });
-  int n_entries = 0;
-  for (int g = 0; g < kGrainBlock / kSumGroup; ++g) {
-    plan.depth[g] = n_rows(plan.grain[g * kSumGroup]);
-    n_entries += plan.depth[g] * kSumGroup;
+  std::stable_sort(std::begin(plan.grain), std::end(plan.grain), [&](int p, int q) {
+    return std::pair(as_i.count(begin + p), as_j.count(begin + p)) >
+           std::pair(as_i.count(begin + q), as_j.count(begin + q));
+  });
+  const int zero_row = row_bytes_ * size();
+  const auto list = [&](const int* grain, const RowsOfGrains& rows) {
+    int depth = 0;
+    for (int l = 0; l < kSumGroup; ++l) depth = std::max(depth, rows.count(begin + grain[l]));
+    for (int d = 0; d < depth; ++d)
+      for (int l = 0; l < kSumGroup; ++l) {
+        const int k = begin + grain[l];
+        listed_rows_.push_back(d < rows.count(k) ? rows.row[rows.first[k] + d] : zero_row);
+      }
+    return RowList{depth, nullptr};
+  };
+  for (int g = 0; g < BlockSumsPlan::kGroups; ++g) {
+    plan.as_i[g] = list(plan.grain + g * kSumGroup, as_i);
+    plan.as_j[g] = list(plan.grain + g * kSumGroup, as_j);
   }
-  return n_entries;
 }
 
 template <int Dim>

@@ -63,11 +63,19 @@ class HotPairs {
   const BlockSumsPlan& plan(int block) const { return plans_[block]; }
 
  private:
+  /// For each grain, where the rows begin of the pairs that it is the first, or the second, of.
+  struct RowsOfGrains {
+    std::vector<int> first;  ///< of each grain in `row`, and the end
+    std::vector<int> row;
+    int count(int grain) const { return first[grain + 1] - first[grain]; }
+  };
+
   void add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping);
   void pad_block();
   void fill_pack();
+  RowsOfGrains rows_of(const std::vector<int>& grain_of_pair, int n_grains) const;
   void plan_sums(int n_grains);
-  int plan_block(int block, int n_grains, const std::vector<int>& first_row);
+  void plan_block(int block, const RowsOfGrains& as_i, const RowsOfGrains& as_j);
   void plan_crossings();
 
   int row_bytes_ = 0;
@@ -78,7 +86,7 @@ class HotPairs {
   std::vector<int> first_of_i_, end_of_i_;  ///< pairs of a grain
 
   std::vector<BlockSumsPlan> plans_;
-  std::vector<int> entries_, crossing_;  ///< what the plans point into
+  std::vector<int> listed_rows_, crossing_;  ///< what the plans point into
 };
 
 }  // namespace floc

@@ -22,10 +22,6 @@ constexpr int row_size(bool turns) {
   return turns ? 4 : 2;
 }
 
-/// Bit of an entry of a sum that says the grain is the j of the row's pair: smaller than a row, and the number of weights
-/// that a side has.
-inline constexpr int kSideOfRow = 4;
-
 template <int Dim>
 struct GrainArrays {
   double *x[Dim], *v[Dim], *force[Dim];
@@ -46,13 +42,18 @@ struct PairArrays {
   double* row;           ///< one more than there are pairs: the last stays zero
 };
 
-/// Which rows each grain of a block sums, in ascending order of its pairs. Grains with equally many stand side by side in
-/// groups, and lists are filled up with the row that stays zero, so that groups are summed without branches.
+/// Where the rows begin that a group of grains sums: depth x kSumGroup of them (in bytes), in ascending order of the pairs.
+struct RowList {
+  int depth;
+  const int* row;
+};
+
+/// Which rows each grain of a block sums, as the first and as the second of a pair. Grains with equally many stand side
+/// by side in groups, and lists are filled up with the row that stays zero, so that groups are summed without branches.
 struct BlockSumsPlan {
-  int grain[kGrainBlock];              ///< grains of the block (from its first), by falling number of pairs
-  int depth[kGrainBlock / kSumGroup];  ///< rows of each group
-  /// depth x kSumGroup: where the row begins (bytes), plus kSideOfRow where the grain is the j of its pair
-  const int* entry[kGrainBlock / kSumGroup];
+  static constexpr int kGroups = kGrainBlock / kSumGroup;
+  int grain[kGrainBlock];  ///< grains of the block (from its first), in the order of the groups
+  RowList as_i[kGroups], as_j[kGroups];
   int n_crossing;
   const int* crossing;  ///< pairs of the block whose branch crosses the boundary, ascending
 };

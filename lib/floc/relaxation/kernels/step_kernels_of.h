@@ -53,8 +53,7 @@ struct GrainKernels {
   [[gnu::flatten]] static void sum_and_kick(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs,
                                             const BlockSumsPlan& plan, int begin, const PairCell<Dim>& cell,
                                             const Kick<Dim>& kick, BlockSums<Dim>& sums) {
-    for (int g = 0; g < kGrainBlock / kSumGroup; ++g)
-      sum_group(grains, pairs, plan.entry[g], plan.depth[g], plan.grain + g * kSumGroup, begin);
+    for (int g = 0; g < BlockSumsPlan::kGroups; ++g) sum_group(grains, pairs, plan, g, begin);
     for (int a = 0; a < Dim; ++a) {
       double* const v = grains.v[a] + begin;
       const double* const force = grains.force[a] + begin;
@@ -78,9 +77,6 @@ struct GrainKernels {
   }
 
  private:
-  /// What a grain takes of a row: i the force reversed and the first moment, j the force and the second.
-  static constexpr double kWeights[2][4] = {{-1.0, -1.0, 1.0, 0.0}, {1.0, 1.0, 0.0, 1.0}};
-
   static void accelerate(double* v, const double* force, const double* inverse_mass, const Kick<Dim>& kick,
                          int a) {
     const double half_step = kick.half_step, keep = kick.keep[a], gain = kick.gain[a];
@@ -113,24 +109,30 @@ struct GrainKernels {
     return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
   }
 
-  /// Forces and moments of eight grains. Rows of pairs that do not interact are zero and leave no trace, so the sums do
-  /// not depend on which of them the list holds.
-  static void sum_group(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, const int* entry,
-                        int depth, const int* grain, int begin) {
+  static void add_rows(const PairArrays<Dim>& pairs, const RowList& list, Row (&sum)[kSumGroup]) {
     const char* const rows = reinterpret_cast<const char*>(pairs.row);
-    Row sum[kSumGroup] = {};
-    for (int d = 0; d < depth; ++d, entry += kSumGroup) {
+    const int* const end = list.row + list.depth * kSumGroup;
+    for (const int* row = list.row; row != end; row += kSumGroup) {
       for (int l = 0; l < kSumGroup; ++l) {
-        Row row, weight;
-        __builtin_memcpy(&row, rows + (entry[l] & ~kSideOfRow), sizeof(Row));
-        __builtin_memcpy(&weight, &kWeights[0][entry[l] & kSideOfRow], sizeof(Row));
-        sum[l] += row * weight;
+        Row next;
+        __builtin_memcpy(&next, rows + row[l], sizeof(Row));
+        sum[l] += next;
       }
     }
+  }
+
+  /// Forces and moments of a group of grains. Rows of pairs that do not interact are zero and leave no trace, so the sums
+  /// do not depend on which of them the list holds.
+  static void sum_group(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, const BlockSumsPlan& plan,
+                        int group, int begin) {
+    Row as_i[kSumGroup] = {}, as_j[kSumGroup] = {};
+    add_rows(pairs, plan.as_i[group], as_i);
+    add_rows(pairs, plan.as_j[group], as_j);
     for (int l = 0; l < kSumGroup; ++l) {
-      const int k = begin + grain[l];
-      for (int a = 0; a < Dim; ++a) grains.force[a][k] = sum[l][a];
-      if constexpr (kTurns) grains.torque[k] = sum[l][Dim] + sum[l][Dim + 1];
+      const int k = begin + plan.grain[group * kSumGroup + l];
+      const Row force = as_j[l] - as_i[l];
+      for (int a = 0; a < Dim; ++a) grains.force[a][k] = force[a];
+      if constexpr (kTurns) grains.torque[k] = as_i[l][Dim] + as_j[l][Dim + 1];
     }
   }
 };

@@ -15,10 +15,8 @@
 namespace floc {
 namespace {
 
-/// A list that lives fewer steps than this costs more in rebuilding than a wider skin costs in idle pairs; one that
-/// lives longer than the other carries idle pairs for nothing (measured at N = 1400: a rebuild costs about 15 steps).
-constexpr int kShortListLife = 60;
-constexpr int kLongListLife = 250;
+/// What a new list of pairs costs, in time steps (measured at N = 1400 and 100 000).
+constexpr double kListCost = 23.0;
 constexpr double kThinnestSkin = 1e-3;  // of the largest diameter
 
 /// The same contact seen from the other grain.
@@ -154,22 +152,45 @@ void ExplicitDynamics<Dim>::kick_and_drift(int block) {
   kernels_.kick_and_drift(grain_arrays_, block * kGrainBlock, kick_over(0.5 * dt_), drift, sums_[block]);
 }
 
-/// The list has carried idle pairs for long, or something outside it might interact: nothing can while the affine
-/// shrinking and twice the largest displacement relative to it eat less than the skin.
+/// The share of the time that the list has cost so far, against that of the pairs which it carries for nothing: the skin
+/// is right where they are of one size.
+template <int Dim>
+double ExplicitDynamics<Dim>::list_cost_share() const {
+  return kListCost / steps_since_list_;
+}
+
+/// The list carries too many idle pairs, or something outside it might interact: nothing can while the affine shrinking
+/// and twice the largest displacement relative to it eat less than the skin.
 template <int Dim>
 bool ExplicitDynamics<Dim>::list_is_stale() const {
+  if (list_cost_share() < 0.5 * idle_share_ && skin_ > kThinnestSkin * largest_) return true;
   double squared = 0.0;
   for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.displacement_squared);
   const double shrink = std::max(0.0, 1.0 - list_stretch_.minCoeff());
-  if (steps_since_list_ > kLongListLife && skin_ > kThinnestSkin * largest_) return true;
   return 2.0 * std::sqrt(squared) + shrink * (largest_ + range_ + skin_) >= skin_;
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::adapt_skin() {
   if (pairs_.size() == 0 || steps_since_list_ == 0) return;
-  if (steps_since_list_ < kShortListLife) skin_ = std::min(1.3 * skin_, 0.5 * largest_);
-  if (steps_since_list_ > kLongListLife) skin_ = std::max(0.7 * skin_, kThinnestSkin * largest_);
+  if (list_cost_share() > idle_share_) skin_ = std::min(1.25 * skin_, 0.5 * largest_);
+  if (list_cost_share() < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, kThinnestSkin * largest_);
+}
+
+/// Share of the pairs that are out of each other's range.
+template <int Dim>
+double ExplicitDynamics<Dim>::share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const {
+  std::size_t idle = 0;
+  for (const NeighborPair<Dim>& p : pairs) {
+    double squared = 0.0;
+    for (int a = 0; a < Dim; ++a) {
+      const double r = grains_.x[a][p.j] - grains_.x[a][p.i] + p.image[a] * side_[a];
+      squared += r * r;
+    }
+    const double reach = grains_.radius[p.i] + grains_.radius[p.j] + range_;
+    idle += squared >= reach * reach;
+  }
+  return pairs.empty() ? 0.0 : static_cast<double>(idle) / static_cast<double>(pairs.size());
 }
 
 template <int Dim>
@@ -181,7 +202,9 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   now.radius.assign(grains_.radius.begin(), grains_.radius.begin() + grains_.size());
   Cell<Dim> cell;
   cell.matrix = side_.asDiagonal();
-  HotPairs<Dim> pairs(find_pairs(cell, now, range_ + skin_), now.radius, grains_.mass, law_, dt_);
+  const std::vector<NeighborPair<Dim>> close = find_pairs(cell, now, range_ + skin_);
+  idle_share_ = share_of_idle(close);
+  HotPairs<Dim> pairs(close, now.radius, grains_.mass, law_, dt_);
   pairs.inherit(pairs_);
   pairs_ = std::move(pairs);
   pair_arrays_ = pairs_.arrays();

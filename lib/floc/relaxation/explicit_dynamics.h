@@ -36,7 +36,9 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void sum_and_kick(int block, double half_step);
   void end_step(Motion motion);
   void refresh_forces();
+  double list_cost_share() const;
   bool list_is_stale() const;
+  double share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const;
   void rebuild_list();
   void adapt_skin();
 
@@ -65,6 +67,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Vec<Dim> side_list_;
   Vec<Dim> list_stretch_;  ///< L / L when the list was built
   int steps_since_list_ = 0;
+  double idle_share_ = 0.0;  ///< of the pairs, when the list was built
 };
 
 }  // namespace floc

@@ -1,11 +1,18 @@
 #include "floc/relaxation/hot_pairs.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <variant>
 
 namespace floc {
+namespace {
+
+/// More rows than a grain has.
+constexpr std::int64_t kManyRows = std::int64_t{1} << 26;
+
+}  // namespace
 
 template <int Dim>
 HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::vector<double>& radius,
@@ -154,11 +161,12 @@ template <int Dim>
 void HotPairs<Dim>::plan_block(int block, const RowsOfGrains& as_i, const RowsOfGrains& as_j) {
   BlockSumsPlan& plan = plans_[block];
   const int begin = block * kGrainBlock;
-  std::iota(std::begin(plan.grain), std::end(plan.grain), 0);
-  std::stable_sort(std::begin(plan.grain), std::end(plan.grain), [&](int p, int q) {
-    return std::pair(as_i.count(begin + p), as_j.count(begin + p)) >
-           std::pair(as_i.count(begin + q), as_j.count(begin + q));
-  });
+  std::int64_t falling[kGrainBlock];  // sorts by falling numbers, then by grain, which its last digits hold
+  for (int k = 0; k < kGrainBlock; ++k)
+    falling[k] = -(as_i.count(begin + k) * kManyRows + as_j.count(begin + k)) * kGrainBlock + k;
+  std::sort(std::begin(falling), std::end(falling));
+  for (int k = 0; k < kGrainBlock; ++k)
+    plan.grain[k] = static_cast<int>((falling[k] % kGrainBlock + kGrainBlock) % kGrainBlock);
   const int zero_row = row_bytes_ * size();
   const auto list = [&](const int* grain, const RowsOfGrains& rows) {
     int depth = 0;

@@ -27,11 +27,13 @@ constexpr double kStillContactsWindow = 20.0;
 constexpr double kCoastingEnergy = 100.0;
 /// A load that is put on at once, undamped, carries a spring this many times as far as the equilibrium lies.
 constexpr double kOvershoot = 2.0;
+/// Newton iterations after which it shows whether only springs move: the first is the elastic answer.
+constexpr int kFirstLook = 2;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
 constexpr double kFinishPhi = 1e-4;
 /// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none (PHYSICS section 1).
 constexpr double kDefaultInertialNumber = 1e-3;
-/// The polisher is tried where it is known to succeed, and after a failure again a while later.
+/// The polisher is tried where it is known to succeed, and after a failure again a while later, each time a longer one.
 constexpr double kPolishResidual = 5e-3;
 constexpr int kPolishPause = 8;
 
@@ -250,7 +252,8 @@ RelaxationStatus Relaxer<Dim>::judge_finish() {
   const bool may_polish = options_.finish != Finish::dynamic && residuals_.force < kPolishResidual;
   if (may_polish && (within || progress_.finishing_stretches >= progress_.next_polish)) {
     if (polish()) return RelaxationStatus::converged;
-    progress_.next_polish = progress_.finishing_stretches + kPolishPause;
+    progress_.next_polish =
+        progress_.finishing_stretches + std::max(kPolishPause, progress_.finishing_stretches / 2);
   }
   if (!within || !stable(packing_)) return RelaxationStatus::running;
   ending_ = "dynamic";
@@ -268,9 +271,13 @@ bool Relaxer<Dim>::polish() {
 /// A static step without dynamics, where dynamics would end in the same state, or where the scene takes any equilibrium.
 template <int Dim>
 bool Relaxer<Dim>::solved_at_once() {
+  const bool any = options_.finish == Finish::statics;
+  StaticSolverOptions look;
+  look.max_iterations = kFirstLook;
+  if (!any && !only_springs_move(packing_, solve_statics(packing_, target_, look).packing)) return false;
   const StaticSolution<Dim> solution = solve_statics(packing_, target_, StaticSolverOptions{});
-  const bool wanted = options_.finish == Finish::statics || only_springs_move(packing_, solution.packing);
-  if (!wanted || !is_equilibrium(solution)) return false;
+  if (!any && !only_springs_move(packing_, solution.packing)) return false;
+  if (!is_equilibrium(solution)) return false;
   take(solution, "static");
   return true;
 }

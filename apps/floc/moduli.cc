@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
+#include <map>
 
 #include "command.h"
 #include "floc/base/error.h"
@@ -24,6 +25,11 @@
 namespace floc {
 namespace {
 
+const std::map<std::string, ModuliMethod> kMethods = {{"factor", ModuliMethod::factor},
+                                                      {"single-factor", ModuliMethod::single_factor},
+                                                      {"iterative", ModuliMethod::iterative},
+                                                      {"bounds", ModuliMethod::bounds}};
+
 /// Near-mechanisms are counted up to this number of grains: it takes a factor that is slow for large packings.
 constexpr int kLargestCounted = 20000;
 
@@ -33,6 +39,7 @@ struct ModuliCommand {
   bool prestress = false;
   bool force = false;
   ModuliOptions options;
+  std::string method = "factor";
   std::vector<double> rolling_stiffness;
   std::string increments;  ///< file for the increments of every contact; empty: none
   std::string format;
@@ -50,8 +57,8 @@ struct ModuliRow {
   double reduced_pressure;
   double solid_fraction;
   Moduli moduli;
-  NetworkMechanics network;
-  ErrorBudget budget;
+  std::optional<NetworkMechanics> network;  ///< where moduli are solved for in full
+  std::optional<ErrorBudget> budget;        ///< likewise
   std::optional<int> n_near_mechanisms;
   std::optional<double> B_prestress;  ///< where near-mechanisms make it count
   std::optional<double> G_prestress;
@@ -113,16 +120,26 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
   row.G_prestress = with.G;
 }
 
+/// Moduli of the states of the call so far, which an iterative method goes on from.
+struct ModuliSequences {
+  ModuliSequence<2> plane;
+  ModuliSequence<3> space;
+
+  Moduli next(const Packing<2>& packing, bool unloaded) { return plane.next(packing, unloaded); }
+  Moduli next(const Packing<3>& packing, bool unloaded) { return space.next(packing, unloaded); }
+};
+
 /// A row for each rolling stiffness asked for, or one with the state's own.
 template <int Dim>
 std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& state, ModuliOptions options,
-                                    const std::vector<double>& rolling_stiffness, Table* increments) {
+                                    const std::vector<double>& rolling_stiffness, ModuliSequences& sequences,
+                                    Table* increments) {
   options.unloaded = state.target_stress.isZero(0.0);
   const ModuliRow description = described(file, state);
   warn_of_rounding(file, state);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Moduli> moduli = rolling_stiffness.empty()
-                                         ? std::vector<Moduli>{elastic_moduli(state.packing, options)}
+                                         ? std::vector<Moduli>{sequences.next(state.packing, options.unloaded)}
                                          : elastic_moduli(state.packing, options, rolling_stiffness);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::vector<ModuliRow> rows(moduli.size(), description);
@@ -131,7 +148,7 @@ std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& s
     rows[k].reduced_pressure = reduced_pressure<Dim>(state.packing, moduli[k].pressure);
     if (!rolling_stiffness.empty()) rows[k].rolling_stiffness = rolling_stiffness[k];
     rows[k].seconds = seconds / static_cast<double>(rows.size());
-    add_network(state, options, rows[k], increments);
+    if (options.method == ModuliMethod::factor) add_network(state, options, rows[k], increments);
     for (const std::string& warning : moduli[k].warnings)
       std::cerr << "floc: " << file << ": warning: " << warning << '\n';
   }
@@ -162,78 +179,94 @@ using Column = std::pair<std::string, std::function<TableValue(const ModuliRow&)
 
 std::vector<Column> contract_columns() {
   const auto count = [](int n) { return TableValue{std::int64_t{n}}; };
-  return {
-      {"file", [](const ModuliRow& r) { return r.file; }},
-      {"dimension", [count](const ModuliRow& r) { return count(r.dimension); }},
-      {"n_grains", [](const ModuliRow& r) { return r.n_grains; }},
-      {"n_contacts", [](const ModuliRow& r) { return r.n_contacts; }},
-      {"n_distant", [](const ModuliRow& r) { return r.n_distant; }},
-      {"P", [](const ModuliRow& r) { return r.moduli.pressure; }},
-      {"P_star", [](const ModuliRow& r) { return r.reduced_pressure; }},
-      {"phi", [](const ModuliRow& r) { return r.solid_fraction; }},
-      {"z", [](const ModuliRow& r) { return r.z; }},
-      {"C11", [](const ModuliRow& r) { return r.moduli.C(0, 0); }},
-      {"C22", [](const ModuliRow& r) { return r.moduli.C(1, 1); }},
-      {"C12", [](const ModuliRow& r) { return r.moduli.C(0, 1); }},
-      {"B", [](const ModuliRow& r) { return r.moduli.B; }},
-      {"B_S", [](const ModuliRow& r) { return r.moduli.B_S; }},
-      {"G", [](const ModuliRow& r) { return r.moduli.G; }},
-      {"isotropy_defect", [](const ModuliRow& r) { return r.moduli.isotropy_defect; }},
-      {"B_voigt", [](const ModuliRow& r) { return r.moduli.bounds.B_voigt; }},
-      {"G_voigt", [](const ModuliRow& r) { return r.moduli.bounds.G_voigt; }},
-      {"B_reuss", [](const ModuliRow& r) { return r.moduli.bounds.B_reuss; }},
-      {"B_voigt_printed", [](const ModuliRow& r) { return r.moduli.bounds.B_voigt_printed; }},
-      {"G_voigt_printed", [](const ModuliRow& r) { return r.moduli.bounds.G_voigt_printed; }},
-      {"B_reuss_printed", [](const ModuliRow& r) { return r.moduli.bounds.B_reuss_printed; }},
-      {"Z2", [](const ModuliRow& r) { return r.moduli.bounds.Z2; }},
-      {"n_negative", [count](const ModuliRow& r) { return count(r.moduli.n_negative); }},
-      {"n_mechanisms", [count](const ModuliRow& r) { return count(r.moduli.n_mechanisms); }},
-      {"n_coupled_mechanisms", [count](const ModuliRow& r) { return count(r.moduli.n_coupled_mechanisms); }},
-      {"residual", [](const ModuliRow& r) { return r.moduli.residual; }},
-      {"condition", [](const ModuliRow& r) { return r.moduli.condition; }},
-      {"seconds", [](const ModuliRow& r) { return r.seconds; }},
-      {"units", [](const ModuliRow& r) { return r.units; }},
-      {"n_rattlers", [count](const ModuliRow& r) { return count(r.moduli.n_rattlers); }},
-      {"n_free_rollers", [count](const ModuliRow& r) { return count(r.moduli.n_free_rollers); }},
-      {"n_at_cap", [count](const ModuliRow& r) { return count(r.moduli.n_at_cap); }},
-      {"error_C", [](const ModuliRow& r) { return r.moduli.C_error.maxCoeff(); }},
-      {"error_B", [](const ModuliRow& r) { return r.moduli.B_error; }},
-      {"error_B_S", [](const ModuliRow& r) { return r.moduli.B_S_error; }},
-      {"error_G", [](const ModuliRow& r) { return r.moduli.G_error; }}};
+  const auto counted = [](const ModuliRow& r, int n) {
+    return r.moduli.counted ? TableValue{std::int64_t{n}} : TableValue{};
+  };
+  return {{"file", [](const ModuliRow& r) { return r.file; }},
+          {"dimension", [count](const ModuliRow& r) { return count(r.dimension); }},
+          {"n_grains", [](const ModuliRow& r) { return r.n_grains; }},
+          {"n_contacts", [](const ModuliRow& r) { return r.n_contacts; }},
+          {"n_distant", [](const ModuliRow& r) { return r.n_distant; }},
+          {"P", [](const ModuliRow& r) { return r.moduli.pressure; }},
+          {"P_star", [](const ModuliRow& r) { return r.reduced_pressure; }},
+          {"phi", [](const ModuliRow& r) { return r.solid_fraction; }},
+          {"z", [](const ModuliRow& r) { return r.z; }},
+          {"C11", [](const ModuliRow& r) { return r.moduli.C(0, 0); }},
+          {"C22", [](const ModuliRow& r) { return r.moduli.C(1, 1); }},
+          {"C12", [](const ModuliRow& r) { return r.moduli.C(0, 1); }},
+          {"B", [](const ModuliRow& r) { return r.moduli.B; }},
+          {"B_S", [](const ModuliRow& r) { return r.moduli.B_S; }},
+          {"G", [](const ModuliRow& r) { return r.moduli.G; }},
+          {"isotropy_defect", [](const ModuliRow& r) { return r.moduli.isotropy_defect; }},
+          {"B_voigt", [](const ModuliRow& r) { return r.moduli.bounds.B_voigt; }},
+          {"G_voigt", [](const ModuliRow& r) { return r.moduli.bounds.G_voigt; }},
+          {"B_reuss", [](const ModuliRow& r) { return r.moduli.bounds.B_reuss; }},
+          {"B_voigt_printed", [](const ModuliRow& r) { return r.moduli.bounds.B_voigt_printed; }},
+          {"G_voigt_printed", [](const ModuliRow& r) { return r.moduli.bounds.G_voigt_printed; }},
+          {"B_reuss_printed", [](const ModuliRow& r) { return r.moduli.bounds.B_reuss_printed; }},
+          {"Z2", [](const ModuliRow& r) { return r.moduli.bounds.Z2; }},
+          {"n_negative", [counted](const ModuliRow& r) { return counted(r, r.moduli.n_negative); }},
+          {"n_mechanisms", [counted](const ModuliRow& r) { return counted(r, r.moduli.n_mechanisms); }},
+          {"n_coupled_mechanisms",
+           [counted](const ModuliRow& r) { return counted(r, r.moduli.n_coupled_mechanisms); }},
+          {"residual", [](const ModuliRow& r) { return r.moduli.residual; }},
+          {"condition", [](const ModuliRow& r) { return r.moduli.condition; }},
+          {"seconds", [](const ModuliRow& r) { return r.seconds; }},
+          {"units", [](const ModuliRow& r) { return r.units; }},
+          {"n_rattlers", [count](const ModuliRow& r) { return count(r.moduli.n_rattlers); }},
+          {"n_free_rollers", [count](const ModuliRow& r) { return count(r.moduli.n_free_rollers); }},
+          {"n_at_cap", [count](const ModuliRow& r) { return count(r.moduli.n_at_cap); }},
+          {"error_C", [](const ModuliRow& r) { return r.moduli.C_error.maxCoeff(); }},
+          {"error_B", [](const ModuliRow& r) { return r.moduli.B_error; }},
+          {"error_B_S", [](const ModuliRow& r) { return r.moduli.B_S_error; }},
+          {"error_G", [](const ModuliRow& r) { return r.moduli.G_error; }}};
 }
 
 std::vector<Column> network_columns() {
-  const auto count = [](int n) { return TableValue{std::int64_t{n}}; };
-  const auto maybe_count = [](const std::optional<int>& n) {
-    TableValue value;
-    if (n) value = std::int64_t{*n};
-    return value;
+  using Value = std::function<TableValue(const NetworkMechanics&)>;
+  const auto count = [](int NetworkMechanics::*member) -> Value {
+    return [member](const NetworkMechanics& m) { return TableValue{std::int64_t{m.*member}}; };
   };
-  return {{"n_dead_ends", [count](const ModuliRow& r) { return count(r.network.n_dead_ends); }},
-          {"n_components", [count](const ModuliRow& r) { return count(r.network.n_components); }},
-          {"n_percolating", [count](const ModuliRow& r) { return count(r.network.n_percolating); }},
-          {"n_near_mechanisms", [maybe_count](const ModuliRow& r) { return maybe_count(r.n_near_mechanisms); }},
+  const auto number = [](double NetworkMechanics::*member) -> Value {
+    return [member](const NetworkMechanics& m) { return TableValue{m.*member}; };
+  };
+  const auto maybe = [](std::optional<double> NetworkMechanics::*member) -> Value {
+    return [member](const NetworkMechanics& m) { return or_undefined(m.*member); };
+  };
+  const auto column = [](const char* name, Value value) -> Column {
+    return {name, [value](const ModuliRow& r) { return r.network ? value(*r.network) : TableValue{}; }};
+  };
+  using N = NetworkMechanics;
+  return {column("n_dead_ends", count(&N::n_dead_ends)),
+          column("n_components", count(&N::n_components)),
+          column("n_percolating", count(&N::n_percolating)),
+          {"n_near_mechanisms",
+           [](const ModuliRow& r) {
+             return r.n_near_mechanisms ? TableValue{std::int64_t{*r.n_near_mechanisms}} : TableValue{};
+           }},
           {"B_prestress", [](const ModuliRow& r) { return or_undefined(r.B_prestress); }},
           {"G_prestress", [](const ModuliRow& r) { return or_undefined(r.G_prestress); }},
-          {"x0", [](const ModuliRow& r) { return r.network.rattler_fraction; }},
-          {"z_star", [](const ModuliRow& r) { return r.network.z_star; }},
-          {"G_star", [](const ModuliRow& r) { return or_undefined(r.network.G_star); }},
-          {"indeterminacy", [count](const ModuliRow& r) { return count(r.network.indeterminacy.degree); }},
-          {"energy_share_95", [](const ModuliRow& r) { return or_undefined(r.network.energy_share_95); }},
-          {"energy_share_95_deviatoric",
-           [](const ModuliRow& r) { return or_undefined(r.network.energy_share_95_deviatoric); }},
-          {"backbone_share", [](const ModuliRow& r) { return or_undefined(r.network.backbone_share); }},
-          {"scalar_backbone_share",
-           [](const ModuliRow& r) { return or_undefined(r.network.scalar_backbone_share); }}};
+          column("x0", number(&N::rattler_fraction)),
+          column("z_star", number(&N::z_star)),
+          column("G_star", maybe(&N::G_star)),
+          column("indeterminacy", [](const N& m) { return TableValue{std::int64_t{m.indeterminacy.degree}}; }),
+          column("energy_share_95", maybe(&N::energy_share_95)),
+          column("energy_share_95_deviatoric", maybe(&N::energy_share_95_deviatoric)),
+          column("backbone_share", maybe(&N::backbone_share)),
+          column("scalar_backbone_share", maybe(&N::scalar_backbone_share))};
 }
 
 std::vector<Column> budget_columns() {
-  return {{"rounding_floor", [](const ModuliRow& r) { return r.budget.floor.force; }},
-          {"residual_force", [](const ModuliRow& r) { return r.budget.residual; }},
-          {"n_undecided", [](const ModuliRow& r) { return TableValue{std::int64_t{r.budget.n_undecided}}; }},
-          {"error_B_equilibrium", [](const ModuliRow& r) { return or_undefined(r.budget.equilibrium); }},
-          {"error_B_sampling", [](const ModuliRow& r) { return r.budget.sampling; }},
-          {"limited_by", [](const ModuliRow& r) { return std::string(r.budget.limit()); }}};
+  using Value = std::function<TableValue(const ErrorBudget&)>;
+  const auto column = [](const char* name, Value value) -> Column {
+    return {name, [value](const ModuliRow& r) { return r.budget ? value(*r.budget) : TableValue{}; }};
+  };
+  return {column("rounding_floor", [](const ErrorBudget& b) { return b.floor.force; }),
+          column("residual_force", [](const ErrorBudget& b) { return b.residual; }),
+          column("n_undecided", [](const ErrorBudget& b) { return TableValue{std::int64_t{b.n_undecided}}; }),
+          column("error_B_equilibrium", [](const ErrorBudget& b) { return or_undefined(b.equilibrium); }),
+          column("error_B_sampling", [](const ErrorBudget& b) { return b.sampling; }),
+          column("limited_by", [](const ErrorBudget& b) { return std::string(b.limit()); })};
 }
 
 std::vector<Column> columns_for(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
@@ -271,7 +304,10 @@ ModuliOptions options_of(const ModuliCommand& command) {
   ModuliOptions options = command.options;
   options.strains = command.strains == "full" ? StrainSet::full : StrainSet::diagonal;
   options.prestress = command.prestress;
+  options.method = kMethods.at(command.method);
   std::vector<std::string> faults = options.validate();
+  if (options.method != ModuliMethod::factor && !command.increments.empty())
+    faults.push_back("increments: expects --method factor, the forces of the others being approximate");
   for (const double kr : command.rolling_stiffness) {
     ModuliOptions with = command.options;
     with.rolling_stiffness = kr;
@@ -295,12 +331,13 @@ bool stands(const std::string& file, const AnyState& any, bool force) {
 int run_moduli(const ModuliCommand& command) {
   const ModuliOptions options = options_of(command);
   std::vector<ModuliRow> rows;
+  ModuliSequences sequences{ModuliSequence<2>(options), ModuliSequence<3>(options)};
   Table increments;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
     if (!stands(file, any, command.force) && !command.force) return int{kVerificationFailed};
     std::visit(
         [&](const auto& state) {
-          std::ranges::move(compute_rows(file, state, options, command.rolling_stiffness,
+          std::ranges::move(compute_rows(file, state, options, command.rolling_stiffness, sequences,
                                          command.increments.empty() ? nullptr : &increments),
                             std::back_inserter(rows));
         },
@@ -327,12 +364,20 @@ Command add_moduli(CLI::App& program) {
   app->add_option("--tolerance", command->options.tolerance,
                   "relative error wanted of B and G; what is reached is printed, and said where it falls short")
       ->capture_default_str();
+  CLI::Option* method =
+      app->add_option(
+             "--method", command->method,
+             "factor; single-factor: in single precision, refined; iterative: from the state before, to "
+             "--tolerance; bounds: the middle between them. Errors of the last three are printed too")
+          ->check(CLI::IsMember({"factor", "single-factor", "iterative", "bounds"}))
+          ->capture_default_str();
   app->add_option("--force-tolerance", command->options.force_tolerance,
                   "cohesionless: a contact below this force carries nothing, in max(F0, P a^(d-1))")
       ->capture_default_str();
   app->add_option("--rolling-stiffness", command->rolling_stiffness,
                   "K_R of every touching contact, in the state's units; a row for each value")
       ->delimiter(',')
+      ->excludes(method)
       ->allow_extra_args(false);
   app->add_option(
       "--increments", command->increments,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "floc/linalg/condensation.h"
+#include "floc/linalg/single_factor.h"
 #include "floc/linalg/spring_inverse.h"
 
 namespace floc {
@@ -111,43 +112,172 @@ class SpringList {
   SpringSystem springs_;
 };
 
+/// The grains that take part, in the unknowns they are solved for.
+template <int Dim>
+struct Problem {
+  const ContactNetwork<Dim>& whole;
+  const ResponseOptions& options;
+  ElasticResponse answer;
+  ContactNetwork<Dim> pruned;  // without dead ends, where there are any
+  ReducedUnknowns unknowns;
+  double unit = 1.0;
+  bool positive = false;  // K has a Cholesky factor that can be trusted
+
+  Problem(const ContactNetwork<Dim>& network, const ResponseOptions& chosen) : whole(network), options(chosen) {
+    const FreeMotions& free = answer.free = find_free_motions(network);
+    // Eliminating a dead end takes its contact with it.
+    if (has_ends()) pruned = without_grains(network, free.dead_end);
+    unknowns = reduce_unknowns(core(), free.kept);
+    unit = largest_stiffness(core());
+  }
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
+
+  bool has_ends() const {
+    return std::find(answer.free.dead_end.begin(), answer.free.dead_end.end(), true) !=
+           answer.free.dead_end.end();
+  }
+  const ContactNetwork<Dim>& core() const { return has_ends() ? pruned : whole; }
+  Eigen::SparseMatrix<double> stiffness() const {
+    return reduce(stiffness_matrix(core(), {options.strains, options.prestress}).grains, unknowns, unit);
+  }
+  SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
+  std::vector<int> groups() const {
+    std::vector<int> grain_of;
+    for (const int u : unknowns.unknown) grain_of.push_back(u / kDofs<Dim>);
+    return grain_of;
+  }
+
+  /// @param norm  of K, or a number below it
+  ElasticResponse take(const Condensation& condensed, double norm) {
+    ElasticResponse& out = answer;
+    out.n_negative += out.free.n_unstable_ends;
+    out.steps = condensed.steps;
+    out.relaxed = unit * condensed.stiffness;
+    out.error = unit * condensed.error;
+    const double scale = norm * condensed.response.template lpNorm<Eigen::Infinity>() + condensed.load;
+    out.residual = scale > 0.0 ? condensed.imbalance / scale : 0.0;
+    out.fluctuation = Eigen::MatrixXd::Zero(whole.n_unknowns(), out.relaxed.cols());
+    for (int a = 0; a < static_cast<int>(unknowns.unknown.size()); ++a)
+      out.fluctuation.row(unknowns.unknown[a]) = condensed.response.row(a) * unknowns.length[a];
+    return std::move(out);
+  }
+};
+
+template <int Dim>
+ElasticResponse solve_by_factor(Problem<Dim>& problem, SymmetricFactor& factor) {
+  factor.set_matrix(problem.stiffness(), problem.groups());
+  std::optional<SpringInverse> inverse = invert_positive(factor);
+  problem.positive = inverse.has_value();
+  const SpringSystem springs = problem.springs();
+  if (!inverse) inverse = invert_otherwise(factor, springs, problem.options.mechanism_bound);
+  ElasticResponse& out = problem.answer;
+  out.n_negative = inverse->n_negative;
+  out.n_mechanisms = inverse->n_mechanisms;
+  out.condition = inverse->condition;
+  out.resolved = !inverse->inverse.definite || inverse->inverse.smallest_ratio > 0.0;
+  return problem.take(condense(springs, inverse->inverse, {.tolerance = problem.options.tolerance}),
+                      factor.norm());
+}
+
+/// Diagonal of K, the stiffness that each unknown feels with all others held.
+Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(springs.on_free.cols());
+  for (Eigen::Index r = 0; r < springs.on_free.rows(); ++r)
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(springs.on_free, r); it; ++it)
+      diagonal[it.col()] += springs.stiffness[r] * it.value() * it.value();
+  return diagonal;
+}
+
+/// Steps after which a factor of its own is cheaper than going on with one of another network (N = 1400: a factor takes
+/// as long as some 30 steps).
+constexpr int kMostSteps = 40;
+
+/// Refinement with an inverse of which nothing is known; nothing where it does not get there.
+template <int Dim>
+std::optional<ElasticResponse> solve_crudely(Problem<Dim>& problem, const SpringSystem& springs,
+                                             std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply,
+                                             const Eigen::MatrixXd& start) {
+  /// Below it rounding of residuals in double precision shows.
+  constexpr double kDoubleSuffices = 1e-9;
+  ApproximateInverse inverse;
+  inverse.apply = std::move(apply);
+  inverse.estimated_ratio = true;
+  const double tolerance = problem.options.tolerance;
+  const CondensationOptions options{.tolerance = tolerance,
+                                    .max_steps = kMostSteps,
+                                    .extended = tolerance < kDoubleSuffices,
+                                    .patience = kMostSteps,
+                                    .start = start};
+  const Condensation condensed = condense(springs, inverse, options);
+  if (!condensed.converged) return std::nullopt;
+  problem.answer.counted = false;
+  const double norm = springs.on_free.cols() == 0 ? 0.0 : diagonal_of(springs).maxCoeff();
+  return problem.take(condensed, norm);
+}
+
+template <int Dim>
+std::optional<ElasticResponse> solve_by_single_factor(Problem<Dim>& problem) {
+  const SingleFactor factor(problem.stiffness());
+  if (!factor.positive()) return std::nullopt;
+  return solve_crudely(problem, problem.springs(), [&](const auto& b) { return factor.solve(b); }, {});
+}
+
+/// The factor of another network as an inverse: on the unknowns both have, the others by the diagonal.
+class InheritedInverse {
+ public:
+  InheritedInverse(const ResponseMemory& memory, const ReducedUnknowns& unknowns, Eigen::VectorXd diagonal)
+      : memory_(memory), diagonal_(std::move(diagonal)) {
+    row_.assign(memory.unknown.size(), -1);
+    scale_.assign(memory.unknown.size(), 0.0);
+    for (std::size_t a = 0; a < memory.unknown.size(); ++a) {
+      row_[a] = unknowns.row[memory.unknown[a]];
+      if (row_[a] < 0) continue;
+      scale_[a] = unknowns.length[row_[a]] / memory.length[static_cast<Eigen::Index>(a)];
+      diagonal_[row_[a]] = 0.0;
+    }
+  }
+
+  Eigen::VectorXd operator()(const Eigen::VectorXd& b) const {
+    Eigen::VectorXd inherited = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(row_.size()));
+    for (std::size_t a = 0; a < row_.size(); ++a)
+      if (row_[a] >= 0) inherited[static_cast<Eigen::Index>(a)] = b[row_[a]] / scale_[a];
+    const Eigen::VectorXd solved = memory_.factor->solve(inherited, 0);
+    Eigen::VectorXd x = (diagonal_.array() > 0.0).select(b.array() / diagonal_.array(), 0.0).matrix();
+    for (std::size_t a = 0; a < row_.size(); ++a)
+      if (row_[a] >= 0) x[row_[a]] = solved[static_cast<Eigen::Index>(a)] / scale_[a];
+    return x;
+  }
+
+ private:
+  const ResponseMemory& memory_;
+  Eigen::VectorXd diagonal_;   // of the unknowns the factor does not have, 0 of the others
+  std::vector<int> row_;       // of each row of the factor, in the unknowns at hand; -1: none
+  std::vector<double> scale_;  // of its value there
+};
+
+template <int Dim>
+std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
+  const ReducedUnknowns& unknowns = problem.unknowns;
+  if (!memory.factor || memory.fluctuation.rows() != problem.whole.n_unknowns() ||
+      memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))
+    return std::nullopt;
+  Eigen::MatrixXd start(unknowns.length.size(), memory.fluctuation.cols());
+  for (Eigen::Index a = 0; a < start.rows(); ++a)
+    start.row(a) = memory.fluctuation.row(unknowns.unknown[static_cast<std::size_t>(a)]) / unknowns.length[a];
+  const SpringSystem springs = problem.springs();
+  return solve_crudely(problem, springs, InheritedInverse(memory, unknowns, diagonal_of(springs)), start);
+}
+
 }  // namespace
 
 template <int Dim>
 ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const ResponseOptions& options,
                                  SymmetricFactor& factor) {
-  ElasticResponse out;
-  out.free = find_free_motions(network);
-  // Eliminating a dead end takes its contact with it.
-  ContactNetwork<Dim> pruned;
-  const bool has_ends =
-      std::find(out.free.dead_end.begin(), out.free.dead_end.end(), true) != out.free.dead_end.end();
-  if (has_ends) pruned = without_grains(network, out.free.dead_end);
-  const ContactNetwork<Dim>& core = has_ends ? pruned : network;
-  const ReducedUnknowns unknowns = reduce_unknowns(core, out.free.kept);
-  const double unit = largest_stiffness(core);
-  StiffnessMatrix k = stiffness_matrix(core, {options.strains, options.prestress});
-  std::vector<int> grain_of;
-  for (const int u : unknowns.unknown) grain_of.push_back(u / kDofs<Dim>);
-  factor.set_matrix(reduce(k.grains, unknowns, unit), grain_of);
-  k = {};
-  std::optional<SpringInverse> inverse = invert_positive(factor);
-  const SpringSystem springs = SpringList<Dim>(core, unknowns, unit, options).take();
-  if (!inverse) inverse = invert_otherwise(factor, springs, options.mechanism_bound);
-  const Condensation condensed = condense(springs, inverse->inverse, {options.tolerance});
-  out.n_negative = inverse->n_negative + out.free.n_unstable_ends;
-  out.n_mechanisms = inverse->n_mechanisms;
-  out.condition = inverse->condition;
-  out.resolved = !inverse->inverse.definite || inverse->inverse.smallest_ratio > 0.0;
-
-  out.relaxed = unit * condensed.stiffness;
-  out.error = unit * condensed.error;
-  const double scale = factor.norm() * condensed.response.lpNorm<Eigen::Infinity>() + condensed.load;
-  out.residual = scale > 0.0 ? condensed.imbalance / scale : 0.0;
-  out.fluctuation = Eigen::MatrixXd::Zero(network.n_unknowns(), out.relaxed.cols());
-  for (int a = 0; a < static_cast<int>(unknowns.unknown.size()); ++a)
-    out.fluctuation.row(unknowns.unknown[a]) = condensed.response.row(a) * unknowns.length[a];
-  return out;
+  Problem<Dim> problem(network, options);
+  if (options.solver == ResponseSolver::single_factor)
+    if (auto answer = solve_by_single_factor(problem)) return std::move(*answer);
+  return solve_by_factor(problem, factor);
 }
 
 template <int Dim>
@@ -156,10 +286,28 @@ ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const Respo
   return elastic_response(network, options, factor);
 }
 
+template <int Dim>
+ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const ResponseOptions& options,
+                                 ResponseMemory& memory) {
+  Problem<Dim> problem(network, options);
+  std::optional<ElasticResponse> answer = solve_from(memory, problem);
+  if (!answer) {
+    memory.factor = std::make_unique<SymmetricFactor>(options.ordering);
+    memory.unknown = problem.unknowns.unknown;
+    memory.length = problem.unknowns.length;
+    answer = solve_by_factor(problem, *memory.factor);
+    if (!problem.positive) memory.factor.reset();  // it serves as no preconditioner
+  }
+  memory.fluctuation = answer->fluctuation;
+  return std::move(*answer);
+}
+
 #define FLOC_INSTANTIATE(Dim)                                                                    \
   template ElasticResponse elastic_response(const ContactNetwork<Dim>&, const ResponseOptions&); \
   template ElasticResponse elastic_response(const ContactNetwork<Dim>&, const ResponseOptions&,  \
-                                            SymmetricFactor&);
+                                            SymmetricFactor&);                                   \
+  template ElasticResponse elastic_response(const ContactNetwork<Dim>&, const ResponseOptions&,  \
+                                            ResponseMemory&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,14 @@
 
 namespace floc {
 
+/// How the grains are relaxed.
+enum class ResponseSolver {
+  factor,         ///< by a Cholesky factor of K in double precision, with error bounds
+  single_factor,  ///< by one in single precision, refined in double: half the memory, error estimates
+};
+
 struct ResponseOptions {
+  ResponseSolver solver = ResponseSolver::factor;
   StrainSet strains = StrainSet::diagonal;
   bool prestress = false;  ///< geometric terms, see StiffnessOptions
   Ordering ordering = Ordering::automatic;
@@ -41,6 +49,9 @@ struct ElasticResponse {
   double residual = 0.0;   ///< backward error of the solution
   double condition = 1.0;  ///< estimate, of K; infinite with mechanisms
   bool resolved = true;    ///< false where even the square root of K leaves no digit
+  /// False where the solver tells neither negative eigenvalues nor mechanisms, and `error` is an estimate.
+  bool counted = true;
+  int steps = 0;  ///< of refinement
 };
 
 /// Solves for the response. A singular or indefinite K is an answer; without prestress and distant bonds a
@@ -54,5 +65,21 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options, SymmetricFactor& factor);
+
+/// What the response of one state leaves for that of the next: its solution to start from, and a factor that stands in
+/// for that of the next K as long as few contacts have changed.
+struct ResponseMemory {
+  std::unique_ptr<SymmetricFactor> factor;
+  std::vector<int> unknown;     ///< of K, for each row of the factor
+  Eigen::VectorXd length;       ///< of each row: unknown of K = length * value there
+  Eigen::MatrixXd fluctuation;  ///< of the last network
+};
+
+/// By conjugate gradients from the solution that `memory` holds, with its factor as preconditioner, to the tolerance of
+/// the options by an estimate of the error. A first network, one of other grains, and one on which that takes long is
+/// factorized, and its factor kept.
+template <int Dim>
+[[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
+                                               const ResponseOptions& options, ResponseMemory& memory);
 
 }  // namespace floc

@@ -22,6 +22,8 @@ constexpr double kVanishingModulus = 1e-11;
 constexpr double kWarnCondition = 1e10;
 /// Share of the tolerance of the moduli that the refinement is given: a step squares the error, so it costs nothing.
 constexpr double kToleranceOfSolution = 1e-3;
+/// The same of a solver that takes steps of no such gain: each costs.
+constexpr double kToleranceOfCrudeSolution = 0.1;
 /// Relative rounding of the volume of the cell and of the forces that convect.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -178,9 +180,19 @@ ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) c
 
 namespace {
 
-/// @param factor  keeps its symbolic part from one call to the next
+/// The middle between the bounds of the network, B_reuss <= B <= B_voigt and 0 <= G <= G_voigt, and half their distance.
+void take_middle_of_bounds(int n_strains, Moduli& m) {
+  m.counted = false;
+  m.C = m.C_error = Eigen::MatrixXd::Constant(n_strains, n_strains, std::numeric_limits<double>::quiet_NaN());
+  m.B = m.B_S = 0.5 * (m.bounds.B_reuss + m.bounds.B_voigt);
+  m.B_error = m.B_S_error = 0.5 * (m.bounds.B_voigt - m.bounds.B_reuss);
+  m.G = m.G_error = 0.5 * m.bounds.G_voigt;
+  m.isotropy_defect = m.residual = m.condition = m.C(0, 0);
+}
+
+/// @param respond  elastic_response with what is kept from one call to the next
 template <int Dim>
-Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, SymmetricFactor& factor) {
+Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, const auto& respond) {
   assert(options.validate().empty());
   Moduli m;
   const Mat<Dim> stress = static_stress(packing);
@@ -190,13 +202,24 @@ Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, Sy
   const ContactNetwork<Dim> network = options.loaded_network(packing);
   m.bounds = elastic_bounds(network, options.unloaded ? 0.0 : m.pressure, mean_field(packing));
 
-  const ResponseOptions response_options{.strains = options.strains,
-                                         .prestress = options.prestress,
-                                         .tolerance = kToleranceOfSolution * options.tolerance};
-  ElasticResponse response = elastic_response(network, response_options, factor);
+  if (options.method == ModuliMethod::bounds) {
+    take_middle_of_bounds(n_strains<Dim>(options.strains), m);
+    return m;
+  }
+  const ResponseOptions response_options{
+      .solver = options.method == ModuliMethod::single_factor ? ResponseSolver::single_factor
+                                                              : ResponseSolver::factor,
+      .strains = options.strains,
+      .prestress = options.prestress,
+      .ordering = options.ordering,
+      .tolerance = (options.method == ModuliMethod::factor ? kToleranceOfSolution : kToleranceOfCrudeSolution) *
+                   options.tolerance};
+  ElasticResponse response = respond(network, response_options);
   m.C = response.relaxed / network.volume;
   if (options.prestress) m.C += convected_stress<Dim>(stress, static_cast<int>(m.C.rows()));
   m.C_error = response.error / network.volume + kCellRounding * m.C.cwiseAbs();
+  m.counted = response.counted;
+  m.steps = response.steps;
   m.n_negative = response.n_negative;
   m.n_mechanisms = response.n_mechanisms;
   m.n_rattlers = response.free.count(FreeMotionKind::rattler) / kDofs<Dim>;
@@ -208,7 +231,7 @@ Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, Sy
   if (options.prestress) {
     ModuliOptions plain = options;
     plain.prestress = false;
-    Moduli without = moduli_with(packing, plain, factor);
+    Moduli without = moduli_with(packing, plain, respond);
     m.B_without_prestress = without.B;
     m.G_without_prestress = without.G;
     response = std::move(without.response);
@@ -223,7 +246,9 @@ Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, Sy
 template <int Dim>
 Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options) {
   SymmetricFactor factor(options.ordering);
-  return moduli_with(packing, options, factor);
+  return moduli_with(packing, options, [&](const auto& network, const ResponseOptions& response) {
+    return elastic_response(network, response, factor);
+  });
 }
 
 template <int Dim>
@@ -234,15 +259,31 @@ std::vector<Moduli> elastic_moduli(const Packing<Dim>& packing, const ModuliOpti
   ModuliOptions each = options;
   for (const double kr : rolling_stiffness) {
     each.rolling_stiffness = kr;
-    all.push_back(moduli_with(packing, each, factor));
+    all.push_back(moduli_with(packing, each, [&](const auto& network, const ResponseOptions& response) {
+      return elastic_response(network, response, factor);
+    }));
   }
   return all;
+}
+
+template <int Dim>
+ModuliSequence<Dim>::ModuliSequence(ModuliOptions options) : options_(std::move(options)) {}
+
+template <int Dim>
+Moduli ModuliSequence<Dim>::next(const Packing<Dim>& packing, bool unloaded) {
+  options_.unloaded = unloaded;
+  if (options_.method != ModuliMethod::iterative) return elastic_moduli(packing, options_);
+  return moduli_with(packing, options_, [this](const auto& network, const ResponseOptions& response) {
+    return elastic_response(network, response, memory_);
+  });
 }
 
 template ContactNetwork<2> ModuliOptions::loaded_network(const Packing<2>&) const;
 template ContactNetwork<3> ModuliOptions::loaded_network(const Packing<3>&) const;
 template Moduli elastic_moduli(const Packing<2>&, const ModuliOptions&);
 template Moduli elastic_moduli(const Packing<3>&, const ModuliOptions&);
+template class ModuliSequence<2>;
+template class ModuliSequence<3>;
 template std::vector<Moduli> elastic_moduli(const Packing<2>&, const ModuliOptions&,
                                             const std::vector<double>&);
 template std::vector<Moduli> elastic_moduli(const Packing<3>&, const ModuliOptions&,

@@ -10,7 +10,16 @@
 
 namespace floc {
 
+/// How much is spent on moduli.
+enum class ModuliMethod {
+  factor,         ///< Cholesky factor in double precision, error bounds
+  single_factor,  ///< in single precision, refined in double: half the memory, error estimates
+  iterative,      ///< conjugate gradients from the last state's solution, with its factor: error estimates
+  bounds,         ///< the middle between the bounds of the network: nothing is solved, the error is a bound
+};
+
 struct ModuliOptions {
+  ModuliMethod method = ModuliMethod::factor;
   StrainSet strains = StrainSet::diagonal;
   /// Adds the geometric terms of the forces the state carries; moduli are then derivatives of the Cauchy
   /// stress.
@@ -65,6 +74,9 @@ struct Moduli {
   std::optional<double> G_without_prestress;
   /// The response without prestress, of loaded_network(): mechanisms, increments and backbone follow from it.
   ElasticResponse response;
+  /// False where the method tells neither negative eigenvalues nor mechanisms, and errors are estimates or bounds.
+  bool counted = true;
+  int steps = 0;  ///< of refinement
   std::vector<std::string> warnings;
 };
 
@@ -84,5 +96,20 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] std::vector<Moduli> elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options,
                                                  const std::vector<double>& rolling_stiffness);
+
+/// Moduli of one state after the other, such as those of a path: with ModuliMethod::iterative each starts from the
+/// solution of the one before, if it has as many grains.
+template <int Dim>
+class ModuliSequence {
+ public:
+  /// @pre options.validate() is empty
+  explicit ModuliSequence(ModuliOptions options);
+  /// @param unloaded  see ModuliOptions
+  [[nodiscard]] Moduli next(const Packing<Dim>& packing, bool unloaded);
+
+ private:
+  ModuliOptions options_;
+  ResponseMemory memory_;
+};
 
 }  // namespace floc

@@ -20,6 +20,9 @@ struct ApproximateInverse {
   /// Definite: lower bound of the eigenvalues of M^-1 K that do not vanish. 0: nothing is known, and no error bound
   /// is given.
   double smallest_ratio = 0.0;
+  /// Definite, and nothing is known of that bound: it is taken from the Ritz values of the refinement, which makes the
+  /// error an estimate. A soft motion that the loads hardly feel may be missed by both.
+  bool estimated_ratio = false;
   /// Otherwise: upper bound of the 2-norm of K^-1; infinite if nothing is known.
   double inverse_norm = 0.0;
 };
@@ -27,7 +30,11 @@ struct ApproximateInverse {
 struct CondensationOptions {
   double tolerance = 1e-10;  ///< relative error wanted of the diagonal of the condensed stiffness
   int max_steps =
-      100;  ///< of refinement; a good inverse needs one, each near-mechanism below its reach one more
+      100;           ///< of refinement; a good inverse needs one, each near-mechanism below its reach one more
+  bool extended = true;  ///< residuals in extended precision; in double they are several times faster
+  int patience = 5;  ///< steps without gain before rounding is said to be reached
+  /// u to start from, a column a boundary unknown, such as the response of a neighbouring state; empty: u = 0.
+  Eigen::MatrixXd start = {};
 };
 
 /// The stiffness that the boundary feels once the free unknowns have relaxed.
@@ -38,6 +45,7 @@ struct Condensation {
   double imbalance = 0.0;     ///< largest |A^T k (A u + B e)| over all unknowns and columns
   double load = 0.0;          ///< the same at u = 0
   int steps = 0;              ///< of refinement, the worst column's
+  bool converged = true;      ///< the tolerance was reached, by the bound or estimate at hand
 };
 
 /// Static condensation with residuals in extended precision taken spring by spring, so that neither the rounding of

@@ -37,5 +37,6 @@ Command add_chain(CLI::App& program);
 Command add_draw(CLI::App& program);
 Command add_plot(CLI::App& program);
 Command add_report(CLI::App& program);
+Command add_tradeoff(CLI::App& program);
 
 }  // namespace floc

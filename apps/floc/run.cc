@@ -149,6 +149,7 @@ int run_scene(const RunArguments& arguments) {
   if (arguments.track_contacts && !run.finished())
     tracker = track_contacts(run, options, directory, *arguments.track_contacts);
 
+  if (!scene.accuracy.empty()) fmt::print(stderr, "accuracy: {}\n", scene.accuracy);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   const int code = RunDriver(run, directory, tracker.get(), scene.checkpoint_every,

@@ -35,7 +35,7 @@ inline const LayerOrder& layer_order() {
       {"io", {"packing", "contact"}},
       {"scene", {"contact", "assembly", "loading"}},
       {"picture", {"structure", "elasticity", "packing"}},
-      {"study", {"scene", "loading", "elasticity", "fitting"}},
+      {"study", {"scene", "loading", "elasticity", "structure", "fitting"}},
   };
   return order;
 }

@@ -33,6 +33,9 @@ struct RelaxationOptions {
   /// load took 1600.
   double max_time = 1e4;
   int threads = 1;
+  /// How long a packing has to stay as it is before its motion counts as stopped, in units of what the relaxer asks for:
+  /// a smaller number saves time, and may end a collapse that only pauses.
+  double patience = 1.0;
 };
 
 }  // namespace floc

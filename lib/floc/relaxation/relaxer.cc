@@ -218,7 +218,8 @@ bool Relaxer<Dim>::contacts_still() {
 
 template <int Dim>
 std::size_t Relaxer<Dim>::stretches_in(double time_units) const {
-  return static_cast<std::size_t>(std::ceil(time_units * time_unit_ / (kStretch * time_step_)));
+  return static_cast<std::size_t>(
+      std::ceil(options_.patience * time_units * time_unit_ / (kStretch * time_step_)));
 }
 
 /// Motion has stopped when the packing is still, its kinetic energy small, and the cell has answered to its load.

@@ -1,6 +1,7 @@
 #include "floc/scene/read_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 
 #include "floc/base/error.h"
 #include "floc/loading/run_plan.h"
+#include "floc/scene/accuracy.h"
 #include "floc/scene/table_reader.h"
 
 namespace floc {
@@ -319,10 +321,17 @@ void read_equilibrium(TableReader& root, RelaxationOptions& relaxation) {
   tolerance.moment = t.number("moment", rule, Need::optional).value_or(tolerance.moment);
   tolerance.stress = t.number("stress", rule, Need::optional).value_or(tolerance.stress);
   tolerance.energy = t.number("energy", rule, Need::optional).value_or(tolerance.energy);
-  const auto finish = t.choice("finish", {"auto", "dynamic", "static"}, Need::optional);
+  const std::array kFinishes = {Finish::automatic, Finish::dynamic, Finish::statics};
+  const auto finish =
+      t.choice("finish", {finish_name(kFinishes[0]), finish_name(kFinishes[1]), finish_name(kFinishes[2])},
+               Need::optional);
   relaxation.max_time = t.number("max_time", {positive, "a positive number (in sqrt(a m/F1))"}, Need::optional)
                             .value_or(relaxation.max_time);
-  relaxation.finish = std::array{Finish::automatic, Finish::dynamic, Finish::statics}[finish.value_or(0)];
+  relaxation.patience =
+      t.number("patience", {positive, "a positive number (of the time a packing has to stay still)"},
+               Need::optional)
+          .value_or(relaxation.patience);
+  relaxation.finish = kFinishes[finish.value_or(0)];
   t.refuse_other_keys();
 }
 
@@ -344,6 +353,89 @@ void read_run(TableReader& root, Scene& scene) {
       t.number("checkpoint_every", {positive, "a positive number (seconds of wall time)"}, Need::optional)
           .value_or(scene.checkpoint_every);
   t.refuse_other_keys();
+}
+
+/// a K_N/F0; nothing without adhesion.
+std::optional<double> stiffness_number(const Scene& scene) {
+  if (!scene.law.adhesion) return std::nullopt;
+  return scene.grains.diameter.max * scene.law.normal_stiffness / scene.law.adhesion->force;
+}
+
+/// Settings that [accuracy] chooses: a scene says either the accuracy or these.
+void refuse_settings(TableReader& root) {
+  TableReader equilibrium = root.table("equilibrium", "", Need::optional);
+  TableReader run = root.table("run", "", Need::optional);
+  const auto refuse = [](TableReader& t, const char* key) {
+    t.refuse(key,
+             fmt::format("{}: [accuracy] chooses it; expected either the one or the other", t.path_of(key)));
+  };
+  for (const char* key : {"force", "moment", "stress", "energy", "patience"}) refuse(equilibrium, key);
+  const auto finish = equilibrium.text("finish", "a string", Need::optional);
+  if (finish && *finish != "auto") refuse(equilibrium, "finish");
+  refuse(run, "time_step");
+}
+
+void check_table_covers(TableReader& t, const Scene& scene) {
+  const std::optional<double> kappa = stiffness_number(scene);
+  if (!kappa)
+    t.fault("",
+            "[accuracy]: expected a scene with contact.adhesion; the shipped table was measured on cohesive "
+            "grains");
+  else if (!covers_stiffness(shipped_accuracy_table(), *kappa))
+    t.fault("",
+            fmt::format(
+                "[accuracy]: a K_N/F0 = {:g} is outside of the range of the shipped table, {:g} to a factor "
+                "of ten; expected the settings themselves ([equilibrium], run.time_step)",
+                *kappa, shipped_accuracy_table().empty() ? 0.0 : shipped_accuracy_table()[0].kappa));
+}
+
+/// Writes what was chosen into the scene, so that its text says what is run even when the table is another one.
+void write_choice(const AccuracyChoice& choice, toml::table& root) {
+  const auto table = [&](const char* name) -> toml::table& {
+    return *root.insert(name, toml::table{}).first->second.as_table();
+  };
+  const NumericalSettings& s = choice.settings;
+  table("accuracy").insert_or_assign("chosen", fmt::format("{}: {}", choice.name, choice.reason));
+  toml::table& equilibrium = table("equilibrium");
+  for (const char* key : {"force", "moment", "stress"}) equilibrium.insert_or_assign(key, s.tolerance);
+  equilibrium.insert_or_assign("energy", s.energy());
+  equilibrium.insert_or_assign("patience", s.patience);
+  equilibrium.insert_or_assign("finish", finish_name(s.finish));
+  table("run").insert_or_assign("time_step", s.time_step);
+}
+
+/// Chooses settings by the accuracy that is asked for, unless the scene says that this was done. True if it did.
+bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
+  TableReader t = root.table("accuracy", "a table [accuracy]", Need::optional);
+  if (!t) return false;
+  WantedAccuracy wanted;
+  for (const std::string& key : accuracy_keys())
+    if (const auto error = t.number(key, {positive, "a positive number (relative error)"}, Need::optional))
+      wanted.emplace_back(key, *error);
+  const auto chosen = t.text("chosen", "a string, written by floc", Need::optional);
+  t.refuse_other_keys();
+  if (chosen) {
+    scene.accuracy = *chosen;
+    return false;
+  }
+  refuse_settings(root);
+  check_table_covers(t, scene);
+  if (wanted.empty()) {
+    t.fault("",
+            fmt::format("[accuracy] asks for nothing: expected one of {}", fmt::join(accuracy_keys(), ", ")));
+    return false;
+  }
+  const AccuracyChoice choice = choose_accuracy(shipped_accuracy_table(), wanted);
+  if (!choice.found()) {
+    const auto asked = std::find_if(wanted.begin(), wanted.end(),
+                                    [&](const auto& w) { return w.first == choice.refused_key; });
+    t.fault(asked->first, fmt::format("accuracy.{} = {:g}: {}", asked->first, asked->second, choice.refusal));
+    return false;
+  }
+  scene.accuracy = fmt::format("{}: {}", choice.name, choice.reason);
+  choice.settings.apply(scene.relaxation);
+  write_choice(choice, source.root());
+  return true;
 }
 
 /// What tables must agree on.
@@ -455,12 +547,13 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   read_equilibrium(root, scene.relaxation);
   read_run(root, scene);
   check_together(root, source, scene);
+  const bool has_chosen = read_accuracy(root, source, scene);
   check_pressures(root, scene);
   check_resolution(root, scene);
   root.refuse_other_keys();
   source.throw_faults();
   const bool has_list = inline_list(source.root(), scene.grains.diameter.values);
-  scene.text = has_list || !overrides.empty() ? as_text(source.root()) : text;
+  scene.text = has_list || has_chosen || !overrides.empty() ? as_text(source.root()) : text;
   return scene;
 }
 

@@ -23,6 +23,7 @@ struct Scene {
   RelaxationOptions relaxation;
   std::uint64_t seed = 1;
   double checkpoint_every = 60.0;  ///< seconds of wall time between checkpoints
+  std::string accuracy;            ///< setting that [accuracy] chose and why; empty without one
   std::string text;                ///< the scene with overrides applied, as written into every state
 };
 

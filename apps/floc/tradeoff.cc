@@ -1,0 +1,176 @@
+#include "floc/study/tradeoff.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "command.h"
+#include "floc/base/error.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/read_scene.h"
+#include "output.h"
+#include "tradeoff_plot.h"
+
+namespace floc {
+namespace {
+
+struct TradeoffCommand {
+  std::string scene;
+  std::vector<std::string> overrides;
+  std::vector<std::string> observables;
+  std::string plot;
+  std::string format;
+  TradeoffOptions options;
+};
+
+std::vector<std::string> observable_names() {
+  std::vector<std::string> names(kObservableNames.begin(), kObservableNames.end());
+  names.insert(names.end(), kFittedNames.begin(), kFittedNames.end());
+  return names;
+}
+
+/// A number of a comparison of n values, undefined without any.
+TableValue of_compared(int n, double value) {
+  return n > 0 && std::isfinite(value) ? TableValue{value} : TableValue{};
+}
+
+/// The scene that was run, as its rows name it.
+struct StudiedScene {
+  std::string name;
+  double kappa;  ///< a K_N/F0, without adhesion K_N/P
+};
+
+std::vector<TableValue> row_of(const StudiedScene& run, const MeasuredSetting& m, const std::string& observable,
+                               const ObservableError& e, bool pareto) {
+  const NumericalSettings& s = m.setting.numerical;
+  return {m.setting.knob,
+          m.setting.value,
+          observable,
+          m.cost_ratio,
+          m.core_seconds,
+          of_compared(e.before.n, e.before.high),
+          of_compared(e.after.n, e.after.high),
+          of_compared(e.mean.n, e.mean.difference),
+          of_compared(e.mean.n, e.mean.standard_error),
+          of_compared(e.mean.n, e.mean.error95),
+          pareto,
+          of_compared(e.before.n, e.before.error),
+          std::int64_t{e.before.n},
+          of_compared(e.after.n, e.after.error),
+          std::int64_t{e.after.n},
+          std::int64_t{e.mean.n},
+          m.moduli_seconds,
+          std::int64_t{m.n_grains},
+          std::int64_t{m.n_samples},
+          s.tolerance,
+          s.time_step,
+          std::string(finish_name(s.finish)),
+          s.patience,
+          run.kappa,
+          run.name};
+}
+
+Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vector<std::string>& wanted) {
+  Table table;
+  table.columns = {"knob",
+                   "value",
+                   "observable",
+                   "cost_ratio",
+                   "core_seconds",
+                   "error_before_high",
+                   "error_after_high",
+                   "mean_difference",
+                   "mean_stderr",
+                   "mean_error95",
+                   "pareto",
+                   "error_before",
+                   "n_before",
+                   "error_after",
+                   "n_after",
+                   "n_mean",
+                   "moduli_seconds",
+                   "n_grains",
+                   "n_samples",
+                   "tolerance",
+                   "time_step",
+                   "finish",
+                   "patience",
+                   "kappa",
+                   "scene"};
+  const std::vector<std::string> names = observable_names();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), names[k]) == wanted.end()) continue;
+    const std::vector<bool> front = pareto_front(tradeoff, k);
+    for (std::size_t i = 0; i < tradeoff.settings.size(); ++i) {
+      const MeasuredSetting& m = tradeoff.settings[i];
+      const ObservableError& e = m.errors[k];
+      if (e.before.n + e.after.n + e.mean.n > 0) table.rows.push_back(row_of(run, m, names[k], e, front[i]));
+    }
+  }
+  return table;
+}
+
+double stiffness_of(const Scene& scene) {
+  for (const DerivedGroup& group : derived_groups(scene))
+    if (group.name == "kappa") return group.value;
+  return 0.0;
+}
+
+/// On a terminal the first columns, which fit its width.
+void print_tradeoff(Table table, const std::string& format) {
+  constexpr std::size_t kShort = 11;
+  if (chosen_format(format) == TableFormat::table) {
+    table.columns.resize(kShort);
+    for (auto& row : table.rows) row.resize(kShort);
+  }
+  print_table(table, format);
+}
+
+int run_tradeoff(TradeoffCommand& command) {
+  const Scene scene = read_scene(command.scene, command.overrides);
+  command.options.progress = [](const std::string& words) { std::cerr << words << '\n'; };
+  const Tradeoff tradeoff = study_tradeoff(scene, command.options);
+  std::cerr
+      << "not knobs of their own: power control is what finish = dynamic does, and the force loop has double "
+         "precision only\n";
+  for (const std::string& words : tradeoff.left_out) std::cerr << "left out: " << words << '\n';
+  if (tradeoff.settings.empty()) {
+    std::cerr << "floc: " << command.scene
+              << ": nothing could be compared: not even one sample at the finest settings was made; --budget "
+                 "may be too "
+                 "small\n";
+    return kNotConverged;
+  }
+  print_tradeoff(table_of({scene.name, stiffness_of(scene)}, tradeoff, command.observables), command.format);
+  if (!command.plot.empty()) plot_tradeoff(command.plot, tradeoff);
+  return kDone;
+}
+
+}  // namespace
+
+Command add_tradeoff(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "tradeoff", "run a scene at several accuracies: error of what is quoted against its cost");
+  const auto command = std::make_shared<TradeoffCommand>();
+  app->add_option("SCENE", command->scene, "scene file (TOML)")->required();
+  app->add_option("--budget", command->options.budget, "seconds it may take, of one core")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app->add_option("--samples", command->options.max_samples, "most samples, with seeds from the scene's own on")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  app->add_option("--set", command->overrides, "KEY=VALUE: change one key of the scene")
+      ->allow_extra_args(false);
+  app->add_option("--observables", command->observables, "those wanted: phi, B, lambda, ... [all]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(observable_names()));
+  app->add_option("--plot", command->plot, "F.svg: error against cost; its data and script beside it");
+  add_format_option(*app, command->format);
+  return {app, [command] { return run_tradeoff(*command); }};
+}
+
+}  // namespace floc

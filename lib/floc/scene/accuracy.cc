@@ -1,0 +1,216 @@
+#include "floc/scene/accuracy.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "accuracy_table.h"
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+
+namespace floc {
+namespace {
+
+/// Factor of kappa to which the table speaks for other scenes.
+constexpr double kStiffnessRange = 10.0;
+
+/// What each key asks for.
+const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
+    {"phi", {"phi"}},
+    {"z", {"z_plus", "z_minus"}},
+    {"moduli", {"B", "G"}},
+    {"reuss", {"B_reuss"}},
+    {"forces", {"tail_plus", "tail_minus"}},
+    {"lambda", {"lambda"}},
+    {"alpha", {"alpha"}},
+    {"Phi_max", {"Phi_max"}}};
+
+const std::vector<std::string>& observables_of(const std::string& key) {
+  return std::find_if(kKeys.begin(), kKeys.end(), [&](const auto& k) { return k.first == key; })->second;
+}
+
+/// A setting of the table and its rows, by observable.
+struct Candidate {
+  std::string knob, value;
+  NumericalSettings settings;
+  double cost_ratio;
+  std::map<std::string, const MeasuredAccuracy*> of;
+
+  bool is_reference() const { return knob == "strict"; }
+};
+
+std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table) {
+  std::vector<Candidate> candidates;
+  for (const MeasuredAccuracy& row : table) {
+    auto at = std::find_if(candidates.begin(), candidates.end(),
+                           [&](const Candidate& c) { return c.knob == row.knob && c.value == row.value; });
+    if (at == candidates.end())
+      at = candidates.insert(candidates.end(), {row.knob, row.value, row.settings, row.cost_ratio, {}});
+    at->of[row.observable] = &row;
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& x, const Candidate& y) { return x.cost_ratio < y.cost_ratio; });
+  return candidates;
+}
+
+/// The smallest error that can be promised of an observable at a setting; infinite where nothing was measured.
+double least_promise(const Candidate& candidate, const std::string& observable) {
+  const auto found = candidate.of.find(observable);
+  if (found == candidate.of.end()) return std::numeric_limits<double>::infinity();
+  const MeasuredAccuracy& row = *found->second;
+  const double difference = std::abs(row.mean_difference), scatter = row.mean_error;
+  if (std::isfinite(row.error)) return std::max(row.error, std::isfinite(scatter) ? difference - scatter : 0.0);
+  return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
+}
+
+double least_promise_of_key(const Candidate& candidate, const std::string& key) {
+  double least = 0.0;
+  for (const std::string& observable : observables_of(key))
+    least = std::max(least, least_promise(candidate, observable));
+  return least;
+}
+
+std::string reason_of(const Candidate& chosen, const WantedAccuracy& wanted) {
+  std::vector<std::string> errors;
+  for (const auto& [key, asked] : wanted)
+    for (const std::string& observable : observables_of(key)) {
+      const MeasuredAccuracy& row = *chosen.of.at(observable);
+      std::string words = observable;
+      if (std::isfinite(row.error)) words += fmt::format(" {:.1e} in 95 % of states", row.error);
+      if (std::isfinite(row.mean_error))
+        words += fmt::format("{} {:+.1e} +- {:.1e} in means over samples after a collapse",
+                             std::isfinite(row.error) ? "," : "", row.mean_difference, row.mean_error);
+      errors.push_back(words);
+    }
+  const NumericalSettings& s = chosen.settings;
+  return fmt::format(
+      "finish {}, time step {}, tolerance {:g}, patience {}: {:.2f} of the cost of the strictest settings. "
+      "Measured errors: {}",
+      finish_name(s.finish), s.time_step, s.tolerance, s.patience, chosen.cost_ratio, fmt::join(errors, "; "));
+}
+
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream in(line);
+  for (std::string word; std::getline(in, word, ',');) words.push_back(word);
+  if (line.ends_with(',')) words.emplace_back();
+  return words;
+}
+
+/// One line of the table, its values by the names of the columns.
+class Row {
+ public:
+  Row(const std::map<std::string, std::size_t>& columns, std::vector<std::string> words, std::string place)
+      : columns_(columns), words_(std::move(words)), place_(std::move(place)) {}
+
+  const std::string& text(const std::string& column) const {
+    const auto at = columns_.find(column);
+    if (at == columns_.end() || at->second >= words_.size())
+      throw InputError(place_, "column " + column + " is missing: expected a table of floc tradeoff");
+    return words_[at->second];
+  }
+  /// Not a number where the table has none.
+  double number(const std::string& column) const {
+    const std::string& word = text(column);
+    if (word.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto value = parse_number<double>(word);
+    if (!value) throw InputError(place_, fmt::format("{} = {}: expected a number", column, word));
+    return *value;
+  }
+
+ private:
+  const std::map<std::string, std::size_t>& columns_;
+  std::vector<std::string> words_;
+  std::string place_;
+};
+
+MeasuredAccuracy accuracy_of(const Row& row) {
+  const std::string& finish = row.text("finish");
+  const NumericalSettings settings{row.number("tolerance"), row.number("time_step"),
+                                   finish == finish_name(Finish::dynamic)   ? Finish::dynamic
+                                   : finish == finish_name(Finish::statics) ? Finish::statics
+                                                                            : Finish::automatic,
+                                   row.number("patience")};
+  const double before = row.number("error_before_high"), after = row.number("error_after_high");
+  return {row.text("knob"),
+          row.text("value"),
+          settings,
+          row.text("observable"),
+          row.number("cost_ratio"),
+          std::fmax(before, after),
+          row.number("mean_difference"),
+          row.number("mean_error95"),
+          row.number("kappa")};
+}
+
+}  // namespace
+
+std::vector<std::string> accuracy_keys() {
+  std::vector<std::string> keys;
+  for (const auto& [key, observables] : kKeys) keys.push_back(key);
+  return keys;
+}
+
+std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place) {
+  // Those of another kind change the physics, the size of the system, or what is done with its states.
+  const std::vector<std::string> kSettable = {"strict",    "scene",    "finish",  "tolerance",
+                                              "time_step", "patience", "together"};
+  std::istringstream in(csv);
+  std::string line;
+  std::getline(in, line);
+  std::map<std::string, std::size_t> columns;
+  for (const std::string& name : words_of(line)) columns.emplace(name, columns.size());
+  std::vector<MeasuredAccuracy> table;
+  for (int number = 2; std::getline(in, line); ++number) {
+    const MeasuredAccuracy row = accuracy_of(Row(columns, words_of(line), fmt::format("{}:{}", place, number)));
+    if (std::find(kSettable.begin(), kSettable.end(), row.knob) != kSettable.end()) table.push_back(row);
+  }
+  return table;
+}
+
+const std::vector<MeasuredAccuracy>& shipped_accuracy_table() {
+  static const std::vector<MeasuredAccuracy> table =
+      read_accuracy_table(kAccuracyTable, "data/tables/tradeoff/tradeoff.csv");
+  return table;
+}
+
+AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const WantedAccuracy& wanted) {
+  const std::vector<Candidate> candidates = candidates_of(table);
+  AccuracyChoice choice;
+  for (const auto& [key, asked] : wanted) {
+    double floor = std::numeric_limits<double>::infinity();
+    for (const Candidate& c : candidates)
+      if (!c.is_reference()) floor = std::min(floor, least_promise_of_key(c, key));
+    if (asked >= floor && floor < std::numeric_limits<double>::infinity()) continue;
+    choice.refused_key = key;
+    choice.refusal =
+        std::isfinite(floor)
+            ? fmt::format("expected at least {:.2g}, the smallest error of it in the shipped table", floor)
+            : "expected another observable: the shipped table has no error of it";
+    return choice;
+  }
+  for (const Candidate& c : candidates)
+    if (std::all_of(wanted.begin(), wanted.end(),
+                    [&](const auto& w) { return least_promise_of_key(c, w.first) <= w.second; })) {
+      choice.name = c.knob + " " + c.value;
+      choice.settings = c.settings;
+      choice.reason = reason_of(c, wanted);
+      return choice;
+    }
+  choice.refused_key = wanted.front().first;
+  choice.refusal = "expected larger errors: no setting of the shipped table keeps all these promises together";
+  return choice;
+}
+
+bool covers_stiffness(const std::vector<MeasuredAccuracy>& table, double kappa) {
+  return std::any_of(table.begin(), table.end(), [&](const MeasuredAccuracy& row) {
+    return row.kappa <= kStiffnessRange * kappa && kappa <= kStiffnessRange * row.kappa;
+  });
+}
+
+}  // namespace floc

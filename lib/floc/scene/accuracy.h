@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "floc/scene/numerical_settings.h"
+
+namespace floc {
+
+/// How a table of `floc tradeoff` saw one observable at one setting. Errors are relative.
+struct MeasuredAccuracy {
+  std::string knob, value;  ///< name of the setting
+  NumericalSettings settings;
+  std::string observable;
+  double cost_ratio;       ///< to the strictest settings
+  double error;            ///< of single states: upper limit for 95 % of them; not a number where not compared
+  double mean_difference;  ///< of means over samples after a collapse; not a number where not compared
+  double mean_error;       ///< half width of its 95 % interval
+  double kappa;            ///< a K_N/F0 of the scene that was run
+};
+
+/// Reads such a table (csv, its own output). Only settings that a scene can have are kept.
+/// @throws InputError if a column is missing or a value is no number
+std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place);
+
+/// The table that is shipped with the program, data/tables/tradeoff/tradeoff.csv.
+const std::vector<MeasuredAccuracy>& shipped_accuracy_table();
+
+/// What a user asks for: an observable or a group of them ("phi", "z", "moduli", "reuss", "forces", "lambda", "alpha",
+/// "Phi_max") and its relative error.
+using WantedAccuracy = std::vector<std::pair<std::string, double>>;
+
+/// What can be asked for.
+std::vector<std::string> accuracy_keys();
+
+/// The cheapest setting that keeps a promise, or why there is none.
+struct AccuracyChoice {
+  std::string refused_key;  ///< the first that no setting reaches; empty when there is a choice
+  std::string refusal;      ///< what was expected of it
+  std::string name;         ///< knob and value of the setting
+  NumericalSettings settings;
+  std::string reason;  ///< its cost and measured errors, in words
+
+  bool found() const { return refusal.empty(); }
+};
+
+/// Of the settings of the table takes the cheapest of which, for every observable asked for, the error of single states is
+/// at most what is asked, and the difference of means not above it by more than its sampling error explains (its 95 %
+/// interval). Of what is fitted to a path there are means alone: then their difference and that error
+/// together have to be below. Refused is what is below every error that was measured: the reference's own error is not
+/// known, so it is no measure of itself.
+/// @param wanted  not empty, known keys, errors > 0
+[[nodiscard]] AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table,
+                                             const WantedAccuracy& wanted);
+
+/// Whether the table was measured on grains as stiff as these, to a factor of ten: errors scale with the stiffness.
+bool covers_stiffness(const std::vector<MeasuredAccuracy>& table, double kappa);
+
+}  // namespace floc

@@ -1,0 +1,186 @@
+#include "floc/study/comparison.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+
+#include "floc/fitting/student_t.h"
+#include "floc/study/fitted_path.h"
+
+namespace floc {
+namespace {
+
+constexpr double kQuantile = 0.95;
+constexpr double kConfidence = 0.95;
+/// Changes of the solid fraction that elasticity explains: so many times dP/B, and what polishing moves.
+constexpr double kElastic = 3.0;
+constexpr double kStill = 1e-5;
+
+/// Probability of at most k of n independent values below the quantile.
+double at_most(int k, int n) {
+  double sum = 0.0;
+  for (int j = 0; j <= k; ++j)
+    sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(j + 1.0) - std::lgamma(n - j + 1.0) +
+                    j * std::log(kQuantile) + (n - j) * std::log1p(-kQuantile));
+  return sum;
+}
+
+double relative_difference(int k, const Observation& x, const Observation& reference) {
+  const auto at = static_cast<std::size_t>(k);
+  const double size = size_of(k, x, reference);
+  const double difference = x[at] - reference[at];
+  return difference == 0.0 ? 0.0 : difference / size;
+}
+
+/// Nothing but elasticity from one state to the next.
+bool calm(const ObservedState& from, const ObservedState& to) {
+  const double change = std::abs(std::log(to.seen[kPhi] / from.seen[kPhi]));
+  const double step = std::abs(to.state.target_stress.mean() - from.state.target_stress.mean());
+  const double modulus = std::min(from.seen[kB], to.seen[kB]);
+  return change <= kStill + (modulus > 0.0 ? kElastic * step / modulus : 0.0);
+}
+
+/// Mean over the states of a path for which `counts(k)`.
+double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
+                 const std::function<double(std::size_t)>& value) {
+  double sum = 0.0;
+  int used = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!counts(k) || !std::isfinite(value(k))) continue;
+    sum += value(k);
+    ++used;
+  }
+  return sum / used;  // not a number where there is none
+}
+
+void add_fitted(const std::vector<const SamplePath*>& references, const std::vector<const SamplePath*>& paths,
+                const std::optional<PressureWindow>& window, ObservableErrors& out) {
+  if (!window) return;
+  const auto fitted = compare_fits(references, paths, *window);
+  for (std::size_t p = 0; p < fitted.size(); ++p) out[kObservables + p].mean = fitted[p];
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> errors) {
+  std::erase_if(errors, [](double e) { return !std::isfinite(e); });
+  std::sort(errors.begin(), errors.end());
+  const int n = static_cast<int>(errors.size());
+  if (n == 0) return {};
+  const auto value = [&](int rank) { return errors[static_cast<std::size_t>(std::min(rank, n) - 1)]; };
+  int high = std::max(1, static_cast<int>(std::ceil(kQuantile * n)));
+  const double error = value(high);
+  while (high < n && at_most(high - 1, n) < kConfidence) ++high;
+  return {error, value(high), n};
+}
+
+MeanDifference mean_of(const std::vector<double>& differences) {
+  MeanDifference out;
+  double sum = 0.0, squares = 0.0;
+  for (const double d : differences)
+    if (std::isfinite(d)) sum += d, ++out.n;
+  if (out.n == 0) return out;
+  out.difference = sum / out.n;
+  for (const double d : differences)
+    if (std::isfinite(d)) squares += (d - out.difference) * (d - out.difference);
+  out.standard_error = std::sqrt(squares / ((out.n - 1.0) * out.n));
+  out.error95 = out.n > 1 ? student_t_95(out.n - 1) * out.standard_error : out.standard_error;
+  return out;
+}
+
+std::vector<bool> before_collapse(const SamplePath& reference, const SamplePath& path) {
+  std::vector<bool> before(path.states.size(), false);
+  for (std::size_t k = 1; k < path.states.size(); ++k) {
+    if (path.states[k].turn < 0) continue;
+    const bool first = path.states[k].turn != path.states[k - 1].turn;
+    const ObservedState& start = first ? reference.states[k - 1] : path.states[k - 1];
+    before[k] = (first || before[k - 1]) && calm(reference.states[k - 1], reference.states[k]) &&
+                calm(start, path.states[k]) && path.states[k].touching == reference.states[k].touching;
+  }
+  return before;
+}
+
+ObservableErrors compare(const std::vector<const SamplePath*>& references,
+                         const std::vector<const SamplePath*>& paths,
+                         const std::optional<PressureWindow>& window) {
+  ObservableErrors out;
+  for (int k = 0; k < kObservables; ++k) {
+    std::vector<double> before, after, means;
+    for (std::size_t s = 0; s < paths.size(); ++s) {
+      const SamplePath &reference = *references[s], &path = *paths[s];
+      const std::vector<bool> same = before_collapse(reference, path);
+      for (std::size_t i = 0; i < path.states.size(); ++i) {
+        const ObservedState& state = path.states[i];
+        const Observation& truth = same[i] ? reference.states[i].seen : state.settled;
+        (same[i] ? before : after).push_back(std::abs(relative_difference(k, state.seen, truth)));
+      }
+      means.push_back(mean_over(
+          path.states.size(), [&](std::size_t i) { return !same[i]; },
+          [&](std::size_t i) {
+            return relative_difference(k, path.states[i].seen, reference.states[i].seen);
+          }));
+    }
+    out[static_cast<std::size_t>(k)] = {spread_of(before), spread_of(after), mean_of(means)};
+  }
+  add_fitted(references, paths, window, out);
+  return out;
+}
+
+ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
+                               const std::vector<const SamplePath*>& paths,
+                               const std::optional<PressureWindow>& window) {
+  ObservableErrors out;
+  for (int k = 0; k < kObservables; ++k) {
+    std::vector<double> means;
+    for (std::size_t s = 0; s < paths.size(); ++s)
+      means.push_back(mean_over(
+          paths[s]->states.size(), [](std::size_t) { return true; },
+          [&](std::size_t i) {
+            return relative_difference(k, paths[s]->states[i].seen, references[s]->states[i].seen);
+          }));
+    out[static_cast<std::size_t>(k)].mean = mean_of(means);
+  }
+  add_fitted(references, paths, window, out);
+  return out;
+}
+
+ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
+                                const std::vector<std::vector<Observation>>& seen) {
+  ObservableErrors out;
+  for (const int k : {kB, kG, kBReuss}) {
+    std::vector<double> errors;
+    for (std::size_t s = 0; s < seen.size(); ++s)
+      for (std::size_t i = 0; i < seen[s].size(); ++i)
+        errors.push_back(std::abs(relative_difference(k, seen[s][i], references[s]->states[i].seen)));
+    out[static_cast<std::size_t>(k)].before = spread_of(errors);
+  }
+  return out;
+}
+
+ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n) {
+  ObservableErrors out;
+  const std::size_t n_states = references.front()->states.size();
+  for (std::size_t k = 0; k < kObservables; ++k) {
+    // Mean over the samples, state by state, that each sample is held against.
+    std::vector<double> mean(n_states);
+    for (std::size_t i = 0; i < n_states; ++i)
+      mean[i] = mean_over(
+          references.size(), [](std::size_t) { return true; },
+          [&](std::size_t s) { return references[s]->states[i].seen[k]; });
+    std::vector<double> deviations;
+    for (const SamplePath* path : references)
+      deviations.push_back(mean_over(
+          n_states, [&](std::size_t i) { return mean[i] != 0.0; },
+          [&](std::size_t i) { return path->states[i].seen[k] / mean[i] - 1.0; }));
+    out[k].mean = mean_of(deviations);
+    out[k].mean.difference = 0.0;
+    const double fewer = std::sqrt(static_cast<double>(out[k].mean.n) / n);
+    out[k].mean.standard_error *= fewer;
+    out[k].mean.error95 *= fewer;
+    out[k].mean.n = n;
+  }
+  return out;
+}
+
+}  // namespace floc

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "floc/study/comparison.h"
+
+namespace floc {
+
+struct TradeoffOptions {
+  double budget = 600.0;  ///< seconds of processor time that the study may take
+  int max_samples = 8;    ///< seeds, from the scene's own on
+  /// Told what is being done.
+  std::function<void(const std::string&)> progress = [](const std::string&) {};
+};
+
+/// One setting, measured.
+struct MeasuredSetting {
+  StudiedSetting setting;
+  int n_grains = 0;
+  int n_samples = 0;            ///< seeds compared
+  double core_seconds = 0.0;    ///< processor time of a sample, mean; of all samples for the knob "samples"
+  double moduli_seconds = 0.0;  ///< of it, for moduli
+  double cost_ratio = 0.0;      ///< to the reference, of the same seeds in the same study
+  ObservableErrors errors;
+};
+
+/// What a study measured, and what it did not.
+struct Tradeoff {
+  int n_grains = 0;  ///< of the scene that was run
+  std::vector<MeasuredSetting> settings;
+  std::vector<std::string>
+      left_out;  ///< settings, samples or grains that the budget did not allow, runs that failed
+};
+
+/// Runs a scene at its finest settings and at several values of each knob, all from the same seeds (paired), and compares
+/// what is quoted of them.
+///
+/// The reference assembles and loads a sample; every setting assembles its own, then starts each turn of the load path from
+/// the reference's state, so that states can be compared one by one until the first collapse. Budget: grains are made
+/// fewer until two samples of everything are expected to fit, by the measured cost of a small one; then samples go on until
+/// the next would not fit. Settings too expensive for the first sample are left out. At the deadline a run is broken off.
+/// @pre options.budget > 0
+Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
+
+/// Settings that no other beats in both cost and error of an observable: error is the larger of the upper limits before
+/// and after the first collapse.
+std::vector<bool> pareto_front(const Tradeoff& tradeoff, std::size_t observable);
+
+/// That error; not a number where nothing was compared.
+double single_state_error(const ObservableError& error);
+
+}  // namespace floc

@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "floc/elasticity/moduli.h"
+#include "support/network_packings.h"
+
+namespace floc {
+namespace {
+
+Moduli by_method(const Packing<2>& packing, ModuliMethod method, double tolerance) {
+  ModuliOptions options;
+  options.method = method;
+  options.tolerance = tolerance;
+  return elastic_moduli(packing, options);
+}
+
+/// The same packing later on: a few contacts have opened.
+Packing<2> with_contacts_lost(Packing<2> packing, int n) {
+  packing.contacts.erase(packing.contacts.begin() + 5, packing.contacts.begin() + 5 + n);
+  return packing;
+}
+
+/// Error bounds of the exact moduli and estimates of the others, together.
+void expect_within_errors(const Moduli& m, const Moduli& exact) {
+  EXPECT_LE(std::abs(m.B - exact.B), m.B_error + exact.B_error);
+  EXPECT_LE(std::abs(m.G - exact.G), m.G_error + exact.G_error);
+}
+
+TEST(ModuliMethod, AFactorInSinglePrecisionIsRefinedToTheDigitsAskedFor) {
+  const Packing<2> packing = test::random_packing<2>(200, 3, test::elastic_law(1.0, 0.8, 0.01));
+  const Moduli exact = by_method(packing, ModuliMethod::factor, 1e-10);
+  for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
+    const Moduli m = by_method(packing, ModuliMethod::single_factor, tolerance);
+    EXPECT_FALSE(m.counted);
+    EXPECT_GT(m.B_error, 0.0);
+    EXPECT_LE(m.B_error, tolerance * m.B);
+    expect_within_errors(m, exact);
+  }
+}
+
+TEST(ModuliMethod, IterationFromTheLastStateKeepsItsFactorAndTellsItsError) {
+  const Packing<2> first = test::random_packing<2>(200, 4, test::elastic_law(1.0, 0.8, 0.01));
+  ModuliOptions options;
+  options.method = ModuliMethod::iterative;
+  options.tolerance = 1e-4;
+  ModuliSequence<2> sequence(options);
+  EXPECT_TRUE(sequence.next(first, false).counted);  // factorized: there is nothing to start from
+  for (const int n_lost : {0, 1, 3}) {
+    const Packing<2> packing = with_contacts_lost(first, n_lost);
+    const Moduli m = sequence.next(packing, false);
+    EXPECT_FALSE(m.counted) << n_lost;
+    EXPECT_LE(m.B_error, options.tolerance * m.B);
+    expect_within_errors(m, by_method(packing, ModuliMethod::factor, 1e-10));
+  }
+}
+
+TEST(ModuliMethod, IterationFactorizesAPackingThatIsAnother) {
+  const LawParameters law = test::elastic_law(1.0, 0.8, 0.01);
+  ModuliOptions options;
+  options.method = ModuliMethod::iterative;
+  ModuliSequence<2> sequence(options);
+  (void)sequence.next(test::random_packing<2>(200, 5, law), false);
+  for (const Packing<2>& other : {test::random_packing<2>(200, 6, law), test::random_packing<2>(150, 6, law)}) {
+    const Moduli m = sequence.next(other, false);
+    EXPECT_TRUE(m.counted);
+    EXPECT_EQ(m.B, elastic_moduli(other, {}).B);
+  }
+}
+
+TEST(ModuliMethod, TheMiddleBetweenTheBoundsIsOffByHalfTheirDistanceAtMost) {
+  const Packing<2> packing = test::random_packing<2>(100, 7, test::elastic_law(1.0, 0.8, 0.01));
+  const Moduli exact = by_method(packing, ModuliMethod::factor, 1e-10);
+  // Under no stress the lower bound is zero, which holds for forces out of balance too, as these are.
+  ModuliOptions options;
+  options.method = ModuliMethod::bounds;
+  options.unloaded = true;
+  const Moduli m = elastic_moduli(packing, options);
+  EXPECT_EQ(m.bounds.B_voigt, exact.bounds.B_voigt);
+  EXPECT_DOUBLE_EQ(m.B + m.B_error, m.bounds.B_voigt);
+  EXPECT_DOUBLE_EQ(m.B - m.B_error, m.bounds.B_reuss);
+  EXPECT_DOUBLE_EQ(m.G + m.G_error, m.bounds.G_voigt);
+  EXPECT_EQ(m.G, m.G_error);
+  expect_within_errors(m, exact);
+  EXPECT_TRUE(std::isnan(m.C(0, 0)));
+  EXPECT_FALSE(m.counted);
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,195 @@
+#include "floc/scene/accuracy.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "floc/base/error.h"
+#include "floc/scene/read_scene.h"
+
+namespace floc {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kHeader =
+    "knob,value,observable,error_before_high,error_after_high,mean_difference,mean_error95,cost_ratio,"
+    "tolerance,"
+    "time_step,"
+    "finish,patience,kappa\n";
+
+/// Three settings of growing cost, the reference last, and one of a knob that no scene can set.
+const std::string kTable = kHeader +
+                           "strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5\n"
+                           "strict,all,lambda,,,0,0,1,1e-8,0.1,auto,2,1e5\n"
+                           "samples,1,phi,0,0,0,0,0.01,1e-8,0.1,auto,2,1e5\n"
+                           "together,coarse,phi,1e-3,5e-2,0.03,0.02,0.1,1e-2,0.36,static,0.2,1e5\n"
+                           "together,coarse,lambda,,,0.1,0.2,0.1,1e-2,0.36,static,0.2,1e5\n"
+                           "tolerance,1e-4,phi,1e-5,1e-6,-0.05,0.03,0.2,1e-4,0.28,dynamic,1,1e5\n"
+                           "tolerance,1e-4,lambda,,,0.1,0.01,0.2,1e-4,0.28,dynamic,1,1e5\n"
+                           "scene,as it is,phi,2e-6,,0.001,0.02,0.3,1e-5,0.28,auto,1,1e5\n"
+                           "scene,as it is,B,3e-3,4e-3,,,0.3,1e-5,0.28,auto,1,1e5\n"
+                           "scene,as it is,G,1e-3,5e-3,,,0.3,1e-5,0.28,auto,1,1e5\n";
+
+AccuracyChoice choice(const WantedAccuracy& wanted) {
+  return choose_accuracy(read_accuracy_table(kTable, "table"), wanted);
+}
+
+TEST(Accuracy, TheCheapestSettingWhoseErrorIsBelowIsTaken) {
+  EXPECT_EQ(choice({{"phi", 5e-2}}).name, "together coarse");
+  EXPECT_EQ(choice({{"phi", 4.9e-2}}).name, "tolerance 1e-4");
+  const NumericalSettings coarse{1e-2, 0.36, Finish::statics, 0.2};
+  EXPECT_EQ(choice({{"phi", 5e-2}}).settings, coarse);
+}
+
+TEST(Accuracy, ADifferenceOfMeansBeyondItsSamplingErrorCountsToo) {
+  // 0.05 less 0.03 is 0.02, although single states are right to 1e-5.
+  EXPECT_EQ(choice({{"phi", 2.1e-2}}).name, "tolerance 1e-4");
+  EXPECT_EQ(choice({{"phi", 1.9e-2}}).name, "scene as it is");
+}
+
+TEST(Accuracy, AllThatIsAskedForHasToHold) {
+  EXPECT_EQ(choice({{"phi", 1e-2}, {"moduli", 6e-3}}).name, "scene as it is");
+  const AccuracyChoice none = choice({{"phi", 1e-2}, {"moduli", 4.9e-3}});
+  EXPECT_FALSE(none.found());
+  EXPECT_EQ(none.refused_key, "moduli");
+  EXPECT_THAT(none.refusal, HasSubstr("expected at least 0.005"));
+}
+
+TEST(Accuracy, WhatIsFittedToAPathHasTheErrorOfItsMeanAndItsSampling) {
+  EXPECT_EQ(choice({{"lambda", 0.31}}).name, "together coarse");
+  EXPECT_EQ(choice({{"lambda", 0.12}}).name, "tolerance 1e-4");
+  EXPECT_THAT(choice({{"lambda", 0.1}}).refusal, HasSubstr("expected at least 0.11"));
+}
+
+TEST(Accuracy, BelowAllMeasuredErrorsNothingIsPromised) {
+  // The reference, of error zero against itself, is no measure.
+  EXPECT_EQ(choice({{"phi", 2e-6}}).name, "scene as it is");
+  EXPECT_THAT(choice({{"phi", 1.9e-6}}).refusal, HasSubstr("expected at least 2e-06"));
+}
+
+TEST(Accuracy, WhatWasNotMeasuredIsNotPromised) {
+  EXPECT_THAT(choice({{"forces", 0.5}}).refusal, HasSubstr("has no error of it"));
+}
+
+TEST(Accuracy, TheReasonNamesSettingsCostAndErrors) {
+  EXPECT_EQ(choice({{"phi", 5e-2}}).reason,
+            "finish static, time step 0.36, tolerance 0.01, patience 0.2: 0.10 of the cost of the strictest "
+            "settings. "
+            "Measured errors: phi 5.0e-02 in 95 % of states, +3.0e-02 +- 2.0e-02 in means over samples after a "
+            "collapse");
+}
+
+TEST(Accuracy, TheTableSpeaksForGrainsAboutAsStiff) {
+  const auto table = read_accuracy_table(kTable, "table");
+  EXPECT_TRUE(covers_stiffness(table, 1e4));
+  EXPECT_TRUE(covers_stiffness(table, 1e6));
+  EXPECT_FALSE(covers_stiffness(table, 9e3));
+  EXPECT_FALSE(covers_stiffness(table, 1.1e6));
+}
+
+TEST(Accuracy, ATableThatIsNoneIsRefusedByLine) {
+  const auto fails = [](const std::string& csv, const std::string& words) {
+    try {
+      (void)read_accuracy_table(csv, "t.csv");
+      ADD_FAILURE() << csv;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(words));
+    }
+  };
+  fails("knob,value\nscene,1\n", "t.csv:2: column finish is missing");
+  fails(kHeader + "scene,x,phi,much,,,,0.3,1e-5,0.28,auto,1,1e5\n",
+        "t.csv:2: error_before_high = much: expected a number");
+}
+
+TEST(Accuracy, TheShippedTableHasTheReferenceAndTheSceneItself) {
+  const auto& table = shipped_accuracy_table();
+  for (const char* knob : {"strict", "scene", "together"})
+    EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const auto& row) { return row.knob == knob; }))
+        << knob;
+}
+
+// In scenes.
+
+const std::string kScene = R"([scene]
+dimension = 2
+units = "reduced"
+[grains]
+count = 40
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e5}
+adhesion = {law = "tail", force = 1.0, range = 1e-3}
+[cell]
+solid_fraction = 0.36
+mass = 1
+strain_rate_cap = 0.05
+[assembly]
+protocol = "aggregation"
+agitation = 9.5
+pressure = 0.01
+[equilibrium]
+finish = "auto"
+)";
+
+std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    (void)parse_scene(text, "s.toml", ".", overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
+  const Scene scene = parse_scene(kScene + "[accuracy]\nphi = 0.01\nmoduli = 0.05\n", "s.toml", ".");
+  const AccuracyChoice expected = choose_accuracy(shipped_accuracy_table(), {{"phi", 0.01}, {"moduli", 0.05}});
+  ASSERT_TRUE(expected.found()) << expected.refusal;
+  EXPECT_EQ(NumericalSettings::of(scene.relaxation), expected.settings);
+  EXPECT_EQ(scene.relaxation.tolerance.energy, expected.settings.energy());
+  EXPECT_EQ(scene.accuracy, expected.name + ": " + expected.reason);
+  // A state carries that text: read again it is the same scene, without choosing anew.
+  const Scene again = parse_scene(scene.text, "state", ".");
+  EXPECT_EQ(NumericalSettings::of(again.relaxation), expected.settings);
+  EXPECT_EQ(again.accuracy, scene.accuracy);
+  EXPECT_EQ(again.text, scene.text);
+}
+
+TEST(AccuracyOfAScene, RefusesPromisesBeyondTheTable) {
+  EXPECT_THAT(refusal(kScene + "[accuracy]\nphi = 1e-14\n"),
+              testing::AllOf(HasSubstr("s.toml:21: accuracy.phi = 1e-14: expected at least"),
+                             HasSubstr("the smallest error of it in the shipped table")));
+  EXPECT_THAT(refusal(kScene, {"accuracy.phi=1e-14"}), HasSubstr("--set accuracy.phi=1e-14: "));
+}
+
+TEST(AccuracyOfAScene, RefusesGrainsTheTableSaysNothingOf) {
+  EXPECT_THAT(
+      refusal(kScene + "[accuracy]\nphi = 0.01\n", {"contact.normal.stiffness=1e9"}),
+      HasSubstr("a K_N/F0 = 1e+09 is outside of the range of the shipped table, 100000 to a factor of ten"));
+  std::string cohesionless = kScene;
+  cohesionless.erase(cohesionless.find("adhesion"),
+                     std::string("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}").size());
+  EXPECT_THAT(
+      refusal(cohesionless + "[accuracy]\nphi = 0.01\n"),
+      HasSubstr("expected a scene with contact.adhesion; the shipped table was measured on cohesive grains"));
+}
+
+TEST(AccuracyOfAScene, IsAskedForInsteadOfSettingsNotBesideThem) {
+  const std::string asked = kScene + "[accuracy]\nphi = 0.01\n";
+  EXPECT_THAT(refusal(asked, {"run.time_step=0.2"}),
+              HasSubstr("run.time_step: [accuracy] chooses it; expected either the one or the other"));
+  EXPECT_THAT(refusal(asked, {"equilibrium.force=1e-4"}),
+              HasSubstr("equilibrium.force: [accuracy] chooses it"));
+  EXPECT_THAT(refusal(asked, {"equilibrium.finish=dynamic"}),
+              HasSubstr("equilibrium.finish: [accuracy] chooses it"));
+}
+
+TEST(AccuracyOfAScene, RefusesOtherKeysAndEmptyWishes) {
+  EXPECT_THAT(refusal(kScene + "[accuracy]\n"),
+              HasSubstr("[accuracy] asks for nothing: expected one of phi, z, moduli"));
+  EXPECT_THAT(refusal(kScene + "[accuracy]\nphi = -1\n"),
+              HasSubstr("expected a positive number (relative error)"));
+  EXPECT_THAT(refusal(kScene + "[accuracy]\nfi = 0.1\n"), HasSubstr("nearest valid key"));
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,79 @@
+#include "floc/study/tradeoff.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "floc/scene/read_scene.h"
+
+namespace floc {
+namespace {
+
+using testing::HasSubstr;
+
+Scene small_scene(int n_grains) {
+  return read_scene(
+      std::string(FLOC_SOURCE_DIR) + "/data/scenes/type1_rolling_small.toml",
+      {"grains.count=" + std::to_string(n_grains), "load.0.to=0.05", "load.0.steps_per_decade=2"});
+}
+
+TEST(Tradeoff, KeepsItsBudgetAndSaysWhatItLeftOut) {
+  for (const double budget : {0.05, 1.0}) {
+    TradeoffOptions options;
+    options.budget = budget;
+    const double start = processor_seconds();
+    const Tradeoff tradeoff = study_tradeoff(small_scene(60), options);
+    // A run is broken off between two stretches of 500 steps (here a few ms); then a sample's moduli are taken.
+    EXPECT_LT(processor_seconds() - start, budget + 0.2);
+    EXPECT_FALSE(tradeoff.left_out.empty());
+  }
+}
+
+TEST(Tradeoff, SettingsThatDoNotFitAreLeftOutByName) {
+  TradeoffOptions options;
+  options.budget = 1.0;
+  const Tradeoff tradeoff = study_tradeoff(small_scene(400), options);
+  EXPECT_EQ(tradeoff.n_grains, 40);
+  EXPECT_THAT(tradeoff.left_out.front(), HasSubstr("40 grains instead of 400: the budget does not allow more"));
+}
+
+TEST(Tradeoff, ComparesOnlySettingsThatLeaveThePhysicsAlone) {
+  const Scene scene = small_scene(100);
+  const auto settings = studied_settings(scene);
+  EXPECT_TRUE(settings.front().is_reference());
+  for (const StudiedSetting& setting : settings) {
+    const RunOptions options = run_options(scene, setting, 7);
+    EXPECT_EQ(options.law, scene.law) << setting.knob;
+    EXPECT_EQ(options.seed, 7u);
+    EXPECT_EQ(options.grains.count, setting.is_other_size() ? setting.n_grains : 100) << setting.knob;
+    EXPECT_GE(options.relaxation.time_step, settings.front().numerical.time_step)
+        << "nothing is finer than the reference";
+    EXPECT_GE(options.relaxation.tolerance.force, settings.front().numerical.tolerance);
+  }
+}
+
+TEST(Tradeoff, PairedPathsStartFromTheSameStatesAndTheReferenceEqualsItself) {
+  const Scene scene = small_scene(40);
+  const auto settings = studied_settings(scene);
+  const Deadline never(1e6);
+  const RunOptions options = run_options(scene, settings[0], 3);
+  SamplePath reference = make_sample(options, {}, nullptr, never);
+  ASSERT_TRUE(reference.whole()) << reference.failure;
+  settle(options.relaxation, never, reference);
+  // From each turn's start, the same options make the same bits.
+  const SamplePath again = make_sample(options, {}, &reference, never);
+  ASSERT_EQ(again.states.size(), reference.states.size());
+  for (std::size_t k = 0; k < again.states.size(); ++k) {
+    EXPECT_EQ(again.states[k].seen[kPhi], reference.states[k].seen[kPhi]) << k;
+    EXPECT_EQ(again.states[k].seen[kB], reference.states[k].seen[kB]) << k;
+    // The strict settings leave nothing to settle.
+    EXPECT_EQ(reference.states[k].settled[kPhi], reference.states[k].seen[kPhi]) << k;
+  }
+  const ObservableErrors errors = compare({&reference}, {&again}, std::nullopt);
+  EXPECT_EQ(errors[kPhi].before.high, 0.0);
+  EXPECT_EQ(errors[kPhi].mean.difference, 0.0);
+}
+
+}  // namespace
+}  // namespace floc

@@ -30,9 +30,9 @@ struct ApproximateInverse {
 struct CondensationOptions {
   double tolerance = 1e-10;  ///< relative error wanted of the diagonal of the condensed stiffness
   int max_steps =
-      100;           ///< of refinement; a good inverse needs one, each near-mechanism below its reach one more
+      100;  ///< of refinement; a good inverse needs one, each near-mechanism below its reach one more
   bool extended = true;  ///< residuals in extended precision; in double they are several times faster
-  int patience = 5;  ///< steps without gain before rounding is said to be reached
+  int patience = 5;      ///< steps without gain before rounding is said to be reached
   /// u to start from, a column a boundary unknown, such as the response of a neighbouring state; empty: u = 0.
   Eigen::MatrixXd start = {};
 };

@@ -257,7 +257,16 @@ void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
     centres.push_back(displaced<Dim>(packing.grains.centre(i), packing.cell, moved.back()));
   }
   packing.grains.set_centres(centres);
-  for (Contact<Dim>& c : packing.contacts) c.image += moved[c.i] - moved[c.j];
+  for (Contact<Dim>& c : packing.contacts) {
+    using Wide = Vec<Dim, std::int64_t>;
+    const Wide image = c.image.template cast<std::int64_t>() + moved[c.i].template cast<std::int64_t>() -
+                       moved[c.j].template cast<std::int64_t>();
+    if (static_cast<double>(image.cwiseAbs().maxCoeff()) > kFarthest)
+      throw InputError(listed.grains[c.i].place,
+                       fmt::format("is more than 1e9 cells away from {}, which it is said to touch",
+                                   listed.grains[c.j].place));
+    c.image = image.template cast<int>();
+  }
 }
 
 template <int Dim>

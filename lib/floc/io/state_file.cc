@@ -385,6 +385,19 @@ std::int64_t read_header(const Hdf5Reader& file) {
   return dimension;
 }
 
+/// What `read` makes of the content of a file, and of the dimension in its header.
+template <class Read>
+auto read_sealed(const std::string& path, const Read& read) {
+  const std::string bytes = read_file(path);
+  const std::string_view content = unseal(path, bytes);
+  try {
+    const Hdf5Reader file(path, content);
+    return read(file, read_header(file));
+  } catch (const Hdf5Failure& e) {
+    throw InputError(path, fmt::format("is damaged under its seal: {}", e.what()));
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -393,22 +406,16 @@ void write_state(const std::string& path, const State<Dim>& state, const std::st
 }
 
 AnyState read_state(const std::string& path) {
-  const std::string bytes = read_file(path);
-  const std::string_view content = unseal(path, bytes);
-  try {
-    const Hdf5Reader file(path, content);
-    if (read_header(file) == 2) return decode<2>(file);
+  return read_sealed(path, [](const Hdf5Reader& file, std::int64_t dimension) -> AnyState {
+    if (dimension == 2) return decode<2>(file);
     return decode<3>(file);
-  } catch (const Hdf5Failure& e) {
-    throw InputError(path, fmt::format("is damaged under its seal: {}", e.what()));
-  }
+  });
 }
 
 std::string read_progress(const std::string& path) {
-  const std::string bytes = read_file(path);
-  const Hdf5Reader file(path, unseal(path, bytes));
-  read_header(file);
-  return file.has("progress") ? file.text("progress") : "";
+  return read_sealed(path, [](const Hdf5Reader& file, std::int64_t) {
+    return file.has("progress") ? file.text("progress") : std::string();
+  });
 }
 
 template void write_state(const std::string&, const State<2>&, const std::string&);

@@ -208,6 +208,9 @@ TEST_F(VtuEncodings, NameWhatIsWrong) {
   const std::string damaged = base64(bytes_of(radius_)).substr(0, 12);
   expect_refusal(file(ascii_points_, "format=\"binary\">" + damaged),
                  "is damaged: 9 bytes where its header says 16");
+  const std::string radii = "format=\"ascii\">0.5 1</DataArray><DataArray type=\"Float64\" Name=\"id\" ";
+  expect_refusal(file(ascii_points_, radii + "format=\"ascii\">1 2.5"),
+                 "array PointData/id, point 1: 2.5, expected a whole number");
   std::string nameless = file(ascii_points_, "format=\"ascii\">0.5 1");
   nameless.replace(nameless.find("\"radius\""), 8, "\"colour\"");
   expect_refusal(nameless, "no point array radius or diameter; its point arrays are colour");
@@ -249,6 +252,9 @@ TEST(LammpsData, NamesWhatIsWrong) {
   expect_refusal(read_lammps_data, box + atoms + "1 1 1 1 1 x 1\n",
                  "p:10: y = \"x\", expected a finite number");
   expect_refusal(read_lammps_data, box + atoms + "1 1 1 1 1\n", "p:10: has 5 cells, expected id type diameter");
+  expect_refusal(read_lammps_data, box + atoms + "1.5 1 1 1 1 1 1\n",
+                 "p:10: id = \"1.5\", expected an integer");
+  expect_refusal(read_lammps_data, "title\n\n1.5 atoms\n", "p:3: 1.5 atoms, expected a whole number");
   expect_refusal(read_lammps_data, box + "\nAtoms # atomic\n\n1 1 1 1 1\n",
                  "p:8: atom_style atomic has no radii");
   expect_refusal(read_lammps_data, box + atoms, "has 0 atoms in its section Atoms, but its header says 1");

@@ -20,6 +20,7 @@ using test::busy_state;
 using test::ScratchDirectory;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 /// The message read_state() refuses a file with, or "" when it accepts it.
 std::string refusal(const std::string& path) {
@@ -172,6 +173,21 @@ TEST(StateFileRefuses, SealedBytesThatAreNoHdf5Inside) {
   EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("HDF5 library cannot open"));
 }
 
+/// The heap that texts lie in has lost its name, before the seal was put on.
+TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
+  const ScratchDirectory scratch;
+  write_state(scratch.file("s.h5"), busy_state<2>(), "progress");
+  const std::string whole = read_file(scratch.file("s.h5"));
+  std::string content(unseal("s.h5", whole));
+  const std::size_t at = content.find("GCOL");
+  ASSERT_NE(at, std::string::npos);
+  content[at] = 'X';
+  std::ofstream(scratch.file("s.h5"), std::ios::binary) << seal(content);
+  EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("s.h5: is damaged under its seal"));
+  EXPECT_THAT([&] { read_progress(scratch.file("s.h5")); },
+              ThrowsMessage<InputError>(HasSubstr("s.h5: is damaged under its seal")));
+}
+
 /// States that can be written but that no run can produce: the reader has to name the dataset.
 template <class Spoil>
 std::string refusal_of_spoiled(const Spoil& spoil) {
@@ -195,6 +211,10 @@ TEST(StateFileRefuses, NumbersThatNoStateHolds) {
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.cell.matrix.setOnes(); }), HasSubstr("no volume"));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.contacts[0].image.setZero(); }),
               HasSubstr("touch itself"));
+  for (const int image : {1'000'000'001, -1'000'000'001})
+    EXPECT_THAT(refusal_of_spoiled([&](State<2>& s) { s.packing.contacts[1].image[1] = image; }),
+                AllOf(HasSubstr("s.h5:/contacts/image"), HasSubstr("entry 1 is " + std::to_string(image)),
+                      HasSubstr("a number of cells up to 1e9")));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.law.normal_stiffness = -1.0; }),
               AllOf(HasSubstr("/law"), HasSubstr("contact.normal.stiffness = -1"), HasSubstr("positive")));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) {

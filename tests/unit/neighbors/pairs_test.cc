@@ -1,5 +1,6 @@
 #include "floc/neighbors/pairs.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,6 +84,15 @@ TEST(Pairs, RefuseValuesThatAreNotFinite) {
   EXPECT_THROW((void)find_pairs(cell, grains, 0.1), InputError);
   cell.matrix.setZero();
   EXPECT_THROW((void)find_pairs(cell, Grains<2>::with_size(1), 0.1), InputError);
+}
+
+TEST(Pairs, OfMoreThanAThousandNeighboursAGrainAreRefused) {
+  // One disk in a cell of side 1 meets the half of pi 100^2 images of itself: 15 700, of at most 10 000 + 1000.
+  Grains<2> grains = Grains<2>::with_size(1);
+  grains.radius[0] = 50.0;
+  EXPECT_THAT(
+      [&] { (void)find_pairs(Cell<2>{}, grains, 0.0); },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("that each has more than 1000 neighbours")));
 }
 
 TEST(SpaceOrder, IsAPermutationThatKeepsNeighboursClose) {

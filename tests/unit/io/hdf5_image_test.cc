@@ -1,0 +1,31 @@
+#include "floc/io/hdf5_image.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// A dataset of 8e9 bytes of which none was ever written takes no place in its file, but would in memory.
+TEST(Hdf5Reader, TakesNoMemoryForWhatIsLongerThanItsFile) {
+  constexpr std::uint64_t kRows = 1'000'000'000;
+  Hdf5Writer writer;
+  writer.array("rows", {kRows}, std::vector<double>{});
+  const std::string bytes = writer.bytes();
+  ASSERT_LT(bytes.size(), 10'000u);
+  const Hdf5Reader reader("s.h5", bytes);
+  EXPECT_THAT([&] { reader.n_rows("rows"); },
+              ThrowsMessage<InputError>(HasSubstr("s.h5:/rows: claims 1e+09 bytes in a file of ")));
+  std::vector<double> values;
+  EXPECT_THAT([&] { reader.array("rows", {kRows}, values); },
+              ThrowsMessage<InputError>(HasSubstr("s.h5:/rows: claims 8e+09 bytes in a file of ")));
+  EXPECT_EQ(values.capacity(), 0u);
+}
+
+}  // namespace
+}  // namespace floc

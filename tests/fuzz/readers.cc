@@ -94,7 +94,8 @@ LawParameters law() {
 
 /// Reads as `floc convert` does, contacts included.
 template <class Read>
-void import(const Read& read, const std::string& bytes, const std::function<void(ImportOptions&)>& set = {}) {
+void read_packing(const Read& read, const std::string& bytes,
+                  const std::function<void(ImportOptions&)>& set = {}) {
   const MemoryFile file(bytes);
   ImportOptions options;
   options.law = law();
@@ -122,38 +123,38 @@ void read_law_bytes(const std::string& bytes) {
 }
 
 void read_csv_bytes(const std::string& bytes) {
-  import(read_csv_packing, bytes, [](ImportOptions& options) { options.cell = {{2.0, 0.0}, {0.3, 2.0}};
-});
-}  // namespace
+  read_packing(read_csv_packing, bytes, [](ImportOptions& options) {
+    options.cell = {{2.0, 0.0}, {0.3, 2.0}};
+  });
+}
 
 /// A csv with contacts of three grains that are given.
 void read_contacts_bytes(const std::string& bytes) {
   static const std::string kGrains = "x,y,r\n0,0,0.5\n0.999,0,0.5\n0.4995,0.8651,0.5\n";
   const MemoryFile contacts(bytes);
-  import(read_csv_packing, kGrains, [&](ImportOptions& options) {
+  read_packing(read_csv_packing, kGrains, [&](ImportOptions& options) {
     options.cell = {{4.0, 0.0}, {0.0, 4.0}};
-  options.contacts = contacts.path();
-});
-}  // namespace floc::fuzz
+    options.contacts = contacts.path();
+  });
+}
 
 void read_dump_bytes(const std::string& bytes) {
-  import(read_lammps_dump, bytes);
+  read_packing(read_lammps_dump, bytes);
 }
 void read_data_bytes(const std::string& bytes) {
-  import(read_lammps_data, bytes);
+  read_packing(read_lammps_data, bytes);
 }
 void read_yade_bytes(const std::string& bytes) {
-  import(read_yade_text, bytes);
+  read_packing(read_yade_text, bytes);
 }
 void read_vtu_bytes(const std::string& bytes) {
-  import(read_vtu, bytes);
+  read_packing(read_vtu, bytes);
 }
 void read_xyz_bytes(const std::string& bytes) {
-  import(read_extended_xyz, bytes);
+  read_packing(read_extended_xyz, bytes);
 }
 void read_jambashbulk_bytes(const std::string& bytes) {
-  import(read_jambashbulk, bytes, [](ImportOptions& options) { options.law.reset();
-});
+  read_packing(read_jambashbulk, bytes, [](ImportOptions& options) { options.law.reset(); });
 }
 
 /// A small state in each dimension, in a format that floc writes.

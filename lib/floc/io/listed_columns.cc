@@ -11,8 +11,6 @@
 namespace floc {
 namespace {
 
-constexpr const char* kAxis[] = {"x", "y", "z"};
-
 double positive(const CsvTable& table, int row, int column) {
   const double value = table.number(row, column);
   if (value > 0.0) return value;

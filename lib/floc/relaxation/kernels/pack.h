@@ -111,6 +111,7 @@ struct Records {
   /// The same for places that ascend by less than kWindow in all: one load and a shuffle instead of as many loads as
   /// lanes.
   static P gather_window(const double* base, const int* place) {
+#if !defined(__clang__)  // it has no shuffle by places that it does not know
     if constexpr (P::kWidth == kWindow) {
       typedef int Ints __attribute__((vector_size(4 * P::kWidth)));
       Ints places;
@@ -118,6 +119,7 @@ struct Records {
       return P(__builtin_shuffle(P::load(base + place[0]).v,
                                  __builtin_convertvector(places - place[0], typename P::Bits)));
     }
+#endif
     return gather(base, place);
   }
 

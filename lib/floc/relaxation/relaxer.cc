@@ -275,9 +275,13 @@ bool Relaxer<Dim>::solved_at_once() {
   const bool any = options_.finish == Finish::statics;
   StaticSolverOptions look;
   look.max_iterations = kFirstLook;
-  if (!any && !only_springs_move(packing_, solve_statics(packing_, target_, look).packing)) return false;
-  const StaticSolution<Dim> solution = solve_statics(packing_, target_, StaticSolverOptions{});
-  if (!any && !only_springs_move(packing_, solution.packing)) return false;
+  StaticSolution<Dim> solution = solve_statics(packing_, target_, any ? StaticSolverOptions{} : look);
+  if (!any) {
+    if (!only_springs_move(packing_, solution.packing)) return false;
+    // No spring has reached a cap, so it makes no difference where the rest starts.
+    solution = solve_statics(solution.packing, target_, StaticSolverOptions{});
+    if (!only_springs_move(packing_, solution.packing)) return false;
+  }
   if (!is_equilibrium(solution)) return false;
   take(solution, "static");
   return true;

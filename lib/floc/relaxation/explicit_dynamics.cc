@@ -81,9 +81,8 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
       barrier.wait();
       for (int b = first; b < last; ++b) kick_and_drift(b);
       barrier.wait();
-      const bool stale = list_is_stale();
-      barrier.wait();  // all have looked before the list changes
-      if (stale) {
+      if (list_is_stale()) {
+        barrier.wait();  // all have looked before the list changes
         if (thread == 0) rebuild_list();
         barrier.wait();
       }

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "floc/base/error.h"
-#include "output.h"
+#include "columns.h"
 
 namespace floc {
 namespace {
@@ -60,12 +59,7 @@ void append_step(const std::optional<StepResponse<Dim>>& step, const ContactNetw
 template <int Dim>
 void add_increments(const std::string& file, const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
                     const ContactMechanics<Dim>& mechanics, Table& table) {
-  const Names names = column_names<Dim>();
-  if (table.columns.empty()) table.columns = names;
-  if (table.columns != names)
-    throw InputError(file, fmt::format("is {}D, and the increments of states before it are not: --increments "
-                                       "expects states of one dimension",
-                                       Dim));
+  expect_columns(file, column_names<Dim>(), table);
   std::vector<int> in_network(packing.contacts.size(), -1);
   for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c)
     in_network[network.contacts[c].source] = c;
@@ -85,10 +79,6 @@ void add_increments(const std::string& file, const Packing<Dim>& packing, const 
     values.emplace_back(c >= 0 && mechanics.percolation.scalar_backbone[c]);
     table.rows.push_back(std::move(values));
   }
-}
-
-void write_increments(const std::string& path, const Table& table) {
-  write_csv(path, table);
 }
 
 template void add_increments(const std::string&, const Packing<2>&, const ContactNetwork<2>&,

@@ -14,7 +14,4 @@ template <int Dim>
 void add_increments(const std::string& file, const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
                     const ContactMechanics<Dim>& mechanics, Table& table);
 
-/// Writes the table as csv. @throws IoError if the file cannot take it.
-void write_increments(const std::string& path, const Table& table);
-
 }  // namespace floc

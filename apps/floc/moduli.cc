@@ -10,6 +10,7 @@
 #include <iterator>
 #include <map>
 
+#include "columns.h"
 #include "command.h"
 #include "floc/base/error.h"
 #include "floc/elasticity/error_budget.h"
@@ -175,15 +176,14 @@ TableValue entry(const Eigen::MatrixXd& c, int a, int b) {
 }
 
 /// A column of the table: its name and how a row fills it.
-using Column = std::pair<std::string, std::function<TableValue(const ModuliRow&)>>;
+using ModuliColumn = Column<ModuliRow>;
 
-std::vector<Column> contract_columns() {
-  const auto count = [](int n) { return TableValue{std::int64_t{n}}; };
+std::vector<ModuliColumn> contract_columns() {
   const auto counted = [](const ModuliRow& r, int n) {
     return r.moduli.counted ? TableValue{std::int64_t{n}} : TableValue{};
   };
   return {{"file", [](const ModuliRow& r) { return r.file; }},
-          {"dimension", [count](const ModuliRow& r) { return count(r.dimension); }},
+          {"dimension", [](const ModuliRow& r) { return count(r.dimension); }},
           {"n_grains", [](const ModuliRow& r) { return r.n_grains; }},
           {"n_contacts", [](const ModuliRow& r) { return r.n_contacts; }},
           {"n_distant", [](const ModuliRow& r) { return r.n_distant; }},
@@ -213,16 +213,16 @@ std::vector<Column> contract_columns() {
           {"condition", [](const ModuliRow& r) { return r.moduli.condition; }},
           {"seconds", [](const ModuliRow& r) { return r.seconds; }},
           {"units", [](const ModuliRow& r) { return r.units; }},
-          {"n_rattlers", [count](const ModuliRow& r) { return count(r.moduli.n_rattlers); }},
-          {"n_free_rollers", [count](const ModuliRow& r) { return count(r.moduli.n_free_rollers); }},
-          {"n_at_cap", [count](const ModuliRow& r) { return count(r.moduli.n_at_cap); }},
+          {"n_rattlers", [](const ModuliRow& r) { return count(r.moduli.n_rattlers); }},
+          {"n_free_rollers", [](const ModuliRow& r) { return count(r.moduli.n_free_rollers); }},
+          {"n_at_cap", [](const ModuliRow& r) { return count(r.moduli.n_at_cap); }},
           {"error_C", [](const ModuliRow& r) { return r.moduli.C_error.maxCoeff(); }},
           {"error_B", [](const ModuliRow& r) { return r.moduli.B_error; }},
           {"error_B_S", [](const ModuliRow& r) { return r.moduli.B_S_error; }},
           {"error_G", [](const ModuliRow& r) { return r.moduli.G_error; }}};
 }
 
-std::vector<Column> network_columns() {
+std::vector<ModuliColumn> network_columns() {
   using Value = std::function<TableValue(const NetworkMechanics&)>;
   const auto count = [](int NetworkMechanics::*member) -> Value {
     return [member](const NetworkMechanics& m) { return TableValue{std::int64_t{m.*member}}; };
@@ -233,7 +233,7 @@ std::vector<Column> network_columns() {
   const auto maybe = [](std::optional<double> NetworkMechanics::*member) -> Value {
     return [member](const NetworkMechanics& m) { return or_undefined(m.*member); };
   };
-  const auto column = [](const char* name, Value value) -> Column {
+  const auto column = [](const char* name, Value value) -> ModuliColumn {
     return {name, [value](const ModuliRow& r) { return r.network ? value(*r.network) : TableValue{}; }};
   };
   using N = NetworkMechanics;
@@ -256,9 +256,9 @@ std::vector<Column> network_columns() {
           column("scalar_backbone_share", maybe(&N::scalar_backbone_share))};
 }
 
-std::vector<Column> budget_columns() {
+std::vector<ModuliColumn> budget_columns() {
   using Value = std::function<TableValue(const ErrorBudget&)>;
-  const auto column = [](const char* name, Value value) -> Column {
+  const auto column = [](const char* name, Value value) -> ModuliColumn {
     return {name, [value](const ModuliRow& r) { return r.budget ? value(*r.budget) : TableValue{}; }};
   };
   return {column("rounding_floor", [](const ErrorBudget& b) { return b.floor.force; }),
@@ -269,8 +269,8 @@ std::vector<Column> budget_columns() {
           column("limited_by", [](const ErrorBudget& b) { return std::string(b.limit()); })};
 }
 
-std::vector<Column> columns_for(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
-  std::vector<Column> columns = contract_columns();
+std::vector<ModuliColumn> columns_for(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
+  std::vector<ModuliColumn> columns = contract_columns();
   std::ranges::move(network_columns(), std::back_inserter(columns));
   std::ranges::move(budget_columns(), std::back_inserter(columns));
   int size = 2;
@@ -287,17 +287,6 @@ std::vector<Column> columns_for(const ModuliCommand& command, const std::vector<
                          [](const ModuliRow& r) { return or_undefined(r.moduli.G_without_prestress); });
   }
   return columns;
-}
-
-Table to_table(const std::vector<Column>& columns, const std::vector<ModuliRow>& rows) {
-  Table table;
-  for (const auto& [name, value] : columns) table.columns.push_back(name);
-  for (const ModuliRow& row : rows) {
-    std::vector<TableValue> values;
-    for (const auto& [name, value] : columns) values.push_back(value(row));
-    table.rows.push_back(std::move(values));
-  }
-  return table;
 }
 
 ModuliOptions options_of(const ModuliCommand& command) {
@@ -344,7 +333,7 @@ int run_moduli(const ModuliCommand& command) {
         any);
     return int{kDone};
   });
-  if (!command.increments.empty()) write_increments(command.increments, increments);
+  if (!command.increments.empty()) write_csv(command.increments, increments);
   print_table(to_table(columns_for(command, rows), rows), command.format);
   return code;
 }

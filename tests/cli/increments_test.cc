@@ -114,7 +114,7 @@ TEST_F(Increments, OfSpheresHaveThreeComponents) {
 TEST_F(Increments, AreRefusedInWordsWhereOneFileCannotHoldThem) {
   const Outcome mixed = moduli("square.h5 cubic.h5 --increments out.csv");
   EXPECT_EQ(mixed.code, 4);
-  EXPECT_THAT(mixed.err, HasSubstr("cubic.h5: is 3D, and the increments of states before it are not"));
+  EXPECT_THAT(mixed.err, HasSubstr("cubic.h5: has another dimension than the states before it"));
   EXPECT_THAT(written(), SizeIs(3));
   const Outcome several = moduli("square.h5 --increments out.csv --rolling-stiffness 1,2");
   EXPECT_EQ(several.code, 4);

@@ -8,7 +8,6 @@
 namespace floc {
 namespace {
 
-constexpr int kStretch = 500;
 /// Steps in which two grains that approach at twice the r.m.s. speed cross the tail, at least (`v dt << D0`).
 constexpr double kStepsAcrossTail = 4.0;
 
@@ -52,11 +51,6 @@ bool Aggregation<Dim>::advance() {
 template <int Dim>
 double Aggregation<Dim>::stretch_time() const {
   return kStretch * time_step_;
-}
-
-template <int Dim>
-int Aggregation<Dim>::stretch_steps() {
-  return kStretch;
 }
 
 template int count_clusters(const Packing<2>&);

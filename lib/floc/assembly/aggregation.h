@@ -29,7 +29,6 @@ class Aggregation {
   int n_clusters() const { return n_clusters_; }
   double skin() const { return skin_; }
   double stretch_time() const;
-  static int stretch_steps();
 
  private:
   RelaxationOptions options_;

@@ -102,7 +102,7 @@ RunEvent Run<Dim>::advance() {
     point_.packing = aggregation_->packing();
     point_.aggregation_skin = aggregation_->skin();
     point_.time += aggregation_->stretch_time();
-    point_.n_steps += Aggregation<Dim>::stretch_steps();
+    point_.n_steps += kStretch;
     if (!point_.aggregating) {
       start_step();
       return RunEvent::stretch;

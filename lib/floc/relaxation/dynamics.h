@@ -8,6 +8,10 @@
 
 namespace floc {
 
+/// Time steps of one stretch, between which a run may be stopped. Packing and lists are rebuilt there, which costs about 20
+/// steps.
+inline constexpr int kStretch = 500;
+
 /// How the sides of a rectangular periodic cell move (PHYSICS section 1, "Cell").
 template <int Dim>
 struct CellControl {

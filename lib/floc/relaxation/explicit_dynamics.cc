@@ -176,7 +176,7 @@ void ExplicitDynamics<Dim>::adapt_skin() {
   if (list_cost_share() < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, kThinnestSkin * largest_);
 }
 
-/// Share of the pairs that are out of each other's range.
+/// Share of a step that goes into pairs out of each other's range: a grain costs about as much as a pair.
 template <int Dim>
 double ExplicitDynamics<Dim>::share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const {
   std::size_t idle = 0;
@@ -189,7 +189,8 @@ double ExplicitDynamics<Dim>::share_of_idle(const std::vector<NeighborPair<Dim>>
     const double reach = grains_.radius[p.i] + grains_.radius[p.j] + range_;
     idle += squared >= reach * reach;
   }
-  return pairs.empty() ? 0.0 : static_cast<double>(idle) / static_cast<double>(pairs.size());
+  return static_cast<double>(idle) /
+         static_cast<double>(pairs.size() + static_cast<std::size_t>(grains_.size()));
 }
 
 template <int Dim>

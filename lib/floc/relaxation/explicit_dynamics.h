@@ -67,7 +67,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Vec<Dim> side_list_;
   Vec<Dim> list_stretch_;  ///< L / L when the list was built
   int steps_since_list_ = 0;
-  double idle_share_ = 0.0;  ///< of the pairs, when the list was built
+  double idle_share_ = 0.0;  ///< of a step, when the list was built
 };
 
 }  // namespace floc

@@ -14,8 +14,6 @@
 namespace floc {
 namespace {
 
-/// Time steps of one stretch. Packing and lists are rebuilt between stretches, which costs about 20 steps.
-constexpr int kStretch = 500;
 /// Motion has stopped when the solid fraction moved less than this in a window of this many time units and the
 /// kinetic energy is within its tolerance (FINDINGS: damping before that changes which rearrangement happens).
 constexpr double kStillPhi = 2e-5;

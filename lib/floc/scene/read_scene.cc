@@ -13,7 +13,9 @@
 
 #include "floc/base/error.h"
 #include "floc/loading/run_plan.h"
-#include "floc/scene/accuracy.h"
+#include "floc/scene/check_resolution.h"
+#include "floc/scene/numerical_settings.h"
+#include "floc/scene/read_accuracy.h"
 #include "floc/scene/table_reader.h"
 
 namespace floc {
@@ -355,89 +357,6 @@ void read_run(TableReader& root, Scene& scene) {
   t.refuse_other_keys();
 }
 
-/// a K_N/F0; nothing without adhesion.
-std::optional<double> stiffness_number(const Scene& scene) {
-  if (!scene.law.adhesion) return std::nullopt;
-  return scene.grains.diameter.max * scene.law.normal_stiffness / scene.law.adhesion->force;
-}
-
-/// Settings that [accuracy] chooses: a scene says either the accuracy or these.
-void refuse_settings(TableReader& root) {
-  TableReader equilibrium = root.table("equilibrium", "", Need::optional);
-  TableReader run = root.table("run", "", Need::optional);
-  const auto refuse = [](TableReader& t, const char* key) {
-    t.refuse(key,
-             fmt::format("{}: [accuracy] chooses it; expected either the one or the other", t.path_of(key)));
-  };
-  for (const char* key : {"force", "moment", "stress", "energy", "patience"}) refuse(equilibrium, key);
-  const auto finish = equilibrium.text("finish", "a string", Need::optional);
-  if (finish && *finish != "auto") refuse(equilibrium, "finish");
-  refuse(run, "time_step");
-}
-
-void check_table_covers(TableReader& t, const Scene& scene) {
-  const std::optional<double> kappa = stiffness_number(scene);
-  if (!kappa)
-    t.fault("",
-            "[accuracy]: expected a scene with contact.adhesion; the shipped table was measured on cohesive "
-            "grains");
-  else if (!covers_stiffness(shipped_accuracy_table(), *kappa))
-    t.fault("",
-            fmt::format(
-                "[accuracy]: a K_N/F0 = {:g} is outside of the range of the shipped table, {:g} to a factor "
-                "of ten; expected the settings themselves ([equilibrium], run.time_step)",
-                *kappa, shipped_accuracy_table().empty() ? 0.0 : shipped_accuracy_table()[0].kappa));
-}
-
-/// Writes what was chosen into the scene, so that its text says what is run even when the table is another one.
-void write_choice(const AccuracyChoice& choice, toml::table& root) {
-  const auto table = [&](const char* name) -> toml::table& {
-    return *root.insert(name, toml::table{}).first->second.as_table();
-  };
-  const NumericalSettings& s = choice.settings;
-  table("accuracy").insert_or_assign("chosen", fmt::format("{}: {}", choice.name, choice.reason));
-  toml::table& equilibrium = table("equilibrium");
-  for (const char* key : {"force", "moment", "stress"}) equilibrium.insert_or_assign(key, s.tolerance);
-  equilibrium.insert_or_assign("energy", s.energy());
-  equilibrium.insert_or_assign("patience", s.patience);
-  equilibrium.insert_or_assign("finish", finish_name(s.finish));
-  table("run").insert_or_assign("time_step", s.time_step);
-}
-
-/// Chooses settings by the accuracy that is asked for, unless the scene says that this was done. True if it did.
-bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
-  TableReader t = root.table("accuracy", "a table [accuracy]", Need::optional);
-  if (!t) return false;
-  WantedAccuracy wanted;
-  for (const std::string& key : accuracy_keys())
-    if (const auto error = t.number(key, {positive, "a positive number (relative error)"}, Need::optional))
-      wanted.emplace_back(key, *error);
-  const auto chosen = t.text("chosen", "a string, written by floc", Need::optional);
-  t.refuse_other_keys();
-  if (chosen) {
-    scene.accuracy = *chosen;
-    return false;
-  }
-  refuse_settings(root);
-  check_table_covers(t, scene);
-  if (wanted.empty()) {
-    t.fault("",
-            fmt::format("[accuracy] asks for nothing: expected one of {}", fmt::join(accuracy_keys(), ", ")));
-    return false;
-  }
-  const AccuracyChoice choice = choose_accuracy(shipped_accuracy_table(), wanted);
-  if (!choice.found()) {
-    const auto asked = std::find_if(wanted.begin(), wanted.end(),
-                                    [&](const auto& w) { return w.first == choice.refused_key; });
-    t.fault(asked->first, fmt::format("accuracy.{} = {:g}: {}", asked->first, asked->second, choice.refusal));
-    return false;
-  }
-  scene.accuracy = fmt::format("{}: {}", choice.name, choice.reason);
-  choice.settings.apply(scene.relaxation);
-  write_choice(choice, source.root());
-  return true;
-}
-
 /// What tables must agree on.
 void check_together(TableReader& root, SceneSource& source, const Scene& scene) {
   const bool cohesive = scene.law.adhesion.has_value() || source.is_faulty("contact.adhesion.law");
@@ -458,59 +377,6 @@ void check_together(TableReader& root, SceneSource& source, const Scene& scene) 
     cell.fault("inertial_number_cap",
                "cell.inertial_number_cap: the aggregation protocol passes through P = 0, where "
                "it lets nothing move; expected strain_rate_cap");
-}
-
-/// A pressure below the error that a stress may have cannot be told from none.
-void check_pressures(TableReader& root, const Scene& scene) {
-  if (!scene.law.adhesion || !(scene.grains.diameter.max > 0)) return;
-  const double least =
-      scene.relaxation.tolerance.stress * scene.law.adhesion->force / scene.grains.diameter.max;
-  const auto check = [&](TableReader& t, const char* key, double pressure) {
-    if (pressure > 0 && pressure <= least)
-      t.fault(key,
-              fmt::format(
-                  "{} = {}: expected more than equilibrium.stress * F0/a = {:.3g}, the error that a stress may "
-                  "have, or a smaller equilibrium.stress",
-                  t.path_of(key), pressure, least));
-  };
-  TableReader assembly = root.table("assembly", "", Need::optional);
-  if (assembly) check(assembly, "pressure", scene.assembly.pressure);
-  if (scene.load.empty()) return;
-  std::vector<TableReader> turns = root.tables("load", "tables [[load]]");
-  for (std::size_t k = 0; k < std::min(turns.size(), scene.load.size()); ++k) {
-    // A change of the adhesion changes what a stress is measured in.
-    if (std::any_of(scene.load[k].set.begin(), scene.load[k].set.end(),
-                    [](const auto& change) { return change.first == "adhesion.force"; }))
-      return;
-    check(turns[k], "to", scene.load[k].to);
-  }
-}
-
-/// Contacts may be so stiff that the rounding of sides and positions leaves more than the tolerances.
-void check_resolution(TableReader& root, const Scene& scene) {
-  constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
-  const double a = scene.grains.diameter.max;
-  const double F1 = std::max(scene.law.pull_off_force(), scene.assembly.pressure * a);
-  TableReader equilibrium = root.table("equilibrium", "", Need::optional);
-  TableReader contact = root.table("contact", "", Need::optional);
-  if (!contact || !(a > 0) || !(F1 > 0)) return;
-  const double kappa = scene.law.normal_stiffness * a / F1;
-  // Sides of the cell are one double each: see solve_statics().
-  if (4 * kHalfUnit * kappa >= scene.relaxation.tolerance.stress)
-    contact.fault(
-        "normal",
-        fmt::format("contact.normal.stiffness = {}: rounding leaves a stress of {:.1e} F1/a, expected "
-                    "less than equilibrium.stress = {:.1e}",
-                    scene.law.normal_stiffness, 4 * kHalfUnit * kappa, scene.relaxation.tolerance.stress));
-  // Motion knows a coordinate as one double; about four contacts hold a grain.
-  const double side = std::sqrt(scene.grains.count / std::max(scene.assembly.solid_fraction, 0.1));
-  const double force = 4 * kHalfUnit * kappa * side;
-  if (scene.relaxation.finish == Finish::dynamic && force >= scene.relaxation.tolerance.force)
-    equilibrium.fault(
-        "finish", fmt::format("equilibrium.finish = \"dynamic\": rounding of positions leaves net forces of "
-                              "{:.1e} F1, expected less than equilibrium.force = {:.1e}, or finish = "
-                              "\"auto\", which keeps them in two parts",
-                              force, scene.relaxation.tolerance.force));
 }
 
 /// Puts diameters that came from a file into the scene itself, so that its text stands alone; true if it did.
@@ -548,7 +414,6 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   read_run(root, scene);
   check_together(root, source, scene);
   const bool has_chosen = read_accuracy(root, source, scene);
-  check_pressures(root, scene);
   check_resolution(root, scene);
   root.refuse_other_keys();
   source.throw_faults();

@@ -1,0 +1,75 @@
+#include "floc/scene/check_resolution.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace floc {
+namespace {
+
+using Need = TableReader::Need;
+
+/// A pressure below the error that a stress may have cannot be told from none.
+void check_pressures(TableReader& root, const Scene& scene) {
+  if (!scene.law.adhesion || !(scene.grains.diameter.max > 0)) return;
+  const double least =
+      scene.relaxation.tolerance.stress * scene.law.adhesion->force / scene.grains.diameter.max;
+  const auto check = [&](TableReader& t, const char* key, double pressure) {
+    if (pressure > 0 && pressure <= least)
+      t.fault(key,
+              fmt::format(
+                  "{} = {}: expected more than equilibrium.stress * F0/a = {:.3g}, the error that a stress may "
+                  "have, or a smaller equilibrium.stress",
+                  t.path_of(key), pressure, least));
+  };
+  TableReader assembly = root.table("assembly", "", Need::optional);
+  if (assembly) check(assembly, "pressure", scene.assembly.pressure);
+  if (scene.load.empty()) return;
+  std::vector<TableReader> turns = root.tables("load", "tables [[load]]");
+  for (std::size_t k = 0; k < std::min(turns.size(), scene.load.size()); ++k) {
+    // A change of the adhesion changes what a stress is measured in.
+    if (std::any_of(scene.load[k].set.begin(), scene.load[k].set.end(),
+                    [](const auto& change) { return change.first == "adhesion.force"; }))
+      return;
+    check(turns[k], "to", scene.load[k].to);
+  }
+}
+
+/// Contacts may be so stiff that the rounding of sides and positions leaves more than the tolerances.
+void check_stiffness(TableReader& root, const Scene& scene) {
+  constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
+  const double a = scene.grains.diameter.max;
+  const double F1 = std::max(scene.law.pull_off_force(), scene.assembly.pressure * a);
+  TableReader equilibrium = root.table("equilibrium", "", Need::optional);
+  TableReader contact = root.table("contact", "", Need::optional);
+  if (!contact || !(a > 0) || !(F1 > 0)) return;
+  const double kappa = scene.law.normal_stiffness * a / F1;
+  // Sides of the cell are one double each: see solve_statics().
+  if (4 * kHalfUnit * kappa >= scene.relaxation.tolerance.stress)
+    contact.fault(
+        "normal",
+        fmt::format("contact.normal.stiffness = {}: rounding leaves a stress of {:.1e} F1/a, expected "
+                    "less than equilibrium.stress = {:.1e}",
+                    scene.law.normal_stiffness, 4 * kHalfUnit * kappa, scene.relaxation.tolerance.stress));
+  // Motion knows a coordinate as one double; about four contacts hold a grain.
+  const double side = std::sqrt(scene.grains.count / std::max(scene.assembly.solid_fraction, 0.1));
+  const double force = 4 * kHalfUnit * kappa * side;
+  if (scene.relaxation.finish == Finish::dynamic && force >= scene.relaxation.tolerance.force)
+    equilibrium.fault(
+        "finish", fmt::format("equilibrium.finish = \"dynamic\": rounding of positions leaves net forces of "
+                              "{:.1e} F1, expected less than equilibrium.force = {:.1e}, or finish = "
+                              "\"auto\", which keeps them in two parts",
+                              force, scene.relaxation.tolerance.force));
+}
+
+}  // namespace
+
+void check_resolution(TableReader& root, const Scene& scene) {
+  check_pressures(root, scene);
+  check_stiffness(root, scene);
+}
+
+}  // namespace floc

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "floc/scene/scene.h"
+#include "floc/scene/table_reader.h"
+
+namespace floc {
+
+/// Records faults of a scene whose tolerances cannot tell what it asks for: pressures below the error that a stress may
+/// have, contacts so stiff that rounding alone leaves more.
+void check_resolution(TableReader& root, const Scene& scene);
+
+}  // namespace floc

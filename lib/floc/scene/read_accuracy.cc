@@ -1,0 +1,99 @@
+#include "floc/scene/read_accuracy.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "floc/scene/accuracy.h"
+
+namespace floc {
+namespace {
+
+constexpr NumberRule kRelativeError{[](double x) { return x > 0; }, "a positive number (relative error)"};
+
+/// a K_N/F0; nothing without adhesion.
+std::optional<double> stiffness_number(const Scene& scene) {
+  if (!scene.law.adhesion) return std::nullopt;
+  return scene.grains.diameter.max * scene.law.normal_stiffness / scene.law.adhesion->force;
+}
+
+/// Settings that [accuracy] chooses: a scene says either the accuracy or these.
+void refuse_settings(TableReader& root) {
+  TableReader equilibrium = root.table("equilibrium", "", TableReader::Need::optional);
+  TableReader run = root.table("run", "", TableReader::Need::optional);
+  const auto refuse = [](TableReader& t, const char* key) {
+    t.refuse(key,
+             fmt::format("{}: [accuracy] chooses it; expected either the one or the other", t.path_of(key)));
+  };
+  for (const char* key : {"force", "moment", "stress", "energy", "patience"}) refuse(equilibrium, key);
+  const auto finish = equilibrium.text("finish", "a string", TableReader::Need::optional);
+  if (finish && *finish != "auto") refuse(equilibrium, "finish");
+  refuse(run, "time_step");
+}
+
+void check_table_covers(TableReader& t, const Scene& scene) {
+  const std::optional<double> kappa = stiffness_number(scene);
+  if (!kappa)
+    t.fault("",
+            "[accuracy]: expected a scene with contact.adhesion; the shipped table was measured on cohesive "
+            "grains");
+  else if (!covers_stiffness(shipped_accuracy_table(), *kappa))
+    t.fault("",
+            fmt::format(
+                "[accuracy]: a K_N/F0 = {:g} is outside of the range of the shipped table, {:g} to a factor "
+                "of ten; expected the settings themselves ([equilibrium], run.time_step)",
+                *kappa, shipped_accuracy_table().empty() ? 0.0 : shipped_accuracy_table()[0].kappa));
+}
+
+/// Writes what was chosen into the scene, so that its text says what is run even when the table is another one.
+void write_choice(const AccuracyChoice& choice, toml::table& root) {
+  const auto table = [&](const char* name) -> toml::table& {
+    return *root.insert(name, toml::table{}).first->second.as_table();
+  };
+  const NumericalSettings& s = choice.settings;
+  table("accuracy").insert_or_assign("chosen", fmt::format("{}: {}", choice.name, choice.reason));
+  toml::table& equilibrium = table("equilibrium");
+  for (const char* key : {"force", "moment", "stress"}) equilibrium.insert_or_assign(key, s.tolerance);
+  equilibrium.insert_or_assign("energy", s.energy());
+  equilibrium.insert_or_assign("patience", s.patience);
+  equilibrium.insert_or_assign("finish", finish_name(s.finish));
+  table("run").insert_or_assign("time_step", s.time_step);
+}
+
+}  // namespace
+
+bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
+  TableReader t = root.table("accuracy", "a table [accuracy]", TableReader::Need::optional);
+  if (!t) return false;
+  WantedAccuracy wanted;
+  for (const std::string& key : accuracy_keys())
+    if (const auto error = t.number(key, kRelativeError, TableReader::Need::optional))
+      wanted.emplace_back(key, *error);
+  const auto chosen = t.text("chosen", "a string, written by floc", TableReader::Need::optional);
+  t.refuse_other_keys();
+  if (chosen) {
+    scene.accuracy = *chosen;
+    return false;
+  }
+  refuse_settings(root);
+  check_table_covers(t, scene);
+  if (wanted.empty()) {
+    t.fault("",
+            fmt::format("[accuracy] asks for nothing: expected one of {}", fmt::join(accuracy_keys(), ", ")));
+    return false;
+  }
+  const AccuracyChoice choice = choose_accuracy(shipped_accuracy_table(), wanted);
+  if (!choice.found()) {
+    const auto asked = std::find_if(wanted.begin(), wanted.end(),
+                                    [&](const auto& w) { return w.first == choice.refused_key; });
+    t.fault(asked->first, fmt::format("accuracy.{} = {:g}: {}", asked->first, asked->second, choice.refusal));
+    return false;
+  }
+  scene.accuracy = fmt::format("{}: {}", choice.name, choice.reason);
+  choice.settings.apply(scene.relaxation);
+  write_choice(choice, source.root());
+  return true;
+}
+
+}  // namespace floc

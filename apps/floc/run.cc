@@ -149,6 +149,7 @@ int run_scene(const RunArguments& arguments) {
   if (arguments.track_contacts && !run.finished())
     tracker = track_contacts(run, options, directory, *arguments.track_contacts);
 
+  if (!scene.start.empty()) fmt::print(stderr, "start: {}\n", scene.start);
   if (!scene.accuracy.empty()) fmt::print(stderr, "accuracy: {}\n", scene.accuracy);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
@@ -169,6 +170,10 @@ int run_seeds(const RunArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
   (void)plan_run(scene.assembly, scene.law, scene.load);  // a bad path is told once, before any sample starts
+  if (!scene.is_random())
+    throw InputError("--seeds " + arguments.seeds,
+                     "all samples would be the same: the scene starts from a state at rest; expected "
+                     "assembly.agitation, or one run");
   const std::string& directory = arguments.directory;
   const bool used = std::filesystem::exists(directory) && !std::filesystem::is_empty(directory);
   if (used && !arguments.resume && !arguments.overwrite)

@@ -30,6 +30,7 @@ int check_scene(const SceneArguments& arguments) {
   Table table{{"group", "value", "meaning"}, {}};
   for (const DerivedGroup& g : derived_groups(scene)) table.rows.push_back({g.name, g.value, g.meaning});
   print_table(table, arguments.format);
+  if (!scene.start.empty()) spdlog::info("start: {}", scene.start);
   if (!scene.accuracy.empty()) spdlog::info("accuracy: {}", scene.accuracy);
   spdlog::info("{}: no faults", arguments.path);
   return kDone;

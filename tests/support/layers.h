@@ -33,7 +33,7 @@ inline const LayerOrder& layer_order() {
       {"loading", {"assembly", "relaxation"}},
       {"structure", {"packing", "neighbors", "network"}},
       {"io", {"packing", "contact"}},
-      {"scene", {"contact", "assembly", "loading"}},
+      {"scene", {"contact", "assembly", "loading", "io"}},
       {"picture", {"structure", "elasticity", "packing"}},
       {"study", {"scene", "loading", "elasticity", "structure", "fitting"}},
   };

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "floc/assembly/saved_start.h"
+
 namespace floc {
 
 /// Distribution of grain diameters (length).
@@ -29,11 +31,15 @@ struct AssemblyOptions {
   enum class Protocol {
     direct,       ///< gas at rest, stress control at once (type 1; also cohesionless)
     aggregation,  ///< agitated in a fixed cell to one cluster, then P = 0, then the first pressure (type 2)
+    state,        ///< a saved packing, tiled, taken to the first pressure
   };
   Protocol protocol = Protocol::direct;
-  double solid_fraction = 0.0;  ///< of the gas
-  double agitation = 0.0;       ///< V0/V* of the aggregation protocol, V* = sqrt(F0 D0/m)
-  double pressure = 0.0;        ///< first pressure (unit of stress of the scene)
+  double solid_fraction = 0.0;  ///< of the gas, or of the saved packing
+  /// V0/V*, V* = sqrt(F0 D0/m), or sqrt(P a^2/m) where no adhesion reaches across a gap: of the aggregation protocol, and of
+  /// a saved packing, where zero leaves it at rest.
+  double agitation = 0.0;
+  double pressure = 0.0;  ///< first pressure (unit of stress of the scene)
+  SavedStart saved;       ///< of the protocol that starts from one
 };
 
 }  // namespace floc

@@ -22,9 +22,15 @@ template <int Dim>
 Run<Dim>::Run(RunOptions options)
     : options_(std::move(options)), plan_(plan_run(options_.assembly, options_.law, options_.load)) {
   RandomStream random(options_.seed, kAssemblyStream);
-  point_.packing = make_gas<Dim>(options_.grains, options_.law, options_.assembly.solid_fraction, random);
-  point_.aggregating = options_.assembly.protocol == AssemblyOptions::Protocol::aggregation;
-  if (point_.aggregating) agitate(point_.packing, agitation_speed(), random);
+  const AssemblyOptions& assembly = options_.assembly;
+  if (assembly.protocol == AssemblyOptions::Protocol::state) {
+    point_.packing = start_from<Dim>(assembly.saved.read(), options_.law, assembly.saved.copies);
+    point_.parent_sha256 = assembly.saved.sha256;
+  } else {
+    point_.packing = make_gas<Dim>(options_.grains, options_.law, assembly.solid_fraction, random);
+  }
+  point_.aggregating = assembly.protocol == AssemblyOptions::Protocol::aggregation;
+  if (assembly.agitation > 0.0) agitate(point_.packing, agitation_speed(), random);
   point_.stream_state = random.state();
   start_step();
 }
@@ -49,12 +55,16 @@ RunPoint<Dim> Run<Dim>::after(const State<Dim>& state, const std::string& sha256
   return point;
 }
 
-/// V0 = agitation * V*, V* = sqrt(F0 D0/m), m the mass of the largest grain (PHYSICS section 1).
+/// V0 = agitation * V*, V* = sqrt(F0 D0/m), m the mass of the largest grain (PHYSICS section 1); where no adhesion reaches
+/// across a gap, V* = sqrt(P a^2/m), at which a grain has the energy of the load on it.
 template <int Dim>
 double Run<Dim>::agitation_speed() const {
-  const std::vector<double>& mass = point_.packing.grains.mass;
-  const double m = *std::max_element(mass.begin(), mass.end());
-  return options_.assembly.agitation * std::sqrt(options_.law.pull_off_force() * options_.law.range() / m);
+  const Grains<Dim>& g = point_.packing.grains;
+  const double m = *std::max_element(g.mass.begin(), g.mass.end());
+  const double a = 2.0 * *std::max_element(g.radius.begin(), g.radius.end());
+  const double adhesive = options_.law.pull_off_force() * options_.law.range();
+  const double energy = adhesive > 0.0 ? adhesive : options_.assembly.pressure * std::pow(a, Dim);
+  return options_.assembly.agitation * std::sqrt(energy / m);
 }
 
 template <int Dim>

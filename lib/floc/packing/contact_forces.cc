@@ -35,10 +35,14 @@ void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
   if constexpr (Law::kHasFriction) {
     c.shear_spring = history.shear;
     c.sliding = !c.distant && history.shear.norm() >= kAtCap * law.friction.spring_limit(c.elastic_force);
+  } else {
+    c.shear_spring.setZero();
   }
   if constexpr (Law::kHasRolling) {
     c.rolling_spring = history.roll;
     c.rolling_yield = !c.distant && history.roll.norm() >= kAtCap * law.rolling.spring_limit(c.elastic_force);
+  } else {
+    c.rolling_spring.setZero();
   }
 }
 

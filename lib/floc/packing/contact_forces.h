@@ -5,8 +5,8 @@
 namespace floc {
 
 /// Recomputes gap, normal, static forces, stiffnesses and flags of one contact from the positions of its grains and
-/// the springs it remembers, by the packing's law. Springs beyond their cap are cut back, those of a parted contact
-/// cleared. `contact.i`, `j`, `image` and the springs are read, everything else is written.
+/// the springs it remembers, by the packing's law. Springs beyond their cap are cut back, those of a parted contact,
+/// or of a slot that the law has not, cleared. `contact.i`, `j`, `image` and the springs are read, everything else is written.
 template <int Dim>
 void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact);
 

@@ -86,8 +86,10 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
   if (r.inertial_number_cap)
     groups.push_back({"I", *r.inertial_number_cap, "cap on the inertial number of the strain rate"});
   groups.push_back({"cell_mass", r.cell_mass, "mass of the cell's sides over that of the grains"});
-  if (scene.assembly.protocol == AssemblyOptions::Protocol::aggregation)
-    groups.push_back({"V0/V_star", scene.assembly.agitation, "agitation of the gas, V* = sqrt(F0 D0/m)"});
+  if (scene.assembly.agitation > 0.0)
+    groups.push_back({"V0/V_star", scene.assembly.agitation,
+                      scene.law.range() > 0.0 ? "agitation at the start, V* = sqrt(F0 D0/m)"
+                                              : "agitation at the start, V* = sqrt(P a^2/m)"});
   if (scene.law.adhesion)
     groups.push_back(
         {"T0", std::sqrt(a * m / scene.law.adhesion->force), "sqrt(a m/F0), unit of time of the scene"});
@@ -96,7 +98,7 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
 }  // namespace
 
 double expected_cost(const Scene& scene) {
-  // What assembling costs, in loading steps.
+  // What assembling a gas costs, in loading steps.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
@@ -105,7 +107,8 @@ double expected_cost(const Scene& scene) {
   const double step =
       time_step(scene) / std::sqrt(mass_of(scene, scene.grains.diameter.max) / scene.law.normal_stiffness);
   const Steps steps = count_steps(scene);
-  return kSecondsPerGrainAndStep * scene.grains.count * (kAssembly + steps.up + kUnloading * steps.down) *
+  const double start = scene.starts_from_state() ? 1.0 : kAssembly;
+  return kSecondsPerGrainAndStep * scene.grains.count * (start + steps.up + kUnloading * steps.down) *
          kTimedStep / step;
 }
 

@@ -16,6 +16,7 @@
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/numerical_settings.h"
 #include "floc/scene/read_accuracy.h"
+#include "floc/scene/read_saved_start.h"
 #include "floc/scene/table_reader.h"
 
 namespace floc {
@@ -49,8 +50,6 @@ constexpr bool is_steps_per_decade(double x) {
   return x > 0 && x <= 1000;
 }
 constexpr std::int64_t kLargestInt = std::numeric_limits<int>::max();
-/// The unknowns of the packing, three a grain, are counted in an int.
-constexpr std::int64_t kMostGrains = 100'000'000;
 constexpr std::int64_t kMostSteps = 10'000;
 constexpr std::int64_t kMostThreads = 1024;
 
@@ -135,6 +134,8 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
 }
 
 void read_grains(TableReader& root, SceneSource& source, const std::string& directory, Scene& scene) {
+  if (scene.starts_from_state())
+    return root.refuse("grains", "[grains]: the grains are those of assembly.state; expected no such table");
   TableReader t = root.table("grains", "a table [grains]");
   const auto count = t.integer("count", {2, kMostGrains, "a whole number of grains, 2 to 1e8"});
   scene.grains.count = static_cast<int>(count.value_or(0));
@@ -209,11 +210,14 @@ void read_contact(TableReader& root, Scene& scene) {
 
 void read_cell(TableReader& root, Scene& scene) {
   TableReader t = root.table("cell", "a table [cell]");
-  scene.assembly.solid_fraction =
-      t.number("solid_fraction", {is_gas,
-                                  "a solid fraction in (0, 0.6], at which grains can be placed at random "
-                                  "without overlap"})
-          .value_or(0);
+  if (scene.starts_from_state())
+    t.refuse("solid_fraction", "cell.solid_fraction: the cell is that of assembly.state; expected no such key");
+  else
+    scene.assembly.solid_fraction =
+        t.number("solid_fraction", {is_gas,
+                                    "a solid fraction in (0, 0.6], at which grains can be placed at random "
+                                    "without overlap"})
+            .value_or(0);
   scene.relaxation.cell_mass =
       t.number("mass", {positive, "a positive number (mass of the cell's sides over that of all grains)"})
           .value_or(1);
@@ -234,20 +238,28 @@ void read_cell(TableReader& root, Scene& scene) {
   t.refuse_other_keys();
 }
 
-void read_assembly(TableReader& root, Scene& scene) {
+void read_assembly(TableReader& root, const std::string& directory, Scene& scene) {
   TableReader t = root.table("assembly", "a table [assembly]");
   using Protocol = AssemblyOptions::Protocol;
-  const auto protocol = t.choice("protocol", {"direct", "aggregation"});
-  scene.assembly.protocol = protocol.value_or(0) == 0 ? Protocol::direct : Protocol::aggregation;
+  const auto protocol = t.choice("protocol", {"direct", "aggregation", "state"});
+  scene.assembly.protocol =
+      std::array{Protocol::direct, Protocol::aggregation, Protocol::state}[protocol.value_or(0)];
   scene.assembly.pressure =
       t.number("pressure", {positive, "a positive number (first pressure, compression positive)"}).value_or(0);
   const NumberRule agitation{positive, "a positive number (V0/V*, V* = sqrt(F0 D0/m))"};
-  if (protocol.value_or(1) == 1)
-    scene.assembly.agitation = t.number("agitation", agitation).value_or(0);
-  else
+  if (protocol && scene.assembly.protocol == Protocol::direct)
     t.refuse("agitation",
              "assembly.agitation: grains start at rest with protocol = \"direct\"; expected "
              "\"aggregation\", or no agitation");
+  else
+    scene.assembly.agitation =
+        t.number("agitation", agitation, scene.starts_from_state() ? Need::optional : Need::required)
+            .value_or(0);
+  if (scene.starts_from_state())
+    read_saved_start(t, directory, scene);
+  else
+    for (const char* key : {"state", "copies", "state_sha256"})
+      t.refuse(key, fmt::format("assembly.{}: expected protocol = \"state\", or no such key", key));
   t.refuse_other_keys();
 }
 
@@ -381,6 +393,7 @@ void check_together(TableReader& root, SceneSource& source, const Scene& scene) 
 
 /// Puts diameters that came from a file into the scene itself, so that its text stands alone; true if it did.
 bool inline_list(toml::table& root, const std::vector<double>& values) {
+  if (values.empty()) return false;
   toml::table& diameter = *root["grains"]["diameter"].as_table();
   if (!diameter.contains("file")) return false;
   toml::array array;
@@ -388,6 +401,12 @@ bool inline_list(toml::table& root, const std::vector<double>& values) {
   diameter.erase("file");
   diameter.insert("values", array);
   return true;
+}
+
+/// Puts the checksum of the state that the scene starts from into the scene itself; true if it did.
+bool name_state(toml::table& root, const Scene& scene) {
+  return scene.starts_from_state() &&
+         root["assembly"].as_table()->insert("state_sha256", scene.assembly.saved.sha256).second;
 }
 
 std::string as_text(const toml::table& root) {
@@ -405,10 +424,10 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   Scene scene;
   scene.name = std::filesystem::path(place).stem().string();
   read_scene_table(root, scene);
-  read_grains(root, source, directory, scene);
   read_contact(root, scene);
+  read_assembly(root, directory, scene);
+  read_grains(root, source, directory, scene);
   read_cell(root, scene);
-  read_assembly(root, scene);
   read_load(root, scene);
   read_equilibrium(root, scene.relaxation);
   read_run(root, scene);
@@ -418,7 +437,8 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   root.refuse_other_keys();
   source.throw_faults();
   const bool has_list = inline_list(source.root(), scene.grains.diameter.values);
-  scene.text = has_list || has_chosen || !overrides.empty() ? as_text(source.root()) : text;
+  const bool has_state = name_state(source.root(), scene);
+  scene.text = has_list || has_state || has_chosen || !overrides.empty() ? as_text(source.root()) : text;
   return scene;
 }
 

@@ -11,6 +11,9 @@
 
 namespace floc {
 
+/// The unknowns of a packing, three a grain, are counted in an int.
+inline constexpr std::int64_t kMostGrains = 100'000'000;
+
 /// A scene file, parsed: the options of every part of a run.
 struct Scene {
   std::string name;
@@ -23,8 +26,13 @@ struct Scene {
   RelaxationOptions relaxation;
   std::uint64_t seed = 1;
   double checkpoint_every = 60.0;  ///< seconds of wall time between checkpoints
+  std::string start;               ///< what the run starts from where that is a saved packing; empty elsewhere
   std::string accuracy;            ///< setting that [accuracy] chose and why; empty without one
   std::string text;                ///< the scene with overrides applied, as written into every state
+
+  bool starts_from_state() const { return assembly.protocol == AssemblyOptions::Protocol::state; }
+  /// Whether another seed makes another sample: all but a saved packing that starts at rest are random.
+  bool is_random() const { return !starts_from_state() || assembly.agitation > 0.0; }
 };
 
 }  // namespace floc

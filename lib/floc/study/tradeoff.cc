@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "floc/base/error.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/study/fitted_path.h"
 
@@ -241,6 +242,9 @@ class Study {
 }  // namespace
 
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
+  if (scene.starts_from_state())
+    throw InputError("assembly.protocol = \"state\"",
+                     "expected \"direct\" or \"aggregation\": samples and their sizes are made from the gas");
   return Study(std::move(scene), options).run();
 }
 

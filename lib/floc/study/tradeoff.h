@@ -42,6 +42,7 @@ struct Tradeoff {
 /// fewer until two samples of everything are expected to fit, by the measured cost of a small one; then samples go on until
 /// the next would not fit. Settings too expensive for the first sample are left out. At the deadline a run is broken off.
 /// @pre options.budget > 0
+/// @throws InputError for a scene that starts from a saved state: samples are made from the gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
 /// Settings that no other beats in both cost and error of an observable: error is the larger of the upper limits before

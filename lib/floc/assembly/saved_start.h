@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// A saved packing that a run starts from in place of a gas.
+struct SavedStart {
+  std::function<Packing<2>()> read;          ///< called when the run begins: a large packing is held once
+  std::string sha256;                        ///< of its file, the parent of the first state
+  Vec<2, int> copies = Vec<2, int>::Ones();  ///< side by side along each axis
+};
+
+/// What a run makes of a saved packing: at rest, under another contact law, tiled. Grains stay where they are and turned as
+/// they are. Contacts are those that positions and law give; each keeps the springs it had (displacements, not forces),
+/// cut back to the caps of the law. Springs of a slot that the law has not are lost, those of one that is new begin at rest. The
+/// tiling of an equilibrium under its own law is that equilibrium.
+/// @param copies  along each lattice vector, >= 1
+/// @throws InputError as find_contacts()
+template <int Dim>
+Packing<Dim> start_from(Packing<Dim> saved, const LawParameters& law, const Vec<Dim, int>& copies);
+
+}  // namespace floc

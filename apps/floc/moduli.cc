@@ -13,9 +13,11 @@
 #include "columns.h"
 #include "command.h"
 #include "floc/base/error.h"
+#include "floc/base/parse_number.h"
 #include "floc/elasticity/error_budget.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/modes.h"
+#include "floc/elasticity/moduli_within.h"
 #include "floc/elasticity/network_mechanics.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/structure/coordination.h"
@@ -31,6 +33,11 @@ const std::map<std::string, ModuliMethod> kMethods = {{"factor", ModuliMethod::f
                                                       {"iterative", ModuliMethod::iterative},
                                                       {"bounds", ModuliMethod::bounds}};
 
+const char* name_of(ModuliMethod method) {
+  return std::ranges::find(kMethods, method, &std::pair<const std::string, ModuliMethod>::second)
+      ->first.c_str();
+}
+
 /// Near-mechanisms are counted up to this number of grains: it takes a factor that is slow for large packings.
 constexpr int kLargestCounted = 20000;
 
@@ -41,6 +48,7 @@ struct ModuliCommand {
   bool force = false;
   ModuliOptions options;
   std::string method = "factor";
+  std::vector<std::string> accuracy;  ///< "X", or "B=X", "G=X"; empty: the method says what is spent
   std::vector<double> rolling_stiffness;
   std::string increments;  ///< file for the increments of every contact; empty: none
   std::string format;
@@ -130,26 +138,40 @@ struct ModuliSequences {
   Moduli next(const Packing<3>& packing, bool unloaded) { return space.next(packing, unloaded); }
 };
 
-/// A row for each rolling stiffness asked for, or one with the state's own.
+/// How moduli are asked for.
+struct ModuliRequest {
+  ModuliOptions options;
+  std::optional<ModuliAccuracy> accuracy;  ///< instead of a method
+  const std::vector<double>& rolling_stiffness;
+};
+
+/// One for each rolling stiffness asked for, or one with the state's own.
 template <int Dim>
-std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& state, ModuliOptions options,
-                                    const std::vector<double>& rolling_stiffness, ModuliSequences& sequences,
-                                    Table* increments) {
-  options.unloaded = state.target_stress.isZero(0.0);
+std::vector<Moduli> compute_moduli(const Packing<Dim>& packing, const ModuliRequest& request,
+                                   ModuliSequences& sequences) {
+  if (request.accuracy) return {moduli_within(packing, request.options, *request.accuracy)};
+  if (request.rolling_stiffness.empty()) return {sequences.next(packing, request.options.unloaded)};
+  return elastic_moduli(packing, request.options, request.rolling_stiffness);
+}
+
+/// A row for each of them.
+template <int Dim>
+std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& state, ModuliRequest request,
+                                    ModuliSequences& sequences, Table* increments) {
+  request.options.unloaded = state.target_stress.isZero(0.0);
   const ModuliRow description = described(file, state);
   warn_of_rounding(file, state);
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Moduli> moduli = rolling_stiffness.empty()
-                                         ? std::vector<Moduli>{sequences.next(state.packing, options.unloaded)}
-                                         : elastic_moduli(state.packing, options, rolling_stiffness);
+  const std::vector<Moduli> moduli = compute_moduli(state.packing, request, sequences);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::vector<ModuliRow> rows(moduli.size(), description);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     rows[k].moduli = moduli[k];
     rows[k].reduced_pressure = reduced_pressure<Dim>(state.packing, moduli[k].pressure);
-    if (!rolling_stiffness.empty()) rows[k].rolling_stiffness = rolling_stiffness[k];
+    if (!request.rolling_stiffness.empty()) rows[k].rolling_stiffness = request.rolling_stiffness[k];
     rows[k].seconds = seconds / static_cast<double>(rows.size());
-    if (options.method == ModuliMethod::factor) add_network(state, options, rows[k], increments);
+    if (request.options.method == ModuliMethod::factor && !request.accuracy)
+      add_network(state, request.options, rows[k], increments);
     for (const std::string& warning : moduli[k].warnings)
       std::cerr << "floc: " << file << ": warning: " << warning << '\n';
   }
@@ -180,7 +202,7 @@ using ModuliColumn = Column<ModuliRow>;
 
 std::vector<ModuliColumn> contract_columns() {
   const auto counted = [](const ModuliRow& r, int n) {
-    return r.moduli.counted ? TableValue{std::int64_t{n}} : TableValue{};
+    return r.moduli.method == ModuliMethod::factor ? TableValue{std::int64_t{n}} : TableValue{};
   };
   return {{"file", [](const ModuliRow& r) { return r.file; }},
           {"dimension", [](const ModuliRow& r) { return count(r.dimension); }},
@@ -286,6 +308,7 @@ std::vector<ModuliColumn> columns_for(const ModuliCommand& command, const std::v
     columns.emplace_back("G_without_prestress",
                          [](const ModuliRow& r) { return or_undefined(r.moduli.G_without_prestress); });
   }
+  columns.emplace_back("method", [](const ModuliRow& r) { return std::string(name_of(r.moduli.method)); });
   return columns;
 }
 
@@ -308,6 +331,40 @@ ModuliOptions options_of(const ModuliCommand& command) {
   return options;
 }
 
+/// Reads --accuracy: "X" for both moduli, "B=X", "G=X"; nothing where it is not given.
+std::optional<ModuliAccuracy> accuracy_of(const ModuliCommand& command) {
+  if (command.accuracy.empty()) return std::nullopt;
+  ModuliAccuracy accuracy;
+  for (const std::string& text : command.accuracy) {
+    const std::size_t equals = text.find('=');
+    const std::string name = equals == std::string::npos ? "" : text.substr(0, equals);
+    const auto error = parse_number<double>(equals == std::string::npos ? text : text.substr(equals + 1));
+    if (!error || (name != "" && name != "B" && name != "G"))
+      throw InputError("floc moduli",
+                       fmt::format("--accuracy {}: expected X, B=X or G=X with X a relative error", text));
+    if (name != "G") accuracy.B = *error;
+    if (name != "B") accuracy.G = *error;
+  }
+  for (const std::string& fault : accuracy.validate()) throw InputError("floc moduli", "--" + fault);
+  if (!command.increments.empty())
+    throw InputError("floc moduli", "--increments: expects --method factor in place of --accuracy");
+  return accuracy;
+}
+
+/// Whether rows keep what was asked for; if not, says so on stderr.
+bool promises_kept(const std::vector<ModuliRow>& rows, const std::optional<ModuliAccuracy>& accuracy) {
+  if (!accuracy) return true;
+  return std::ranges::all_of(rows, [&](const ModuliRow& row) {
+    if (accuracy->kept_by(row.moduli)) return true;
+    std::cerr << fmt::format(
+        "floc: {}: no method tells B and G as accurately as asked: the error bounds of the factor are {:.1e} "
+        "of "
+        "{:.6g} and {:.1e} of {:.6g}\n",
+        row.file, row.moduli.B_error, row.moduli.B, row.moduli.G_error, row.moduli.G);
+    return false;
+  });
+}
+
 /// Whether a state is an equilibrium; if not, says so on stderr. A state not refused with `force` is warned about.
 bool stands(const std::string& file, const AnyState& any, bool force) {
   const std::string faults = std::visit([](const auto& state) { return unbalance(state); }, any);
@@ -318,20 +375,21 @@ bool stands(const std::string& file, const AnyState& any, bool force) {
 }
 
 int run_moduli(const ModuliCommand& command) {
-  const ModuliOptions options = options_of(command);
+  const ModuliRequest request{options_of(command), accuracy_of(command), command.rolling_stiffness};
   std::vector<ModuliRow> rows;
-  ModuliSequences sequences{ModuliSequence<2>(options), ModuliSequence<3>(options)};
+  ModuliSequences sequences{ModuliSequence<2>(request.options), ModuliSequence<3>(request.options)};
   Table increments;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
     if (!stands(file, any, command.force) && !command.force) return int{kVerificationFailed};
-    std::visit(
+    std::vector<ModuliRow> computed = std::visit(
         [&](const auto& state) {
-          std::ranges::move(compute_rows(file, state, options, command.rolling_stiffness, sequences,
-                                         command.increments.empty() ? nullptr : &increments),
-                            std::back_inserter(rows));
+          return compute_rows(file, state, request, sequences,
+                              command.increments.empty() ? nullptr : &increments);
         },
         any);
-    return int{kDone};
+    const int outcome = promises_kept(computed, request.accuracy) ? kDone : kNotConverged;
+    std::ranges::move(computed, std::back_inserter(rows));
+    return outcome;
   });
   if (!command.increments.empty()) write_csv(command.increments, increments);
   print_table(to_table(columns_for(command, rows), rows), command.format);
@@ -350,9 +408,11 @@ Command add_moduli(CLI::App& program) {
       ->capture_default_str();
   app->add_flag("--prestress", command->prestress,
                 "add the geometric terms of the forces (those of F_T left out); stress is the Cauchy stress");
-  app->add_option("--tolerance", command->options.tolerance,
-                  "relative error wanted of B and G; what is reached is printed, and said where it falls short")
-      ->capture_default_str();
+  CLI::Option* tolerance =
+      app->add_option(
+             "--tolerance", command->options.tolerance,
+             "relative error wanted of B and G; what is reached is printed, and said where it falls short")
+          ->capture_default_str();
   CLI::Option* method =
       app->add_option(
              "--method", command->method,
@@ -360,13 +420,21 @@ Command add_moduli(CLI::App& program) {
              "--tolerance; bounds: the middle between them. Errors of the last three are printed too")
           ->check(CLI::IsMember({"factor", "single-factor", "iterative", "bounds"}))
           ->capture_default_str();
+  CLI::Option* accuracy =
+      app->add_option(
+             "--accuracy", command->accuracy,
+             "X, or B=X, G=X: relative errors that are good enough; takes the cheapest method that keeps them "
+             "and names it in the column method")
+          ->delimiter(',')
+          ->excludes(method, tolerance)
+          ->allow_extra_args(false);
   app->add_option("--force-tolerance", command->options.force_tolerance,
                   "cohesionless: a contact below this force carries nothing, in max(F0, P a^(d-1))")
       ->capture_default_str();
   app->add_option("--rolling-stiffness", command->rolling_stiffness,
                   "K_R of every touching contact, in the state's units; a row for each value")
       ->delimiter(',')
-      ->excludes(method)
+      ->excludes(method, accuracy)
       ->allow_extra_args(false);
   app->add_option(
       "--increments", command->increments,

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "support/run_program.h"
@@ -116,6 +117,87 @@ TEST(ModuliMethods, CheaperOnesLeaveOutWhatTheyDoNotTell) {
   const Outcome o = run_floc("moduli out/state-0000.h5 --method bounds --increments i.csv", scratch.path());
   EXPECT_EQ(o.code, 4);
   EXPECT_THAT(o.err, HasSubstr("expects --method factor"));
+}
+
+TEST(ModuliWithinAnAccuracy, AreThoseOfTheCheapestMethodThatKeepsIt) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(run_floc("run " + kSmall + "--set load.0.to=30 -o out", scratch.path()).code, 0);
+  const auto rows = [&](const std::string& options) {
+    const Outcome o = run_floc("moduli out/state-*.h5 --format json " + options, scratch.path());
+    EXPECT_EQ(o.code, 0) << o.err;
+    return nlohmann::json::parse(o.out);
+  };
+  const auto exact = rows("");
+  std::map<std::string, int> used;
+  for (const char* accuracy : {"B=0.6", "0.05", "1e-6", "B=1e-8,G=0.5"}) {
+    const bool bulk_only = std::string(accuracy) == "B=0.6";
+    const double B = accuracy[0] == 'B' ? std::stod(accuracy + 2) : std::stod(accuracy),
+                 G = bulk_only ? 1e300 : 0.5;
+    const auto found = rows(std::string("--accuracy ") + accuracy);
+    ASSERT_EQ(found.size(), exact.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      ++used[found[k]["method"]];
+      EXPECT_LE(std::abs(double(found[k]["B"]) - double(exact[k]["B"])),
+                B * double(exact[k]["B"]) + double(exact[k]["error_B"]));
+      EXPECT_LE(std::abs(double(found[k]["G"]) - double(exact[k]["G"])),
+                G * double(exact[k]["G"]) + double(exact[k]["error_G"]));
+      EXPECT_TRUE(found[k]["indeterminacy"].is_null());
+    }
+  }
+  EXPECT_GT(used["bounds"], 0);
+  EXPECT_GT(used["single-factor"], 0);
+  EXPECT_EQ(exact[0]["method"], "factor");
+}
+
+/// Packings of other programs, disks and spheres.
+TEST(ModuliWithinAnAccuracy, AreKeptOnShippedPackings) {
+  const ScratchDirectory scratch;
+  const std::string packings = std::string(FLOC_SOURCE_DIR) + "/data/packings/";
+  ASSERT_EQ(run_floc("convert '" + packings + "jambashbulk/N16~P1e-3~0001.txt' bulk.h5", scratch.path()).code,
+            0);
+  ASSERT_EQ(
+      run_floc("convert " + packings + "lammps/disks.dump disks.h5 --contacts " + packings +
+                   "lammps/disks.contacts --law normal.stiffness=1000,friction.coefficient=0.5,"
+                   "friction.stiffness=800 --contact-columns 'id1=c_pair[1],id2=c_pair[2],force1=c_force[1],"
+                   "force2=c_force[2],shear_force1=c_force[4],shear_force2=c_force[5]'",
+               scratch.path())
+          .code,
+      0);
+  const auto row = [&](const std::string& file, const std::string& options) {
+    const Outcome o = run_floc("moduli " + file + " --format json " + options, scratch.path());
+    EXPECT_EQ(o.code, 0) << o.err;
+    return nlohmann::json::parse(o.out)[0];
+  };
+  for (const char* file : {"bulk.h5", "disks.h5"})
+    for (const double asked : {0.3, 0.01, 1e-6}) {
+      const auto exact = row(file, ""), found = row(file, "--accuracy " + std::to_string(asked));
+      EXPECT_LE(std::abs(double(found["B"]) - double(exact["B"])), asked * double(exact["B"])) << file;
+      EXPECT_LE(std::abs(double(found["G"]) - double(exact["G"])), asked * double(exact["G"])) << file;
+    }
+}
+
+TEST(ModuliWithinAnAccuracy, AreRefusedInWordsWhereTheyCannotBe) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(run_floc("run " + kSmall + "-o out --until 1", scratch.path()).code, 0);
+  const auto refusal = [&](const std::string& options) {
+    return run_floc("moduli out/state-0001.h5 --format csv --accuracy " + options, scratch.path());
+  };
+  EXPECT_EQ(refusal("1e-15").code, 4);
+  EXPECT_THAT(refusal("1e-15").err, HasSubstr("must be at least 1e-14, which rounding leaves"));
+  EXPECT_EQ(refusal("C=0.1").code, 4);
+  EXPECT_THAT(refusal("C=0.1").err,
+              HasSubstr("--accuracy C=0.1: expected X, B=X or G=X with X a relative error"));
+  EXPECT_THAT(refusal("little").err, HasSubstr("--accuracy little: expected X"));
+  EXPECT_THAT(refusal("0.1 --increments i.csv").err,
+              HasSubstr("expects --method factor in place of --accuracy"));
+  EXPECT_EQ(refusal("0.1 --method bounds").code, 2);
+  EXPECT_EQ(refusal("0.1 --rolling-stiffness 1").code, 2);
+  // The numbers are given all the same, with their errors.
+  const Outcome beyond = refusal("1.1e-14");
+  EXPECT_EQ(beyond.code, 3);
+  EXPECT_THAT(beyond.err,
+              HasSubstr("no method tells B and G as accurately as asked: the error bounds of the factor"));
+  EXPECT_THAT(beyond.out, HasSubstr(",factor\n"));
 }
 
 }  // namespace

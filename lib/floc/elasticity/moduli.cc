@@ -182,7 +182,7 @@ namespace {
 
 /// The middle between the bounds of the network, B_reuss <= B <= B_voigt and 0 <= G <= G_voigt, and half their distance.
 void take_middle_of_bounds(int n_strains, Moduli& m) {
-  m.counted = false;
+  m.method = ModuliMethod::bounds;
   m.C = m.C_error = Eigen::MatrixXd::Constant(n_strains, n_strains, std::numeric_limits<double>::quiet_NaN());
   m.B = m.B_S = 0.5 * (m.bounds.B_reuss + m.bounds.B_voigt);
   m.B_error = m.B_S_error = 0.5 * (m.bounds.B_voigt - m.bounds.B_reuss);
@@ -218,7 +218,7 @@ Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, co
   m.C = response.relaxed / network.volume;
   if (options.prestress) m.C += convected_stress<Dim>(stress, static_cast<int>(m.C.rows()));
   m.C_error = response.error / network.volume + kCellRounding * m.C.cwiseAbs();
-  m.counted = response.counted;
+  if (!response.counted) m.method = options.method;
   m.steps = response.steps;
   m.n_negative = response.n_negative;
   m.n_mechanisms = response.n_mechanisms;

@@ -74,8 +74,9 @@ struct Moduli {
   std::optional<double> G_without_prestress;
   /// The response without prestress, of loaded_network(): mechanisms, increments and backbone follow from it.
   ElasticResponse response;
-  /// False where the method tells neither negative eigenvalues nor mechanisms, and errors are estimates or bounds.
-  bool counted = true;
+  /// What gave them: the factor where that of the options had to be left for it. The others tell neither negative
+  /// eigenvalues nor mechanisms, and their errors are estimates or, with bounds, half the distance.
+  ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< of refinement
   std::vector<std::string> warnings;
 };

@@ -1,0 +1,80 @@
+#include "floc/elasticity/moduli_within.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/packing/balance.h"
+
+namespace floc {
+namespace {
+
+/// Rounding of the volume of the cell alone leaves that much.
+constexpr double kLeastError = 1e-14;
+/// Share of the accuracy asked for by which principal stresses may differ where B_reuss is to bound B_S: with
+/// sigma_a = P (1 + delta_a) it is off by the order of delta.
+constexpr double kAnisotropyShare = 0.01;
+/// Grains up to which a factor in single precision is cheaper than one in double.
+constexpr int kMostForSingle = 1000;
+
+/// Whether the middle between the bounds can be given as B, with half their distance as its error.
+template <int Dim>
+bool bounds_say_all(const Packing<Dim>& packing, const ModuliOptions& options, const ModuliAccuracy& accuracy) {
+  if (std::isfinite(accuracy.G) || options.prestress || options.strains == StrainSet::full) return false;
+  if (std::any_of(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.distant; }))
+    return false;
+  const Vec<Dim> stress = static_stress(packing).diagonal();
+  return stress.maxCoeff() - stress.minCoeff() <= kAnisotropyShare * accuracy.B * std::abs(stress.mean());
+}
+
+/// A vanishing or negative eigenvalue is counted by the full factor alone.
+bool told_in_full(const Moduli& m) {
+  return m.method == ModuliMethod::factor || (m.n_mechanisms == 0 && m.n_negative == 0);
+}
+
+}  // namespace
+
+bool ModuliAccuracy::kept_by(const Moduli& m) const {
+  const auto kept = [&m](double value, double error, double asked) {
+    const bool vanishes = m.n_coupled_mechanisms > 0 && std::abs(value) <= error;
+    return !std::isfinite(asked) || vanishes || error <= asked * (std::abs(value) - error);
+  };
+  return kept(m.B, m.B_error, B) && kept(m.G, m.G_error, G);
+}
+
+std::vector<std::string> ModuliAccuracy::validate() const {
+  std::vector<std::string> faults;
+  const auto check = [&](const char* name, double asked) {
+    if (!(asked >= kLeastError))
+      faults.push_back(fmt::format("accuracy of {} = {}: must be at least {}, which rounding leaves", name,
+                                   asked, kLeastError));
+  };
+  check("B", B);
+  check("G", G);
+  if (!std::isfinite(B) && !std::isfinite(G)) faults.push_back("accuracy: must be finite for B or G");
+  return faults;
+}
+
+std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains) {
+  if (n_grains > kMostForSingle) return {ModuliMethod::bounds, ModuliMethod::factor};
+  return {ModuliMethod::bounds, ModuliMethod::single_factor, ModuliMethod::factor};
+}
+
+template <int Dim>
+Moduli moduli_within(const Packing<Dim>& packing, ModuliOptions options, const ModuliAccuracy& accuracy) {
+  options.tolerance = std::min(accuracy.B, accuracy.G);
+  Moduli moduli;
+  for (const ModuliMethod method : moduli_methods_by_cost(packing.grains.size())) {
+    if (method == ModuliMethod::bounds && !bounds_say_all(packing, options, accuracy)) continue;
+    options.method = method;
+    moduli = elastic_moduli(packing, options);
+    if (accuracy.kept_by(moduli) && told_in_full(moduli)) break;
+  }
+  return moduli;
+}
+
+template Moduli moduli_within(const Packing<2>&, ModuliOptions, const ModuliAccuracy&);
+template Moduli moduli_within(const Packing<3>&, ModuliOptions, const ModuliAccuracy&);
+
+}  // namespace floc

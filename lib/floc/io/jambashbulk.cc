@@ -90,7 +90,8 @@ void find_packing(const std::string& path, Lines& lines, int index) {
   throw InputError(path, fmt::format("index = {}, but it holds packings 0 to {}", index, n_packings - 1));
 }
 
-Grains<2> read_grains(const std::string& path, Lines& lines, int n) {
+/// Grains as they are listed, each brought into the cell.
+Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell, int n) {
   std::vector<Eigen::Vector3d>
       rows;  // x, y, radius: counted before room is made for as many as the header says
   while (static_cast<int>(rows.size()) < n && lines.next()) {
@@ -100,7 +101,13 @@ Grains<2> read_grains(const std::string& path, Lines& lines, int n) {
     if (row.size() != 3)
       throw InputError(lines.place(), fmt::format("has {} numbers, expected x, y and the radius", row.size()));
     if (!(row[2] > 0.0)) throw InputError(lines.place(), fmt::format("radius = {}, must be positive", row[2]));
-    rows.emplace_back(row[0], row[1], row[2]);
+    const Vec<2> x(row[0], row[1]);
+    if (!(cell.reduced(x).cwiseAbs().maxCoeff() < 1e9))
+      throw InputError(
+          lines.place(),
+          fmt::format("a grain at ({}, {}) lies more than 1e9 cells away from the cell", x[0], x[1]));
+    const Vec<2> wrapped = cell.wrapped(x);
+    rows.emplace_back(wrapped[0], wrapped[1], row[2]);
   }
   if (static_cast<int>(rows.size()) != n)
     throw InputError(path, fmt::format("has {} grains, but its header says N = {}", rows.size(), n));
@@ -146,13 +153,7 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   if (!(state.packing.cell.volume() > 0.0)) throw InputError(place, "L1 and L2 span no area");
   state.packing.law.normal_stiffness = kNormalStiffness;
   state.target_stress.setConstant(header_numbers(place, header, "P0", 1)[0]);
-  state.packing.grains = read_grains(path, lines, static_cast<int>(n));
-  for (Vec<2>& x : state.packing.grains.position) {
-    if (!(state.packing.cell.reduced(x).cwiseAbs().maxCoeff() < 1e9))
-      throw InputError(
-          path, fmt::format("a grain at ({}, {}) lies more than 1e9 cells away from the cell", x[0], x[1]));
-    x = state.packing.cell.wrapped(x);
-  }
+  state.packing.grains = read_grains(path, lines, state.packing.cell, static_cast<int>(n));
   state.path.branch = "imported";
   state.provenance.source = path;
   Imported imported;

@@ -3,40 +3,48 @@
 #include <algorithm>
 #include <array>
 
+#include "floc/base/error.h"
+
 namespace floc {
 namespace {
 
-template <int Dim>
-using Image = Vec<Dim, int>;
+/// Cells beyond which a way around and back to the same grain is not followed; exact up to here.
+constexpr std::int64_t kMostCells = std::int64_t{1} << 40;
 
-/// Independent integer vectors, at most Dim of them, told by exact arithmetic.
+using Wide = __int128;  // products of three numbers up to kMostCells
+
+/// Independent integer vectors up to kMostCells, at most Dim of them, told by exact arithmetic.
 template <int Dim>
 class Lattice {
  public:
   /// Takes a vector in if it is independent of those it holds, and says whether it was.
-  bool extend(const Image<Dim>& w) {
+  bool extend(const CellCount<Dim>& w) {
     if (rank_ == Dim || !independent(w)) return false;
-    vectors_[rank_++] = w.template cast<long>();
+    vectors_[rank_++] = w;
     return true;
   }
 
  private:
-  bool independent(const Image<Dim>& image) const {
-    const Vec<Dim, long> w = image.template cast<long>();
-    if (rank_ == 0) return w != Vec<Dim, long>::Zero();
-    const Vec<Dim, long>& u = vectors_[0];
+  bool independent(const CellCount<Dim>& w) const {
+    if (rank_ == 0) return !w.isZero();
+    if (w.cwiseAbs().maxCoeff() > kMostCells || vectors_[0].cwiseAbs().maxCoeff() > kMostCells)
+      throw InputError("contacts/image",
+                       "lead around more than 2^40 cells to where they began: one of them is wrong");
+    const CellCount<Dim>& u = vectors_[0];
+    const auto minor = [](const auto& a, const auto& b, int p, int q) {
+      return Wide{a[p]} * b[q] - Wide{a[q]} * b[p];
+    };
     if constexpr (Dim == 2) {
-      return u[0] * w[1] != u[1] * w[0];
+      return minor(u, w, 0, 1) != 0;
     } else {
-      const auto normal = [](const auto& a, const auto& b) {
-        return Vec<3, long>(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-      };
-      if (rank_ == 1) return normal(u, w) != Vec<3, long>(Vec<3, long>::Zero());
-      return normal(u, vectors_[1]).dot(w) != 0;
+      const CellCount<Dim>& v = rank_ == 1 ? w : vectors_[1];
+      const Wide normal[] = {minor(u, v, 1, 2), minor(u, v, 2, 0), minor(u, v, 0, 1)};
+      if (rank_ == 1) return normal[0] != 0 || normal[1] != 0 || normal[2] != 0;
+      return normal[0] * w[0] + normal[1] * w[1] + normal[2] * w[2] != 0;
     }
   }
 
-  std::array<Vec<Dim, long>, Dim> vectors_;
+  std::array<CellCount<Dim>, Dim> vectors_;
   int rank_ = 0;
 };
 
@@ -48,7 +56,7 @@ class Walk {
         of_(of),
         active_(active),
         index_(network.n_grains, -1),
-        image_(network.n_grains, Image<Dim>::Zero()) {}
+        image_(network.n_grains, CellCount<Dim>::Zero()) {}
 
   bool reached(int grain) const { return index_[grain] >= 0; }
 
@@ -64,7 +72,7 @@ class Walk {
         const int sign = c.i == grain ? 1 : -1;
         const int other = c.i == grain ? c.j : c.i;
         const Vec<Dim> place = part.place[at] + sign * c.branch;
-        const Image<Dim> image = image_[grain] + sign * c.image;
+        const CellCount<Dim> image = image_[grain] + sign * c.image.template cast<std::int64_t>();
         if (!reached(other)) {
           index_[other] = static_cast<int>(part.grains.size());
           image_[other] = image;
@@ -82,8 +90,8 @@ class Walk {
   const ContactNetwork<Dim>& network_;
   const Adjacency& of_;
   const std::vector<bool>& active_;
-  std::vector<int> index_;         // in its part, -1: not reached
-  std::vector<Image<Dim>> image_;  // of the cell in which the part holds the grain
+  std::vector<int> index_;             // in its part, -1: not reached
+  std::vector<CellCount<Dim>> image_;  // of the cell in which the part holds the grain
 };
 
 }  // namespace

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "floc/network/contact_network.h"
 
 namespace floc {
+
+/// Whole cells along each lattice vector, added up over many contacts: up to 1e9 (a state's limit) times their number.
+template <int Dim>
+using CellCount = Vec<Dim, std::int64_t>;
 
 /// A connected part of a network, unwrapped from the periodic cell along its contacts.
 template <int Dim>
@@ -24,6 +29,7 @@ Adjacency contacts_of_grains(const ContactNetwork<Dim>& network);
 /// Connected parts of the grains that some active contact touches, by their first grain. A part that winds
 /// around the cell in n independent ways (its `winding`, found from integer images) percolates along them.
 /// @param active  one entry a contact
+/// @throws InputError if images lead around more than 2^40 cells
 template <int Dim>
 std::vector<Component<Dim>> find_components(const ContactNetwork<Dim>& network, const Adjacency& of,
                                             const std::vector<bool>& active);

@@ -24,7 +24,7 @@ class BlockSearch {
         of_(of),
         depth_(network.n_grains, 0),
         low_(network.n_grains, 0),
-        image_(network.n_grains, Vec<Dim, int>::Zero()),
+        image_(network.n_grains, CellCount<Dim>::Zero()),
         seen_(network.contacts.size(), false),
         last_block_(network.n_grains, -1) {
     for (int i = 0; i < network.n_grains; ++i)
@@ -73,8 +73,7 @@ class BlockSearch {
       return;
     }
     depth_[other] = low_[other] = depth_[grain] + 1;
-    image_[other] =
-        forward ? Vec<Dim, int>(image_[grain] + contact.image) : Vec<Dim, int>(image_[grain] - contact.image);
+    image_[other] = image_[grain] + (forward ? 1 : -1) * cells(contact);
     path.push_back({other, c});
   }
 
@@ -88,18 +87,22 @@ class BlockSearch {
       open_.pop_back();
       const NetworkContact<Dim>& contact = network_.contacts[c];
       block.contacts.push_back(c);
-      block.winds = block.winds || image_[contact.i] + contact.image != image_[contact.j];
+      block.winds = block.winds || image_[contact.i] + cells(contact) != image_[contact.j];
       for (const int grain : {contact.i, contact.j})
         if (last_block_[grain] != number) last_block_[grain] = number, block.grains.push_back(grain);
     }
     blocks_.push_back(std::move(block));
   }
 
+  static CellCount<Dim> cells(const NetworkContact<Dim>& contact) {
+    return contact.image.template cast<std::int64_t>();
+  }
+
   const ContactNetwork<Dim>& network_;
   const Adjacency& of_;
   std::vector<int> depth_;  // of each grain in the search tree, from 1; 0: not reached
   std::vector<int> low_;    // least depth that a grain's subtree has a contact with
-  std::vector<Vec<Dim, int>> image_;
+  std::vector<CellCount<Dim>> image_;
   std::vector<bool> seen_;
   std::vector<int> open_;  // contacts not yet given to a block
   std::vector<int> last_block_;

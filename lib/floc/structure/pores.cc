@@ -6,6 +6,7 @@
 
 #include "floc/base/disjoint_sets.h"
 #include "floc/neighbors/pairs.h"
+#include "floc/network/components.h"
 
 namespace floc {
 namespace {
@@ -134,7 +135,7 @@ class FaceWalk {
     Face face;
     face.origin = packing_.grains.position[origin(start)];
     Vec<2> at = Vec<2>::Zero();
-    Vec<2, int> winding = Vec<2, int>::Zero();
+    CellCount<2> winding = CellCount<2>::Zero();
     AreaMoments polygon;
     int h = start;
     do {
@@ -142,7 +143,7 @@ class FaceWalk {
       face.grains.push_back(origin(h));
       const Vec<2> to = at + direction(h);
       polygon.add_triangle(at, to);
-      winding += sign(h) * edges_[h / 2].image;
+      winding += sign(h) * edges_[h / 2].image.cast<std::int64_t>();
       const int after = next_[h];
       double angle = angle_[twin(h)] - angle_[after];
       if (angle <= 0.0) angle += kTwoPi;  // a tip turns all the way round
@@ -152,7 +153,7 @@ class FaceWalk {
     } while (h != start);
     face.polygon = polygon.area;
     face.moments.add(polygon);
-    face.winds = winding != Vec<2, int>(Vec<2, int>::Zero());
+    face.winds = !winding.isZero();
     return face;
   }
 

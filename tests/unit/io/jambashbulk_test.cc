@@ -96,7 +96,7 @@ TEST(Jambashbulk, NamesFileAndLineOfWhatIsMalformed) {
   EXPECT_THAT(refusal("9.5693366275464142399", "0"), ThrowsMessage<InputError>(HasSubstr("span no area")));
   EXPECT_THAT(refusal("8.8767069662298361795", "1e11"),
               ThrowsMessage<InputError>(HasSubstr(
-                  "p.txt: a grain at (100000000000, 7.254758383968503) lies more than 1e9 cells away")));
+                  "p.txt:7: a grain at (100000000000, 7.254758383968503) lies more than 1e9 cells away")));
   EXPECT_THAT(refusal("L1=", "L3="), ThrowsMessage<InputError>(HasSubstr("no packing of jamBashbulk")));
 }
 

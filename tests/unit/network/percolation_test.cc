@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "floc/base/error.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -29,6 +30,35 @@ TEST(Percolation, OfALatticeIsWhole) {
   EXPECT_EQ(p.n_directions, 2);
   EXPECT_EQ(count(p.scalar_backbone), static_cast<int>(network.contacts.size()));
   EXPECT_EQ(count(p.dead_end), 0);
+}
+
+/// A ring that n contacts close, each of them `cells` cells further along x.
+ContactNetwork<2> ring_around_cells(int n, int cells) {
+  ContactNetwork<2> network =
+      contact_network(test::chain_across(n, 1.0, 9.0, test::elastic_law(1.0, 0.5, 0.1)));
+  for (NetworkContact<2>& c : network.contacts) c.image = {cells, 0};
+  return network;
+}
+
+/// Eight images of 2^29 are 2^32 cells, which an int takes for none.
+TEST(Percolation, AddsUpImagesThatAnIntDoesNotHold) {
+  const ContactNetwork<2> network = ring_around_cells(8, 1 << 29);
+  const Percolation p = find_percolation(network);
+  EXPECT_EQ(p.n_directions, 1);
+  EXPECT_EQ(count(p.scalar_backbone), 8);
+}
+
+TEST(Percolation, RefusesWaysAroundThatNoContactsTake) {
+  ContactNetwork<2> network = ring_around_cells(5000, 1 << 29);
+  network.contacts.push_back(network.contacts.front());
+  network.contacts.back().image = {0, 1};
+  try {
+    (void)find_percolation(network);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "contacts/image: lead around more than 2^40 cells to where they began: one of them is wrong");
+  }
 }
 
 TEST(Percolation, LeavesOutWhatHangsOnOneGrain) {

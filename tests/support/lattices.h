@@ -37,6 +37,15 @@ inline Packing<2> triangular(double spacing, const LawParameters& law) {
   return disks(cell, {Vec<2>::Zero()}, spacing, law);
 }
 
+/// Triangular lattice in a rectangular cell of n columns and n rows, n even.
+inline Packing<2> triangular_crystal(int n, double spacing, const LawParameters& law) {
+  const double row = std::sqrt(0.75) * spacing;
+  std::vector<Vec<2>> places;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) places.emplace_back((i + 0.5 * (j % 2)) * spacing, j * row);
+  return disks(Vec<2>(n * spacing, n * row).asDiagonal().toDenseMatrix(), places, spacing, law);
+}
+
 /// Honeycomb, two disks a cell.
 inline Packing<2> honeycomb(double spacing, const LawParameters& law) {
   Mat<2> cell;

@@ -330,9 +330,9 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
       std::max(packing.law.normal_stiffness, packing.law.friction ? packing.law.friction->stiffness : 0.0);
   for (int i = 0; i < g.size(); ++i) {
     shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
-    // Rolling is stable to 1.7 times the step in units of its own period that vibration allows (measured).
+    // Rolling is stable to 1.45 times the step in units of its own period that vibration allows (measured in crystals).
     if (packing.law.rolling)
-      shortest = std::min(shortest, 1.7 * std::sqrt(g.inertia(i) / packing.law.rolling->stiffness));
+      shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / packing.law.rolling->stiffness));
   }
   return time_step_in_contact_times * shortest;
 }

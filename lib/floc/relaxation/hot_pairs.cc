@@ -37,6 +37,7 @@ HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::
           end_of_i_[i] = size();
         }
         pad_block();
+        if constexpr (Law::kHasDamping) viscous.assign(size(), 0.0);
         if constexpr (Law::kHasFriction) shear.assign(size(), 0.0);
         if constexpr (Law::kHasRolling) roll.assign(size(), 0.0);
         row_.assign(static_cast<std::size_t>(row_size(Law::kHasFriction)) * (size() + 1), 0.0);
@@ -96,6 +97,7 @@ void HotPairs<Dim>::inherit(const HotPairs& old) {
       while (q < old.end_of_i_[i] && before(old.key(q), key(p))) ++q;
       if (q == old.end_of_i_[i]) break;
       if (!(old.key(q) == key(p))) continue;
+      if (!viscous.empty()) viscous[p] = old.viscous[q];
       if (!shear.empty()) shear[p] = old.shear[q];
       if (!roll.empty()) roll[p] = old.roll[q];
     }
@@ -111,6 +113,7 @@ PairArrays<Dim> HotPairs<Dim>::arrays() {
   out.radii = radii_.data();
   out.share_i = share_i_.data();
   out.damping = damping_.data();
+  out.viscous = viscous.data();
   out.shear = shear.data();
   out.roll = roll.data();
   out.row = row_.data();

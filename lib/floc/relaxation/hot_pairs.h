@@ -10,12 +10,12 @@
 
 namespace floc {
 
-/// Dashpot coefficient to use with the velocity half a step before its force acts. The lag lets a dashpot damp more than
-/// its coefficient says, by the factor exp(c dt/(4 m_eff)) to second order in the step; without this correction a
-/// restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N).
+/// Dashpot coefficient to use where the force is late by kDashpotLag steps. The lag lets a dashpot damp more than its
+/// coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this correction a
+/// restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag.
 inline double lagging_damping(double coefficient, double mass_i, double mass_j, double time_step) {
   const double effective_mass = mass_i * mass_j / (mass_i + mass_j);
-  return coefficient * std::exp(-0.25 * coefficient * time_step / effective_mass);
+  return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }
 
 /// The order of pairs in a list: by i, then j, then image.
@@ -36,8 +36,9 @@ class HotPairs {
  public:
   using Component = std::vector<double>;
 
-  Component shear;  ///< tangential springs (length); empty where the law has none
-  Component roll;   ///< rolling springs (radians); empty where the law has none
+  Component viscous;  ///< dashpot forces of the step before (force); empty where the law has none
+  Component shear;    ///< tangential springs (length); empty where the law has none
+  Component roll;     ///< rolling springs (radians); empty where the law has none
 
   HotPairs() = default;
   HotPairs(HotPairs&&) = default;  // no copies: the plans point into the arrays

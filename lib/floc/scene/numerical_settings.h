@@ -14,7 +14,7 @@ constexpr const char* finish_name(Finish finish) {
 /// The settings of a run that trade speed for accuracy and leave its physics alone.
 struct NumericalSettings {
   double tolerance = 1e-5;  ///< of force, moment and stress; the one of the energy goes with it, see energy()
-  double time_step = 0.28;  ///< in sqrt(m_min/K_N)
+  double time_step = RelaxationOptions{}.time_step;  ///< in sqrt(m_min/K_N)
   Finish finish = Finish::automatic;
   double patience = 1.0;
 

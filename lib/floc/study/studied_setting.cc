@@ -75,7 +75,7 @@ std::vector<StudiedSetting> studied_settings(const Scene& scene) {
       s.numerical.tolerance = tolerance;
       s.numerical.finish = Finish::dynamic;
     });
-  for (const double step : {0.36, 0.2, 0.1})
+  for (const double step : {0.28, 0.2, 0.1})
     list.add("time_step", fmt::format("{}", step), [&](Setting& s) { s.numerical.time_step = step; });
   for (const double patience : {0.2, 0.5, 2.0})
     list.add("patience", fmt::format("{}", patience), [&](Setting& s) { s.numerical.patience = patience; });

@@ -5,8 +5,10 @@
 #include <filesystem>
 
 #include "floc/contact/law_table.h"
+#include "floc/packing/balance.h"
 #include "floc/relaxation/relaxation_options.h"
 #include "support/dynamics.h"
+#include "support/lattices.h"
 
 namespace floc {
 namespace {
@@ -111,9 +113,9 @@ TEST(Dynamics, FrictionlessUndampedCellConservesEnergyToSecondOrder) {
   EXPECT_LT(fine, coarse / 8.0);
 }
 
-/// Restitution of two of the largest disks that meet head on without adhesion, the first overlap of which falls at
-/// `phase` of a step.
-double measured_restitution(double phase) {
+/// Restitution of two disks, among others with diameters in [1/2, 1], that meet head on without adhesion, the first
+/// overlap of which falls at `phase` of a step.
+double measured_restitution(double diameter_i, double diameter_j, double phase) {
   LawParameters law;
   law.normal_stiffness = 1e5;
   law.damping = {0.015, DampingMass::effective};
@@ -122,13 +124,13 @@ double measured_restitution(double phase) {
   pair.law = law;
   pair.cell.matrix *= 10.0;
   pair.grains = Grains<2>::with_size(3);
-  // The third disk, of half the diameter, sets the time step of a scene with diameters in [1/2, 1].
-  pair.grains.radius = {0.5, 0.5, 0.25};
-  pair.grains.mass = {1.0, 1.0, 0.25};
+  // The third disk sets the time step.
+  pair.grains.radius = {0.5 * diameter_i, 0.5 * diameter_j, 0.25};
+  pair.grains.mass = {diameter_i * diameter_i, diameter_j * diameter_j, 0.25};
   const double dt = time_step_of(pair, RelaxationOptions{}.time_step);
   const double speed = 1e-3;
-  pair.grains.position = {Vec<2>(4.0, 4.0), Vec<2>(5.0 + 2.0 * speed * dt * (1.0 + phase), 4.0),
-                          Vec<2>(1.0, 1.0)};
+  const double apart = pair.grains.radius[0] + pair.grains.radius[1] + 2.0 * speed * dt * (1.0 + phase);
+  pair.grains.position = {Vec<2>(4.0, 4.0), Vec<2>(4.0 + apart, 4.0), Vec<2>(1.0, 1.0)};
   pair.grains.velocity[0] = Vec<2>(speed, 0.0);
   pair.grains.velocity[1] = Vec<2>(-speed, 0.0);
   CellControl<2> fixed;
@@ -140,11 +142,18 @@ double measured_restitution(double phase) {
   return (parted.grains.velocity[1] - parted.grains.velocity[0])[0] / (2.0 * speed);
 }
 
-TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
+double mean_restitution(double diameter_i, double diameter_j) {
   constexpr int kPhases = 1000;
   double sum = 0.0;
-  for (int k = 0; k < kPhases; ++k) sum += measured_restitution((k + 0.5) / kPhases);
-  EXPECT_NEAR(sum / kPhases, 0.015, 0.02 * 0.015);
+  for (int k = 0; k < kPhases; ++k) sum += measured_restitution(diameter_i, diameter_j, (k + 0.5) / kPhases);
+  return sum / kPhases;
+}
+
+/// What RelaxationOptions::time_step promises.
+TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
+  EXPECT_NEAR(mean_restitution(1.0, 1.0), 0.015, 0.02 * 0.015);
+  EXPECT_NEAR(mean_restitution(0.5, 1.0), 0.018, 0.001);
+  EXPECT_NEAR(mean_restitution(0.5, 0.5), 0.025, 0.001);
 }
 
 TEST(Dynamics, CohesivePairRestsAtThePullOffOverlap) {
@@ -181,6 +190,35 @@ TEST(Dynamics, GrainTouchesItsOwnImage) {
   ASSERT_EQ(still.contacts.size(), 2u);
   for (const Contact<2>& c : still.contacts) EXPECT_NEAR(c.normal_force, 0.01, 1e-15);
   EXPECT_EQ(still.grains.velocity[0], Vec<2>::Zero());
+}
+
+/// How many times its initial kinetic energy a crystal has that was moved by very little, so many steps later.
+double growth_in_crystal(int n_steps, double time_step, double restitution, double rolling_stiffness) {
+  LawParameters law;
+  law.normal_stiffness = 1.0;
+  law.damping = {restitution, DampingMass::effective};
+  law.friction = {10.0, 1.0};
+  if (rolling_stiffness > 0.0) law.rolling = {10.0, rolling_stiffness};
+  Packing<2> crystal = test::triangular_crystal(8, 1.0, law);
+  RandomStream random(1, 1);
+  agitate(crystal, 1e-8, random);
+  for (auto& spin : crystal.grains.angular_velocity) spin[0] = 1e-8;  // the mode that becomes unstable first
+  CellControl<2> fixed;
+  fixed.fixed = true;
+  const auto dynamics = make_dynamics(crystal, fixed, {time_step_of(crystal, time_step), 0.1});
+  dynamics->advance(n_steps, Motion::free);
+  return mean_kinetic_energy(dynamics->packing()) / mean_kinetic_energy(crystal);
+}
+
+/// What RelaxationOptions::time_step says of the crystal; 0.2 is about the rolling stiffness from which on the step is
+/// shortened.
+TEST(TimeStep, LeavesCrystalsStable) {
+  for (const double restitution : {0.015, 0.5}) {
+    EXPECT_LT(growth_in_crystal(3000, 0.40, restitution, 0.0), 1.0);
+    EXPECT_GT(growth_in_crystal(30, 0.42, restitution, 0.0), 1e3);
+    for (const double rolling : {0.1, 0.2, 0.3, 1.0, 10.0})
+      EXPECT_LT(growth_in_crystal(3000, RelaxationOptions{}.time_step, restitution, rolling), 1.0) << rolling;
+  }
 }
 
 TEST(TimeStep, IsShortenedWhereRollingIsFast) {

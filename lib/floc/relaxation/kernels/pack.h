@@ -78,6 +78,7 @@ struct Pack {
   friend Pack operator*(const Pack& a, const Pack& b) { return Pack(Vector(a.v * b.v)); }
   friend Pack operator/(const Pack& a, const Pack& b) { return Pack(Vector(a.v / b.v)); }
   friend Mask operator<(const Pack& a, const Pack& b) { return {Bits(a.v < b.v)}; }
+  friend Mask operator==(const Pack& a, const Pack& b) { return {Bits(a.v == b.v)}; }
   friend Pack blend(const Mask& when, const Pack& a, const Pack& b) {
     return Pack(Vector(when.bits ? a.v : b.v));
   }

@@ -17,6 +17,12 @@ inline constexpr int kPairPadding = 8;
 /// Grains of a block that are summed side by side.
 inline constexpr int kSumGroup = 8;
 
+/// A dashpot acts with this share of its present force and the rest of the one a step before. The velocities it sees are
+/// those of half a step earlier, so that it is late by kDashpotLag steps (lagging_damping() corrects that), but stable to
+/// a longer step: where grains vibrate at w and are damped at g, for (w dt)^2 + 2 (2 share - 1) g dt < 4.
+inline constexpr double kDashpotShare = 0.8;
+inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
+
 /// Doubles of the row that a pair writes: force on j, and with friction the moments on i and on j.
 constexpr int row_size(bool turns) {
   return turns ? 4 : 2;
@@ -38,6 +44,7 @@ struct PairArrays {
   const double* radii;       ///< Ri + Rj
   const double* share_i;     ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
   const double* damping;
+  double* viscous;       ///< dashpot forces of the step before, null where the law has none
   double *shear, *roll;  ///< springs, null where the law has none
   double* row;           ///< one more than there are pairs: the last stays zero
 };

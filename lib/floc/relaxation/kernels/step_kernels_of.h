@@ -221,7 +221,8 @@ struct PairKernel {
     if constexpr (Law::kHasFriction) history.shear[0].store(pairs.shear + p);
     if constexpr (Law::kHasRolling) history.roll[0].store(pairs.roll + p);
 
-    V on_j = (f.normal.force() + f.viscous) * a.n;
+    V on_j = f.normal.force() * a.n;
+    if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous + p) * a.n;
     double* const row = pairs.row + static_cast<std::ptrdiff_t>(kRow) * p;
     if constexpr (kTurns) {
       const V shear = from_shear<P>(a.n, f.shear);
@@ -230,6 +231,15 @@ struct PairKernel {
       Records<Isa>::store_two(row + Dim, kRow, a.arm_i * unit - f.rolling[0], a.arm_j * unit + f.rolling[0]);
     }
     Records<Isa>::store_two(row, kRow, on_j[0], on_j[1]);
+  }
+
+  /// What dashpots do in this step, given their present force and that of the step before, which it replaces. Nothing
+  /// where the surfaces do not touch; a contact that is new has no step before.
+  static P viscous(const P& now, double* last) {
+    const P before = P::load(last);
+    now.store(last);
+    const P both = P(kDashpotShare) * now + P(1.0 - kDashpotShare) * before;
+    return blend(now * before == P(0.0), now, both);
   }
 };
 

@@ -62,6 +62,7 @@ class Relaxer {
   bool answered_to_load();
   bool density_still();
   bool contacts_still();
+  bool vibrates(double energy) const;
   std::size_t stretches_in(double time_units) const;
   RelaxationStatus judge_motion();
   RelaxationStatus judge_finish();

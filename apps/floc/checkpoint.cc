@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Visits every member of a point but the packing under its name, so that writing and reading cannot differ.
+/// Visits every member of a point under its name, so that writing and reading cannot differ.
 template <class Point, class Visit>
 void for_each_member(Point& point, const Visit& visit) {
   visit("step", point.step);
@@ -36,14 +36,14 @@ void for_each_member(Point& point, const Visit& visit) {
 
 }  // namespace
 
-std::string progress_text(const RunPoint<2>& point) {
+std::string progress_text(const RunPoint& point) {
   Json json;
   for_each_member(point, [&json](const char* name, const auto& value) { json[name] = value; });
   return json.dump();
 }
 
-RunPoint<2> parse_progress(const std::string& text, const std::string& place) {
-  RunPoint<2> point;
+RunPoint parse_progress(const std::string& text, const std::string& place) {
+  RunPoint point;
   try {
     const Json json = Json::parse(text);
     for_each_member(point, [&json](const char* name, auto& value) { json.at(name).get_to(value); });

@@ -6,11 +6,11 @@
 
 namespace floc {
 
-/// A run's point as text (JSON; numbers round-trip), without its packing, and back.
-std::string progress_text(const RunPoint<2>& point);
+/// A run's point as text (JSON; numbers round-trip), and back.
+std::string progress_text(const RunPoint& point);
 
 /// @param place  file the text came from, for messages
 /// @throws InputError if the text is not one of a checkpoint
-RunPoint<2> parse_progress(const std::string& text, const std::string& place);
+RunPoint parse_progress(const std::string& text, const std::string& place);
 
 }  // namespace floc

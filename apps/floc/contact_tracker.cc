@@ -17,12 +17,12 @@ constexpr const char* kHeader = "step,branch,P,time,phi,n_contacts,gained,lost,k
 }  // namespace
 
 ContactTracker::ContactTracker(const std::string& file, const Run<2>& run, Packing<2> start)
-    : file_(file), start_(std::move(start)), previous_(run.point().packing) {
+    : file_(file), start_(std::move(start)), previous_(run.packing()) {
   read_rows(run.point());
 }
 
 /// Rows of a run that was killed may lead beyond the point it goes on from.
-void ContactTracker::read_rows(const RunPoint<2>& point) {
+void ContactTracker::read_rows(const RunPoint& point) {
   std::ifstream in(file_);
   std::string line;
   if (!std::getline(in, line)) return;
@@ -50,7 +50,7 @@ void ContactTracker::see(const Run<2>& run, const Packing<2>& packing, double ti
 }
 
 void ContactTracker::finish_step(const Run<2>& run) {
-  see(run, run.point().packing, run.point().time + run.point().relaxation.time);
+  see(run, run.packing(), run.point().time + run.point().relaxation.time);
   start_ = previous_;
 }
 

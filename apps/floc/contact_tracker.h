@@ -27,7 +27,7 @@ class ContactTracker {
   void write() const;
 
  private:
-  void read_rows(const RunPoint<2>& point);
+  void read_rows(const RunPoint& point);
 
   std::string file_;
   std::vector<std::string> rows_;

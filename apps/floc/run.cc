@@ -12,6 +12,7 @@
 #include "command.h"
 #include "contact_tracker.h"
 #include "floc/base/error.h"
+#include "floc/elasticity/stability.h"
 #include "floc/scene/read_scene.h"
 #include "run_directory.h"
 #include "run_ensemble.h"
@@ -82,7 +83,8 @@ class RunDriver {
 
   void save() {
     const double seconds = seconds_since(step_began_);
-    const State<2> state = run_.state();
+    State<2> state = run_.state();
+    state.n_negative = count_negative_eigenvalues(state.packing);
     if (tracker_ != nullptr) tracker_->finish_step(run_);
     // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
     if (tracker_ != nullptr) tracker_->write();
@@ -126,7 +128,7 @@ class RunDriver {
 std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& options,
                                                const RunDirectory& directory, double interval) {
   const int step = run.point().step;
-  Packing<2> start = step > 0 ? directory.start_of(step) : Run<2>(options).point().packing;
+  Packing<2> start = step > 0 ? directory.start_of(step) : Run<2>(options).packing();
   auto tracker = std::make_unique<ContactTracker>(directory.contact_table(), run, std::move(start));
   run.observe({interval, [&run, watcher = tracker.get()](const Packing<2>& packing, double time) {
                  watcher->see(run, packing, time);
@@ -142,8 +144,9 @@ int run_scene(const RunArguments& arguments) {
                                                   : Existing::refuse;
   const std::vector<PlannedEquilibrium> plan = plan_run(options.assembly, options.law, options.load);
   RunDirectory directory(arguments.directory, existing, options);
-  std::optional<RunPoint<2>> point = directory.resume_point();
-  Run<2> run = point ? Run<2>(options, std::move(*point)) : Run<2>(options);
+  std::optional<ReachedPoint> reached = directory.resume_point();
+  Run<2> run =
+      reached ? Run<2>(options, std::move(reached->point), std::move(reached->packing)) : Run<2>(options);
 
   std::unique_ptr<ContactTracker> tracker;
   if (arguments.track_contacts && !run.finished())

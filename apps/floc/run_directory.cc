@@ -9,7 +9,6 @@
 #include "checkpoint.h"
 #include "floc/base/error.h"
 #include "floc/base/sha256.h"
-#include "floc/elasticity/stability.h"
 #include "floc/io/atomic_file.h"
 #include "path_row.h"
 
@@ -81,32 +80,30 @@ int RunDirectory::count_states() const {
   return n;
 }
 
-std::optional<RunPoint<2>> RunDirectory::resume_point() {
+std::optional<ReachedPoint> RunDirectory::resume_point() {
   read_rows();
-  std::optional<RunPoint<2>> point;
+  std::optional<ReachedPoint> reached;
   const int n_states = count_states();
   for (int step = 0; step < n_states; ++step) {
     if (rows_.contains(step) && step + 1 < n_states) continue;
-    const State<2> state = read_run_state(state_path(step));
+    State<2> state = read_run_state(state_path(step));
     // The time its step took died with the process that measured it.
     if (!rows_.contains(step))
       rows_[step] = path_row(state, std::nullopt, fs::path(state_path(step)).filename());
-    if (step + 1 == n_states) point = Run<2>::after(state, sha256_of_file(state_path(step)));
+    if (step + 1 == n_states)
+      reached = {point_after(state.path, state.provenance.stream_state, sha256_of_file(state_path(step))),
+                 std::move(state.packing)};
   }
   rows_.erase(rows_.lower_bound(n_states), rows_.end());
   if (n_states > 0) write_rows();
   if (fs::exists(checkpoint_path())) {
-    RunPoint<2> inside = parse_progress(read_progress(checkpoint_path()), checkpoint_path());
-    if (inside.step >= n_states) {
-      inside.packing = read_run_state(checkpoint_path()).packing;
-      point = std::move(inside);
-    }
+    RunPoint inside = parse_progress(read_progress(checkpoint_path()), checkpoint_path());
+    if (inside.step >= n_states) reached = {std::move(inside), read_run_state(checkpoint_path()).packing};
   }
-  return point;
+  return reached;
 }
 
-std::string RunDirectory::save(State<2> state, double seconds) {
-  state.n_negative = count_negative_eigenvalues(state.packing);
+std::string RunDirectory::save(const State<2>& state, double seconds) {
   const std::string file = state_path(state.path.step);
   write_state(file, state);
   rows_[state.path.step] = path_row(state, seconds, fs::path(file).filename());
@@ -114,7 +111,7 @@ std::string RunDirectory::save(State<2> state, double seconds) {
   return sha256_of_file(file);
 }
 
-void RunDirectory::save_checkpoint(const State<2>& state, const RunPoint<2>& point) {
+void RunDirectory::save_checkpoint(const State<2>& state, const RunPoint& point) {
   write_state(checkpoint_path(), state, progress_text(point));
 }
 

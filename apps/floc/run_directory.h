@@ -12,6 +12,12 @@ namespace floc {
 /// What to do with a run's directory that is there already.
 enum class Existing { refuse, resume, overwrite };
 
+/// What a run goes on from.
+struct ReachedPoint {
+  RunPoint point;
+  Packing<2> packing;
+};
+
 /// The directory of one run: DIR/state-NNNN.h5, DIR/path.csv and DIR/checkpoint/. Every file is replaced whole, and in
 /// an order that lets a run be taken up after being killed at any moment.
 class RunDirectory {
@@ -21,13 +27,13 @@ class RunDirectory {
   /// @throws IoError if it cannot be written
   RunDirectory(const std::string& path, Existing existing, const RunOptions& options);
 
-  /// The point an earlier run reached: its checkpoint, or the last saved state if that is further.
+  /// Where an earlier run got to: its checkpoint, or the last saved state if that is further.
   /// Completes path.csv where the run was killed between saving a state and its row. Empty for a new run.
-  std::optional<RunPoint<2>> resume_point();
+  std::optional<ReachedPoint> resume_point();
 
   /// Saves an equilibrium and its row. @return SHA-256 of the state's file
-  std::string save(State<2> state, double seconds);
-  void save_checkpoint(const State<2>& state, const RunPoint<2>& point);
+  std::string save(const State<2>& state, double seconds);
+  void save_checkpoint(const State<2>& state, const RunPoint& point);
   void remove_checkpoint();
 
   std::string state_path(int step) const;

@@ -45,10 +45,9 @@ void RunMonitor::stretch(const Run<2>& run) {
   if (since < (terminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines)) return;
   last_line_ = now;
   const int step = run.point().step;
-  std::string line =
-      fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {:.0f}, {}", step + 1, n_steps_, run.target().branch,
-                  run.target().pressure, solid_fraction(run.point().packing),
-                  run.point().time + run.point().relaxation.time, stage_of(run));
+  std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {:.0f}, {}", step + 1, n_steps_,
+                                 run.target().branch, run.target().pressure, solid_fraction(run.packing()),
+                                 run.point().time + run.point().relaxation.time, stage_of(run));
   if (steps_done_ > 0) line += fmt::format("; about {} left", duration(expected_seconds_left(n_steps_ - step)));
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
   std::fflush(stderr);

@@ -21,17 +21,17 @@ int count_clusters(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-Aggregation<Dim>::Aggregation(const RelaxationOptions& options, const Packing<Dim>& packing, double rms_speed,
+Aggregation<Dim>::Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double rms_speed,
                               double skin)
     : options_(options),
-      packing_(packing),
-      time_step_(time_step_of(packing, options.time_step)),
+      packing_(std::move(packing)),
+      time_step_(time_step_of(packing_, options.time_step)),
       skin_(skin),
-      n_clusters_(count_clusters(packing)) {
-  const double range = packing.law.range();
+      n_clusters_(count_clusters(packing_)) {
+  const double range = packing_.law.range();
   if (range > 0.0 && rms_speed > 0.0)
     time_step_ = std::min(time_step_, range / (kStepsAcrossTail * 2.0 * rms_speed));
-  const double a = 2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end());
+  const double a = 2.0 * *std::max_element(packing_.grains.radius.begin(), packing_.grains.radius.end());
   if (options.skin) skin_ = *options.skin * a;
   if (skin_ == 0.0) skin_ = 0.1 * a;
 }
@@ -42,6 +42,7 @@ bool Aggregation<Dim>::advance() {
   control.fixed = true;
   const auto dynamics = make_dynamics(packing_, control, {time_step_, skin_, options_.threads});
   advance_observed(*dynamics, kStretch, Motion::free, observer_, 0.0, time_step_);
+  packing_ = {};
   packing_ = dynamics->packing();
   if (!options_.skin) skin_ = dynamics->skin();
   n_clusters_ = count_clusters(packing_);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "floc/packing/packing.h"
 #include "floc/relaxation/motion_observer.h"
 #include "floc/relaxation/relaxation_options.h"
@@ -18,14 +20,15 @@ class Aggregation {
  public:
   /// @param rms_speed  of the agitation (length/time): the step is shortened where a grain would cross the tail of the
   ///                   adhesion in a few steps
-  Aggregation(const RelaxationOptions& options, const Packing<Dim>& packing, double rms_speed, double skin);
+  Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double rms_speed, double skin);
 
   /// One stretch. @return true when all grains form one cluster
   bool advance();
   /// Shows the packing to somebody as it moves.
   void observe(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
 
-  const Packing<Dim>& packing() const { return packing_; }
+  const Packing<Dim>& packing() const& { return packing_; }
+  Packing<Dim> packing() && { return std::move(packing_); }
   int n_clusters() const { return n_clusters_; }
   double skin() const { return skin_; }
   double stretch_time() const;

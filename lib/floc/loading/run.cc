@@ -24,33 +24,32 @@ Run<Dim>::Run(RunOptions options)
   RandomStream random(options_.seed, kAssemblyStream);
   const AssemblyOptions& assembly = options_.assembly;
   if (assembly.protocol == AssemblyOptions::Protocol::state) {
-    point_.packing = start_from<Dim>(assembly.saved.read(), options_.law, assembly.saved.copies);
+    packing_ = start_from<Dim>(assembly.saved.read(), options_.law, assembly.saved.copies);
     point_.parent_sha256 = assembly.saved.sha256;
   } else {
-    point_.packing = make_gas<Dim>(options_.grains, options_.law, assembly.solid_fraction, random);
+    packing_ = make_gas<Dim>(options_.grains, options_.law, assembly.solid_fraction, random);
   }
   point_.aggregating = assembly.protocol == AssemblyOptions::Protocol::aggregation;
-  if (assembly.agitation > 0.0) agitate(point_.packing, agitation_speed(), random);
+  if (assembly.agitation > 0.0) agitate(packing_, agitation_speed(), random);
   point_.stream_state = random.state();
   start_step();
 }
 
 template <int Dim>
-Run<Dim>::Run(RunOptions options, RunPoint<Dim> point)
+Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
     : options_(std::move(options)),
       plan_(plan_run(options_.assembly, options_.law, options_.load)),
-      point_(std::move(point)) {
+      point_(std::move(point)),
+      packing_(std::move(packing)) {
   if (!finished()) start_step();
 }
 
-template <int Dim>
-RunPoint<Dim> Run<Dim>::after(const State<Dim>& state, const std::string& sha256) {
-  RunPoint<Dim> point;
-  point.step = state.path.step + 1;
-  point.packing = state.packing;
-  point.stream_state = state.provenance.stream_state;
-  point.time = state.path.time;
-  point.n_steps = state.path.n_steps;
+RunPoint point_after(const PathPosition& path, std::uint64_t stream_state, const std::string& sha256) {
+  RunPoint point;
+  point.step = path.step + 1;
+  point.stream_state = stream_state;
+  point.time = path.time;
+  point.n_steps = path.n_steps;
   point.parent_sha256 = sha256;
   return point;
 }
@@ -59,7 +58,7 @@ RunPoint<Dim> Run<Dim>::after(const State<Dim>& state, const std::string& sha256
 /// across a gap, V* = sqrt(P a^2/m), at which a grain has the energy of the load on it.
 template <int Dim>
 double Run<Dim>::agitation_speed() const {
-  const Grains<Dim>& g = point_.packing.grains;
+  const Grains<Dim>& g = packing().grains;
   const double m = *std::max_element(g.mass.begin(), g.mass.end());
   const double a = 2.0 * *std::max_element(g.radius.begin(), g.radius.end());
   const double adhesive = options_.law.pull_off_force() * options_.law.range();
@@ -68,20 +67,35 @@ double Run<Dim>::agitation_speed() const {
 }
 
 template <int Dim>
+const Packing<Dim>& Run<Dim>::packing() const {
+  if (aggregation_) return aggregation_->packing();
+  return relaxer_ ? relaxer_->packing() : packing_;
+}
+
+template <int Dim>
+void Run<Dim>::take_packing_back() {
+  if (aggregation_) packing_ = std::move(*aggregation_).packing();
+  if (relaxer_) packing_ = std::move(*relaxer_).packing();
+  aggregation_.reset();
+  relaxer_.reset();
+}
+
+/// @pre the packing is here
+template <int Dim>
 void Run<Dim>::start_step() {
   if (point_.aggregating) {
-    aggregation_ = std::make_unique<Aggregation<Dim>>(options_.relaxation, point_.packing, agitation_speed(),
+    const double speed = agitation_speed();
+    aggregation_ = std::make_unique<Aggregation<Dim>>(options_.relaxation, std::move(packing_), speed,
                                                       point_.aggregation_skin);
     pass_observer();
     return;
   }
-  aggregation_.reset();
-  if (point_.packing.law != target().law) {
+  if (packing_.law != target().law) {
     // The relaxer takes the imbalance it has to answer from the forces in the contact list.
-    point_.packing.law = target().law;
-    refresh_contacts(point_.packing);
+    packing_.law = target().law;
+    refresh_contacts(packing_);
   }
-  relaxer_ = std::make_unique<Relaxer<Dim>>(options_.relaxation, point_.packing,
+  relaxer_ = std::make_unique<Relaxer<Dim>>(options_.relaxation, std::move(packing_),
                                             Vec<Dim>::Constant(target().pressure), point_.relaxation);
   pass_observer();
 }
@@ -109,35 +123,38 @@ RunEvent Run<Dim>::advance() {
   assert(!finished());
   if (point_.aggregating) {
     point_.aggregating = !aggregation_->advance();
-    point_.packing = aggregation_->packing();
     point_.aggregation_skin = aggregation_->skin();
     point_.time += aggregation_->stretch_time();
     point_.n_steps += kStretch;
     if (!point_.aggregating) {
+      take_packing_back();
       start_step();
       return RunEvent::stretch;
     }
-    const double longest =
-        options_.relaxation.max_time * inertial_time(point_.packing, Vec<Dim>(Vec<Dim>::Zero()));
+    const double longest = options_.relaxation.max_time * inertial_time(packing(), Vec<Dim>(Vec<Dim>::Zero()));
     return point_.time > longest ? RunEvent::gave_up : RunEvent::stretch;
   }
   const RelaxationStatus status = relaxer_->advance();
-  point_.packing = relaxer_->packing();
   point_.relaxation = relaxer_->progress();
   if (status == RelaxationStatus::running) return RunEvent::stretch;
   return status == RelaxationStatus::converged ? RunEvent::equilibrium : RunEvent::gave_up;
 }
 
 template <int Dim>
+PathPosition Run<Dim>::path() const {
+  return {point_.step, target().branch, point_.time + point_.relaxation.time,
+          point_.n_steps + point_.relaxation.n_steps, relaxer_ ? relaxer_->report().ending : ""};
+}
+
+template <int Dim>
 State<Dim> Run<Dim>::state() const {
   State<Dim> state;
   state.units = options_.units;
-  state.packing = point_.packing;
+  state.packing = packing();
   state.target_stress = Vec<Dim>::Constant(target().pressure);
   state.tolerance = options_.relaxation.tolerance;
-  state.residuals = residuals(point_.packing, state.target_stress);
-  state.path = {point_.step, target().branch, point_.time + point_.relaxation.time,
-                point_.n_steps + point_.relaxation.n_steps, relaxer_ ? relaxer_->report().ending : ""};
+  state.residuals = residuals(state.packing, state.target_stress);
+  state.path = path();
   state.scene = options_.scene;
   state.provenance.program = "floc " + version();
   state.provenance.commit = commit();
@@ -158,7 +175,8 @@ RelaxationReport Run<Dim>::report() const {
 
 template <int Dim>
 void Run<Dim>::saved(const std::string& sha256) {
-  point_ = after(state(), sha256);
+  point_ = point_after(path(), point_.stream_state, sha256);
+  take_packing_back();
   if (!finished()) start_step();
 }
 

@@ -25,13 +25,11 @@ struct RunOptions {
   std::string scene;  ///< text, stored in every state
 };
 
-/// Where a run stands between two stretches: with the options, all that decides how it goes on. This is what a
-/// checkpoint holds.
-template <int Dim>
+/// Where a run stands between two stretches: with the options and the packing, all that decides how it goes on. This is
+/// what a checkpoint holds.
 struct RunPoint {
   int step = 0;              ///< number of the equilibrium being made
   bool aggregating = false;  ///< grains still collide and stick
-  Packing<Dim> packing;
   RelaxationProgress relaxation;
   std::uint64_t stream_state = 0;
   double time = 0.0;         ///< simulated time before this relaxation (time)
@@ -39,6 +37,11 @@ struct RunPoint {
   double aggregation_skin = 0.0;
   std::string parent_sha256;  ///< of the last saved state
 };
+
+/// The point after a saved equilibrium: what a run continues from, with the packing of the state, when there is no
+/// checkpoint.
+/// @param path, stream_state  of the state  @param sha256  of the file it was saved in
+RunPoint point_after(const PathPosition& path, std::uint64_t stream_state, const std::string& sha256);
 
 /// What a stretch of a run came to.
 enum class RunEvent {
@@ -55,9 +58,7 @@ class Run {
   /// A run from its beginning. @throws InputError for options that cannot be run.
   explicit Run(RunOptions options);
   /// A run from a point inside.
-  Run(RunOptions options, RunPoint<Dim> point);
-  /// The point after a saved equilibrium: what a run continues from when there is no checkpoint.
-  static RunPoint<Dim> after(const State<Dim>& state, const std::string& sha256);
+  Run(RunOptions options, RunPoint point, Packing<Dim> packing);
 
   const std::vector<PlannedEquilibrium>& plan() const { return plan_; }
   bool finished() const { return point_.step == static_cast<int>(plan_.size()); }
@@ -73,7 +74,8 @@ class Run {
   /// Goes on to the next step. @param sha256 of the file the state was saved in
   void saved(const std::string& sha256);
 
-  const RunPoint<Dim>& point() const { return point_; }
+  const RunPoint& point() const { return point_; }
+  const Packing<Dim>& packing() const;
   const PlannedEquilibrium& target() const { return plan_[point_.step]; }
   /// Where the present step stands.
   RelaxationReport report() const;
@@ -83,10 +85,13 @@ class Run {
   void start_step();
   void pass_observer();
   double agitation_speed() const;
+  PathPosition path() const;
+  void take_packing_back();
 
   RunOptions options_;
   std::vector<PlannedEquilibrium> plan_;
-  RunPoint<Dim> point_;
+  RunPoint point_;
+  Packing<Dim> packing_;  ///< while neither of those below has it: a large packing is held once
   std::unique_ptr<Aggregation<Dim>> aggregation_;
   std::unique_ptr<Relaxer<Dim>> relaxer_;
   MotionObserver<Dim> observer_;

@@ -31,11 +31,12 @@ Mat<Dim> static_stress(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-double mean_kinetic_energy(const Packing<Dim>& packing) {
+double mean_kinetic_energy(const Packing<Dim>& packing, const std::vector<bool>& counted) {
   const Grains<Dim>& g = packing.grains;
   double twice = 0.0;
   for (int i = 0; i < g.size(); ++i)
-    twice += g.mass[i] * g.velocity[i].squaredNorm() + g.inertia(i) * g.angular_velocity[i].squaredNorm();
+    if (counted.empty() || counted[i])
+      twice += g.mass[i] * g.velocity[i].squaredNorm() + g.inertia(i) * g.angular_velocity[i].squaredNorm();
   return g.size() == 0 ? 0.0 : 0.5 * twice / g.size();
 }
 
@@ -43,7 +44,7 @@ template Balance<2> net_forces(const Packing<2>&);
 template Balance<3> net_forces(const Packing<3>&);
 template Mat<2> static_stress(const Packing<2>&);
 template Mat<3> static_stress(const Packing<3>&);
-template double mean_kinetic_energy(const Packing<2>&);
-template double mean_kinetic_energy(const Packing<3>&);
+template double mean_kinetic_energy(const Packing<2>&, const std::vector<bool>&);
+template double mean_kinetic_energy(const Packing<3>&, const std::vector<bool>&);
 
 }  // namespace floc

@@ -21,7 +21,8 @@ template <int Dim>
 Mat<Dim> static_stress(const Packing<Dim>& packing);
 
 /// Kinetic energy of peculiar velocities and spins, mean over the grains (energy).
+/// @param counted  of each grain, whether its energy counts; empty: all
 template <int Dim>
-double mean_kinetic_energy(const Packing<Dim>& packing);
+double mean_kinetic_energy(const Packing<Dim>& packing, const std::vector<bool>& counted = {});
 
 }  // namespace floc

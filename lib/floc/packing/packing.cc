@@ -7,13 +7,10 @@ namespace floc {
 
 template <int Dim>
 void Grains<Dim>::set_centres(const std::vector<TwoPartVec<Dim>>& centres) {
-  position.clear();
-  position_low.clear();
-  for (const TwoPartVec<Dim>& x : centres) {
-    Vec<Dim>& high = position.emplace_back();
-    Vec<Dim>& low = position_low.emplace_back();
-    for (int a = 0; a < Dim; ++a) high[a] = x[a].high, low[a] = x[a].low;
-  }
+  position.resize(centres.size());
+  position_low.resize(centres.size());
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    for (int a = 0; a < Dim; ++a) position[i][a] = centres[i][a].high, position_low[i][a] = centres[i][a].low;
   if (std::all_of(position_low.begin(), position_low.end(),
                   [](const Vec<Dim>& low) { return low.isZero(0.0); }))
     position_low.clear();

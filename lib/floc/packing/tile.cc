@@ -55,6 +55,7 @@ Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>&
 template <class T>
 void repeat(std::vector<T>& values, int times) {
   const std::vector<T> once = values;
+  values.reserve(times * once.size());
   for (int t = 1; t < times; ++t) values.insert(values.end(), once.begin(), once.end());
 }
 
@@ -75,7 +76,9 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
   repeat(out.grains.orientation, n_tiles);
   repeat(out.grains.angular_velocity, n_tiles);
   out.contacts.clear();
+  out.contacts.reserve(n_tiles * packing.contacts.size());
   std::vector<TwoPartVec<Dim>> centres;
+  centres.reserve(n_tiles * packing.grains.position.size());
   for (int t = 0; t < n_tiles; ++t) {
     for (int i = 0; i < n; ++i)
       centres.push_back(displaced<Dim>(packing.grains.centre(i), packing.cell, place_of<Dim>(t, copies)));

@@ -30,7 +30,7 @@ NeighborPair<Dim> swapped(const NeighborPair<Dim>& p) {
 template <int Dim>
 ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const CellControl<Dim>& control,
                                         const DynamicsSettings& settings)
-    : origin_(packing),
+    : parameters_(packing.law),
       law_(compose_law(packing.law)),
       composed_law_(std::visit([](const auto& law) { return static_cast<const void*>(&law); }, law_)),
       range_(packing.law.range()),
@@ -44,8 +44,6 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const CellC
       side_(packing.cell.matrix.diagonal()),
       side_rate_(packing.cell.velocity.diagonal()),
       strain_rate_(side_rate_.cwiseQuotient(side_)) {
-  origin_.contacts.clear();
-  origin_.grains.position_low.clear();  // motion is followed in one part: it ends at the rounding of that
   sums_.resize(n_blocks());
   rebuild_list();
   load_histories(packing);
@@ -277,7 +275,10 @@ bool ExplicitDynamics<Dim>::finite() const {
 
 template <int Dim>
 Packing<Dim> ExplicitDynamics<Dim>::packing() const {
-  Packing<Dim> out = origin_;
+  Packing<Dim> out;
+  out.law = parameters_;
+  out.grains =
+      Grains<Dim>::with_size(grains_.size());  // centres in one part: motion ends at the rounding of that
   out.cell.matrix = side_.asDiagonal();
   out.cell.velocity = side_rate_.asDiagonal();
   std::vector<Vec<Dim, int>> wrap(grains_.size());
@@ -291,6 +292,8 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
     }
     for (int a = 0; a < kRotations<Dim>; ++a) out.grains.angular_velocity[i][a] = grains_.spin[a][k];
     out.grains.orientation[i] = grains_.angle[k];
+    out.grains.radius[i] = grains_.radius[k];
+    out.grains.mass[i] = grains_.mass[k];
   }
   for (int p = 0; p < pairs_.size(); ++p) {
     if (pairs_.padding(p)) continue;

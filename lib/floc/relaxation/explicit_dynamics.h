@@ -42,7 +42,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void rebuild_list();
   void adapt_skin();
 
-  Packing<Dim> origin_;  ///< the packing this was made from: what does not change in time
+  LawParameters parameters_;  ///< of the law
   AnyContactLaw law_;
   const void* composed_law_;  ///< the alternative in law_
   double range_;              ///< of the law

@@ -54,15 +54,9 @@ double heaviest(const Packing<Dim>& packing) {
 /// ever, which says nothing about the packing.
 template <int Dim>
 double energy_of_connected_grains(const Packing<Dim>& packing) {
-  Packing<Dim> connected = packing;
   std::vector<bool> touched(packing.grains.size(), false);
   for (const Contact<Dim>& c : packing.contacts) touched[c.i] = touched[c.j] = true;
-  for (int i = 0; i < packing.grains.size(); ++i) {
-    if (touched[i]) continue;
-    connected.grains.velocity[i].setZero();
-    connected.grains.angular_velocity[i].setZero();
-  }
-  return mean_kinetic_energy(connected);
+  return mean_kinetic_energy(packing, touched);
 }
 
 /// An equilibrium has to be stable (PHYSICS section 1). A static solution need not be: with a tail, a grain that could
@@ -140,18 +134,18 @@ double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& pac
 }
 
 template <int Dim>
-Relaxer<Dim>::Relaxer(const RelaxationOptions& options, const Packing<Dim>& packing,
-                      const Vec<Dim>& target_stress, RelaxationProgress progress)
+Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
+                      RelaxationProgress progress)
     : options_(options),
-      packing_(packing),
+      packing_(std::move(packing)),
       target_(target_stress),
       progress_(std::move(progress)),
-      residuals_(residuals(packing, target_stress)),
-      time_step_(time_step_of(packing, options.time_step)),
-      time_unit_(inertial_time(packing, target_stress)) {
-  if (progress_.skin == 0.0) progress_.skin = first_skin(options, force_scale(packing, target_stress).length);
+      residuals_(residuals(packing_, target_stress)),
+      time_step_(time_step_of(packing_, options.time_step)),
+      time_unit_(inertial_time(packing_, target_stress)) {
+  if (progress_.skin == 0.0) progress_.skin = first_skin(options, force_scale(packing_, target_stress).length);
   if (progress_.imbalance_sign.empty()) {
-    const Vec<Dim> imbalance = static_stress(packing).diagonal() - target_stress;
+    const Vec<Dim> imbalance = static_stress(packing_).diagonal() - target_stress;
     for (int a = 0; a < Dim; ++a) progress_.imbalance_sign.push_back(imbalance[a] < 0.0 ? -1.0 : 1.0);
   }
 }
@@ -168,7 +162,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   control.mass =
       options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0);
   control.rate_cap = strain_rate_cap(options_, packing_, target_);
-  const auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
+  auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
   const bool finishing = progress_.stage == RelaxationProgress::finishing;
   advance_observed(*dynamics, kStretch, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
@@ -176,8 +170,10 @@ RelaxationStatus Relaxer<Dim>::advance() {
     ending_ = "diverged";
     return RelaxationStatus::gave_up;
   }
+  packing_ = {};  // a large packing is held once
   packing_ = dynamics->packing();
   if (!options_.skin) progress_.skin = dynamics->skin();
+  dynamics.reset();
   progress_.n_steps += kStretch;
   progress_.time += kStretch * time_step_;
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "floc/packing/balance.h"
@@ -46,7 +47,7 @@ struct RelaxationReport {
 template <int Dim>
 class Relaxer {
  public:
-  Relaxer(const RelaxationOptions& options, const Packing<Dim>& packing, const Vec<Dim>& target_stress,
+  Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
           RelaxationProgress progress = {});
 
   /// One stretch.
@@ -54,7 +55,8 @@ class Relaxer {
   /// Shows the packing to somebody as it moves.
   void observe(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
 
-  const Packing<Dim>& packing() const { return packing_; }
+  const Packing<Dim>& packing() const& { return packing_; }
+  Packing<Dim> packing() && { return std::move(packing_); }
   const RelaxationProgress& progress() const { return progress_; }
   RelaxationReport report() const;
 

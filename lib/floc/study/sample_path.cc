@@ -67,7 +67,8 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
   for (int first = n_assembled; reference && first < n_planned;) {
     const auto last = static_cast<int>(
         std::upper_bound(turns.begin(), turns.end(), turns[static_cast<std::size_t>(first)]) - turns.begin());
-    Run<2> turn(options, Run<2>::after(reference->states[static_cast<std::size_t>(first - 1)].state, ""));
+    const State<2>& from = reference->states[static_cast<std::size_t>(first - 1)].state;
+    Run<2> turn(options, point_after(from.path, from.provenance.stream_state, ""), from.packing);
     run_until(turn, last, turns, deadline, path);
     first = last;
   }

@@ -25,28 +25,26 @@ RunOptions losing_adhesion() {
 }
 
 TEST(Run, StepsThatChangeTheLawStartFromTheForcesOfTheNewOne) {
-  RunPoint<2> point;
+  RunPoint point;
   point.step = 1;
-  point.packing = test::gas_of(30, test::cohesive_law(), 0.6);
-  point.packing.cell.matrix *= 0.85;
-  for (Vec<2>& x : point.packing.grains.position) x *= 0.85;
-  find_contacts(point.packing);
-  const auto n_distant = [](const Packing<2>& packing) {
-    return std::count_if(packing.contacts.begin(), packing.contacts.end(),
-                         [](const auto& c) { return c.distant; });
+  Packing<2> packing = test::gas_of(30, test::cohesive_law(), 0.6);
+  packing.cell.matrix *= 0.85;
+  for (Vec<2>& x : packing.grains.position) x *= 0.85;
+  find_contacts(packing);
+  const auto n_distant = [](const Packing<2>& of) {
+    return std::count_if(of.contacts.begin(), of.contacts.end(), [](const auto& c) { return c.distant; });
   };
-  const auto n_touching = point.packing.contacts.size() - n_distant(point.packing);
+  const auto n_touching = packing.contacts.size() - n_distant(packing);
   ASSERT_GT(n_touching, 10u);
-  const floc::Run<2> run(losing_adhesion(), point);
-  EXPECT_EQ(run.point().packing.contacts.size(), n_touching);
-  for (const Contact<2>& c : run.point().packing.contacts) EXPECT_EQ(c.normal_force, c.elastic_force);
+  const floc::Run<2> run(losing_adhesion(), point, packing);
+  EXPECT_EQ(run.packing().contacts.size(), n_touching);
+  for (const Contact<2>& c : run.packing().contacts) EXPECT_EQ(c.normal_force, c.elastic_force);
 }
 
 TEST(Run, AtItsEndIsFinishedAndNeedsNoTarget) {
-  RunPoint<2> point;
+  RunPoint point;
   point.step = 2;
-  point.packing = test::gas_of(30, test::cohesive_law(), 0.3);
-  const floc::Run<2> run(losing_adhesion(), point);
+  const floc::Run<2> run(losing_adhesion(), point, test::gas_of(30, test::cohesive_law(), 0.3));
   EXPECT_TRUE(run.finished());
 }
 

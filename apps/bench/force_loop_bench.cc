@@ -1,6 +1,6 @@
 // Contact updates per second of the time stepping, law by law, size by size and for each instruction set: what a scene
 // pays for the physics it names. Time is that of the processor. Compare the rows of one run; single figures depend on
-// the machine. FLOC_BENCH_GRAINS=1000000 adds a size.
+// the machine. FLOC_BENCH_GRAINS=1000000 adds a size; FLOC_BENCH_STATE=state.h5 adds a packing of disks from a file.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -15,7 +15,9 @@
 
 #include "floc/assembly/gas.h"
 #include "floc/elasticity/stability.h"
+#include "floc/io/state_file.h"
 #include "floc/neighbors/space_order.h"
+#include "floc/packing/balance.h"
 #include "floc/packing/tile.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/hot_grains.h"
@@ -46,9 +48,10 @@ RelaxationOptions relaxation() {
   return options;
 }
 
+/// The stress it has stays imposed.
 CellControl<2> pressed(const Packing<2>& packing) {
   CellControl<2> control;
-  control.target = Vec<2>::Constant(10.0);
+  control.target = static_stress(packing).diagonal();
   for (const double m : packing.grains.mass) control.mass += m;
   return control;
 }
@@ -85,12 +88,9 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-void force_loop(benchmark::State& state) {
-  const Packing<2>& packing =
-      dense(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), state.range(2) != 0);
-  DynamicsSettings settings{time_step_of(packing, relaxation().time_step), 0.01,
-                            static_cast<int>(state.range(3))};
-  settings.instructions = static_cast<InstructionSet>(state.range(4));
+void step(benchmark::State& state, const Packing<2>& packing, int threads, InstructionSet instructions) {
+  DynamicsSettings settings{time_step_of(packing, relaxation().time_step), 0.01, threads};
+  settings.instructions = instructions;
   if (!supported(settings.instructions)) return state.SkipWithError("not on this processor");
   const auto dynamics = make_dynamics(packing, pressed(packing), settings);
   const int n_steps = packing.grains.size() > 50000 ? 20 : 200;
@@ -98,6 +98,11 @@ void force_loop(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * n_steps * static_cast<std::int64_t>(packing.contacts.size()));
   state.counters["contacts"] = static_cast<double>(packing.contacts.size());
   state.counters["peak_MB"] = peak_megabytes();
+}
+
+void force_loop(benchmark::State& state) {
+  step(state, dense(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), state.range(2) != 0),
+       static_cast<int>(state.range(3)), static_cast<InstructionSet>(state.range(4)));
 }
 
 /// Processor time of the passes of a step, as shares, and of a new list of pairs, in steps; the packing stays where it is.
@@ -163,6 +168,15 @@ void sizes(benchmark::internal::Benchmark* b) {
   if (const char* n = std::getenv("FLOC_BENCH_GRAINS")) b->Args({std::atoi(n), kFriction, 0, 1, kWidest});
 }
 BENCHMARK(force_loop)->Apply(sizes)->MeasureProcessCPUTime()->Unit(benchmark::kMicrosecond);
+
+void steps_of_state(benchmark::State& state, const char* file) {
+  step(state, std::get<State<2>>(read_state(file)).packing, 1, widest_instruction_set());
+}
+[[maybe_unused]] const auto* const kStepsOfState = [] {
+  const char* file = std::getenv("FLOC_BENCH_STATE");
+  return file ? benchmark::RegisterBenchmark("steps_of_state", steps_of_state, file)->MeasureProcessCPUTime()
+              : nullptr;
+}();
 
 /// From the gas to equilibrium under P/K_N = 1e-4 with friction, to the default tolerance, by the mass of the cell: one as
 /// heavy as its grains bounces on them for four times as long as one of a tenth.

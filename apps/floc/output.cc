@@ -67,7 +67,8 @@ int for_each_file(const std::vector<std::string>& files,
     try {
       code = worse(code, work(file));
     } catch (const InputError& error) {
-      report(kBadInput, error.what());
+      const std::string words = error.what();  // what finds a fault in a packing may not know its file
+      report(kBadInput, words.find(file) == std::string::npos ? file + ": " + words : words);
     } catch (const IoError& error) {
       report(kFailure, error.what());
     } catch (const std::exception& error) {

@@ -97,11 +97,12 @@ void report(const std::string& file, const Scattering& s, const ScatteringFit& f
 void add_scattering(const Packing<2>& packing, const StructureCommand& command, Series& series,
                     StructureRow& row) {
   const ScatteringMesh mesh = scattering_mesh(packing, command.scattering);
+  const Packing<2> shortest = in_shortest_cell(packing);
   row.mesh_spacing = mesh.spacing;
-  row.mesh = mesh.size(packing.cell);
-  const CoverageMap coverage = coverage_map(packing, row.mesh);
+  row.mesh = mesh.size(shortest.cell);
+  const CoverageMap coverage = coverage_map(shortest, row.mesh);
   ScatteringAverage alone(mesh.edges);
-  alone.add(packing.cell, coverage);
+  alone.add(shortest.cell, coverage);
   const Scattering s = alone.result();
   row.fit = fit_of(s, command, largest_diameter(packing));
   report(row.file, s, *row.fit, series.intensity);
@@ -112,7 +113,7 @@ void add_scattering(const Packing<2>& packing, const StructureCommand& command, 
     series.average.emplace(mesh.edges);
     series.mean.mesh_spacing = mesh.spacing;
   }
-  series.average->add(packing.cell, coverage);
+  series.average->add(shortest.cell, coverage);
 }
 
 void add_pores(const Packing<2>& packing, Series& series, StructureRow& row) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 
 namespace floc {
@@ -87,12 +88,42 @@ Eigenpairs search(const SymmetricFactor& factor, const Projector& project, doubl
   return found;
 }
 
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& vectors) {
+  return Eigen::HouseholderQR<Eigen::MatrixXd>(vectors).householderQ() *
+         Eigen::MatrixXd::Identity(vectors.rows(), vectors.cols());
+}
+
 /// Rayleigh and Ritz: the best eigenpairs of A in the span of some vectors.
 Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& vectors) {
-  const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(vectors).householderQ() *
-                            Eigen::MatrixXd::Identity(vectors.rows(), vectors.cols());
+  const Eigen::MatrixXd q = orthonormal(vectors);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(q.transpose() * factor.multiply(q));
   return {eigen.eigenvalues(), q * eigen.eigenvectors(), true};
+}
+
+/// Up to `count` vectors that A takes to zero, to rounding. Each is a copy of one eigenvalue, of which Lanczos' iteration
+/// finds one a search; the shifted inverse blows them all up by the inverse of the shift at once.
+Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& project, Eigen::Index n,
+                             int count) {
+  constexpr int kPasses = 2;
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  Eigen::MatrixXd block(n, count);
+  for (double& value : block.reshaped()) value = any(engine);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (auto column : block.colwise()) column = project(factor.solve(project(column), 0)).normalized();
+    block = orthonormal(block);
+  }
+  const Eigenpairs best = best_in_span(factor, block);
+  const Eigen::MatrixXd left = factor.multiply(best.vectors);
+  Eigenpairs found{Eigen::VectorXd(0), Eigen::MatrixXd(n, 0), false};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    if (left.col(k).norm() > kClear) continue;
+    found.values.conservativeResize(found.values.size() + 1);
+    found.values[found.values.size() - 1] = best.values[k];
+    found.vectors.conservativeResize(Eigen::NoChange, found.values.size());
+    found.vectors.rightCols(1) = best.vectors.col(k);
+  }
+  return found;
 }
 
 Eigenpairs lowest(const Eigenpairs& pairs, int count) {
@@ -119,7 +150,15 @@ Eigenpairs lowest_eigenpairs(SymmetricFactor& factor, const Eigen::SparseMatrix<
 
   Projector project(left_out);
   Eigenpairs found{Eigen::VectorXd(0), Eigen::MatrixXd(n, 0), false};
-  int missing = wanted;
+  const int n_negative = factor.count_eigenvalues_below(-kClear);
+  const int n_zero = factor.count_eigenvalues_below(kClear) - n_null;
+  if (n_negative == 0 && n_zero > 1) {
+    make_positive(factor);
+    found = search_null_space(factor, project, n, std::min(wanted, n_zero));
+    project.take_out(found.vectors);
+  }
+  int missing = wanted - static_cast<int>(found.values.size());
+  found.complete = missing == 0;
   // Each search finds one more copy, at least, of every multiple eigenvalue among the lowest.
   for (int k = 0; k <= wanted && missing > 0; ++k) {
     const double shift = make_positive(factor);

@@ -8,6 +8,8 @@
 #include <complex>
 #include <numbers>
 
+#include "floc/geometry/lattice_reduction.h"
+
 namespace floc {
 namespace {
 
@@ -48,6 +50,13 @@ Vec<2, int> ScatteringMesh::size(const Cell<2>& cell) const {
   for (int a = 0; a < 2; ++a)
     n[a] = smooth_size(static_cast<int>(std::ceil(cell.matrix.row(a).norm() / spacing)));
   return n;
+}
+
+Packing<2> in_shortest_cell(const Packing<2>& packing) {
+  Packing<2> shortest;
+  shortest.grains = packing.grains;
+  shortest.cell.matrix = reduced_lattice(packing.cell).cell.matrix;
+  return shortest;
 }
 
 ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options) {
@@ -120,7 +129,8 @@ Scattering ScatteringAverage::result() const {
 Scattering scattering(const Packing<2>& packing, const ScatteringOptions& options) {
   const ScatteringMesh mesh = scattering_mesh(packing, options);
   ScatteringAverage average(mesh.edges);
-  average.add(packing.cell, coverage_map(packing, mesh.size(packing.cell)));
+  const Packing<2> shortest = in_shortest_cell(packing);
+  average.add(shortest.cell, coverage_map(shortest, mesh.size(shortest.cell)));
   return average.result();
 }
 

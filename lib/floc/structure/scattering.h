@@ -37,6 +37,10 @@ struct ScatteringMesh {
   Vec<2, int> size(const Cell<2>& cell) const;
 };
 
+/// The grains of a packing in the shortest cell of its lattice: the lattice is what scatters, and a cell so slanted that its
+/// sides are nearly parallel would take a mesh as long as they are. Cells of short vectors are left as they are.
+Packing<2> in_shortest_cell(const Packing<2>& packing);
+
 /// Depends on area and largest diameter only.
 /// @pre the packing has grains
 ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options);

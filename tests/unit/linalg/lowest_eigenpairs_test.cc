@@ -44,6 +44,25 @@ void expect_eigenpairs(const SymmetricFactor& factor, const Eigenpairs& pairs) {
   EXPECT_LT((pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(k, k)).norm(), 1e-12);
 }
 
+/// A search of Lanczos' finds one copy of an eigenvalue; these have hundreds of zero, which one block finds.
+TEST(LowestEigenpairs, OfHundredsOfMechanismsAreFoundAtOnce) {
+  constexpr int kCopies = 300;
+  const Eigen::SparseMatrix<double> nothing(10 * kCopies, 0);
+  SymmetricFactor factor;
+  factor.set_matrix(rings(10, kCopies));
+  const Eigenpairs some = lowest_eigenpairs(factor, nothing, 100);
+  ASSERT_EQ(some.values.size(), 100);
+  EXPECT_TRUE(some.complete);
+  expect_eigenpairs(factor, some);
+  EXPECT_LT(some.values.cwiseAbs().maxCoeff(), 1e-14);
+  // Beyond a few of them the next eigenvalues follow.
+  SymmetricFactor few;
+  few.set_matrix(rings(100, 5));
+  const Eigenpairs all = lowest_eigenpairs(few, Eigen::SparseMatrix<double>(500, 0), 12);
+  EXPECT_TRUE(all.complete);
+  for (int k = 0; k < 12; ++k) EXPECT_NEAR(all.values[k], k < 5 ? 0.0 : eigenvalue(1, 100), 1e-14) << k;
+}
+
 TEST(LowestEigenpairs, OfRingsLackNoCopyOfAMultipleOne) {
   for (const auto& [n, copies] : {std::pair{300, 1}, {100, 4}, {60, 9}}) {
     SymmetricFactor factor;

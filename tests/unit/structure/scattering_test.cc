@@ -115,6 +115,16 @@ TEST(Scattering, OfASquareLatticeIsInItsBraggPeaks) {
   EXPECT_NEAR(expected.envelope[3], peak(std::sqrt(2.0) * kTwoPi), 1e-9 * peak(kTwoPi));
 }
 
+/// Whatever vectors span it; a mesh along those of a million cells would never end.
+TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
+  Packing<2> packing = one_disk(0.4, Mat<2>::Identity() * 3.0);
+  const Scattering straight = scattering(packing);
+  packing.cell.matrix.row(1) += 1e6 * packing.cell.matrix.row(0);
+  const Scattering slanted = scattering(packing);
+  EXPECT_EQ(slanted.k, straight.k);
+  EXPECT_EQ(slanted.I, straight.I);
+}
+
 TEST(Scattering, OfUncorrelatedDisksIsThatOfEachOfThem) {
   // Each realisation against its own closed form, and their mean against rho <f^2>: over the bins beyond the sixth, with
   // 30 states, some 1e4 independent speckles, which scatter by 1 %.

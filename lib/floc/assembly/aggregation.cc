@@ -8,8 +8,18 @@
 namespace floc {
 namespace {
 
-/// Steps in which two grains that approach at twice the r.m.s. speed cross the tail, at least (`v dt << D0`).
-constexpr double kStepsAcrossTail = 4.0;
+/// Steps in which the fastest grain crosses the tail of one at rest, at least (`v dt << D0`).
+constexpr double kStepsAcrossTail = 3.0;
+
+/// The step of the options, shortened where the fastest grain would jump over the tail of the adhesion.
+template <int Dim>
+double step_across_tail(const RelaxationOptions& options, const Packing<Dim>& packing) {
+  const double step = time_step_of(packing, options.time_step);
+  double fastest = 0.0;
+  for (const Vec<Dim>& v : packing.grains.velocity) fastest = std::max(fastest, v.norm());
+  const double range = packing.law.range();
+  return kStepsAcrossTail * fastest * step > range && range > 0.0 ? range / (kStepsAcrossTail * fastest) : step;
+}
 
 }  // namespace
 
@@ -21,16 +31,8 @@ int count_clusters(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-Aggregation<Dim>::Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double rms_speed,
-                              double skin)
-    : options_(options),
-      packing_(std::move(packing)),
-      time_step_(time_step_of(packing_, options.time_step)),
-      skin_(skin),
-      n_clusters_(count_clusters(packing_)) {
-  const double range = packing_.law.range();
-  if (range > 0.0 && rms_speed > 0.0)
-    time_step_ = std::min(time_step_, range / (kStepsAcrossTail * 2.0 * rms_speed));
+Aggregation<Dim>::Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin)
+    : options_(options), packing_(std::move(packing)), skin_(skin), n_clusters_(count_clusters(packing_)) {
   const double a = 2.0 * *std::max_element(packing_.grains.radius.begin(), packing_.grains.radius.end());
   if (options.skin) skin_ = *options.skin * a;
   if (skin_ == 0.0) skin_ = 0.1 * a;
@@ -38,6 +40,7 @@ Aggregation<Dim>::Aggregation(const RelaxationOptions& options, Packing<Dim> pac
 
 template <int Dim>
 bool Aggregation<Dim>::advance() {
+  time_step_ = step_across_tail(options_, packing_);
   CellControl<Dim> control;
   control.fixed = true;
   const auto dynamics = make_dynamics(packing_, control, {time_step_, skin_, options_.threads});

@@ -18,9 +18,8 @@ int count_clusters(const Packing<Dim>& packing);
 template <int Dim>
 class Aggregation {
  public:
-  /// @param rms_speed  of the agitation (length/time): the step is shortened where a grain would cross the tail of the
-  ///                   adhesion in a few steps
-  Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double rms_speed, double skin);
+  /// @param skin  first guess (length), 0 for none
+  Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin);
 
   /// One stretch. @return true when all grains form one cluster
   bool advance();
@@ -31,12 +30,13 @@ class Aggregation {
   Packing<Dim> packing() && { return std::move(packing_); }
   int n_clusters() const { return n_clusters_; }
   double skin() const { return skin_; }
+  /// That of the last stretch.
   double stretch_time() const;
 
  private:
   RelaxationOptions options_;
   Packing<Dim> packing_;
-  double time_step_;
+  double time_step_ = 0.0;  ///< of the last stretch
   double skin_;
   int n_clusters_;
   MotionObserver<Dim> observer_;

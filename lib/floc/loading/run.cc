@@ -84,8 +84,7 @@ void Run<Dim>::take_packing_back() {
 template <int Dim>
 void Run<Dim>::start_step() {
   if (point_.aggregating) {
-    const double speed = agitation_speed();
-    aggregation_ = std::make_unique<Aggregation<Dim>>(options_.relaxation, std::move(packing_), speed,
+    aggregation_ = std::make_unique<Aggregation<Dim>>(options_.relaxation, std::move(packing_),
                                                       point_.aggregation_skin);
     pass_observer();
     return;

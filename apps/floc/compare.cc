@@ -74,7 +74,6 @@ template <int Dim>
 CompareRow compare_row(const std::string& old_file, const State<Dim>& before, const std::string& new_file,
                        const State<Dim>& after, const CompareCommand& command, SideTables& side) {
   const Packing<Dim>&p = before.packing, &q = after.packing;
-  if (p.grains.size() == 0) throw InputError(old_file, "has no grains: nothing to compare");
   if (const std::string fault = incomparable(p, q); !fault.empty())
     throw InputError(new_file, fmt::format("against {}: {}", old_file, fault));
   const ContactChanges<Dim> changes = contact_changes(p, q);

@@ -11,7 +11,6 @@
 
 #include "columns.h"
 #include "command.h"
-#include "floc/base/error.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/moduli.h"
 #include "output.h"
@@ -111,7 +110,6 @@ template <int Dim>
 void add_state(const std::string& file, const State<Dim>& state, const ModesCommand& command,
                std::vector<ModeRow>& rows) {
   const Packing<Dim>& packing = state.packing;
-  if (packing.grains.size() == 0) throw InputError(file, "has no grains: modes need a packing");
   if (const std::string faults = unbalance(state); !faults.empty())
     say(file, "warning: this is no equilibrium: " + faults);
   ModuliOptions options;

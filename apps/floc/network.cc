@@ -7,7 +7,6 @@
 
 #include "columns.h"
 #include "command.h"
-#include "floc/base/error.h"
 #include "floc/elasticity/force_correlation.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/network_mechanics.h"
@@ -124,7 +123,6 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
                        SideTables& side) {
   const auto start = std::chrono::steady_clock::now();
   const Packing<Dim>& packing = state.packing;
-  if (packing.grains.size() == 0) throw InputError(file, "has no grains: a network needs some");
   if (const std::string faults = unbalance(state); !faults.empty())
     std::cerr << "floc: " << file << ": warning: this is no equilibrium: " << faults << '\n';
   NetworkRow row;

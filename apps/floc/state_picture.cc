@@ -44,7 +44,6 @@ const State<2>& disks_of(const std::string& file, const AnyState& state) {
     throw InputError(file,
                      "is 3D, and pictures are of disks; floc convert STATE OUT.vtu writes spheres and forces "
                      "for programs that show them");
-  if (disks->packing.grains.size() == 0) throw InputError(file, "has no grains to draw");
   return *disks;
 }
 

@@ -96,7 +96,11 @@ class RunDriver {
 
   void checkpoint() {
     if (tracker_ != nullptr) tracker_->write();
-    if (!run_.finished()) directory_.save_checkpoint(run_.state(), run_.point());
+    if (!run_.finished()) {
+      State<2> state = run_.lend_state();
+      directory_.save_checkpoint(state, run_.point());
+      run_.go_on(std::move(state.packing));
+    }
     last_checkpoint_ = Clock::now();
   }
 
@@ -107,8 +111,8 @@ class RunDriver {
   }
 
   int give_up() {
-    checkpoint();
     const RelaxationReport report = run_.report();
+    checkpoint();
     fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time\n",
                run_.point().step, run_.target().branch, run_.target().pressure, report.blocking,
                report.decay_rate);

@@ -17,7 +17,9 @@ constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
 std::string seal(std::string content) {
   const std::string hash = sha256(content);
-  return content.append(kSealBegin).append(hash).append(kSealEnd);
+  content.reserve(content.size() + kSealSize);
+  content.append(kSealBegin).append(hash).append(kSealEnd);
+  return content;
 }
 
 std::string_view unseal(const std::string& path, std::string_view bytes) {

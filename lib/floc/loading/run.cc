@@ -147,9 +147,27 @@ PathPosition Run<Dim>::path() const {
 
 template <int Dim>
 State<Dim> Run<Dim>::state() const {
+  return state_of(packing());
+}
+
+template <int Dim>
+State<Dim> Run<Dim>::lend_state() {
+  take_packing_back();
+  return state_of(std::move(packing_));
+}
+
+/// Between two stretches point and packing are the whole truth.
+template <int Dim>
+void Run<Dim>::go_on(Packing<Dim> packing) {
+  packing_ = std::move(packing);
+  start_step();
+}
+
+template <int Dim>
+State<Dim> Run<Dim>::state_of(Packing<Dim> packing) const {
   State<Dim> state;
   state.units = options_.units;
-  state.packing = packing();
+  state.packing = std::move(packing);
   state.target_stress = Vec<Dim>::Constant(target().pressure);
   state.tolerance = options_.relaxation.tolerance;
   state.residuals = residuals(state.packing, state.target_stress);

@@ -71,6 +71,10 @@ class Run {
   RunEvent advance();
   /// The equilibrium just reached.
   State<Dim> state() const;
+  /// The state as it is now, without a copy: the run gives its packing away, and has to get it back by `go_on()` before
+  /// anything else is asked of it.
+  State<Dim> lend_state();
+  void go_on(Packing<Dim> packing);
   /// Goes on to the next step. @param sha256 of the file the state was saved in
   void saved(const std::string& sha256);
 
@@ -86,6 +90,7 @@ class Run {
   void pass_observer();
   double agitation_speed() const;
   PathPosition path() const;
+  State<Dim> state_of(Packing<Dim> packing) const;
   void take_packing_back();
 
   RunOptions options_;

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <chrono>
 #include <csignal>
@@ -140,7 +141,12 @@ std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& op
   return tracker;
 }
 
+/// Smallest block that goes back to the system when it is freed, where glibc would keep those up to 32 MB: lists, states and
+/// files of a large packing follow each other, and need not be held together.
+constexpr int kReturnedBlock = 1 << 22;
+
 int run_scene(const RunArguments& arguments) {
+  ::mallopt(M_MMAP_THRESHOLD, kReturnedBlock);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
   const RunOptions options = run_options(scene, arguments);
   const Existing existing = arguments.resume      ? Existing::resume

@@ -295,6 +295,7 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
     out.grains.radius[i] = grains_.radius[k];
     out.grains.mass[i] = grains_.mass[k];
   }
+  out.contacts.reserve(pairs_.size());
   for (int p = 0; p < pairs_.size(); ++p) {
     if (pairs_.padding(p)) continue;
     NeighborPair<Dim> key = pairs_.key(p);

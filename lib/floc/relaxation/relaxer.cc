@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "floc/elasticity/stability.h"
+#include "floc/neighbors/find_contacts.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/static_solver.h"
 
@@ -163,14 +164,16 @@ RelaxationStatus Relaxer<Dim>::advance() {
       options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0);
   control.rate_cap = strain_rate_cap(options_, packing_, target_);
   auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
+  packing_.contacts = {};  // dynamics has them now: a large packing is held once
   const bool finishing = progress_.stage == RelaxationProgress::finishing;
   advance_observed(*dynamics, kStretch, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
     ending_ = "diverged";
+    find_contacts(packing_);
     return RelaxationStatus::gave_up;
   }
-  packing_ = {};  // a large packing is held once
+  packing_ = {};
   packing_ = dynamics->packing();
   if (!options_.skin) progress_.skin = dynamics->skin();
   dynamics.reset();

@@ -50,7 +50,7 @@ class Relaxer {
   Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
           RelaxationProgress progress = {});
 
-  /// One stretch.
+  /// One stretch. Where the motion diverges, the packing is the one it began with, its springs at rest.
   RelaxationStatus advance();
   /// Shows the packing to somebody as it moves.
   void observe(MotionObserver<Dim> observer) { observer_ = std::move(observer); }

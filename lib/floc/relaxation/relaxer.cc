@@ -247,10 +247,11 @@ RelaxationStatus Relaxer<Dim>::judge_motion() {
   const bool still_contacts = contacts_still();
   const bool unloaded = target_.isZero(0.0);
   const bool still = (answered && still_density) || ((answered || unloaded) && still_contacts);
+  if (!still) return RelaxationStatus::running;
   const ForceScale scale = force_scale(packing_, target_);
   const double limit = (unloaded && still_contacts ? kCoastingEnergy : 1.0) * options_.tolerance.energy;
   const double energy = energy_of_connected_grains(packing_);
-  if (still && (energy < limit * scale.force * scale.length || vibrates(energy))) {
+  if (energy < limit * scale.force * scale.length || vibrates(energy)) {
     progress_.stage = RelaxationProgress::finishing;
     progress_.finishing_since_phi = progress_.solid_fraction.back();
     progress_.finishing_stretches = 0;

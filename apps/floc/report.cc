@@ -131,11 +131,22 @@ std::string provenance_section(const Run& run) {
   return "<h2>Provenance</h2>\n" + html_table(table);
 }
 
+/// The scene of a run, from the text in its states. Of one that started from a state only the run is sure to be there: its
+/// first state has the same grains.
+Scene scene_of(const Run& run) {
+  std::vector<std::string> changes;
+  if (run.first->path.step == 0 && !run.first->provenance.parent_sha256.empty())
+    changes = {fmt::format("assembly.state=\"{}\"", fs::path(run.files.front()).filename().string()),
+               fmt::format("assembly.state_sha256=\"{}\"", sha256_of_file(run.files.front())),
+               "assembly.copies=[1, 1]"};
+  return parse_scene(run.first->scene, "the scene", run.directory, changes);
+}
+
 std::string groups_section(Run& run) {
   if (run.first->scene.empty()) return "";
   Table table{{"group", "value", "meaning"}, {}};
   try {
-    for (const DerivedGroup& group : derived_groups(parse_scene(run.first->scene, "the scene", run.directory)))
+    for (const DerivedGroup& group : derived_groups(scene_of(run)))
       if (group.name != "cost") table.rows.push_back({group.name, group.value, group.meaning});
   } catch (const InputError& error) {
     run.warnings.push_back(std::string("the scene of the states is not read by this version: ") + error.what());

@@ -81,6 +81,14 @@ TEST_F(RunFromAState, DiffersBySeedOnlyWhereItIsAgitated) {
   EXPECT_NE(row("info seeds/seed-1/state-0000.h5").at("phi"), row("info seeds/seed-2/state-0000.h5").at("phi"));
 }
 
+TEST_F(RunFromAState, IsReportedWithoutTheStateItBeganWith) {
+  ASSERT_EQ(floc("run tiled.toml -o elsewhere/told --until 0").code, 0);
+  const Outcome report = floc("report elsewhere/told -o told.html");
+  EXPECT_EQ(report.code, 0);
+  EXPECT_THAT(report.err, ::testing::Not(HasSubstr("the scene of the states")));
+  EXPECT_THAT(content_of(file("told.html")), AllOf(HasSubstr("Dimensionless groups"), HasSubstr("160")));
+}
+
 TEST_F(RunFromAState, SaysWhichKeyNamesAFileThatIsNoState) {
   const Outcome refused = floc("run tiled.toml -o none --set assembly.state=tiled.toml");
   EXPECT_EQ(refused.code, 4);

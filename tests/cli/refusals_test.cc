@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "floc/io/state_file.h"
 #include "support/run_program.h"
 
 /// What the program refuses, and the words in which it does: where (file, line, array, option), what, and what was expected.
@@ -376,6 +377,18 @@ TEST(RefusedRun, FindsWhatIsNotItsOwn) {
   write_text(scratch.file("d/path.csv"), "step,colour\n");
   EXPECT_THAT(refusal(""),
               HasSubstr("d/path.csv:1: columns are not those of this version of floc: step,colour"));
+}
+
+TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
+  const ScratchDirectory scratch;
+  const std::string run = "run " + std::string(FLOC_SOURCE_DIR) +
+                          "/data/scenes/type1_rolling_small.toml --set grains.count=40 -o d --resume --until ";
+  ASSERT_EQ(run_floc(run + "0", scratch.path()).code, 0);
+  const auto state = std::get<State<2>>(read_state(scratch.file("d/state-0000.h5")));
+  write_state(scratch.file("d/checkpoint/checkpoint.h5"), state, R"({"colour": 1})");
+  const Outcome o = run_floc(run + "1", scratch.path());
+  EXPECT_EQ(o.code, 4) << o.err;
+  EXPECT_THAT(o.err, HasSubstr("d/checkpoint/checkpoint.h5: is no checkpoint of this version: "));
 }
 
 /// Samples that begin with a saved state at rest are all the same, and a study makes its own.

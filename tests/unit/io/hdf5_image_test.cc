@@ -27,5 +27,13 @@ TEST(Hdf5Reader, TakesNoMemoryForWhatIsLongerThanItsFile) {
   EXPECT_EQ(values.capacity(), 0u);
 }
 
+TEST(Hdf5Reader, RefusesNumbersWhereATextIsExpected) {
+  Hdf5Writer writer;
+  writer.array("scene", {1}, std::vector<double>{1.0});
+  const Hdf5Reader reader("s.h5", writer.bytes());
+  EXPECT_THAT([&] { (void)reader.text("scene"); },
+              ThrowsMessage<InputError>(HasSubstr("s.h5:/scene: is not a text")));
+}
+
 }  // namespace
 }  // namespace floc

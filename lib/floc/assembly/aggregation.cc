@@ -2,14 +2,19 @@
 
 #include <algorithm>
 
+#include "floc/assembly/cluster_flight.h"
 #include "floc/base/disjoint_sets.h"
 #include "floc/relaxation/dynamics.h"
+#include "floc/relaxation/relaxer.h"
 
 namespace floc {
 namespace {
 
 /// Steps in which the fastest grain crosses the tail of one at rest, at least (`v dt << D0`).
 constexpr double kStepsAcrossTail = 3.0;
+/// Beyond the range of the law, how near clusters come in flight before they are moved step by step again, in largest
+/// diameters.
+constexpr double kBerth = 1e-3;
 
 /// The step of the options, shortened where the fastest grain would jump over the tail of the adhesion.
 template <int Dim>
@@ -40,11 +45,12 @@ Aggregation<Dim>::Aggregation(const RelaxationOptions& options, Packing<Dim> pac
 
 template <int Dim>
 bool Aggregation<Dim>::advance() {
+  flight_time_ = fly();
   time_step_ = step_across_tail(options_, packing_);
   CellControl<Dim> control;
   control.fixed = true;
   const auto dynamics = make_dynamics(packing_, control, {time_step_, skin_, options_.threads});
-  advance_observed(*dynamics, kStretch, Motion::free, observer_, 0.0, time_step_);
+  advance_observed(*dynamics, kStretch, Motion::free, observer_, flight_time_, time_step_);
   packing_ = {};
   packing_ = dynamics->packing();
   if (!options_.skin) skin_ = dynamics->skin();
@@ -52,9 +58,23 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
+/// Skips the time in which clusters at rest within themselves only drift towards each other, which may be most of it.
+/// @return time skipped
+template <int Dim>
+double Aggregation<Dim>::fly() {
+  if (n_clusters_ == 1) return 0.0;
+  const ClusterFlight flight(packing_);
+  const Vec<Dim> no_load = Vec<Dim>::Zero();
+  const ForceScale scale = force_scale(packing_, no_load);
+  const double still = kCoastingEnergy * options_.tolerance.energy * scale.force * scale.length;
+  if (flight.inner_energy() >= still) return 0.0;
+  return flight.fly(packing_, packing_.law.range() + kBerth * scale.length,
+                    options_.max_time * inertial_time(packing_, no_load));
+}
+
 template <int Dim>
 double Aggregation<Dim>::stretch_time() const {
-  return kStretch * time_step_;
+  return flight_time_ + kStretch * time_step_;
 }
 
 template int count_clusters(const Packing<2>&);

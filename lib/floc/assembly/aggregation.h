@@ -21,7 +21,8 @@ class Aggregation {
   /// @param skin  first guess (length), 0 for none
   Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin);
 
-  /// One stretch. @return true when all grains form one cluster
+  /// One stretch, after a flight (ClusterFlight) where clusters do nothing but drift. @return true when all grains form one
+  /// cluster
   bool advance();
   /// Shows the packing to somebody as it moves.
   void observe(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
@@ -34,9 +35,12 @@ class Aggregation {
   double stretch_time() const;
 
  private:
+  double fly();
+
   RelaxationOptions options_;
   Packing<Dim> packing_;
-  double time_step_ = 0.0;  ///< of the last stretch
+  double time_step_ = 0.0;    ///< of the last stretch
+  double flight_time_ = 0.0;  ///< of the last stretch
   double skin_;
   int n_clusters_;
   MotionObserver<Dim> observer_;

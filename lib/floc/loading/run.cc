@@ -84,8 +84,8 @@ void Run<Dim>::take_packing_back() {
 template <int Dim>
 void Run<Dim>::start_step() {
   if (point_.aggregating) {
-    aggregation_ = std::make_unique<Aggregation<Dim>>(options_.relaxation, std::move(packing_),
-                                                      point_.aggregation_skin);
+    aggregation_ =
+        std::make_unique<Aggregation<Dim>>(options_.relaxation, std::move(packing_), point_.aggregation_skin);
     pass_observer();
     return;
   }

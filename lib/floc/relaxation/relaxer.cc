@@ -20,10 +20,6 @@ namespace {
 constexpr double kStillPhi = 2e-5;
 constexpr double kStillWindow = 5.0;
 constexpr double kStillContactsWindow = 20.0;
-/// Without load a packing with soft modes coasts at an energy that nothing dissipates while hardly a contact closes or
-/// opens (seen: 70 times the tolerance over 400 time units, 6 of 2200 contacts gained): this many tolerances are then
-/// still enough.
-constexpr double kCoastingEnergy = 100.0;
 /// Springs that never yield vibrate for ever. Grains that have covered so many largest diameters at their r.m.s. speed, and
 /// so many windows of still contacts, without one contact opening or closing go to and fro, and their energy does not
 /// matter. What coasts meets another grain before: the furthest that five shipped scenes of 200 and 400 grains came above

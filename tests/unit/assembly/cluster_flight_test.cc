@@ -1,0 +1,96 @@
+#include "floc/assembly/cluster_flight.h"
+
+#include <gtest/gtest.h>
+
+#include "floc/neighbors/find_contacts.h"
+#include "floc/packing/contact_forces.h"
+#include "floc/relaxation/relaxation_options.h"
+#include "support/dynamics.h"
+
+namespace floc {
+namespace {
+
+constexpr double kOverlap = 1e-5;  ///< of a cohesive pair at rest, F0/K_N
+
+/// Equal disks of unit diameter at given places of a square cell of side 10, in contact where they touch.
+Packing<2> disks_at(const std::vector<Vec<2>>& places) {
+  Packing<2> packing;
+  packing.law = test::cohesive_law();
+  packing.cell.matrix *= 10.0;
+  packing.grains = Grains<2>::with_size(static_cast<int>(places.size()));
+  packing.grains.position = places;
+  packing.grains.radius.assign(places.size(), 0.5);
+  packing.grains.mass.assign(places.size(), 1.0);
+  find_contacts(packing);
+  return packing;
+}
+
+/// Two disks that stick together across the boundary of the cell, drift and turn about their common centre, and a third
+/// one far away.
+Packing<2> drifting_pair() {
+  Packing<2> packing = disks_at({Vec<2>(9.8, 2.0), Vec<2>(0.8 - kOverlap, 2.0), Vec<2>(5.0, 7.0)});
+  const double spin = 0.01, arm = 0.5 * (1.0 - kOverlap);
+  packing.grains.velocity = {Vec<2>(0.02, 0.03 - spin * arm), Vec<2>(0.02, 0.03 + spin * arm),
+                             Vec<2>(0.01, 0.0)};
+  packing.grains.angular_velocity[0][0] = packing.grains.angular_velocity[1][0] = spin;
+  return packing;
+}
+
+TEST(ClusterFlight, MovesAClusterAsItsDynamicsDo) {
+  const Packing<2> start = drifting_pair();
+  ASSERT_EQ(start.contacts.size(), 1u);
+  Packing<2> flown = start;
+  const ClusterFlight flight(flown);
+  EXPECT_LT(flight.inner_energy(), 1e-20);
+  EXPECT_EQ(flight.fly(flown, 0.01, 20.0), 20.0);
+
+  const double dt = time_step_of(start, RelaxationOptions{}.time_step);
+  CellControl<2> fixed;
+  fixed.fixed = true;
+  const auto dynamics = make_dynamics(start, fixed, {dt, 0.1});
+  dynamics->advance(static_cast<int>(20.0 / dt), Motion::free);
+  const Packing<2> moved = dynamics->packing();
+  for (int i = 0; i < 3; ++i) {
+    // Less than a step of drift apart; the spin stretches the contact by 5e-10.
+    EXPECT_LT((flown.cell.wrapped(flown.grains.position[i]) - moved.grains.position[i]).norm(), 0.05 * dt);
+    EXPECT_LT((flown.grains.velocity[i] - moved.grains.velocity[i]).norm(), 1e-6);
+    EXPECT_NEAR(flown.grains.orientation[i], moved.grains.orientation[i], 0.02 * dt);
+  }
+  refresh_contacts(flown);
+  ASSERT_EQ(flown.contacts.size(), 1u);
+  EXPECT_NEAR(flown.contacts[0].gap, -kOverlap, 1e-13);
+}
+
+TEST(ClusterFlight, EndsWhereClustersAreNear) {
+  Packing<2> packing = disks_at({Vec<2>(1.0, 1.0), Vec<2>(5.0, 1.0), Vec<2>(1.0, 6.0)});
+  packing.grains.velocity = {Vec<2>(0.03, 0.0), Vec<2>(-0.02, 0.0), Vec<2>(0.0, 0.0)};
+  EXPECT_NEAR(ClusterFlight(packing).fly(packing, 0.01, 1e6), (3.0 - 0.01) / 0.05, 1e-9);
+  EXPECT_NEAR((packing.grains.position[1] - packing.grains.position[0]).norm() - 1.0, 0.01, 1e-9);
+}
+
+TEST(ClusterFlight, EndsAfterTheLongestTimeWhereNothingMeets) {
+  Packing<2> packing = disks_at({Vec<2>(1.0, 1.0), Vec<2>(5.0, 4.0)});
+  EXPECT_EQ(ClusterFlight(packing).fly(packing, 0.01, 1e4), 1e4);
+  packing.grains.velocity = {Vec<2>(0.1, 0.0), Vec<2>(-0.1, 0.0)};  // they pass each other, again and again
+  EXPECT_EQ(ClusterFlight(packing).fly(packing, 0.01, 400.0), 400.0);
+  EXPECT_NEAR(packing.grains.position[0][0], 41.0, 1e-9);
+}
+
+/// A chain around the cell cannot turn: that its grains move up on one side and down on the other is motion inside.
+TEST(ClusterFlight, DoesNotTurnWhatWindsAroundTheCell) {
+  std::vector<Vec<2>> places;
+  for (int k = 0; k < 10; ++k) places.emplace_back(k + 0.5, 2.0);
+  Packing<2> packing = disks_at(places);
+  packing.grains.radius.assign(10, 0.5 + 0.5 * kOverlap);
+  find_contacts(packing);
+  ASSERT_EQ(packing.contacts.size(), 10u);
+  for (int k = 0; k < 10; ++k) packing.grains.velocity[k] = Vec<2>(0.3, k < 5 ? 1e-3 : -1e-3);
+  const ClusterFlight flight(packing);
+  EXPECT_NEAR(flight.inner_energy(), 0.5e-6, 1e-12);
+  flight.fly(packing, 0.01, 2.0);
+  for (int k = 0; k < 10; ++k)
+    EXPECT_LT((packing.grains.position[k] - (places[k] + Vec<2>(0.6, 0.0))).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace floc

@@ -24,7 +24,7 @@ constexpr HeldOut kHeldOut[] = {{"demo", 501},
                                 {"type2_rolling_large", 503},
                                 {"type1_rolling_small", 504},
                                 {"type1_no_rolling", 505}};
-constexpr int kSamples = 2;
+constexpr int kSamples = 4;
 
 /// A promise, as asked for in a scene, and what it says of each observable.
 struct Promise {
@@ -65,7 +65,7 @@ void count_means(const std::vector<SamplePath>& references, const std::vector<Sa
   for (const auto& [k, error_promised] : promise.of_observables) {
     const MeanDifference& mean = errors[static_cast<std::size_t>(k)].mean;
     if (mean.n < kSamples) continue;
-    constexpr double kStudent = 12.7;  // two samples, 95 %
+    constexpr double kStudent = 3.18;  // four samples, 95 %
     ++promise.n_means;
     promise.means_kept += std::abs(mean.difference) <= error_promised + kStudent * mean.standard_error;
   }

@@ -57,7 +57,7 @@ class Dynamics {
   /// @pre finite()
   virtual Packing<Dim> packing() const = 0;
 
-  /// Present skin (length), a good first guess for the next stretch.
+  /// A good first guess of the skin for the next stretch (length).
   virtual double skin() const = 0;
 };
 

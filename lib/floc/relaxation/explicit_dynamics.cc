@@ -156,22 +156,38 @@ double ExplicitDynamics<Dim>::list_cost_share() const {
   return kListCost / steps_since_list_;
 }
 
-/// The list carries too many idle pairs, or something outside it might interact: nothing can while the affine shrinking
-/// and twice the largest displacement relative to it eat less than the skin.
+/// What motion has taken of the skin since the list was built: the affine shrinking, and twice the largest displacement
+/// relative to it.
 template <int Dim>
-bool ExplicitDynamics<Dim>::list_is_stale() const {
-  if (list_cost_share() < 0.5 * idle_share_ && skin_ > kThinnestSkin * largest_) return true;
+double ExplicitDynamics<Dim>::eaten_skin() const {
   double squared = 0.0;
   for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.displacement_squared);
   const double shrink = std::max(0.0, 1.0 - list_stretch_.minCoeff());
-  return 2.0 * std::sqrt(squared) + shrink * (largest_ + range_ + skin_) >= skin_;
+  return 2.0 * std::sqrt(squared) + shrink * (largest_ + range_ + skin_);
+}
+
+/// The list carries too many idle pairs, or something outside it might interact.
+template <int Dim>
+bool ExplicitDynamics<Dim>::list_is_stale() const {
+  if (list_cost_share() < 0.5 * idle_share_ && skin_ > kThinnestSkin * largest_) return true;
+  return eaten_skin() >= skin_;
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::adapt_skin() {
   if (pairs_.size() == 0 || steps_since_list_ == 0) return;
-  if (list_cost_share() > idle_share_) skin_ = std::min(1.25 * skin_, 0.5 * largest_);
-  if (list_cost_share() < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, kThinnestSkin * largest_);
+  on_first_list_ = false;
+  const double cost = list_cost_share();
+  if (cost > idle_share_) skin_ = std::min((cost > 4.0 * idle_share_ ? 2.0 : 1.25) * skin_, 0.5 * largest_);
+  if (cost < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, kThinnestSkin * largest_);
+}
+
+/// The next stretch begins with a new list in any case: where one list has served for all of this one, twice what motion took
+/// of its skin is enough.
+template <int Dim>
+double ExplicitDynamics<Dim>::skin() const {
+  if (!on_first_list_ || steps_since_list_ == 0) return skin_;
+  return std::min(skin_, std::max(2.0 * eaten_skin(), kThinnestSkin * largest_));
 }
 
 /// Share of a step that goes into pairs out of each other's range: a grain costs about as much as a pair.

@@ -21,7 +21,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void advance(int n_steps, Motion motion) override;
   bool finite() const override;
   Packing<Dim> packing() const override;
-  double skin() const override { return skin_; }
+  double skin() const override;
 
  private:
   int n_blocks() const { return (grains_.size() + kGrainBlock - 1) / kGrainBlock; }
@@ -37,6 +37,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void end_step(Motion motion);
   void refresh_forces();
   double list_cost_share() const;
+  double eaten_skin() const;
   bool list_is_stale() const;
   double share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const;
   void rebuild_list();
@@ -67,6 +68,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Vec<Dim> side_list_;
   Vec<Dim> list_stretch_;  ///< L / L when the list was built
   int steps_since_list_ = 0;
+  bool on_first_list_ = true;
   double idle_share_ = 0.0;  ///< of a step, when the list was built
 };
 

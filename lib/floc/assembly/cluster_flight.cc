@@ -15,6 +15,12 @@ constexpr double kLookout = 0.1;
 /// Bounds from below on the time to the next meeting that are flown one after another.
 constexpr int kMostLegs = 1000;
 
+/// A grain that another touches, in the image in which it does.
+struct Neighbor {
+  int grain;
+  Vec<2, int> image;
+};
+
 }  // namespace
 
 ClusterFlight::ClusterFlight(const Packing<2>& packing) {
@@ -25,10 +31,10 @@ ClusterFlight::ClusterFlight(const Packing<2>& packing) {
 /// Walks through each cluster along its contacts, from its first grain.
 void ClusterFlight::unwrap(const Packing<2>& packing) {
   const int n = packing.grains.size();
-  std::vector<std::vector<int>> contacts_of(n);
-  for (int c = 0; c < static_cast<int>(packing.contacts.size()); ++c) {
-    contacts_of[packing.contacts[c].i].push_back(c);
-    contacts_of[packing.contacts[c].j].push_back(c);
+  std::vector<std::vector<Neighbor>> neighbors(n);
+  for (const Contact<2>& c : packing.contacts) {
+    neighbors[c.i].push_back({c.j, c.image});
+    neighbors[c.j].push_back({c.i, -c.image});
   }
   cluster_of_.assign(n, -1);
   place_.resize(n);
@@ -42,19 +48,15 @@ void ClusterFlight::unwrap(const Packing<2>& packing) {
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const int i = reached[next];
       place_[i] = packing.grains.position[i] + packing.cell.shift(image[i]);
-      for (const int c : contacts_of[i]) {
-        const Contact<2>& contact = packing.contacts[c];
-        for (const bool forward : {true, false}) {
-          if ((forward ? contact.i : contact.j) != i) continue;
-          const int j = forward ? contact.j : contact.i;
-          const Vec<2, int> there = image[i] + (forward ? 1 : -1) * contact.image;
-          if (cluster_of_[j] >= 0) {
-            cluster.winds = cluster.winds || there != image[j];
-            continue;
-          }
+      for (const Neighbor& neighbor : neighbors[i]) {
+        const int j = neighbor.grain;
+        const Vec<2, int> there = image[i] + neighbor.image;
+        if (cluster_of_[j] < 0) {
           cluster_of_[j] = k;
           image[j] = there;
           reached.push_back(j);
+        } else if (image[j] != there) {
+          cluster.winds = true;
         }
       }
     }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "floc/base/disjoint_sets.h"
 #include "floc/neighbors/pairs.h"
 
 namespace floc {

@@ -41,17 +41,27 @@ bool calm(const ObservedState& from, const ObservedState& to) {
   return change <= kStill + (modulus > 0.0 ? kElastic * step / modulus : 0.0);
 }
 
-/// Mean over the states of a path for which `counts(k)`.
+/// Mean of finite values over the k below n for which `counts(k)`.
 double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
                  const std::function<double(std::size_t)>& value) {
   double sum = 0.0;
   int used = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    if (!counts(k) || !std::isfinite(value(k))) continue;
-    sum += value(k);
+    if (!counts(k)) continue;
+    const double at = value(k);
+    if (!std::isfinite(at)) continue;
+    sum += at;
     ++used;
   }
   return sum / used;  // not a number where there is none
+}
+
+/// Mean over the states that count of how far a path is off.
+double mean_difference(int k, const SamplePath& reference, const SamplePath& path,
+                       const std::function<bool(std::size_t)>& counts) {
+  return mean_over(path.states.size(), counts, [&](std::size_t i) {
+    return relative_difference(k, path.states[i].seen, reference.states[i].seen);
+  });
 }
 
 void add_fitted(const std::vector<const SamplePath*>& references, const std::vector<const SamplePath*>& paths,
@@ -105,21 +115,19 @@ ObservableErrors compare(const std::vector<const SamplePath*>& references,
                          const std::vector<const SamplePath*>& paths,
                          const std::optional<PressureWindow>& window) {
   ObservableErrors out;
+  std::vector<std::vector<bool>> together;
+  for (std::size_t s = 0; s < paths.size(); ++s) together.push_back(before_collapse(*references[s], *paths[s]));
   for (int k = 0; k < kObservables; ++k) {
     std::vector<double> before, after, means;
     for (std::size_t s = 0; s < paths.size(); ++s) {
       const SamplePath &reference = *references[s], &path = *paths[s];
-      const std::vector<bool> same = before_collapse(reference, path);
+      const std::vector<bool>& same = together[s];
       for (std::size_t i = 0; i < path.states.size(); ++i) {
         const ObservedState& state = path.states[i];
         const Observation& truth = same[i] ? reference.states[i].seen : state.settled;
         (same[i] ? before : after).push_back(std::abs(relative_difference(k, state.seen, truth)));
       }
-      means.push_back(mean_over(
-          path.states.size(), [&](std::size_t i) { return !same[i]; },
-          [&](std::size_t i) {
-            return relative_difference(k, path.states[i].seen, reference.states[i].seen);
-          }));
+      means.push_back(mean_difference(k, reference, path, [&](std::size_t i) { return !same[i]; }));
     }
     out[static_cast<std::size_t>(k)] = {spread_of(before), spread_of(after), mean_of(means)};
   }
@@ -134,11 +142,7 @@ ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
   for (int k = 0; k < kObservables; ++k) {
     std::vector<double> means;
     for (std::size_t s = 0; s < paths.size(); ++s)
-      means.push_back(mean_over(
-          paths[s]->states.size(), [](std::size_t) { return true; },
-          [&](std::size_t i) {
-            return relative_difference(k, paths[s]->states[i].seen, references[s]->states[i].seen);
-          }));
+      means.push_back(mean_difference(k, *references[s], *paths[s], [](std::size_t) { return true; }));
     out[static_cast<std::size_t>(k)].mean = mean_of(means);
   }
   add_fitted(references, paths, window, out);

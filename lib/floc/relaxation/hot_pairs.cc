@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <variant>
+
+#include "floc/base/error.h"
 
 namespace floc {
 namespace {
@@ -14,6 +18,14 @@ constexpr std::int64_t kManyRows = std::int64_t{1} << 26;
 
 }  // namespace
 
+int row_place(std::int64_t pair, int row_size) {
+  const std::int64_t most = std::numeric_limits<int>::max() / row_size;
+  if (pair > most)
+    throw InputError("packing", "has more than " + std::to_string(most) +
+                                    " pairs of neighbours, which is all that a computation of forces can hold");
+  return static_cast<int>(pair * row_size);
+}
+
 template <int Dim>
 HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::vector<double>& radius,
                         const std::vector<double>& mass, const AnyContactLaw& any_law, double time_step) {
@@ -22,7 +34,10 @@ HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::
   end_of_i_.assign(n_grains, 0);
   std::visit(
       [&]<class Law>(const Law& law) {
-        row_bytes_ = static_cast<int>(sizeof(double)) * row_size(Law::kHasFriction);
+        row_size_ = row_size(Law::kHasFriction);
+        // However many pairs of padding there will be: less than a pack for each grain and block.
+        row_place(static_cast<std::int64_t>(pairs.size()) + std::int64_t{2 * kPairPadding} * (n_grains + 1),
+                  row_size_);
         std::size_t next = 0;
         for (int i = 0; i < n_grains; ++i) {
           if (i % kGrainBlock == 0) pad_block();
@@ -40,7 +55,7 @@ HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::
         if constexpr (Law::kHasDamping) viscous.assign(size(), 0.0);
         if constexpr (Law::kHasFriction) shear.assign(size(), 0.0);
         if constexpr (Law::kHasRolling) roll.assign(size(), 0.0);
-        row_.assign(static_cast<std::size_t>(row_size(Law::kHasFriction)) * (size() + 1), 0.0);
+        row_.assign(static_cast<std::size_t>(row_size_) * (size() + 1), 0.0);
       },
       any_law);
   plan_sums(n_grains);
@@ -132,7 +147,7 @@ typename HotPairs<Dim>::RowsOfGrains HotPairs<Dim>::rows_of(const std::vector<in
   rows.row.resize(rows.first.back());
   std::vector<int> next(rows.first.begin(), rows.first.end() - 1);
   for (int p = 0; p < size(); ++p)
-    if (!padding(p)) rows.row[next[grain_of_pair[p]]++] = row_bytes_ * p;
+    if (!padding(p)) rows.row[next[grain_of_pair[p]]++] = row_place(p, row_size_);
   return rows;
 }
 
@@ -170,7 +185,7 @@ void HotPairs<Dim>::plan_block(int block, const RowsOfGrains& as_i, const RowsOf
   std::sort(std::begin(falling), std::end(falling));
   for (int k = 0; k < kGrainBlock; ++k)
     plan.grain[k] = static_cast<int>((falling[k] % kGrainBlock + kGrainBlock) % kGrainBlock);
-  const int zero_row = row_bytes_ * size();
+  const int zero_row = row_place(size(), row_size_);
   const auto list = [&](const int* grain, const RowsOfGrains& rows) {
     int depth = 0;
     for (int l = 0; l < kSumGroup; ++l) depth = std::max(depth, rows.count(begin + grain[l]));

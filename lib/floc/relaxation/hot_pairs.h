@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "floc/contact/law_table.h"
@@ -17,6 +18,11 @@ inline double lagging_damping(double coefficient, double mass_i, double mass_j, 
   const double effective_mass = mass_i * mass_j / (mass_i + mass_j);
   return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }
+
+/// Where the row of a pair begins among the rows of all (in doubles).
+/// @param row_size  doubles of a row
+/// @throws InputError if it is beyond what the plans of the sums can name, at 537 million pairs with friction
+int row_place(std::int64_t pair, int row_size);
 
 /// The order of pairs in a list: by i, then j, then image.
 template <int Dim>
@@ -79,7 +85,7 @@ class HotPairs {
   void plan_block(int block, const RowsOfGrains& as_i, const RowsOfGrains& as_j);
   void plan_crossings();
 
-  int row_bytes_ = 0;
+  int row_size_ = 0;  ///< doubles
   std::vector<int> i_, j_;
   std::array<Component, Dim> image_;
   Component radii_, share_i_, damping_, row_;

@@ -49,7 +49,8 @@ struct PairArrays {
   double* row;           ///< one more than there are pairs: the last stays zero
 };
 
-/// Where the rows begin that a group of grains sums: depth x kSumGroup of them (in bytes), in ascending order of the pairs.
+/// Where the rows begin that a group of grains sums: depth x kSumGroup places in PairArrays::row, in ascending order of
+/// the pairs.
 struct RowList {
   int depth;
   const int* row;

@@ -63,7 +63,7 @@ struct GrainKernels {
       double virial = 0.0;
       for (int c = 0; c < plan.n_crossing; ++c) {
         const int p = plan.crossing[c];
-        virial += pairs.row[kRow * p + a] * (pairs.image[a][p] * cell.side[a]);
+        virial += pairs.row[static_cast<std::ptrdiff_t>(kRow) * p + a] * (pairs.image[a][p] * cell.side[a]);
       }
       sums.virial[a] = virial + block_sum(force, x, nullptr);
       accelerate(v, force, grains.inverse_mass + begin, kick, a);
@@ -110,12 +110,11 @@ struct GrainKernels {
   }
 
   static void add_rows(const PairArrays<Dim>& pairs, const RowList& list, Row (&sum)[kSumGroup]) {
-    const char* const rows = reinterpret_cast<const char*>(pairs.row);
     const int* const end = list.row + list.depth * kSumGroup;
     for (const int* row = list.row; row != end; row += kSumGroup) {
       for (int l = 0; l < kSumGroup; ++l) {
         Row next;
-        __builtin_memcpy(&next, rows + row[l], sizeof(Row));
+        __builtin_memcpy(&next, pairs.row + row[l], sizeof(Row));
         sum[l] += next;
       }
     }

@@ -55,20 +55,20 @@ int run_chain(const ChainCommand& c) {
 
 }  // namespace
 
-Command add_chain(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
+Command add_chain(CommandLine program) {
+  CommandLine app = program.add_subcommand(
       "chain",
       "Compliances of a chain of equal disks: closed forms beside the solved network, with its error bound");
   const auto command = std::make_shared<ChainCommand>();
-  app->add_option("--n", command->n, "number of disks")->required();
-  app->add_option("--R", command->R, "radius of the disks")->required();
-  app->add_option("--kn", command->k.normal, "K_N (force/length)")->required();
-  app->add_option("--kt", command->k.tangential, "K_T (force/length)")->required();
-  app->add_option("--kr", command->k.rolling, "K_R (force * length)")->required();
-  app->add_option("--bend", command->bend,
-                  "degrees by which each branch is turned against the one before: the solved network alone")
-      ->capture_default_str();
-  add_format_option(*app, command->format);
+  app.add_option("--n", command->n, "number of disks").required();
+  app.add_option("--R", command->R, "radius of the disks").required();
+  app.add_option("--kn", command->k.normal, "K_N (force/length)").required();
+  app.add_option("--kt", command->k.tangential, "K_T (force/length)").required();
+  app.add_option("--kr", command->k.rolling, "K_R (force * length)").required();
+  app.add_option("--bend", command->bend,
+                 "degrees by which each branch is turned against the one before: the solved network alone")
+      .show_default();
+  add_format_option(app, command->format);
   return {app, [command] { return run_chain(*command); }};
 }
 

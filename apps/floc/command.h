@@ -1,7 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+
+#include "command_line.h"
 
 namespace floc {
 
@@ -18,25 +19,25 @@ enum ExitCode {
 
 /// A subcommand: its command line, and what it does once that is parsed.
 struct Command {
-  CLI::App* app;
+  CommandLine app;
   std::function<int()> run;  ///< returns the exit code; may throw InputError and IoError
 };
 
-Command add_info(CLI::App& program);
-Command add_verify(CLI::App& program);
-Command add_convert(CLI::App& program);
-Command add_moduli(CLI::App& program);
-Command add_modes(CLI::App& program);
-Command add_network(CLI::App& program);
-Command add_structure(CLI::App& program);
-Command add_compare(CLI::App& program);
-Command add_run(CLI::App& program);
-Command add_scene(CLI::App& program);
-Command add_fit(CLI::App& program);
-Command add_chain(CLI::App& program);
-Command add_draw(CLI::App& program);
-Command add_plot(CLI::App& program);
-Command add_report(CLI::App& program);
-Command add_tradeoff(CLI::App& program);
+Command add_info(CommandLine program);
+Command add_verify(CommandLine program);
+Command add_convert(CommandLine program);
+Command add_moduli(CommandLine program);
+Command add_modes(CommandLine program);
+Command add_network(CommandLine program);
+Command add_structure(CommandLine program);
+Command add_compare(CommandLine program);
+Command add_run(CommandLine program);
+Command add_scene(CommandLine program);
+Command add_fit(CommandLine program);
+Command add_chain(CommandLine program);
+Command add_draw(CommandLine program);
+Command add_plot(CommandLine program);
+Command add_report(CommandLine program);
+Command add_tradeoff(CommandLine program);
 
 }  // namespace floc

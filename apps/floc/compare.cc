@@ -173,24 +173,24 @@ int run_compare(const CompareCommand& command) {
 
 }  // namespace
 
-Command add_compare(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
+Command add_compare(CommandLine program) {
+  CommandLine app = program.add_subcommand(
       "compare", "What happened between states of the same grains: contacts kept, lost, gained; displacements");
   const auto command = std::make_shared<CompareCommand>();
-  app->add_option("STATE", command->files, "two state files or more, each compared with the one before it")
-      ->required()
-      ->expected(2, -1);
-  app->add_flag("--against-first", command->against_first, "compare each with the first instead");
-  app->add_option("--rigid-tolerance", command->rigid_tolerance,
-                  "a contact in which nothing moved: its two points are within this, in largest diameters, and "
-                  "the grains "
-                  "turned alike to within this, in radians")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app->add_option("--displacements", command->displacements,
-                  "file for a row a grain: place before, displacement without its affine part, rigid cluster");
-  app->add_option("--contacts", command->contacts, "file for a row a contact: kept, lost or gained");
-  add_format_option(*app, command->format);
+  app.add_option("STATE", command->files, "two state files or more, each compared with the one before it")
+      .required()
+      .expected(2, -1);
+  app.add_flag("--against-first", command->against_first, "compare each with the first instead");
+  app.add_option("--rigid-tolerance", command->rigid_tolerance,
+                 "a contact in which nothing moved: its two points are within this, in largest diameters, and "
+                 "the grains "
+                 "turned alike to within this, in radians")
+      .positive()
+      .show_default();
+  app.add_option("--displacements", command->displacements,
+                 "file for a row a grain: place before, displacement without its affine part, rigid cluster");
+  app.add_option("--contacts", command->contacts, "file for a row a contact: kept, lost or gained");
+  add_format_option(app, command->format);
   return {app, [command] { return run_compare(*command); }};
 }
 

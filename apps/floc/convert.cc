@@ -177,7 +177,7 @@ std::string keywords(const std::vector<Format>& formats) {
   return words;
 }
 
-void add_reading_options(CLI::App& app, ConvertArguments& arguments) {
+void add_reading_options(CommandLine app, ConvertArguments& arguments) {
   app.add_option("--from", arguments.from,
                  "format of IN: " + keywords(import_formats()) + " [by name and content]");
   app.add_option("--law", arguments.law,
@@ -197,31 +197,31 @@ void add_reading_options(CLI::App& app, ConvertArguments& arguments) {
          "--tolerance", arguments.tolerance,
          "how far from equilibrium IN may be: net force / F1, net moment / (F1 a), stress / (F1/a^(d-1)) "
          "[1e-3; jambashbulk: 1e-5]")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--units", arguments.units, "reduced or SI")->check(CLI::IsMember({"reduced", "SI"}));
+      .positive();
+  app.add_option("--units", arguments.units, "reduced or SI").one_of({"reduced", "SI"});
   app.add_option("--dimension", arguments.dimension, "2 or 3 [2 if every z is the same]")
-      ->check(CLI::IsMember({2, 3}));
+      .one_of_integers({2, 3});
   app.add_option(
          "--index", arguments.index,
          "which packing or frame of a file that holds several, from 0 [jambashbulk: the first, else the last]")
-      ->check(CLI::NonNegativeNumber);
+      .non_negative();
 }
 
 }  // namespace
 
-Command add_convert(CLI::App& program) {
-  CLI::App* app =
+Command add_convert(CommandLine program) {
+  CommandLine app =
       program.add_subcommand("convert", "make a state file of a packing of another program, or the reverse");
   const auto arguments = std::make_shared<ConvertArguments>();
-  app->add_option(
+  app.add_option(
          "IN... OUT", arguments->files,
          "files to read, - for stdin, and the file to write; several are written into the directory OUT")
-      ->required()
-      ->expected(2, -1);
-  app->add_option("--to", arguments->to,
-                  "format of OUT: " + keywords(export_formats()) + " [by its extension; state in a directory]");
-  add_reading_options(*app, *arguments);
-  app->add_flag("--overwrite", arguments->overwrite, "replace what exists");
+      .required()
+      .expected(2, -1);
+  app.add_option("--to", arguments->to,
+                 "format of OUT: " + keywords(export_formats()) + " [by its extension; state in a directory]");
+  add_reading_options(app, *arguments);
+  app.add_flag("--overwrite", arguments->overwrite, "replace what exists");
   return {app, [arguments] { return run_convert(*arguments); }};
 }
 

@@ -158,50 +158,49 @@ int draw(DrawArguments arguments) {
 
 }  // namespace
 
-Command add_draw(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("draw", "pictures of packings and their forces: svg, pdf or png");
+Command add_draw(CommandLine program) {
+  CommandLine app = program.add_subcommand("draw", "pictures of packings and their forces: svg, pdf or png");
   const auto arguments = std::make_shared<DrawArguments>();
-  app->add_option(
+  app.add_option(
          "STATE", arguments->inputs,
          "state files, - for one on stdin, or directories of floc run (see --steps); several make a strip")
-      ->required();
-  app->add_option("-o,--output", arguments->output,
-                  "F.svg, F.pdf or F.png; a directory: a picture each; -: stdout, and no table")
-      ->required();
-  CLI::Option* forces =
-      app->add_option("--forces", arguments->forces,
-                      "equilibrium; increment: what a small step of stress adds, the contacts that hold 95 % "
-                      "of its energy "
-                      "in colour; particle-pressure: colour of the grains; or none [equilibrium]")
-          ->check(CLI::IsMember({"equilibrium", "increment", "particle-pressure", "none"}));
-  app->add_option("--step", arguments->step, "of --forces increment: isotropic or deviatoric [isotropic]")
-      ->check(CLI::IsMember({"isotropic", "deviatoric"}));
-  app->add_option(
+      .required();
+  app.add_option("-o,--output", arguments->output,
+                 "F.svg, F.pdf or F.png; a directory: a picture each; -: stdout, and no table")
+      .required();
+  const Option forces =
+      app.add_option("--forces", arguments->forces,
+                     "equilibrium; increment: what a small step of stress adds, the contacts that hold 95 % "
+                     "of its energy "
+                     "in colour; particle-pressure: colour of the grains; or none [equilibrium]")
+          .one_of({"equilibrium", "increment", "particle-pressure", "none"});
+  app.add_option("--step", arguments->step, "of --forces increment: isotropic or deviatoric [isotropic]")
+      .one_of({"isotropic", "deviatoric"});
+  app.add_option(
          "--compare", arguments->compare,
          "STATE2: contacts lost and gained on the way to it, and where grains went, affine part taken off")
-      ->excludes(forces);
-  app->add_option("--steps", arguments->steps,
-                  "K,...: states of a directory [four, from the first to the last]")
-      ->delimiter(',')
-      ->check(CLI::NonNegativeNumber);
-  app->add_option("--as", arguments->as, "svg, pdf or png, whatever the name [its ending; otherwise svg]")
-      ->check(CLI::IsMember({"svg", "pdf", "png"}));
-  app->add_option("--width", arguments->width, "of the page in cm [17]");
-  app->add_option("--columns", arguments->sheet.columns, "of a strip [4]");
-  app->add_option("--line-width", arguments->sheet.line_width,
-                  "of the r.m.s. force, in mean diameters; widths are proportional to |F| [0.15]");
-  app->add_flag("--same-scale", arguments->sheet.same_force_scale,
-                "a force has one width in all pictures of a strip [each has its own scale, and says it]");
-  app->add_flag("--bare", arguments->sheet.bare, "no captions, no legend");
-  app->add_option(
+      .excludes(forces);
+  app.add_option("--steps", arguments->steps, "K,...: states of a directory [four, from the first to the last]")
+      .delimiter(',')
+      .non_negative();
+  app.add_option("--as", arguments->as, "svg, pdf or png, whatever the name [its ending; otherwise svg]")
+      .one_of({"svg", "pdf", "png"});
+  app.add_option("--width", arguments->width, "of the page in cm [17]");
+  app.add_option("--columns", arguments->sheet.columns, "of a strip [4]");
+  app.add_option("--line-width", arguments->sheet.line_width,
+                 "of the r.m.s. force, in mean diameters; widths are proportional to |F| [0.15]");
+  app.add_flag("--same-scale", arguments->sheet.same_force_scale,
+               "a force has one width in all pictures of a strip [each has its own scale, and says it]");
+  app.add_flag("--bare", arguments->sheet.bare, "no captions, no legend");
+  app.add_option(
       "--resolution", arguments->sheet.resolution,
       "pixels per inch of a png or an image [6 pixels a grain, 200 at least, 3000 pixels a side at most]");
-  CLI::Option* image =
-      app->add_flag("--image", arguments->image,
-                    "svg and pdf: grains and lines as an image [where there are more than 15000]");
-  app->add_flag("--vectors", arguments->vectors, "svg and pdf: grains and lines as vectors, however many")
-      ->excludes(image);
-  add_format_option(*app, arguments->format);
+  const Option image =
+      app.add_flag("--image", arguments->image,
+                   "svg and pdf: grains and lines as an image [where there are more than 15000]");
+  app.add_flag("--vectors", arguments->vectors, "svg and pdf: grains and lines as vectors, however many")
+      .excludes(image);
+  add_format_option(app, arguments->format);
   return {app, [arguments] { return draw(*arguments); }};
 }
 

@@ -341,45 +341,44 @@ int fit_tables(const Arguments& arguments) {
 
 }  // namespace
 
-Command add_fit_consolidation(CLI::App& fit) {
+Command add_fit_consolidation(CommandLine fit) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* app =
+  CommandLine app =
       fit.add_subcommand("consolidation", "plasticity index lambda and the other parameters of consolidation");
-  app->add_option(
+  app.add_option(
          "TABLE", arguments->inputs,
          "tables with columns P_star, phi (or void_ratio) and perhaps branch; directories of `floc run`; "
          "- is stdin")
-      ->required();
-  app->add_option("--law", arguments->law, "log (regime II), power (regime III) or full (both) [full]")
-      ->check(CLI::IsMember({"log", "power", "full"}));
-  app->add_option("--window", arguments->window, "lo,hi: fit on these P* only [found]")
-      ->delimiter(',')
-      ->expected(2);
-  app->add_option(
-         "--protocol", arguments->protocol,
-         "published: P0* on the grid and held, the mean of the samples fitted [where the plateau meets "
-         "the line]")
-      ->check(CLI::IsMember({"published"}));
-  app->add_option("--P0", arguments->P0, "fit from the pressure nearest to this one to the last [found]")
-      ->check(CLI::PositiveNumber)
-      ->excludes("--window");
-  app->add_option("--loading", arguments->loading,
-                  "first, or virgin: also what later loadings add beyond the largest pressure before [first]")
-      ->check(CLI::IsMember({"first", "virgin"}));
-  app->add_option("--weights", arguments->weights,
-                  "uniform, relative (errors of 1/Phi are proportional to it) or scatter (between samples) "
-                  "[scatter for a mean of three samples or more, otherwise relative]")
-      ->check(CLI::IsMember({"uniform", "relative", "scatter"}));
-  app->add_option("--loss", arguments->loss, "squared, huber or cauchy: what outliers count for [squared]")
-      ->check(CLI::IsMember({"squared", "huber", "cauchy"}));
-  app->add_option("--bootstrap", arguments->n_bootstrap, "N: errors of N resampled fits beside [none]")
-      ->check(CLI::Range(2, 1000000));
-  app->add_option("--seed", arguments->seed, "of the bootstrap [1]");
-  add_columns_option(*app, arguments->columns, "P_star, phi, void_ratio, branch");
-  app->add_option("--plot", arguments->plot,
-                  "F.svg, F.pdf or F.png: curve, points, window and residuals; data and gnuplot script are "
-                  "written beside it");
-  add_format_option(*app, arguments->format);
+      .required();
+  app.add_option("--law", arguments->law, "log (regime II), power (regime III) or full (both) [full]")
+      .one_of({"log", "power", "full"});
+  app.add_option("--window", arguments->window, "lo,hi: fit on these P* only [found]")
+      .delimiter(',')
+      .expected(2);
+  app.add_option("--protocol", arguments->protocol,
+                 "published: P0* on the grid and held, the mean of the samples fitted [where the plateau meets "
+                 "the line]")
+      .one_of({"published"});
+  app.add_option("--P0", arguments->P0, "fit from the pressure nearest to this one to the last [found]")
+      .positive()
+      .excludes("--window");
+  app.add_option("--loading", arguments->loading,
+                 "first, or virgin: also what later loadings add beyond the largest pressure before [first]")
+      .one_of({"first", "virgin"});
+  app.add_option("--weights", arguments->weights,
+                 "uniform, relative (errors of 1/Phi are proportional to it) or scatter (between samples) "
+                 "[scatter for a mean of three samples or more, otherwise relative]")
+      .one_of({"uniform", "relative", "scatter"});
+  app.add_option("--loss", arguments->loss, "squared, huber or cauchy: what outliers count for [squared]")
+      .one_of({"squared", "huber", "cauchy"});
+  app.add_option("--bootstrap", arguments->n_bootstrap, "N: errors of N resampled fits beside [none]")
+      .between(2, 1000000);
+  app.add_option("--seed", arguments->seed, "of the bootstrap [1]");
+  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
+  app.add_option("--plot", arguments->plot,
+                 "F.svg, F.pdf or F.png: curve, points, window and residuals; data and gnuplot script are "
+                 "written beside it");
+  add_format_option(app, arguments->format);
   return {app, [arguments] { return fit_tables(*arguments); }};
 }
 

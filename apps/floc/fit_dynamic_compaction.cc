@@ -83,23 +83,20 @@ int fit_tables(const Arguments& arguments) {
 
 }  // namespace
 
-Command add_fit_dynamic_compaction(CLI::App& fit) {
+Command add_fit_dynamic_compaction(CommandLine fit) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* app = fit.add_subcommand(
+  CommandLine app = fit.add_subcommand(
       "dynamic-compaction", "void ratio of dynamically compacted samples against pressure and cohesion");
-  app->add_option("TABLE", arguments->inputs,
-                  "tables with columns e (void ratio), p, sc = f_c/d^2, se = k_n/d in one unit; - is stdin")
-      ->required();
+  app.add_option("TABLE", arguments->inputs,
+                 "tables with columns e (void ratio), p, sc = f_c/d^2, se = k_n/d in one unit; - is stdin")
+      .required();
   CompactionReference& reference = arguments->reference;
-  app->add_option("--p-D", reference.p_D,
-                  "pressure at which the plateau is e_min + De, in the unit of p [0.01]")
-      ->check(CLI::PositiveNumber);
-  app->add_option("--eta-m", reference.eta_m, "eta* at which (1 - e_r)/e_r = s_m [0.045]")
-      ->check(CLI::PositiveNumber);
-  app->add_option("--p-0", reference.p_0, "smallest p_crit = sc^2/se fitted [that of --p-D]")
-      ->check(CLI::PositiveNumber);
-  add_columns_option(*app, arguments->columns, "e, p, sc, se");
-  add_format_option(*app, arguments->format);
+  app.add_option("--p-D", reference.p_D, "pressure at which the plateau is e_min + De, in the unit of p [0.01]")
+      .positive();
+  app.add_option("--eta-m", reference.eta_m, "eta* at which (1 - e_r)/e_r = s_m [0.045]").positive();
+  app.add_option("--p-0", reference.p_0, "smallest p_crit = sc^2/se fitted [that of --p-D]").positive();
+  add_columns_option(app, arguments->columns, "e, p, sc, se");
+  add_format_option(app, arguments->format);
   return {app, [arguments] { return fit_tables(*arguments); }};
 }
 

@@ -113,19 +113,19 @@ int fit_tables(const Arguments& arguments) {
 
 }  // namespace
 
-Command add_fit_elastic(CLI::App& fit) {
+Command add_fit_elastic(CommandLine fit) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* app =
+  CommandLine app =
       fit.add_subcommand("elastic", "bulk modulus from unloading branches, beside that of a saved state");
-  app->add_option(
+  app.add_option(
          "TABLE", arguments->inputs,
          "tables with columns P (or P_star), phi (or void_ratio); directories of `floc run`; - is stdin")
-      ->required();
-  app->add_option(
+      .required();
+  app.add_option(
       "--state", arguments->state,
       "state whose computed modulus stands beside the fit [that of the branch's first row, if it is there]");
-  add_columns_option(*app, arguments->columns, "P, P_star, phi, void_ratio, branch");
-  add_format_option(*app, arguments->format);
+  add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio, branch");
+  add_format_option(app, arguments->format);
   return {app, [arguments] { return fit_tables(*arguments); }};
 }
 

@@ -129,28 +129,28 @@ int fit_inputs(const Arguments& arguments) {
 
 }  // namespace
 
-Command add_fit_force_distribution(CLI::App& fit) {
+Command add_fit_force_distribution(CommandLine fit) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* app = fit.add_subcommand(
+  CommandLine app = fit.add_subcommand(
       "force-distribution", "distributions of normal forces, by maximum likelihood, with goodness of fit");
-  app->add_option("INPUT", arguments->inputs,
-                  "tables with a column normal_force, or state files (.h5); - is stdin")
-      ->required();
-  app->add_option(
+  app.add_option("INPUT", arguments->inputs,
+                 "tables with a column normal_force, or state files (.h5); - is stdin")
+      .required();
+  app.add_option(
          "--form", arguments->form,
          "tails (exponential, of both signs), power-exponential, quadratic-exponential (of the compressive "
          "forces) or all [all]")
-      ->check(CLI::IsMember({"all", "tails", "power-exponential", "quadratic-exponential"}));
-  CLI::Option* threshold = app->add_option("--threshold", arguments->threshold,
-                                           "size of a force where tails begin [the mean of its sign]")
-                               ->check(CLI::NonNegativeNumber);
-  app->add_option("--draws", arguments->options.n_draws, "samples drawn from the fit for its p-value [200]")
-      ->check(CLI::Range(1, 100000));
-  app->add_option("--seed", arguments->options.seed, "of these draws [1]");
-  add_columns_option(*app, arguments->columns, "normal_force");
-  add_format_option(*app, arguments->format);
+      .one_of({"all", "tails", "power-exponential", "quadratic-exponential"});
+  const Option threshold = app.add_option("--threshold", arguments->threshold,
+                                          "size of a force where tails begin [the mean of its sign]")
+                               .non_negative();
+  app.add_option("--draws", arguments->options.n_draws, "samples drawn from the fit for its p-value [200]")
+      .between(1, 100000);
+  app.add_option("--seed", arguments->options.seed, "of these draws [1]");
+  add_columns_option(app, arguments->columns, "normal_force");
+  add_format_option(app, arguments->format);
   return {app, [arguments, threshold] {
-            arguments->has_threshold = threshold->count() > 0;
+            arguments->has_threshold = threshold.count() > 0;
             return fit_inputs(*arguments);
           }};
 }

@@ -83,17 +83,17 @@ int fit_tables(const Arguments& arguments) {
 
 }  // namespace
 
-Command add_fit_preconsolidation(CLI::App& fit) {
+Command add_fit_preconsolidation(CommandLine fit) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* app = fit.add_subcommand(
+  CommandLine app = fit.add_subcommand(
       "preconsolidation", "preconsolidation pressure of overconsolidated samples, from reloading branches");
-  app->add_option(
+  app.add_option(
          "TABLE", arguments->inputs,
          "tables with columns P_star, phi (or void_ratio) and perhaps branch; directories of `floc run`; "
          "- is stdin")
-      ->required();
-  add_columns_option(*app, arguments->columns, "P_star, phi, void_ratio, branch");
-  add_format_option(*app, arguments->format);
+      .required();
+  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_format_option(app, arguments->format);
   return {app, [arguments] { return fit_tables(*arguments); }};
 }
 

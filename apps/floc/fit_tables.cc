@@ -50,7 +50,7 @@ double solid_fraction_of(const CsvTable& table, int row, int column, bool is_voi
 
 }  // namespace
 
-void add_columns_option(CLI::App& app, std::string& text, const std::string& names) {
+void add_columns_option(CommandLine app, std::string& text, const std::string& names) {
   app.add_option("--columns", text, "name=column,...: columns of the table that stand for " + names);
 }
 

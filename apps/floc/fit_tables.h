@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "floc/fitting/loading_path.h"
 #include "floc/io/csv.h"
 
@@ -15,7 +15,7 @@ namespace floc {
 using ColumnNames = std::map<std::string, std::string>;
 
 /// Adds `--columns`. @param names  those that may be mapped, for the help
-void add_columns_option(CLI::App& app, std::string& text, const std::string& names);
+void add_columns_option(CommandLine app, std::string& text, const std::string& names);
 
 /// @param names  those that may be mapped
 /// @throws InputError for text that is no list of name=column, or another name

@@ -133,12 +133,12 @@ int info(const InfoArguments& arguments) {
 
 }  // namespace
 
-Command add_info(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("info", "what a state file holds, its history and provenance");
+Command add_info(CommandLine program) {
+  CommandLine app = program.add_subcommand("info", "what a state file holds, its history and provenance");
   const auto arguments = std::make_shared<InfoArguments>();
-  add_states_argument(*app, arguments->files);
-  add_format_option(*app, arguments->format);
-  app->add_flag("--scene", arguments->scene, "print the scene the state was made from, and nothing else");
+  add_states_argument(app, arguments->files);
+  add_format_option(app, arguments->format);
+  app.add_flag("--scene", arguments->scene, "print the scene the state was made from, and nothing else");
   return {app, [arguments] { return info(*arguments); }};
 }
 

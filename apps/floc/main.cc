@@ -5,14 +5,17 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <optional>
+#include <vector>
 
 #include "command.h"
+#include "command_line.h"
 #include "floc/base/error.h"
 #include "floc/base/version.h"
 
 namespace {
 
-using AddCommand = floc::Command (*)(CLI::App&);
+using AddCommand = floc::Command (*)(floc::CommandLine);
 constexpr AddCommand kCommands[] = {
     floc::add_run,     floc::add_scene,     floc::add_moduli,  floc::add_modes,
     floc::add_network, floc::add_structure, floc::add_compare, floc::add_fit,
@@ -21,7 +24,7 @@ constexpr AddCommand kCommands[] = {
 
 int run_command(const std::vector<floc::Command>& commands) {
   for (const floc::Command& command : commands)
-    if (command.app->parsed()) return command.run();
+    if (command.app.parsed()) return command.run();
   return floc::kUsage;
 }
 
@@ -38,18 +41,15 @@ int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_logger_st("floc"));
   spdlog::set_pattern("%v");
 
-  CLI::App program{"Static equilibria of granular packings and the mechanics of their contact networks",
-                   "floc"};
-  program.set_version_flag("--version", fmt::format("floc {} ({})", floc::version(), floc::commit()));
-  program.require_subcommand(1);
+  floc::ProgramLine line("floc",
+                         "Static equilibria of granular packings and the mechanics of their contact networks",
+                         fmt::format("floc {} ({})", floc::version(), floc::commit()));
+  floc::CommandLine program = line.top();
+  program.require_one_subcommand();
   std::vector<floc::Command> commands;
   for (const AddCommand add : kCommands) commands.push_back(add(program));
 
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? floc::kDone : floc::kUsage;
-  }
+  if (const std::optional<int> code = line.parse(argc, argv)) return *code;
   try {
     return run_command(commands);
   } catch (const floc::InputError& error) {

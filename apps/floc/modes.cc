@@ -170,15 +170,15 @@ int run_modes(const ModesCommand& command) {
 
 }  // namespace
 
-Command add_modes(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
+Command add_modes(CommandLine program) {
+  CommandLine app = program.add_subcommand(
       "modes", "Softest modes and mechanisms of saved states: eigenvalue, participation, coupling to strain");
   const auto command = std::make_shared<ModesCommand>();
-  add_states_argument(*app, command->files);
-  app->add_option("--count", command->count,
-                  "number of modes [all below max |F_N|/r, no fewer than 10 and no more than 100]")
-      ->check(CLI::PositiveNumber);
-  add_format_option(*app, command->format);
+  add_states_argument(app, command->files);
+  app.add_option("--count", command->count,
+                 "number of modes [all below max |F_N|/r, no fewer than 10 and no more than 100]")
+      .positive();
+  add_format_option(app, command->format);
   return {app, [command] { return run_modes(*command); }};
 }
 

@@ -397,51 +397,53 @@ int run_moduli(const ModuliCommand& command) {
 
 }  // namespace
 
-Command add_moduli(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("moduli", "Elastic moduli, bounds and stability of saved states");
+Command add_moduli(CommandLine program) {
+  CommandLine app = program.add_subcommand("moduli", "Elastic moduli, bounds and stability of saved states");
   const auto command = std::make_shared<ModuliCommand>();
-  add_states_argument(*app, command->files);
-  app->add_option("--strains", command->strains,
-                  "diagonal: shear strains clamped; full: every component, which adds the shear moduli")
-      ->check(CLI::IsMember({"diagonal", "full"}))
-      ->capture_default_str();
-  app->add_flag("--prestress", command->prestress,
-                "add the geometric terms of the forces (those of F_T left out); stress is the Cauchy stress");
-  CLI::Option* tolerance =
-      app->add_option(
+  add_states_argument(app, command->files);
+  app.add_option("--strains", command->strains,
+                 "diagonal: shear strains clamped; full: every component, which adds the shear moduli")
+      .one_of({"diagonal", "full"})
+      .show_default();
+  app.add_flag("--prestress", command->prestress,
+               "add the geometric terms of the forces (those of F_T left out); stress is the Cauchy stress");
+  const Option tolerance =
+      app.add_option(
              "--tolerance", command->options.tolerance,
              "relative error wanted of B and G; what is reached is printed, and said where it falls short")
-          ->capture_default_str();
-  CLI::Option* method =
-      app->add_option(
+          .show_default();
+  const Option method =
+      app.add_option(
              "--method", command->method,
              "factor; single-factor: in single precision, refined; iterative: from the state before, to "
              "--tolerance; bounds: the middle between them. Errors of the last three are printed too")
-          ->check(CLI::IsMember({"factor", "single-factor", "iterative", "bounds"}))
-          ->capture_default_str();
-  CLI::Option* accuracy =
-      app->add_option(
+          .one_of({"factor", "single-factor", "iterative", "bounds"})
+          .show_default();
+  const Option accuracy =
+      app.add_option(
              "--accuracy", command->accuracy,
              "X, or B=X, G=X: relative errors that are good enough; takes the cheapest method that keeps them "
              "and names it in the column method")
-          ->delimiter(',')
-          ->excludes(method, tolerance)
-          ->allow_extra_args(false);
-  app->add_option("--force-tolerance", command->options.force_tolerance,
-                  "cohesionless: a contact below this force carries nothing, in max(F0, P a^(d-1))")
-      ->capture_default_str();
-  app->add_option("--rolling-stiffness", command->rolling_stiffness,
-                  "K_R of every touching contact, in the state's units; a row for each value")
-      ->delimiter(',')
-      ->excludes(method, accuracy)
-      ->allow_extra_args(false);
-  app->add_option(
+          .delimiter(',')
+          .excludes(method)
+          .excludes(tolerance)
+          .one_argument_each();
+  app.add_option("--force-tolerance", command->options.force_tolerance,
+                 "cohesionless: a contact below this force carries nothing, in max(F0, P a^(d-1))")
+      .show_default();
+  app.add_option("--rolling-stiffness", command->rolling_stiffness,
+                 "K_R of every touching contact, in the state's units; a row for each value")
+      .delimiter(',')
+      .excludes(method)
+      .excludes(accuracy)
+      .one_argument_each();
+  app.add_option(
       "--increments", command->increments,
       "file for a row a contact: what a unit of isotropic and of deviatoric stress adds to its forces, "
       "energy and rank, dead end, backbones");
-  app->add_flag("--force", command->force,
-                "also of states that are no equilibrium, which are refused otherwise");
-  add_format_option(*app, command->format);
+  app.add_flag("--force", command->force,
+               "also of states that are no equilibrium, which are refused otherwise");
+  add_format_option(app, command->format);
   return {app, [command] { return run_moduli(*command); }};
 }
 

@@ -227,26 +227,24 @@ int run_network(const NetworkCommand& command) {
 
 }  // namespace
 
-Command add_network(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
+Command add_network(CommandLine program) {
+  CommandLine app = program.add_subcommand(
       "network",
       "Contact networks of saved states: coordination, forces, particle pressures, who carries a load");
   const auto command = std::make_shared<NetworkCommand>();
-  add_states_argument(*app, command->files);
-  app->add_option("--zero-force", command->zero_force,
-                  "a normal force below this is zero, in max(F0, P a^(d-1)) [the force tolerance of the state]")
-      ->check(CLI::NonNegativeNumber);
-  app->add_option("--pdf", command->distributions,
-                  "file for distributions of normal forces (with sign), tangential forces and rolling moments, "
-                  "a row a bin");
-  app->add_option("--unit", command->unit, "of these: mean (of the sizes of their kind) or F0 (moments F0 a)")
-      ->check(CLI::IsMember({"mean", "F0"}))
-      ->capture_default_str();
-  app->add_option("--bin-width", command->bin_width, "of these, in that unit")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app->add_option("--particle-stress", command->pressures, "file for the pressure and stress of each grain");
-  add_format_option(*app, command->format);
+  add_states_argument(app, command->files);
+  app.add_option("--zero-force", command->zero_force,
+                 "a normal force below this is zero, in max(F0, P a^(d-1)) [the force tolerance of the state]")
+      .non_negative();
+  app.add_option("--pdf", command->distributions,
+                 "file for distributions of normal forces (with sign), tangential forces and rolling moments, "
+                 "a row a bin");
+  app.add_option("--unit", command->unit, "of these: mean (of the sizes of their kind) or F0 (moments F0 a)")
+      .one_of({"mean", "F0"})
+      .show_default();
+  app.add_option("--bin-width", command->bin_width, "of these, in that unit").positive().show_default();
+  app.add_option("--particle-stress", command->pressures, "file for the pressure and stress of each grain");
+  add_format_option(app, command->format);
   return {app, [command] { return run_network(*command); }};
 }
 

@@ -12,9 +12,9 @@
 
 namespace floc {
 
-void add_format_option(CLI::App& app, std::string& format) {
+void add_format_option(CommandLine app, std::string& format) {
   app.add_option("--format", format, "table, csv or json [table on a terminal, csv otherwise]")
-      ->check(CLI::IsMember({"table", "csv", "json"}));
+      .one_of({"table", "csv", "json"});
 }
 
 TableFormat chosen_format(const std::string& format) {
@@ -52,8 +52,8 @@ int worse(int a, int b) {
   return rank(a) < rank(b) ? b : a;
 }
 
-void add_states_argument(CLI::App& app, std::vector<std::string>& files) {
-  app.add_option("STATE", files, "state files, - for one on stdin")->required();
+void add_states_argument(CommandLine app, std::vector<std::string>& files) {
+  app.add_option("STATE", files, "state files, - for one on stdin").required();
 }
 
 int for_each_file(const std::vector<std::string>& files,

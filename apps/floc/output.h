@@ -1,18 +1,18 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "floc/io/state_file.h"
 #include "floc/io/table.h"
 
 namespace floc {
 
 /// Adds `--format table|csv|json`. `format` gets the word given, or stays empty.
-void add_format_option(CLI::App& app, std::string& format);
+void add_format_option(CommandLine app, std::string& format);
 
 /// What `--format` asks for; without it a table on a terminal, csv otherwise.
 TableFormat chosen_format(const std::string& format);
@@ -31,7 +31,7 @@ void write_csv(const std::string& path, const Table& table);
 int worse(int a, int b);
 
 /// Adds the positional argument STATE..., one file or more.
-void add_states_argument(CLI::App& app, std::vector<std::string>& files);
+void add_states_argument(CommandLine app, std::vector<std::string>& files);
 
 /// Hands each file name to `work`, which returns its exit code. One that throws is reported on stderr, and the others are
 /// still done. @return the worst of the exit codes

@@ -178,34 +178,34 @@ int plot(const PlotArguments& arguments) {
 
 }  // namespace
 
-Command add_plot(CLI::App& program) {
-  CLI::App* app =
+Command add_plot(CommandLine program) {
+  CommandLine app =
       program.add_subcommand("plot", "plots of paths and states by gnuplot, data and script beside them");
   const auto arguments = std::make_shared<PlotArguments>();
-  app->add_option("INPUT", arguments->inputs,
-                  "directories of floc run, tables, or state files; - is a table on stdin")
-      ->required();
-  app->add_option("-o,--output", arguments->output,
-                  "F.svg, F.pdf or F.png; F.dat and F.gp are written beside it")
-      ->required();
-  app->add_option("--show", arguments->show,
-                  "consolidation: 1/Phi against P*, its fit and regimes, unloading and elastic lines; moduli: "
-                  "with their "
-                  "bounds, of states or a table of floc moduli; coordination: by sign of the force; forces: "
-                  "their distributions, "
-                  "of states; scattering: I(k) of states, and its fit "
-                  "[forces for state files, otherwise consolidation]")
-      ->check(CLI::IsMember({"consolidation", "moduli", "coordination", "forces", "scattering"}));
-  app->add_option("--steps", arguments->steps,
-                  "K,...: states of a directory, for forces and scattering [three, from the first to the last]")
-      ->delimiter(',')
-      ->check(CLI::NonNegativeNumber);
-  app->add_option("--kind", arguments->kind, "of forces: normal, tangential or rolling [normal]")
-      ->check(CLI::IsMember({"normal", "tangential", "rolling"}));
-  app->add_option("--unit", arguments->unit, "of forces: mean, of their sizes, or F0 [mean]")
-      ->check(CLI::IsMember({"mean", "F0"}));
-  add_columns_option(*app, arguments->columns, "P_star, phi, void_ratio, branch");
-  add_format_option(*app, arguments->format);
+  app.add_option("INPUT", arguments->inputs,
+                 "directories of floc run, tables, or state files; - is a table on stdin")
+      .required();
+  app.add_option("-o,--output", arguments->output,
+                 "F.svg, F.pdf or F.png; F.dat and F.gp are written beside it")
+      .required();
+  app.add_option("--show", arguments->show,
+                 "consolidation: 1/Phi against P*, its fit and regimes, unloading and elastic lines; moduli: "
+                 "with their "
+                 "bounds, of states or a table of floc moduli; coordination: by sign of the force; forces: "
+                 "their distributions, "
+                 "of states; scattering: I(k) of states, and its fit "
+                 "[forces for state files, otherwise consolidation]")
+      .one_of({"consolidation", "moduli", "coordination", "forces", "scattering"});
+  app.add_option("--steps", arguments->steps,
+                 "K,...: states of a directory, for forces and scattering [three, from the first to the last]")
+      .delimiter(',')
+      .non_negative();
+  app.add_option("--kind", arguments->kind, "of forces: normal, tangential or rolling [normal]")
+      .one_of({"normal", "tangential", "rolling"});
+  app.add_option("--unit", arguments->unit, "of forces: mean, of their sizes, or F0 [mean]")
+      .one_of({"mean", "F0"});
+  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_format_option(app, arguments->format);
   return {app, [arguments] {
             if (arguments->show.empty())
               arguments->show = arguments->inputs.front().ends_with(".h5") ? "forces" : "consolidation";

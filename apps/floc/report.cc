@@ -250,13 +250,13 @@ int report(const ReportArguments& arguments) {
 
 }  // namespace
 
-Command add_report(CLI::App& program) {
-  CLI::App* app =
+Command add_report(CommandLine program) {
+  CommandLine app =
       program.add_subcommand("report", "one self-contained page of a run: pictures, plots, tables, scene");
   const auto arguments = std::make_shared<ReportArguments>();
-  app->add_option("DIR", arguments->directory, "directory of floc run")->required();
-  app->add_option("-o,--output", arguments->output, "F.html")->required();
-  add_format_option(*app, arguments->format);
+  app.add_option("DIR", arguments->directory, "directory of floc run").required();
+  app.add_option("-o,--output", arguments->output, "F.html").required();
+  add_format_option(app, arguments->format);
   return {app, [arguments] { return report(*arguments); }};
 }
 

@@ -205,35 +205,32 @@ int run_seeds(const RunArguments& arguments) {
 
 }  // namespace
 
-Command add_run(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("run", "Assemble, equilibrate and load a packing as a scene says");
+Command add_run(CommandLine program) {
+  CommandLine app = program.add_subcommand("run", "Assemble, equilibrate and load a packing as a scene says");
   auto arguments = std::make_shared<RunArguments>();
-  app->add_option("scene", arguments->scene, "Scene file (TOML)")->required();
-  app->add_option("-o,--output", arguments->directory, "Directory for states, path.csv and checkpoints")
-      ->required();
-  CLI::Option* resume = app->add_flag("--resume", arguments->resume,
-                                      "Continue the run in the directory (harmless on a first run)");
-  app->add_flag("--overwrite", arguments->overwrite, "Replace the run in the directory")->excludes(resume);
-  CLI::Option* seed =
-      app->add_option("--seed", arguments->seed, "Seed of the random numbers, instead of run.seed");
-  CLI::Option* seeds = app->add_option("--seeds", arguments->seeds,
-                                       "A..B: an ensemble, one sample a seed in a directory seed-N of its own")
-                           ->excludes(seed);
-  app->add_option("--jobs", arguments->jobs, "Samples that run at the same time")
-      ->needs(seeds)
-      ->check(CLI::Range(1, 1024));
-  app->add_option("--threads", arguments->threads, "Threads; results are the same for any number")
-      ->check(CLI::Range(1, 1024));
-  app->add_option("--set", arguments->overrides,
-                  "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
-      ->allow_extra_args(false);
-  app->add_option(
+  app.add_option("scene", arguments->scene, "Scene file (TOML)").required();
+  app.add_option("-o,--output", arguments->directory, "Directory for states, path.csv and checkpoints")
+      .required();
+  const Option resume = app.add_flag("--resume", arguments->resume,
+                                     "Continue the run in the directory (harmless on a first run)");
+  app.add_flag("--overwrite", arguments->overwrite, "Replace the run in the directory").excludes(resume);
+  const Option seed =
+      app.add_option("--seed", arguments->seed, "Seed of the random numbers, instead of run.seed");
+  const Option seeds = app.add_option("--seeds", arguments->seeds,
+                                      "A..B: an ensemble, one sample a seed in a directory seed-N of its own")
+                           .excludes(seed);
+  app.add_option("--jobs", arguments->jobs, "Samples that run at the same time").needs(seeds).between(1, 1024);
+  app.add_option("--threads", arguments->threads, "Threads; results are the same for any number")
+      .between(1, 1024);
+  app.add_option("--set", arguments->overrides,
+                 "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
+      .one_argument_each();
+  app.add_option(
          "--track-contacts", arguments->track_contacts,
          "record in DIR/contacts.csv which contacts open and close inside steps, looking each DT of simulated "
          "time (at least each 500 time steps)")
-      ->check(CLI::PositiveNumber);
-  app->add_option("--until", arguments->until, "Stop after the equilibrium of this number")
-      ->check(CLI::NonNegativeNumber);
+      .positive();
+  app.add_option("--until", arguments->until, "Stop after the equilibrium of this number").non_negative();
   return {app,
           [arguments] { return arguments->seeds.empty() ? run_scene(*arguments) : run_seeds(*arguments); }};
 }

@@ -17,8 +17,6 @@ namespace floc {
 namespace {
 
 struct SceneArguments {
-  CLI::App* check = nullptr;
-  CLI::App* start = nullptr;
   std::string path;
   std::vector<std::string> overrides;
   std::string format;
@@ -53,20 +51,20 @@ int start_scene(const std::string& name) {
 
 }  // namespace
 
-Command add_scene(CLI::App& program) {
+Command add_scene(CommandLine program) {
   auto arguments = std::make_shared<SceneArguments>();
-  CLI::App* app = program.add_subcommand("scene", "check a scene file, or start a new one");
-  app->require_subcommand(1);
-  arguments->check =
-      app->add_subcommand("check", "list every fault; print the dimensionless groups and the cost");
-  arguments->check->add_option("SCENE", arguments->path, "scene file (TOML)")->required();
-  arguments->check->add_option("--set", arguments->overrides, "key.path=value, instead of what the file says")
-      ->allow_extra_args(false);
-  add_format_option(*arguments->check, arguments->format);
-  arguments->start = app->add_subcommand("new", "write a commented starting scene NAME.toml");
-  arguments->start->add_option("NAME", arguments->name, "its name")->required();
-  return {app, [arguments] {
-            return arguments->check->parsed() ? check_scene(*arguments) : start_scene(arguments->name);
+  CommandLine app = program.add_subcommand("scene", "check a scene file, or start a new one");
+  app.require_one_subcommand();
+  CommandLine check =
+      app.add_subcommand("check", "list every fault; print the dimensionless groups and the cost");
+  check.add_option("SCENE", arguments->path, "scene file (TOML)").required();
+  check.add_option("--set", arguments->overrides, "key.path=value, instead of what the file says")
+      .one_argument_each();
+  add_format_option(check, arguments->format);
+  CommandLine start = app.add_subcommand("new", "write a commented starting scene NAME.toml");
+  start.add_option("NAME", arguments->name, "its name").required();
+  return {app, [arguments, check] {
+            return check.parsed() ? check_scene(*arguments) : start_scene(arguments->name);
           }};
 }
 

@@ -285,42 +285,40 @@ int run_structure(const StructureCommand& command) {
 
 }  // namespace
 
-Command add_structure(CLI::App& program) {
-  CLI::App* app =
+Command add_structure(CommandLine program) {
+  CommandLine app =
       program.add_subcommand("structure",
                              "Structure of saved states: I(k) with xi and dF, pores, g(r), z(h), local "
                              "solid fraction");
   const auto command = std::make_shared<StructureCommand>();
-  add_states_argument(*app, command->files);
-  app->add_flag("--average", command->average, "a last row for all states together, as samples of one");
-  app->add_option("--fit-range", command->fit_range,
-                  "LOW,HIGH: wave numbers fitted, in 2 pi over the largest diameter")
-      ->delimiter(',')
-      ->expected(2)
-      ->capture_default_str();
-  app->add_option("--largest-k", command->scattering.largest,
-                  "largest wave number, in 2 pi over the largest diameter")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app->add_option("--cells-per-wave", command->scattering.cells_per_wave,
-                  "mesh cells for each wave length of the largest wave number, at least 4")
-      ->check(CLI::Range(4.0, 1000.0))
-      ->capture_default_str();
-  app->add_option("--intensity", command->intensity, "file for I(k), a row a bin of k");
-  app->add_option("--pair-correlation", command->pairs, "file for g(r), a row a bin of r");
-  app->add_option("--reach", command->reach, "of g(r), in largest diameters")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app->add_option("--gaps", command->gaps,
-                  "file for z(h), neighbours within a gap h: rattlers as found, and pushed against the others");
-  app->add_option("--pores", command->pores, "file for the pores, a row each");
-  app->add_option("--map", command->map, "file for the local solid fraction, a row a mesh cell");
-  app->add_option("--map-size", command->map_size, "mesh cells along each lattice vector")
-      ->delimiter(',')
-      ->expected(2)
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  add_format_option(*app, command->format);
+  add_states_argument(app, command->files);
+  app.add_flag("--average", command->average, "a last row for all states together, as samples of one");
+  app.add_option("--fit-range", command->fit_range,
+                 "LOW,HIGH: wave numbers fitted, in 2 pi over the largest diameter")
+      .delimiter(',')
+      .expected(2)
+      .show_default();
+  app.add_option("--largest-k", command->scattering.largest,
+                 "largest wave number, in 2 pi over the largest diameter")
+      .positive()
+      .show_default();
+  app.add_option("--cells-per-wave", command->scattering.cells_per_wave,
+                 "mesh cells for each wave length of the largest wave number, at least 4")
+      .between(4.0, 1000.0)
+      .show_default();
+  app.add_option("--intensity", command->intensity, "file for I(k), a row a bin of k");
+  app.add_option("--pair-correlation", command->pairs, "file for g(r), a row a bin of r");
+  app.add_option("--reach", command->reach, "of g(r), in largest diameters").positive().show_default();
+  app.add_option("--gaps", command->gaps,
+                 "file for z(h), neighbours within a gap h: rattlers as found, and pushed against the others");
+  app.add_option("--pores", command->pores, "file for the pores, a row each");
+  app.add_option("--map", command->map, "file for the local solid fraction, a row a mesh cell");
+  app.add_option("--map-size", command->map_size, "mesh cells along each lattice vector")
+      .delimiter(',')
+      .expected(2)
+      .between(1, 10000)
+      .show_default();
+  add_format_option(app, command->format);
   return {app, [command] { return run_structure(*command); }};
 }
 

@@ -151,25 +151,24 @@ int run_tradeoff(TradeoffCommand& command) {
 
 }  // namespace
 
-Command add_tradeoff(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
+Command add_tradeoff(CommandLine program) {
+  CommandLine app = program.add_subcommand(
       "tradeoff", "run a scene at several accuracies: error of what is quoted against its cost");
   const auto command = std::make_shared<TradeoffCommand>();
-  app->add_option("SCENE", command->scene, "scene file (TOML)")->required();
-  app->add_option("--budget", command->options.budget, "seconds it may take, of one core")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app->add_option("--samples", command->options.max_samples, "most samples, with seeds from the scene's own on")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  app->add_option("--set", command->overrides, "KEY=VALUE: change one key of the scene")
-      ->allow_extra_args(false);
-  app->add_option("--observables", command->observables, "those wanted: phi, B, lambda, ... [all]")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(observable_names()));
-  app->add_option("--plot", command->plot, "F.svg: error against cost; its data and script beside it");
-  add_format_option(*app, command->format);
+  app.add_option("SCENE", command->scene, "scene file (TOML)").required();
+  app.add_option("--budget", command->options.budget, "seconds it may take, of one core")
+      .positive()
+      .show_default();
+  app.add_option("--samples", command->options.max_samples, "most samples, with seeds from the scene's own on")
+      .between(1, 10000)
+      .show_default();
+  app.add_option("--set", command->overrides, "KEY=VALUE: change one key of the scene").one_argument_each();
+  app.add_option("--observables", command->observables, "those wanted: phi, B, lambda, ... [all]")
+      .delimiter(',')
+      .one_argument_each()
+      .one_of(observable_names());
+  app.add_option("--plot", command->plot, "F.svg: error against cost; its data and script beside it");
+  add_format_option(app, command->format);
   return {app, [command] { return run_tradeoff(*command); }};
 }
 

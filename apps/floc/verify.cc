@@ -20,7 +20,8 @@ int report(const std::string& file, const std::vector<Criterion>& criteria, Tabl
   std::string failed;
   for (const Criterion& c : criteria) {
     if (c.holds) continue;
-    failed += (failed.empty() ? "" : " ") + std::string(c.name);
+    if (!failed.empty()) failed += ' ';
+    failed += c.name;
     spdlog::error("{}: {} does not hold: {:.3g}, limit {:.3g}: {}", file, c.name, c.value, c.limit, c.where);
   }
   if (table.columns.empty()) {
@@ -46,13 +47,13 @@ int verify(const VerifyArguments& arguments) {
 
 }  // namespace
 
-Command add_verify(CLI::App& program) {
-  CLI::App* app =
+Command add_verify(CommandLine program) {
+  CommandLine app =
       program.add_subcommand("verify", "recompute from the file alone whether a state is an equilibrium");
   const auto arguments = std::make_shared<VerifyArguments>();
-  add_states_argument(*app, arguments->files);
-  add_format_option(*app, arguments->format);
-  app->footer(
+  add_states_argument(app, arguments->files);
+  add_format_option(app, arguments->format);
+  app.footer(
       "Prints for each state what was found: geometry and law (largest disagreement of the contacts stored), "
       "list (contacts\n"
       "missing or too many), force, moment, stress, energy (residuals, see the README), mean_stress (sum F_N "

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace floc {
+
+/// An option, flag or positional argument of a command. What is said of it chains:
+/// `line.add_option(...).required().positive()`. Handles may be copied; the command line owns the option.
+class Option {
+ public:
+  Option required();
+  /// As many values as `count`, or `least` to `most` (-1: no limit).
+  Option expected(int count);
+  Option expected(int least, int most);
+  /// Values may also come as one argument, between these.
+  Option delimiter(char between);
+  /// Each mention of the option takes one argument, and what follows is positional again.
+  Option one_argument_each();
+  /// The help shows the value that the variable has now.
+  Option show_default();
+
+  Option positive();
+  Option non_negative();
+  Option between(int least, int most);
+  Option between(double least, double most);
+  Option one_of(const std::vector<std::string>& words);
+  Option one_of_integers(const std::vector<int>& numbers);
+
+  Option excludes(Option other);
+  Option excludes(const std::string& name);
+  Option needs(Option other);
+
+  /// How often it was given.
+  std::size_t count() const;
+
+ private:
+  friend class CommandLine;
+  explicit Option(CLI::Option* option) : option_(option) {}
+  CLI::Option* option_;
+};
+
+/// The command line of the program or of one of its commands. Handles may be copied; the program owns what they name.
+///
+/// This class and Option stand between the commands and CLI11 because its headers cost every file that includes them
+/// some eight seconds of compilation: command_line.cc alone does.
+class CommandLine {
+ public:
+  CommandLine add_subcommand(const std::string& name, const std::string& description);
+  /// One of the subcommands must be given, and no more than one.
+  void require_one_subcommand();
+  /// Was this subcommand the one given?
+  bool parsed() const;
+  /// Text below the help.
+  void footer(const std::string& text);
+
+  /// Adds an option ("-o,--output") or a positional argument ("STATE"), read into `value` when the line is parsed.
+  /// Defined for the types that command_line.cc lists; a new type takes a line there.
+  template <class T>
+  Option add_option(const std::string& name, T& value, const std::string& text);
+  Option add_flag(const std::string& name, bool& value, const std::string& text);
+
+ private:
+  friend class ProgramLine;
+  explicit CommandLine(CLI::App* app) : app_(app) {}
+  CLI::App* app_;
+};
+
+/// The command line of the whole program, with --help and --version.
+class ProgramLine {
+ public:
+  ProgramLine(const std::string& name, const std::string& description, const std::string& version);
+  ~ProgramLine();
+  ProgramLine(const ProgramLine&) = delete;
+  ProgramLine& operator=(const ProgramLine&) = delete;
+
+  CommandLine top();
+
+  /// Reads the arguments into the variables of the options.
+  /// @return nothing if a command is to be run; otherwise help, version or a fault was printed and the program is to
+  ///   end: with an exit code of 0, or of kUsage for a fault
+  std::optional<int> parse(int argc, char** argv);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+};
+
+}  // namespace floc

@@ -29,7 +29,21 @@ TEST(ViscousDamping, CoefficientIsTwiceTheRatioTimesTheCriticalRoot) {
   const ViscousDamping effective{0.3, DampingMass::effective};
   EXPECT_DOUBLE_EQ(effective.coefficient(3.0, 1.5, 7.0), 2 * zeta * std::sqrt(1.0 * 7.0));
   const ViscousDamping grain{0.3, DampingMass::grain};
-  EXPECT_DOUBLE_EQ(grain.coefficient(3.0, 1.5, 7.0), 2 * zeta * std::sqrt(3.0 * 7.0));
+  EXPECT_DOUBLE_EQ(grain.coefficient(3.0, 1.5, 7.0), 2 * zeta * std::sqrt(2.0 * 7.0));
+  EXPECT_DOUBLE_EQ(grain.coefficient(3.0, 3.0, 7.0), 2 * zeta * std::sqrt(3.0 * 7.0));
+}
+
+TEST(ViscousDamping, RestitutionOfAPairDependsNeitherOnSizesNorOnWhichGrainIsFirst) {
+  for (const DampingMass rule : {DampingMass::effective, DampingMass::grain}) {
+    const ViscousDamping damping{0.3, rule};
+    const double ratio_among_equals = damping.coefficient(1.0, 1.0, 7.0) / (2 * std::sqrt(0.5 * 7.0));
+    for (const double mass : {0.001, 0.25, 4.0}) {
+      const double effective = mass / (1.0 + mass);
+      EXPECT_EQ(damping.coefficient(1.0, mass, 7.0), damping.coefficient(mass, 1.0, 7.0));
+      EXPECT_NEAR(damping.coefficient(1.0, mass, 7.0) / (2 * std::sqrt(effective * 7.0)), ratio_among_equals,
+                  1e-15);
+    }
+  }
 }
 
 TEST(ViscousDamping, GrainMassRuleGivesTwoEqualSpheresTheSmallerRestitutionOfB24) {

@@ -5,10 +5,11 @@
 
 namespace floc {
 
-/// Which mass the critical damping of a contact is taken with.
+/// Which mass m the critical damping of a contact is taken with. Either is the same for i against j as for j against i, and
+/// a fixed multiple of the effective mass, so that all pairs have one restitution, whatever their sizes.
 enum class DampingMass {
-  effective,  ///< m_i m_j/(m_i + m_j): the restitution holds for every pair (G08)
-  grain,      ///< the mass of grain i: the restitution holds against a wall (B24)
+  effective,  ///< m_i m_j/(m_i + m_j): that of a pair is the one given (G08)
+  grain,  ///< twice that, the mass of a grain among equals (B24): pairs rebound less, with sqrt(2) the damping ratio
 };
 
 /// Fraction of critical damping that gives a linear spring the restitution e, 0 < e <= 1:
@@ -26,7 +27,8 @@ struct ViscousDamping {
 
   /// Damping coefficient c of a pair (force * time/length).
   double coefficient(double mass_i, double mass_j, double normal_stiffness) const {
-    const double m = mass_rule == DampingMass::effective ? mass_i * mass_j / (mass_i + mass_j) : mass_i;
+    const double effective = mass_i * mass_j / (mass_i + mass_j);
+    const double m = mass_rule == DampingMass::effective ? effective : 2.0 * effective;
     return 2.0 * damping_ratio(restitution) * std::sqrt(m * normal_stiffness);
   }
 };

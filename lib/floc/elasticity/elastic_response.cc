@@ -4,57 +4,13 @@
 #include <cmath>
 #include <optional>
 
+#include "floc/elasticity/reduced_unknowns.h"
 #include "floc/linalg/condensation.h"
 #include "floc/linalg/single_factor.h"
 #include "floc/linalg/spring_inverse.h"
 
 namespace floc {
 namespace {
-
-/// The unknowns that are solved for, made alike: rotations become the displacements they give at the grain's size.
-struct ReducedUnknowns {
-  std::vector<int> row;      // of each unknown of K; -1: not solved for
-  std::vector<int> unknown;  // of K, for each row
-  Eigen::VectorXd length;    // of each row: unknown of K = length * value here
-};
-
-template <int Dim>
-ReducedUnknowns reduce_unknowns(const ContactNetwork<Dim>& network, const std::vector<bool>& kept) {
-  ReducedUnknowns r;
-  r.row.assign(kept.size(), -1);
-  for (int u = 0; u < static_cast<int>(kept.size()); ++u)
-    if (kept[u]) r.row[u] = static_cast<int>(r.unknown.size()), r.unknown.push_back(u);
-  r.length.resize(static_cast<Eigen::Index>(r.unknown.size()));
-  for (int a = 0; a < r.length.size(); ++a) {
-    const int u = r.unknown[a];
-    r.length[a] = u % kDofs<Dim> < Dim ? 1.0 : 1.0 / network.grain_size[u / kDofs<Dim>];
-  }
-  return r;
-}
-
-template <int Dim>
-double largest_stiffness(const ContactNetwork<Dim>& network) {
-  double largest = 0.0;
-  for (const NetworkContact<Dim>& c : network.contacts) largest = std::max({largest, std::abs(c.kn), c.kt});
-  return largest > 0.0 ? largest : 1.0;
-}
-
-/// Lower triangle of the block of the grains in those unknowns, over `unit`.
-Eigen::SparseMatrix<double> reduce(const Eigen::SparseMatrix<double>& grains, const ReducedUnknowns& r,
-                                   double unit) {
-  const int n = static_cast<int>(r.unknown.size());
-  Eigen::SparseMatrix<double> reduced(n, n);
-  if (n == 0) return reduced;  // Eigen cannot compress a matrix without columns
-  reduced.reserve(grains.nonZeros());
-  for (int b = 0; b < n; ++b) {
-    reduced.startVec(b);
-    for (Eigen::SparseMatrix<double>::InnerIterator it(grains, r.unknown[b]); it; ++it)
-      if (const int a = r.row[it.row()]; a >= 0)
-        reduced.insertBack(a, b) = it.value() * (r.length[a] * r.length[b]) / unit;
-  }
-  reduced.finalize();
-  return reduced;
-}
 
 /// The springs of a network in those unknowns, over `unit`, with the strains as boundary.
 template <int Dim>
@@ -128,7 +84,7 @@ struct Problem {
     // Eliminating a dead end takes its contact with it.
     if (has_ends()) pruned = without_grains(network, free.dead_end);
     unknowns = reduce_unknowns(core(), free.kept);
-    unit = largest_stiffness(core());
+    unit = stiffness_scale(core());
   }
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
@@ -142,11 +98,6 @@ struct Problem {
     return reduce(stiffness_matrix(core(), {options.strains, options.prestress}).grains, unknowns, unit);
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
-  std::vector<int> groups() const {
-    std::vector<int> grain_of;
-    for (const int u : unknowns.unknown) grain_of.push_back(u / kDofs<Dim>);
-    return grain_of;
-  }
 
   /// @param norm  of K, or a number below it
   ElasticResponse take(const Condensation& condensed, double norm) {
@@ -166,7 +117,7 @@ struct Problem {
 
 template <int Dim>
 ElasticResponse solve_by_factor(Problem<Dim>& problem, SymmetricFactor& factor) {
-  factor.set_matrix(problem.stiffness(), problem.groups());
+  factor.set_matrix(problem.stiffness(), grain_of_rows<Dim>(problem.unknowns));
   std::optional<SpringInverse> inverse = invert_positive(factor);
   problem.positive = inverse.has_value();
   const SpringSystem springs = problem.springs();

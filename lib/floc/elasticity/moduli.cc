@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/isotropic_moduli.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/balance.h"
@@ -27,25 +28,6 @@ constexpr double kToleranceOfCrudeSolution = 0.1;
 /// Relative rounding of the volume of the cell and of the forces that convect.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Component of a symmetric tensor that a strain unknown does work on.
-template <int Dim>
-double conjugate(const Mat<Dim>& tensor, int column) {
-  return (tensor.transpose() * unit_strain<Dim>(column)).trace();
-}
-
-/// What the convection of forces adds to relaxed K/V: -sym(sigma E) + sigma tr E, symmetrised.
-template <int Dim>
-Eigen::MatrixXd convected_stress(const Mat<Dim>& stress, int n) {
-  Eigen::MatrixXd added(n, n);
-  for (int b = 0; b < n; ++b) {
-    const Mat<Dim> e = unit_strain<Dim>(b);
-    const Mat<Dim> turned = stress * e;
-    const Mat<Dim> change = stress * e.trace() - 0.5 * (turned + turned.transpose());
-    for (int a = 0; a < n; ++a) added(a, b) = conjugate<Dim>(change, a);
-  }
-  return 0.5 * (added + added.transpose());
-}
 
 /// Below it an eigenvalue of C is not told from zero.
 double vanishing_bound(double scale, const Moduli& m) {
@@ -169,13 +151,22 @@ std::vector<std::string> ModuliOptions::validate() const {
   return faults;
 }
 
+namespace {
+
+template <int Dim>
+ContactNetwork<Dim> loaded(const Packing<Dim>& packing, const ModuliOptions& options, const Mat<Dim>& stress) {
+  const Vec<Dim> pressure = Vec<Dim>::Constant(stress.trace() / Dim);
+  const double smallest = options.force_tolerance * force_scale<Dim>(packing, pressure).force;
+  ContactNetwork<Dim> network = without_grains(contact_network(packing), find_rattlers(packing, smallest));
+  if (options.rolling_stiffness) set_rolling_stiffness(network, *options.rolling_stiffness);
+  return network;
+}
+
+}  // namespace
+
 template <int Dim>
 ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) const {
-  const Vec<Dim> pressure = Vec<Dim>::Constant(static_stress(packing).trace() / Dim);
-  const double smallest = force_tolerance * force_scale<Dim>(packing, pressure).force;
-  ContactNetwork<Dim> network = without_grains(contact_network(packing), find_rattlers(packing, smallest));
-  if (rolling_stiffness) set_rolling_stiffness(network, *rolling_stiffness);
-  return network;
+  return loaded(packing, *this, static_stress(packing));
 }
 
 namespace {
@@ -192,15 +183,13 @@ void take_middle_of_bounds(int n_strains, Moduli& m) {
 
 /// @param respond  elastic_response with what is kept from one call to the next
 template <int Dim>
-Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, const auto& respond) {
+Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
+                   const ModuliOptions& options, const auto& respond) {
   assert(options.validate().empty());
   Moduli m;
-  const Mat<Dim> stress = static_stress(packing);
-  m.pressure = stress.trace() / Dim;
-  m.n_at_cap = static_cast<int>(std::count_if(packing.contacts.begin(), packing.contacts.end(),
-                                              [](const auto& c) { return c.sliding || c.rolling_yield; }));
-  const ContactNetwork<Dim> network = options.loaded_network(packing);
-  m.bounds = elastic_bounds(network, options.unloaded ? 0.0 : m.pressure, mean_field(packing));
+  m.pressure = load.stress.trace() / Dim;
+  m.n_at_cap = load.n_at_cap;
+  m.bounds = elastic_bounds(network, load.unloaded ? 0.0 : m.pressure, load.mean_field);
 
   if (options.method == ModuliMethod::bounds) {
     take_middle_of_bounds(n_strains<Dim>(options.strains), m);
@@ -216,7 +205,7 @@ Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, co
                    options.tolerance};
   ElasticResponse response = respond(network, response_options);
   m.C = response.relaxed / network.volume;
-  if (options.prestress) m.C += convected_stress<Dim>(stress, static_cast<int>(m.C.rows()));
+  if (options.prestress) m.C += convected_stress<Dim>(load.stress, static_cast<int>(m.C.rows()));
   m.C_error = response.error / network.volume + kCellRounding * m.C.cwiseAbs();
   if (!response.counted) m.method = options.method;
   m.steps = response.steps;
@@ -231,7 +220,7 @@ Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, co
   if (options.prestress) {
     ModuliOptions plain = options;
     plain.prestress = false;
-    Moduli without = moduli_with(packing, plain, respond);
+    Moduli without = moduli_with(network, load, plain, respond);
     m.B_without_prestress = without.B;
     m.G_without_prestress = without.G;
     response = std::move(without.response);
@@ -241,7 +230,25 @@ Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, co
   return m;
 }
 
+template <int Dim>
+Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, const auto& respond) {
+  const auto n_at_cap = std::count_if(packing.contacts.begin(), packing.contacts.end(),
+                                      [](const auto& c) { return c.sliding || c.rolling_yield; });
+  const NetworkLoad<Dim> load{static_stress(packing), options.unloaded, mean_field(packing),
+                              static_cast<int>(n_at_cap)};
+  return moduli_with(loaded(packing, options, load.stress), load, options, respond);
+}
+
 }  // namespace
+
+template <int Dim>
+Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
+                      const ModuliOptions& options) {
+  SymmetricFactor factor(options.ordering);
+  return moduli_with(network, load, options, [&](const auto& contacts, const ResponseOptions& response) {
+    return elastic_response(contacts, response, factor);
+  });
+}
 
 template <int Dim>
 Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options) {
@@ -280,6 +287,8 @@ Moduli ModuliSequence<Dim>::next(const Packing<Dim>& packing, bool unloaded) {
 
 template ContactNetwork<2> ModuliOptions::loaded_network(const Packing<2>&) const;
 template ContactNetwork<3> ModuliOptions::loaded_network(const Packing<3>&) const;
+template Moduli elastic_moduli(const ContactNetwork<2>&, const NetworkLoad<2>&, const ModuliOptions&);
+template Moduli elastic_moduli(const ContactNetwork<3>&, const NetworkLoad<3>&, const ModuliOptions&);
 template Moduli elastic_moduli(const Packing<2>&, const ModuliOptions&);
 template Moduli elastic_moduli(const Packing<3>&, const ModuliOptions&);
 template class ModuliSequence<2>;

@@ -44,6 +44,15 @@ struct ModuliOptions {
   std::vector<std::string> validate() const;
 };
 
+/// What the moduli of a network rest on beside its contacts.
+template <int Dim>
+struct NetworkLoad {
+  Mat<Dim> stress = Mat<Dim>::Zero();  ///< static, compression positive (force/length^(Dim-1))
+  bool unloaded = false;               ///< see ModuliOptions
+  MeanField mean_field{};              ///< for the bounds in their printed forms
+  int n_at_cap = 0;                    ///< contacts that slide or yield, which the network takes as elastic
+};
+
 /// Elastic moduli of one state, as stress (force/length^(Dim-1)), and what they rest on.
 struct Moduli {
   /// Stress against strain, both positive in compression, order of StrainSet; symmetric.
@@ -88,7 +97,13 @@ struct Moduli {
 /// not symmetric; the symmetric part is given.
 /// A vanishing modulus, one that its error bound does not tell from zero, is given as zero and counted as a coupled
 /// mechanism. Moduli of which no digit is left are not a number, with a warning.
+/// @param network  the contacts that count; `options` changes none of them
 /// @pre options.validate() is empty.
+template <int Dim>
+[[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
+                                    const ModuliOptions& options);
+
+/// The same of options.loaded_network(packing) under the stress that the packing carries.
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
 

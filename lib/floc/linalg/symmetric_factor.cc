@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -305,6 +306,18 @@ double SymmetricFactor::condition_estimate() const {
   assert(f.current != nullptr);
   const auto apply = [&f](const Eigen::VectorXd& x) -> Eigen::VectorXd { return f.apply_inverse(x); };
   return inverse_norm_estimate(f.size(), apply) * (f.norm + std::abs(f.shift));
+}
+
+double SymmetricFactor::reciprocal_condition() const {
+  const Factor& f = *factor_;
+  if (f.size() == 0) return 1.0;
+  assert(f.current != nullptr);
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+  f.for_each_pivot([&](double pivot) {
+    smallest = std::min(smallest, std::abs(pivot));
+    largest = std::max(largest, std::abs(pivot));
+  });
+  return smallest / largest;
 }
 
 }  // namespace floc

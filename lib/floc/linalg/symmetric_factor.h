@@ -56,6 +56,11 @@ class SymmetricFactor {
   /// @pre the last factorization succeeded.
   double condition_estimate() const;
 
+  /// Rough reciprocal condition number: smallest over largest pivot of the last factor in absolute value, 1 for an
+  /// empty matrix. An upper bound of the reciprocal condition of a positive definite matrix.
+  /// @pre the last factorization succeeded.
+  double reciprocal_condition() const;
+
  private:
   struct Factor;
   std::unique_ptr<Factor> factor_;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "floc/network/rigidity_matrix.h"
+
+namespace floc {
+
+/// Component of a symmetric tensor that a strain unknown does work on.
+template <int Dim>
+double conjugate(const Mat<Dim>& tensor, int column) {
+  return (tensor.transpose() * unit_strain<Dim>(column)).trace();
+}
+
+/// What the convection of forces adds to relaxed K/V: -sym(sigma E) + sigma tr E, symmetrised (PHYSICS section 5).
+/// @param n  number of strain unknowns, in the order of StrainSet
+template <int Dim>
+Eigen::MatrixXd convected_stress(const Mat<Dim>& stress, int n) {
+  Eigen::MatrixXd added(n, n);
+  for (int b = 0; b < n; ++b) {
+    const Mat<Dim> e = unit_strain<Dim>(b);
+    const Mat<Dim> turned = stress * e;
+    const Mat<Dim> change = stress * e.trace() - 0.5 * (turned + turned.transpose());
+    for (int a = 0; a < n; ++a) added(a, b) = conjugate<Dim>(change, a);
+  }
+  return 0.5 * (added + added.transpose());
+}
+
+}  // namespace floc

@@ -1,0 +1,71 @@
+#include "floc/elasticity/stability.h"
+
+#include <gtest/gtest.h>
+
+#include "floc/elasticity/moduli.h"
+#include "floc/network/free_motions.h"
+#include "floc/packing/balance.h"
+#include "support/lattices.h"
+
+namespace floc {
+namespace {
+
+/// Strong tails over a wide range: some of these packings are unstable, some in many ways.
+LawParameters tail_law(double force) {
+  LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
+  law.adhesion = LawParameters::Adhesion{force, 0.08};
+  return law;
+}
+
+int count_with_moduli(const auto& packing, bool prestress) {
+  ModuliOptions options;
+  options.prestress = prestress;
+  return elastic_moduli(packing, options).n_negative;
+}
+
+template <int Dim>
+void expect_inertia_of_the_moduli(int n_grains, double grains_per_volume) {
+  int n_unstable = 0;
+  for (unsigned seed = 0; seed < 12; ++seed)
+    for (const double force : {0.0, 0.004, 0.02, 0.08})
+      for (const bool prestress : {false, true}) {
+        const auto packing = test::random_packing<Dim>(n_grains, seed, tail_law(force), grains_per_volume);
+        const int expected = count_with_moduli(packing, prestress);
+        EXPECT_EQ(count_negative_eigenvalues(packing, prestress), expected) << seed << " " << force;
+        n_unstable += expected > 0;
+      }
+  EXPECT_GT(n_unstable, 10);
+}
+
+TEST(Stability, CountsWhatTheModuliCountIn2D) {
+  expect_inertia_of_the_moduli<2>(20, 1.6);
+  expect_inertia_of_the_moduli<2>(20, 0.9);  // loose: dead ends and single distant bonds
+}
+
+TEST(Stability, CountsWhatTheModuliCountIn3D) {
+  expect_inertia_of_the_moduli<3>(10, 1.6);
+  expect_inertia_of_the_moduli<3>(12, 0.9);
+}
+
+TEST(Stability, DoesNotCountMechanisms) {
+  // Without tangential springs a square lattice shears at no cost, and a chain has nothing across it.
+  const LawParameters bare = test::elastic_law(1.0, 0.0, 0.0);
+  EXPECT_EQ(count_negative_eigenvalues(test::square_frames(4, 1.0, bare)), 0);
+  EXPECT_EQ(count_negative_eigenvalues(test::chain_across(5, 1.0, 2.0, bare)), 0);
+}
+
+TEST(Moduli, OfANetworkAreThoseOfItsPacking) {
+  const Packing<2> packing = test::random_packing<2>(20, 3, tail_law(0.004));
+  ModuliOptions options;
+  options.prestress = true;
+  NetworkLoad<2> load;
+  load.stress = static_stress(packing);
+  const Moduli m = elastic_moduli(options.loaded_network(packing), load, options);
+  const Moduli expected = elastic_moduli(packing, options);
+  EXPECT_EQ((m.C - expected.C).cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ(m.bounds.B_reuss, expected.bounds.B_reuss);
+  EXPECT_EQ(m.n_negative, expected.n_negative);
+}
+
+}  // namespace
+}  // namespace floc

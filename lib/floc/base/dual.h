@@ -1,0 +1,88 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+namespace floc {
+
+/// A number with its derivatives by N variables: evaluating a formula on duals evaluates its derivatives with it (forward
+/// mode). Comparisons look at the value alone, so that a branch is taken as the value takes it.
+template <int N>
+struct Dual {
+  double value = 0.0;
+  std::array<double, N> derivative{};
+
+  constexpr Dual() = default;
+  /// A constant.
+  constexpr Dual(double constant) : value(constant) {}  // NOLINT: as a double stands for a number anywhere else
+  /// The variable of this number.
+  constexpr Dual(double at, int variable) : value(at) { derivative[variable] = 1.0; }
+
+  constexpr Dual& operator+=(const Dual& q) { return *this = *this + q; }
+  constexpr Dual& operator-=(const Dual& q) { return *this = *this - q; }
+  constexpr Dual& operator*=(const Dual& q) { return *this = *this * q; }
+  constexpr Dual& operator/=(const Dual& q) { return *this = *this / q; }
+
+  friend constexpr Dual operator+(const Dual& p, const Dual& q) {
+    return chain(p.value + q.value, p, 1.0, q, 1.0);
+  }
+  friend constexpr Dual operator-(const Dual& p, const Dual& q) {
+    return chain(p.value - q.value, p, 1.0, q, -1.0);
+  }
+  friend constexpr Dual operator-(const Dual& p) { return chain(-p.value, p, -1.0); }
+  friend constexpr Dual operator*(const Dual& p, const Dual& q) {
+    return chain(p.value * q.value, p, q.value, q, p.value);
+  }
+  friend constexpr Dual operator/(const Dual& p, const Dual& q) {
+    const double quotient = p.value / q.value;
+    return chain(quotient, p, 1.0 / q.value, q, -quotient / q.value);
+  }
+
+  friend constexpr bool operator<(const Dual& p, const Dual& q) { return p.value < q.value; }
+  friend constexpr bool operator>(const Dual& p, const Dual& q) { return p.value > q.value; }
+  friend constexpr bool operator<=(const Dual& p, const Dual& q) { return p.value <= q.value; }
+  friend constexpr bool operator>=(const Dual& p, const Dual& q) { return p.value >= q.value; }
+  friend constexpr bool operator==(const Dual& p, const Dual& q) { return p.value == q.value; }
+
+  friend Dual sqrt(const Dual& p) {
+    const double root = std::sqrt(p.value);
+    return chain(root, p, 0.5 / root);
+  }
+  friend Dual abs(const Dual& p) { return p.value < 0.0 ? -p : p; }
+  friend Dual sin(const Dual& p) { return chain(std::sin(p.value), p, std::cos(p.value)); }
+  friend Dual cos(const Dual& p) { return chain(std::cos(p.value), p, -std::sin(p.value)); }
+  friend Dual exp(const Dual& p) {
+    const double power = std::exp(p.value);
+    return chain(power, p, power);
+  }
+  friend Dual log(const Dual& p) { return chain(std::log(p.value), p, 1.0 / p.value); }
+  friend Dual pow(const Dual& p, double exponent) {
+    return chain(std::pow(p.value, exponent), p, exponent * std::pow(p.value, exponent - 1.0));
+  }
+
+ private:
+  /// A function value with its derivatives by the duals that it was evaluated on.
+  static constexpr Dual chain(double value, const Dual& p, double by_p) {
+    Dual out(value);
+    for (int k = 0; k < N; ++k) out.derivative[k] = by_p * p.derivative[k];
+    return out;
+  }
+  static constexpr Dual chain(double value, const Dual& p, double by_p, const Dual& q, double by_q) {
+    Dual out(value);
+    for (int k = 0; k < N; ++k) out.derivative[k] = by_p * p.derivative[k] + by_q * q.derivative[k];
+    return out;
+  }
+};
+
+}  // namespace floc
+
+/// What Eigen has to know to take duals as elements.
+template <int N>
+struct Eigen::NumTraits<floc::Dual<N>> : Eigen::NumTraits<double> {
+  using Real = floc::Dual<N>;
+  using NonInteger = floc::Dual<N>;
+  using Nested = floc::Dual<N>;
+  using Literal = floc::Dual<N>;
+  enum { RequireInitialization = 1, ReadCost = N + 1, AddCost = N + 1, MulCost = 3 * N + 1 };
+};

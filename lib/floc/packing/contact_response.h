@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Relative motion of the two surfaces of a contact since its memory was last updated, in the frame of its normal.
+template <int Dim>
+struct SurfaceMotion {
+  Shear<Dim> slip = Shear<Dim>::Zero();         ///< tangential displacement of j against i (length)
+  Spin<Dim> relative_turn = Spin<Dim>::Zero();  ///< rotation of i against j (radians)
+};
+
+/// Carries what a contact remembers, and its motion since, from its normal to another, which it then has. Without a normal
+/// (zero) it takes the new one with its memory as it is.
+///
+/// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
+template <int Dim>
+void carry(const Vec<Dim>& normal, double twist, Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
+
+/// Static response of contacts by their law: from `gap`, `normal` and memory of each, which moves by `motion`, follow forces,
+/// stiffnesses, flags and the memory after. The law is resolved once for all.
+///
+/// @param motion   one entry a contact
+/// @param contacts i, j, image and key are not looked at
+template <int Dim>
+void respond(const LawParameters& law, std::span<const SurfaceMotion<Dim>> motion,
+             std::span<Contact<Dim>> contacts);
+
+/// Derivatives of what one contact does, rows and columns in the order of `ContactRows`: normal force, tangential force on
+/// i along each tangent, rolling moment on i, by overlap, tangential displacement of j against i along each tangent,
+/// rotation of j against i.
+template <int Dim>
+using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
+
+/// The consistent tangents of `respond`: derivatives of the law's own response, return to its caps included, in the frame
+/// that turns with the contact. Not symmetric where a force follows another, such as one that slides. A contact that
+/// stands at its cap to rounding is taken to slide on.
+///
+/// @param start    contacts before the motion: `gap` and `normal` of the present, memory of the start
+/// @param frame    of each: columns the normal, then the tangents
+/// @param tangent  written, one entry a contact
+template <int Dim>
+void contact_tangents(const LawParameters& law, std::span<const Contact<Dim>> start,
+                      std::span<const SurfaceMotion<Dim>> motion, std::span<const Mat<Dim>> frame,
+                      std::span<ContactTangent<Dim>> tangent);
+
+}  // namespace floc

@@ -1,0 +1,201 @@
+#include "floc/packing/contact_response.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include "floc/packing/contact_forces.h"
+
+namespace floc {
+namespace {
+
+constexpr double kOverlap = 0.1;
+
+LawParameters full_law() {
+  LawParameters law;
+  law.normal_stiffness = 100.0;
+  law.adhesion = {2.0, 0.05};
+  law.friction = {0.5, 80.0};
+  law.rolling = {0.1, 3.0};
+  return law;
+}
+
+template <int Dim>
+struct Touching {
+  Contact<Dim> contact;
+  SurfaceMotion<Dim> motion;
+  Mat<Dim> frame;
+};
+
+/// A contact of random direction with springs and a motion of these shares of their caps.
+template <int Dim>
+Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  const LawParameters law = full_law();
+  const double elastic = law.normal_stiffness * kOverlap;
+  Touching<Dim> t;
+  Vec<Dim> other;
+  for (int a = 0; a < Dim; ++a) t.contact.normal[a] = normal(engine), other[a] = normal(engine);
+  t.contact.normal.normalize();
+  t.contact.gap = -kOverlap;
+  const Shear<Dim> along = to_shear<double>(t.contact.normal, other).normalized();
+  Spin<Dim> axis;
+  for (int a = 0; a < kRotations<Dim>; ++a) axis[a] = normal(engine);
+  axis.normalize();
+  const double longest = law.friction->coefficient * elastic / law.friction->stiffness;
+  const double furthest = law.rolling->coefficient * elastic / law.rolling->stiffness;
+  t.contact.shear_spring = 0.3 * tangential * longest * along;
+  t.motion.slip = 0.7 * tangential * longest * along;
+  t.contact.rolling_spring = 0.6 * rolling * furthest * axis;
+  t.motion.relative_turn = 0.4 * rolling * furthest * axis;
+  t.frame.col(0) = t.contact.normal;
+  if constexpr (Dim == 2) {
+    t.frame.col(1) = tangent<double>(t.contact.normal);
+  } else {
+    t.frame.col(1) = t.contact.normal.unitOrthogonal();
+    t.frame.col(2) = t.contact.normal.cross(t.frame.col(1));
+  }
+  return t;
+}
+
+template <int Dim>
+Contact<Dim> after(const Touching<Dim>& t) {
+  Contact<Dim> c = t.contact;
+  respond<Dim>(full_law(), {&t.motion, 1}, {&c, 1});
+  return c;
+}
+
+template <int Dim>
+ContactTangent<Dim> tangent_at(const Touching<Dim>& t, const LawParameters& law = full_law()) {
+  ContactTangent<Dim> k;
+  contact_tangents<Dim>(law, {&t.contact, 1}, {&t.motion, 1}, {&t.frame, 1}, {&k, 1});
+  return k;
+}
+
+template <int Dim>
+ContactTangent<Dim> by_differences(const Touching<Dim>& t) {
+  using Row = Eigen::Matrix<double, kDofs<Dim>, 1>;
+  const auto carried = [&](int dof, double by) {
+    Touching<Dim> moved = t;
+    if (dof == 0) moved.contact.gap -= by;
+    if (dof > 0 && dof < Dim)
+      moved.motion.slip += by * to_shear<double>(t.contact.normal, Vec<Dim>(t.frame.col(dof)));
+    if (dof >= Dim) moved.motion.relative_turn[dof - Dim] -= by;  // of i against j
+    const Contact<Dim> c = after(moved);
+    Row f;
+    f[0] = c.normal_force;
+    for (int a = 1; a < Dim; ++a) f[a] = c.shear_force.dot(t.frame.col(a));
+    f.template tail<kRotations<Dim>>() = c.rolling_moment;
+    return f;
+  };
+  constexpr double kStep = 1e-6;
+  ContactTangent<Dim> k;
+  for (int b = 0; b < kDofs<Dim>; ++b) k.col(b) = (carried(b, kStep) - carried(b, -kStep)) / (2.0 * kStep);
+  return k;
+}
+
+template <int Dim>
+void expect_tangents() {
+  for (unsigned seed = 0; seed < 4; ++seed)
+    for (const double tangential : {0.5, 1.6})
+      for (const double rolling : {0.5, 1.6}) {
+        const auto t = touching<Dim>(tangential, rolling, seed);
+        EXPECT_EQ(after(t).sliding, tangential > 1.0);
+        EXPECT_EQ(after(t).rolling_yield, rolling > 1.0);
+        // Truncation is (step/spring)^2, some 1e-9, and rounding 1e-16/step, of stiffnesses up to 100.
+        EXPECT_LT((tangent_at(t) - by_differences(t)).cwiseAbs().maxCoeff(), 1e-6)
+            << tangential << " " << rolling;
+      }
+}
+
+TEST(ContactResponse, HasTheTangentOfItsForcesIn2D) {
+  expect_tangents<2>();
+}
+
+TEST(ContactResponse, HasTheTangentOfItsForcesIn3D) {
+  expect_tangents<3>();
+}
+
+TEST(ContactResponse, OfASlidingContactFollowsTheElasticForce) {
+  const auto t = touching<2>(1.6, 0.5, 0);
+  const auto k = tangent_at(t);
+  const double sign = t.motion.slip[0] > 0.0 ? 1.0 : -1.0;
+  EXPECT_DOUBLE_EQ(k(1, 0), sign * 0.5 * 100.0);
+  EXPECT_EQ(k(1, 1), 0.0);
+  EXPECT_EQ(k(0, 1), 0.0);
+}
+
+template <int Dim>
+void expect_to_slide_on() {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    auto t = touching<Dim>(1.0 + 1e-8, 1.0 + 1e-8, seed);  // hardly beyond both caps
+    const auto sliding = tangent_at(t);
+    t.contact = after(t);  // at them, to rounding
+    t.motion = {};
+    EXPECT_LT((tangent_at(t) - sliding).cwiseAbs().maxCoeff(), 1e-5) << seed;
+  }
+}
+
+TEST(ContactResponse, AtItsCapSlidesOn) {
+  expect_to_slide_on<2>();
+  expect_to_slide_on<3>();
+}
+
+template <int Dim>
+void expect_no_friction_across_a_gap() {
+  auto t = touching<Dim>(0.0, 0.0, 1);
+  t.contact.gap = 0.02;
+  ContactTangent<Dim> expected = ContactTangent<Dim>::Zero();
+  expected(0, 0) = -2.0 / 0.05;
+  EXPECT_EQ(tangent_at(t), expected);
+  EXPECT_TRUE(after(t).distant);
+}
+
+TEST(ContactResponse, AcrossAGapIsNormalAlone) {
+  expect_no_friction_across_a_gap<2>();
+  expect_no_friction_across_a_gap<3>();
+}
+
+TEST(ContactResponse, WithoutMotionIsThatOfARefreshedContact) {
+  Packing<2> packing;
+  packing.cell.matrix *= 10.0;
+  packing.law = full_law();
+  packing.grains = Grains<2>::with_size(2);
+  packing.grains.radius = {1.0, 0.5};
+  packing.grains.position[1] = 1.4 * Vec<2>(0.6, 0.8);
+  Contact<2> c;
+  c.j = 1;
+  c.shear_spring[0] = 1.0;
+  c.rolling_spring[0] = -0.02;
+  packing.contacts = {c};
+  refresh_contacts(packing);
+  const Contact<2>& expected = packing.contacts[0];
+  Contact<2> responded = expected;
+  responded.shear_spring[0] = 1.0;
+  const SurfaceMotion<2> still;
+  respond<2>(packing.law, {&still, 1}, {&responded, 1});
+  EXPECT_EQ(responded.shear_force, expected.shear_force);
+  EXPECT_EQ(responded.rolling_moment, expected.rolling_moment);
+  EXPECT_EQ(responded.normal_force, expected.normal_force);
+  EXPECT_EQ(responded.shear_spring, expected.shear_spring);
+  EXPECT_TRUE(responded.sliding);
+}
+
+TEST(ContactResponse, IsCarriedWithTheNormalIn3D) {
+  auto t = touching<3>(0.5, 0.5, 2);
+  const Vec<3> n0 = t.contact.normal;
+  const Vec<3> n1 = (n0 + 0.1 * t.frame.col(1)).normalized();
+  const auto start = t.contact;
+  const auto moved = t.motion;
+  carry<3>(n1, 0.2, t.contact, t.motion);
+  EXPECT_EQ(t.contact.normal, n1);
+  EXPECT_LT(std::abs(t.contact.shear_spring.dot(n1)), 1e-15);
+  EXPECT_NEAR(t.contact.shear_spring.norm(), start.shear_spring.norm(), 1e-15);
+  EXPECT_EQ(t.motion.slip, Vec<3>(transport<double>(moved.slip, n0, n1, 0.2)));
+  EXPECT_EQ(t.contact.rolling_spring, Vec<3>(transport<double>(start.rolling_spring, n0, n1, 0.2)));
+}
+
+}  // namespace
+}  // namespace floc

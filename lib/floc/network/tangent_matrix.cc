@@ -1,0 +1,212 @@
+#include "floc/network/tangent_matrix.h"
+
+#include <algorithm>
+
+namespace floc {
+namespace {
+
+/// Rows of the motion that geometric terms are linear in: displacement of j against i, rotation of i, rotation of j.
+template <int Dim>
+inline constexpr int kMotionRows = Dim + 2 * kRotations<Dim>;
+
+template <int Dim>
+using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
+
+/// v -> v x force as a matrix.
+Eigen::Matrix<double, 1, 2> crossed_with(const Vec<2>& force) {
+  return {force[1], -force[0]};
+}
+Eigen::Matrix3d crossed_with(const Vec<3>& f) {
+  return Eigen::Matrix3d{{0.0, f[2], -f[1]}, {-f[2], 0.0, f[0]}, {f[1], -f[0], 0.0}};
+}
+
+/// What is added where the forces keep their components in the frame of the contact and the frame turns. With dr the
+/// displacement of j against i, psi = n.(rotation of i + rotation of j)/2 and dn = (1 - n n) dr/r the frame turns by w = n x dn +
+/// psi n. Force on i f = -F n + S, moment on i share_i r x S + M, on j share_j r x S - M:
+///
+///   df = -F dn + w x S,  d(moment on i) = share_i (dr x S + r x (w x S)) + w x M
+///
+/// Rows do work on the motion, columns are the motion; the sign is that of a stiffness.
+template <int Dim>
+MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
+  constexpr int kTurn = kRotations<Dim>;
+  const Vec<Dim> n = c.normal();
+  const double r = c.branch.norm();
+  const Vec<Dim>& shear = c.shear_force;
+  const Mat<Dim> across = Mat<Dim>::Identity() - n * n.transpose();
+  const double share_i = c.arm_i.dot(n) / r;
+  const double share_j = -c.arm_j.dot(n) / r;
+
+  MotionMatrix<Dim> k = MotionMatrix<Dim>::Zero();
+  k.template topLeftCorner<Dim, Dim>() = -(c.normal_force * across + n * shear.transpose()) / r;
+  const auto moment_by_displacement = crossed_with(shear).eval();
+  k.template block<kTurn, Dim>(Dim, 0) = -share_i * moment_by_displacement;
+  k.template block<kTurn, Dim>(Dim + kTurn, 0) = -share_j * moment_by_displacement;
+  if constexpr (Dim == 3) {
+    const Vec<3>& rolling = c.rolling_moment;
+    const Mat<3> rolling_by_displacement = (n.dot(rolling) * across - n * (across * rolling).transpose()) / r;
+    k.template block<3, 3>(3, 0) -= rolling_by_displacement;
+    k.template block<3, 3>(6, 0) += rolling_by_displacement;
+    Eigen::Matrix<double, 9, 1> by_twist;
+    const Vec<3> rolling_by_twist = n.cross(rolling);
+    by_twist << n.cross(shear), share_i * r * shear - rolling_by_twist, share_j * r * shear + rolling_by_twist;
+    k.template block<9, 3>(0, 3) += 0.5 * by_twist * n.transpose();
+    k.template block<9, 3>(0, 6) += 0.5 * by_twist * n.transpose();
+  }
+  return k;
+}
+
+/// Columns of the unknowns of a grain in rows of the motion; rotations are unknowns times its size.
+template <int Dim>
+Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> motion_of_grain(double sign, int first_rotation,
+                                                                    double size) {
+  Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> rows;
+  rows.setZero();
+  rows.template topLeftCorner<Dim, Dim>() = sign * Mat<Dim>::Identity();
+  rows.template block<kRotations<Dim>, kRotations<Dim>>(first_rotation, Dim).setIdentity();
+  rows.template rightCols<kRotations<Dim>>() /= size;
+  return rows;
+}
+
+}  // namespace
+
+/// All blocks of the matrix, both triangles.
+template <int Dim>
+class TangentMatrix<Dim>::Sum {
+ public:
+  static constexpr bool kSymmetric = false;
+
+  explicit Sum(TangentMatrix& matrix)
+      : m_(matrix), values_(matrix.matrix_.valuePtr()), start_(matrix.matrix_.outerIndexPtr()) {}
+
+  template <class Block>
+  void add(int row, int column, const Block& block) {
+    const auto first = m_.neighbour_.begin() + m_.start_[column];
+    const auto place = std::find(first, m_.neighbour_.begin() + m_.start_[column + 1], row) - first;
+    double* values = values_ + start_[first_unknown<Dim>(column)] + kDofs<Dim> * place;
+    const int length = column_length(column);
+    for (int b = 0; b < kDofs<Dim>; ++b)
+      for (int a = 0; a < kDofs<Dim>; ++a) values[b * length + a] += block(a, b);
+  }
+
+  auto border(int grain) {
+    const int order = static_cast<int>(m_.matrix_.rows());
+    return strided(values_ + start_[order - m_.n_boundary_] + first_unknown<Dim>(grain), kDofs<Dim>,
+                   m_.n_boundary_, order);
+  }
+  auto border_row(int grain) {
+    const int length = column_length(grain);
+    return strided(values_ + start_[first_unknown<Dim>(grain)] + length - m_.n_boundary_, m_.n_boundary_,
+                   kDofs<Dim>, length);
+  }
+  auto boundary() {
+    const int order = static_cast<int>(m_.matrix_.rows());
+    const int first = order - m_.n_boundary_;
+    return strided(values_ + start_[first] + first, m_.n_boundary_, m_.n_boundary_, order);
+  }
+
+ private:
+  static auto strided(double* first, int rows, int columns, int stride) {
+    constexpr int kMost = BoundaryColumns<Dim>::kMost;
+    using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+    return Eigen::Map<Values, 0, Eigen::OuterStride<>>(first, rows, columns, Eigen::OuterStride<>(stride));
+  }
+
+  int column_length(int grain) const {
+    const int column = first_unknown<Dim>(grain);
+    return start_[column + 1] - start_[column];
+  }
+
+  TangentMatrix& m_;
+  double* values_;
+  const int* start_;
+};
+
+template <int Dim>
+TangentMatrix<Dim>::TangentMatrix(std::vector<double> grain_size, const ContactGraph& graph, int n_boundary)
+    : grain_size_(std::move(grain_size)), n_boundary_(n_boundary) {
+  lay_out(graph);
+}
+
+template <int Dim>
+void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
+  const int n = static_cast<int>(grain_size_.size());
+  std::vector<std::vector<int>> neighbours(n);
+  for (int g = 0; g < n; ++g) neighbours[g].push_back(g);
+  for (int g = 0; g < n; ++g)
+    for (int k = graph.start[g]; k < graph.start[g + 1]; ++k) {
+      neighbours[g].push_back(graph.neighbour[k]);
+      neighbours[graph.neighbour[k]].push_back(g);
+    }
+  start_.assign(1, 0);
+  for (std::vector<int>& of : neighbours) {
+    std::sort(of.begin(), of.end());
+    neighbour_.insert(neighbour_.end(), of.begin(), of.end());
+    start_.push_back(static_cast<int>(neighbour_.size()));
+  }
+  const int order = kDofs<Dim> * n + n_boundary_;
+  matrix_.resize(order, order);
+  matrix_.resizeNonZeros(kDofs<Dim> * (kDofs<Dim> * static_cast<int>(neighbour_.size()) + n * n_boundary_) +
+                         n_boundary_ * order);
+  int at = 0;
+  for (int column = 0; column < order; ++column) {
+    matrix_.outerIndexPtr()[column] = at;
+    const int grain = column / kDofs<Dim>;
+    if (grain < n) {
+      for (int k = start_[grain]; k < start_[grain + 1]; ++k)
+        for (int a = 0; a < kDofs<Dim>; ++a)
+          matrix_.innerIndexPtr()[at++] = first_unknown<Dim>(neighbour_[k]) + a;
+      for (int row = kDofs<Dim> * n; row < order; ++row) matrix_.innerIndexPtr()[at++] = row;
+    } else {
+      for (int row = 0; row < order; ++row) matrix_.innerIndexPtr()[at++] = row;
+    }
+  }
+  matrix_.outerIndexPtr()[order] = at;
+  reset(0.0);
+}
+
+template <int Dim>
+void TangentMatrix<Dim>::reset(double hold) {
+  std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+  matrix_.diagonal().array() += hold;
+}
+
+template <int Dim>
+void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiffness<Dim>& d,
+                             const BoundaryColumns<Dim>& boundary) {
+  constexpr int kTurn = kRotations<Dim>;
+  Sum sum(*this);
+  const double size_i = grain_size_[c.i], size_j = grain_size_[c.j];
+  auto on_i = motion_of_grain<Dim>(-1.0, Dim, size_i);
+  auto on_j = motion_of_grain<Dim>(1.0, Dim + kTurn, size_j);
+  // Of the boundary the contact feels a displacement, no rotation.
+  using OnBoundary =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMotionRows<Dim>, BoundaryColumns<Dim>::kMost>;
+  OnBoundary moved = OnBoundary::Zero(kMotionRows<Dim>, n_boundary_);
+  moved.template topRows<Dim>() = boundary.displacement;
+  ContactRows<Dim> rows = contact_rows(c);
+  OnBoundary felt = OnBoundary::Zero(kDofs<Dim>, n_boundary_);
+  felt.row(0) = -c.frame.col(0).transpose() * boundary.displacement;
+  for (int a = 1; a < Dim; ++a) felt.row(a) = c.frame.col(a).transpose() * boundary.displacement;
+  rows.on_i.template rightCols<kTurn>() /= size_i;
+  rows.on_j.template rightCols<kTurn>() /= size_j;
+  if (c.i == c.j) {
+    on_i += on_j;
+    on_j.setZero();
+  }
+  add_contact(c.i, c.j, rows.on_i, rows.on_j, felt, d, sum);
+  add_contact(c.i, c.j, on_i, on_j, moved, geometric_stiffness(c), sum);
+  sum.border_row(c.i) += boundary.follow * on_i.template topRows<Dim>();
+  sum.border_row(c.j) += boundary.follow * on_j.template topRows<Dim>();
+  sum.boundary() += boundary.follow * boundary.displacement;
+}
+
+template <int Dim>
+void TangentMatrix<Dim>::add_boundary(const Eigen::Ref<const Eigen::MatrixXd>& block) {
+  Sum(*this).boundary() += block;
+}
+
+template class TangentMatrix<2>;
+template class TangentMatrix<3>;
+
+}  // namespace floc

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "floc/network/assembly.h"
+#include "floc/network/contact_network.h"
+
+namespace floc {
+
+/// Derivatives of what a contact carries, rows and columns in the order of `ContactRows`; not symmetric where one force
+/// follows another. See contact_tangents().
+template <int Dim>
+using ConsistentStiffness = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
+
+/// The unknowns of whatever bounds a packing, as one contact feels them: strains of the cell, walls.
+template <int Dim>
+struct BoundaryColumns {
+  static constexpr int kMost = 2 * kSymmetric<Dim>;
+  /// Displacement of j against i for a unit of each unknown: Dim rows, a column an unknown.
+  Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMost> displacement;
+  /// Derivative of displacement^T (force on i) by the displacement of j against i while the force stays as it is: a row an
+  /// unknown, Dim columns. Zero for a wall; the force itself where a strain displaces along it by a component of the branch.
+  Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMost, Dim> follow;
+};
+
+/// Derivative of the forces on grains and boundary by their unknowns, sum of G^T D G over contacts and of all geometric terms,
+/// those of tangential forces and rolling moments among them: the tangent of a Newton iteration. Not symmetric.
+///
+/// Unknowns: translations and rotations (times the grain's size) of each grain, then those of the boundary. Loads alike:
+/// force, moment over the grain's size. The sign is that of a stiffness: minus the derivative of the force on what moves.
+/// The pattern is that of the pairs it was made for; values are added up contact by contact.
+template <int Dim>
+class TangentMatrix {
+ public:
+  /// @param graph  contact_graph() of the contacts that may be added
+  TangentMatrix(std::vector<double> grain_size, const ContactGraph& graph, int n_boundary);
+
+  /// Zero everywhere but `hold` on the diagonal.
+  void reset(double hold);
+
+  /// Adds a contact of two round grains: its arms lie along the branch, in constant shares of it, and what it remembers turns
+  /// with the branch and, about it, with the mean rotation of the two.
+  void add(const NetworkContact<Dim>& contact, const ConsistentStiffness<Dim>& d,
+           const BoundaryColumns<Dim>& boundary);
+
+  /// Adds to the block of the boundary.
+  void add_boundary(const Eigen::Ref<const Eigen::MatrixXd>& block);
+
+  /// Of order kDofs * grains + boundary unknowns, compressed.
+  const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
+
+ private:
+  class Sum;
+  void lay_out(const ContactGraph& graph);
+
+  std::vector<double> grain_size_;
+  int n_boundary_;
+  std::vector<int> start_;      // of each grain in `neighbour_`, and the end
+  std::vector<int> neighbour_;  // of each grain, itself among them, ascending
+  Eigen::SparseMatrix<double> matrix_;
+};
+
+}  // namespace floc

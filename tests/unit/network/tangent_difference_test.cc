@@ -1,0 +1,207 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <random>
+
+#include "floc/network/tangent_matrix.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/contact_response.h"
+#include "support/network_packings.h"
+
+namespace floc {
+namespace {
+
+/// Tangential forces and rolling moments up to half as large again as their caps, so that a third of the contacts slide.
+LawParameters sliding_law() {
+  LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
+  law.adhesion = LawParameters::Adhesion{0.02, 0.08};
+  law.friction->coefficient = 0.4;
+  law.rolling->coefficient = 0.2;
+  return law;
+}
+
+/// Random springs in contacts that touch, up to `reach` times their caps.
+template <int Dim>
+void stretch(Packing<Dim>& packing, double reach, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const LawParameters& law = packing.law;
+  for (Contact<Dim>& c : packing.contacts) {
+    if (c.distant) continue;
+    Vec<Dim> direction;
+    for (int a = 0; a < Dim; ++a) direction[a] = uniform(engine);
+    const double shear_cap = law.friction->coefficient * c.elastic_force / law.friction->stiffness;
+    const double turn_cap = law.rolling->coefficient * c.elastic_force / law.rolling->stiffness;
+    c.shear_spring = reach * uniform(engine) * shear_cap * to_shear<double>(c.normal, direction).normalized();
+    for (int a = 0; a < kRotations<Dim>; ++a) c.rolling_spring[a] = reach * uniform(engine) * turn_cap;
+  }
+}
+
+template <int Dim>
+Spin<Dim> turn_of(const Packing<Dim>& packing, const Eigen::VectorXd& u, int grain) {
+  return u.segment<kRotations<Dim>>(kDofs<Dim> * grain + Dim) / packing.grains.radius[grain];
+}
+
+double twist_about(const Vec<2>&, const Spin<2>&) {
+  return 0.0;
+}
+double twist_about(const Vec<3>& normal, const Spin<3>& turn) {
+  return normal.dot(turn);
+}
+
+/// The packing after small displacements and rotations (times the radius) of its grains, then symmetric strains (shortening
+/// positive), its contacts carried along.
+template <int Dim>
+Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
+  const int n = packing.grains.size();
+  Mat<Dim> deformation = Mat<Dim>::Identity();
+  for (int e = 0; e < kSymmetric<Dim>; ++e) deformation -= u[kDofs<Dim> * n + e] * unit_strain<Dim>(e);
+  Packing<Dim> out = packing;
+  out.cell.matrix = packing.cell.matrix * deformation.transpose();
+  for (int i = 0; i < n; ++i)
+    out.grains.position[i] = deformation * packing.grains.position[i] + u.segment<Dim>(kDofs<Dim> * i);
+  std::vector<SurfaceMotion<Dim>> motion(out.contacts.size());
+  for (std::size_t k = 0; k < out.contacts.size(); ++k) {
+    Contact<Dim>& c = out.contacts[k];
+    const double radii = packing.grains.radius[c.i] + packing.grains.radius[c.j];
+    const Spin<Dim> turn_i = turn_of(packing, u, c.i), turn_j = turn_of(packing, u, c.j);
+    const Vec<Dim> r = branch(out, c);
+    const Vec<Dim> normal = r.normalized();
+    const Spin<Dim> mean = (packing.grains.radius[c.i] * turn_i + packing.grains.radius[c.j] * turn_j) / radii;
+    c.gap = r.norm() - radii;
+    carry<Dim>(normal, twist_about(normal, Spin<Dim>(0.5 * (turn_i + turn_j))), c, motion[k]);
+    motion[k].slip = to_shear<double>(normal, Vec<Dim>(r - branch(packing, c) - cross<double>(mean, r)));
+    motion[k].relative_turn = turn_i - turn_j;
+  }
+  respond<Dim>(out.law, motion, out.contacts);
+  return out;
+}
+
+/// Minus the forces on grains, minus the moments on them over their radius, and what does work on the strains.
+template <int Dim>
+Eigen::VectorXd load(const Packing<Dim>& packing) {
+  const int n = packing.grains.size();
+  const Balance<Dim> net = net_forces(packing);
+  Eigen::VectorXd f(kDofs<Dim> * n + kSymmetric<Dim>);
+  for (int i = 0; i < n; ++i) {
+    f.segment<Dim>(kDofs<Dim> * i) = -net.force[i];
+    f.segment<kRotations<Dim>>(kDofs<Dim> * i + Dim) = -net.moment[i] / packing.grains.radius[i];
+  }
+  const Mat<Dim> virial = static_stress(packing) * packing.cell.volume();
+  for (int e = 0; e < kSymmetric<Dim>; ++e)
+    f[kDofs<Dim> * n + e] = (virial.transpose() * unit_strain<Dim>(e)).trace();
+  return f;
+}
+
+template <int Dim>
+BoundaryColumns<Dim> strain_columns(const NetworkContact<Dim>& c) {
+  const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal();
+  BoundaryColumns<Dim> columns;
+  columns.displacement.resize(Dim, kSymmetric<Dim>);
+  columns.follow.resize(kSymmetric<Dim>, Dim);
+  for (int e = 0; e < kSymmetric<Dim>; ++e) {
+    columns.displacement.col(e) = -unit_strain<Dim>(e) * c.branch;
+    columns.follow.row(e) = -(unit_strain<Dim>(e) * on_i).transpose();
+  }
+  return columns;
+}
+
+template <int Dim>
+Eigen::MatrixXd tangent_of(const Packing<Dim>& packing) {
+  std::vector<Mat<Dim>> frames;
+  std::vector<ContactTangent<Dim>> tangents(packing.contacts.size());
+  for (const Contact<Dim>& c : packing.contacts) frames.push_back(contact_frame(c.normal));
+  const std::vector<SurfaceMotion<Dim>> still(packing.contacts.size());
+  contact_tangents<Dim>(packing.law, packing.contacts, still, frames, tangents);
+  Packing<Dim> at = packing;
+  respond<Dim>(at.law, still, at.contacts);
+  const ContactNetwork<Dim> network = contact_network(at);
+  TangentMatrix<Dim> matrix(packing.grains.radius, contact_graph(network.n_grains, network.contacts),
+                            kSymmetric<Dim>);
+  matrix.reset(0.0);
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    matrix.add(network.contacts[k], tangents[k], strain_columns(network.contacts[k]));
+  return matrix.matrix();
+}
+
+template <int Dim>
+double difference_error(const Packing<Dim>& packing) {
+  const Eigen::MatrixXd k = tangent_of(packing);
+  const int n = static_cast<int>(k.rows());
+  Eigen::MatrixXd differences(n, n);
+  constexpr double kStep = 1e-6;
+  for (int u = 0; u < n; ++u) {
+    const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(n, u);
+    differences.col(u) =
+        (load(displaced<Dim>(packing, step)) - load(displaced<Dim>(packing, -step))) / (2.0 * kStep);
+  }
+  return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
+}
+
+/// Rounding is 1e-16/step = 1e-10 of the largest entry, truncation (step/spring)^2 where the direction of sliding turns: the
+/// shortest springs at their cap are a thousandth.
+constexpr double kDifferenceTolerance = 1e-7;
+
+template <int Dim>
+Packing<Dim> stretched_packing(int n_grains, unsigned seed, double reach) {
+  Packing<Dim> packing = test::random_packing<Dim>(n_grains, seed, sliding_law());
+  stretch(packing, reach, seed);
+  return packing;
+}
+
+template <int Dim>
+void expect_to_differ_from_the_symmetric_form(const Packing<Dim>& packing) {
+  const Eigen::MatrixXd k = tangent_of(packing);
+  EXPECT_GT((k - k.transpose()).cwiseAbs().maxCoeff(), 1e-3 * k.cwiseAbs().maxCoeff());
+}
+
+TEST(Tangent, IsTheDerivativeOfTheForcesWhereContactsStick) {
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const auto plane = stretched_packing<2>(14, seed, 0.5);
+    const auto space = stretched_packing<3>(8, seed, 0.5);
+    expect_to_differ_from_the_symmetric_form(plane);
+    EXPECT_LT(difference_error(plane), kDifferenceTolerance) << seed;
+    EXPECT_LT(difference_error(space), kDifferenceTolerance) << seed;
+  }
+}
+
+TEST(Tangent, IsTheDerivativeOfTheForcesWhereContactsSlideAndYield) {
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    EXPECT_LT(difference_error(stretched_packing<2>(14, seed, 3.0)), kDifferenceTolerance) << seed;
+    EXPECT_LT(difference_error(stretched_packing<3>(8, seed, 3.0)), kDifferenceTolerance) << seed;
+  }
+}
+
+TEST(Tangent, HoldsForGrainsThatTouchTheirOwnImages) {
+  auto packing = test::random_packing<3>(2, 1, sliding_law(), 3.0);
+  ASSERT_TRUE(
+      std::any_of(packing.contacts.begin(), packing.contacts.end(), [](auto& c) { return c.i == c.j; }));
+  stretch(packing, 2.0, 1);
+  EXPECT_LT(difference_error(packing), kDifferenceTolerance);
+}
+
+/// Each contact of a packing by itself, so that no term hides behind a larger one of another contact.
+template <int Dim>
+void expect_each_contact(const Packing<Dim>& packing) {
+  for (const Contact<Dim>& c : packing.contacts) {
+    Packing<Dim> one = packing;
+    one.contacts = {c};
+    EXPECT_LT(difference_error(one), kDifferenceTolerance) << c.i << " " << c.j;
+  }
+}
+
+TEST(Tangent, IsTheDerivativeContactByContact) {
+  expect_each_contact(stretched_packing<2>(4, 2, 2.0));
+  expect_each_contact(stretched_packing<3>(4, 2, 2.0));
+}
+
+TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
+  const auto packing = test::random_packing<2>(14, 4, sliding_law());
+  const Eigen::MatrixXd k = tangent_of(packing);
+  const Eigen::Index n = k.rows() - kSymmetric<2>;
+  EXPECT_LT((k - k.transpose()).topLeftCorner(n, n).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+}  // namespace
+}  // namespace floc

@@ -4,332 +4,350 @@
 
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <tuple>
-#include <variant>
 #include <vector>
 
-#include "floc/contact/law_table.h"
 #include "floc/linalg/unsymmetric_factor.h"
 #include "floc/neighbors/pairs.h"
+#include "floc/network/tangent_matrix.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/contact_response.h"
 
 namespace floc {
 namespace {
 
-/// Stiffness, over K_N, that holds motions without any: far below the softest mode (5e-6 K_N), far above rounding.
+/// Stiffness, over the stiffest contact's, that holds motions without any: far below the softest mode (5e-6), far above
+/// rounding.
 constexpr double kHold = 1e-10;
 
-/// A configuration: where the grains are, how far the surfaces slipped and turned since the start, and the
-/// residual there.
+/// A configuration: where the grains are, how far the surfaces of each candidate contact moved since the start, what it
+/// answers and the residual there.
+template <int Dim>
 struct Configuration {
-  std::vector<TwoPartVec<2>> centre;
-  std::vector<double> angle;
-  Vec<2> side;
-  std::vector<double> slip, turn;  ///< of each candidate contact
+  std::vector<TwoPartVec<Dim>> centre;
+  std::vector<Orientation<Dim>> orientation;
+  Cell<Dim> cell;
+  std::vector<Vec<Dim>> branch;            ///< of each candidate
+  std::vector<Contact<Dim>> remembered;    ///< gap and normal of the present, memory of the start carried there
+  std::vector<SurfaceMotion<Dim>> motion;  ///< since the start
+  std::vector<Contact<Dim>> contacts;      ///< after that motion
   Eigen::VectorXd residual;
   double worst = 0.0;  ///< largest residual in units of F1 and a
   int n_contacts = 0;
   int n_yielding = 0;
 };
 
-/// Unknowns of a 2D packing: x, y and angle (times the radius) of each grain, then the two strains times a length.
-/// Equations: force, moment (over the radius), and virial minus A Sigma (over the length), all in units of force.
-template <class Law>
+/// x = s * lattice vectors for s, by division as a diagonal cell needs it: a place inside the cell gives s < 1 then.
+template <int Dim>
+Vec<Dim> reduced(const Mat<Dim>& lower, const Vec<Dim>& x) {
+  Vec<Dim> s;
+  for (int a = Dim - 1; a >= 0; --a) {
+    double rest = x[a];
+    for (int b = a + 1; b < Dim; ++b) rest -= lower(b, a) * s[b];
+    s[a] = rest / lower(a, a);
+  }
+  return s;
+}
+
+void turn(double& orientation, const Spin<2>& rotation) {
+  orientation += rotation[0];
+}
+void turn(Eigen::Quaterniond& orientation, const Spin<3>& rotation) {
+  const double angle = rotation.norm();
+  if (angle > 0.0) orientation = Eigen::AngleAxisd(angle, rotation / angle) * orientation;
+}
+
+/// Rotation about the normal; the frame of a 2D contact has none.
+double twist_about(const Vec<2>&, const Spin<2>&, const Spin<2>&) {
+  return 0.0;
+}
+double twist_about(const Vec<3>& normal, const Spin<3>& turn_i, const Spin<3>& turn_j) {
+  return 0.5 * normal.dot(turn_i + turn_j);
+}
+
+/// Unknowns: position and rotation (times the radius) of each grain, then the free strains times a length, strain (a, b)
+/// displacing along a by b. Equations: force, moment (over the radius), and virial minus V Sigma (over the length), all in
+/// units of force.
+template <int Dim>
 class StaticProblem {
  public:
-  static constexpr int kLocal = 8;  ///< dofs of one contact: two grains and two strains
-  using LocalMatrix = Eigen::Matrix<double, kLocal, kLocal>;
-
-  StaticProblem(const Packing<2>& start, const Law& law, const Vec<2>& target,
+  StaticProblem(const Packing<Dim>& start, const StressControl<Dim>& control,
                 const StaticSolverOptions& options)
-      : start_(start), law_(law), target_(target), scale_(force_scale(start, target)) {
-    const double margin = 2.0 * options.largest_displacement * scale_.length;
-    std::map<std::tuple<int, int, int, int>, const Contact<2>*> remembered;
-    for (const Contact<2>& c : start.contacts) remembered[{c.i, c.j, c.image[0], c.image[1]}] = &c;
-    for (const NeighborPair<2>& p : find_pairs(start.cell, start.grains, law.range() + margin)) {
-      Contact<2> c;
-      if (const auto old = remembered.find({p.i, p.j, p.image[0], p.image[1]}); old != remembered.end())
-        c = *old->second;
-      c.i = p.i;
-      c.j = p.j;
-      c.image = p.image;
-      candidates_.push_back(c);
-    }
+      : start_(start), control_(control), scale_(force_scale(start, Vec<Dim>(control.stress.diagonal()))) {
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < Dim; ++b)
+        if (control.free[a][b]) strains_.push_back({a, b});
+    initial_ = start_from(2.0 * options.largest_displacement * scale_.length);
+    stiffness_ = 0.0;
+    for (const Contact<Dim>& c : initial_.contacts) stiffness_ = std::max(stiffness_, c.kn);
+    if (stiffness_ == 0.0) stiffness_ = scale_.force / scale_.length;
   }
 
-  Configuration initial() const {
-    Configuration c;
-    for (int i = 0; i < n_grains(); ++i) c.centre.push_back(start_.grains.centre(i));
-    c.angle = start_.grains.orientation;
-    c.side = start_.cell.matrix.diagonal();
-    c.slip.assign(candidates_.size(), 0.0);
-    c.turn.assign(candidates_.size(), 0.0);
-    evaluate(c);
-    return c;
+  const Configuration<Dim>& initial() const { return initial_; }
+
+  TangentMatrix<Dim> tangent_pattern() const {
+    return {start_.grains.radius, contact_graph(n_grains(), initial_.remembered), n_strains()};
   }
 
-  int n_grains() const { return start_.grains.size(); }
-  int order() const { return 3 * n_grains() + 2; }
-
-  /// Residual of the stress that the sides, which are kept as one double each, cannot be set below: that of a strain of
-  /// one rounding, at most two stiffnesses K_N large in a disk packing.
+  /// Residual of the stress that the lattice vectors, which are kept as one double each, cannot be set below: that of a strain
+  /// of one rounding, at most two stiffnesses K_N large in a disk packing.
   double rounding_of_stress() const {
-    return 2.0 * std::numeric_limits<double>::epsilon() * law_.repulsion.normal_stiffness * scale_.length /
-           scale_.force;
+    return 2.0 * std::numeric_limits<double>::epsilon() * stiffness_ * scale_.length / scale_.force;
   }
 
-  /// The configuration after a displacement of all unknowns, and the largest relative displacement it gives a
-  /// contact.
-  Configuration moved(const Configuration& from, Eigen::VectorXd step) const {
-    Configuration to = from;
-    const Vec<2> asked = step.tail<2>() / scale_.length;
-    to.side = from.side + from.side.cwiseProduct(asked);
-    const Vec<2> strain = (to.side - from.side).cwiseQuotient(from.side);  // of the sides as they are rounded
-    step.tail<2>() = strain * scale_.length;
+  /// The configuration after a displacement of all unknowns.
+  Configuration<Dim> moved(const Configuration<Dim>& from, Eigen::VectorXd step) const {
+    Configuration<Dim> to = from;
+    const Mat<Dim> lattice = from.cell.matrix;
+    to.cell.matrix = lattice + lattice * strain_of(step).transpose();
+    const Mat<Dim> strain = strain_between(lattice, to.cell.matrix);  // of the lattice as it is rounded
+    for (int k = 0; k < n_strains(); ++k)
+      step[order() - n_strains() + k] = strain(strains_[k][0], strains_[k][1]) * scale_.length;
     for (int i = 0; i < n_grains(); ++i) {
-      for (int a = 0; a < 2; ++a)
-        to.centre[i][a] = from.centre[i][a] + exact_sum(from.centre[i][a].high * strain[a], step[3 * i + a]);
-      to.angle[i] += step[3 * i + 2] / start_.grains.radius[i];
+      Vec<Dim> high;
+      for (int a = 0; a < Dim; ++a) high[a] = from.centre[i][a].high;
+      const Vec<Dim> affine = strain * high;
+      for (int a = 0; a < Dim; ++a)
+        to.centre[i][a] = from.centre[i][a] + exact_sum(affine[a], step[first_unknown<Dim>(i) + a]);
+      turn(to.orientation[i], turn_of(step, i));
     }
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      const Contact<2>& c = candidates_[k];
-      const Vec<2> r = rounded<2>(branch_of(to, c));
-      const double distance = r.norm();
-      const double arm_i = distance * share_i(c);
-      const double turn_i = step[3 * c.i + 2] / start_.grains.radius[c.i];
-      const double turn_j = step[3 * c.j + 2] / start_.grains.radius[c.j];
-      to.slip[k] += tangent<double>(r / distance).dot(relative_displacement(from, c, step)) - arm_i * turn_i -
-                    (distance - arm_i) * turn_j;
-      to.turn[k] += turn_i - turn_j;
+    for (std::size_t k = 0; k < to.remembered.size(); ++k) {
+      Contact<Dim>& c = to.remembered[k];
+      SurfaceMotion<Dim>& motion = to.motion[k];
+      const Vec<Dim> normal = locate(to, k);
+      const Spin<Dim> turn_i = turn_of(step, c.i), turn_j = turn_of(step, c.j);
+      carry(normal, twist_about(normal, turn_i, turn_j), c, motion);
+      const double share = share_i(c);
+      const Spin<Dim> mean_turn = share * turn_i + (1.0 - share) * turn_j;
+      motion.slip += to_shear<double>(
+          normal, Vec<Dim>(relative_displacement(from, k, step) - cross<double>(mean_turn, to.branch[k])));
+      motion.relative_turn += turn_i - turn_j;
     }
     evaluate(to);
     return to;
   }
 
-  double largest_relative_displacement(const Configuration& at, const Eigen::VectorXd& step) const {
+  double largest_relative_displacement(const Configuration<Dim>& at, const Eigen::VectorXd& step) const {
     double largest = 0.0;
-    for (const Contact<2>& c : candidates_) {
-      if (gap_of(at, c) < law_.range()) largest = std::max(largest, relative_displacement(at, c, step).norm());
-    }
+    for (std::size_t k = 0; k < at.contacts.size(); ++k)
+      if (interacts(at.contacts[k])) largest = std::max(largest, relative_displacement(at, k, step).norm());
     return largest / scale_.length;
   }
 
-  Eigen::SparseMatrix<double> tangent_matrix(const Configuration& at) const {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(candidates_.size() * kLocal * kLocal + order());
-    for (int k = 0; k < order(); ++k) entries.emplace_back(k, k, kHold * law_.repulsion.normal_stiffness);
-    const Vec<2> area_load = at.side.prod() * target_ / (scale_.length * scale_.length);
-    for (int a = 0; a < 2; ++a)
-      for (int b = 0; b < 2; ++b) entries.emplace_back(order() - 2 + a, order() - 2 + b, area_load[a]);
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      const auto dofs = local_dofs(candidates_[k]);
-      const LocalMatrix local = local_stiffness(at, k);
-      for (int row = 0; row < kLocal; ++row)
-        for (int column = 0; column < kLocal; ++column)
-          entries.emplace_back(dofs[row], dofs[column], local(row, column));
-    }
-    Eigen::SparseMatrix<double> matrix(order(), order());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
+  void assemble(const Configuration<Dim>& at, TangentMatrix<Dim>& matrix) const {
+    std::vector<Mat<Dim>> frames;
+    for (const Contact<Dim>& c : at.contacts) frames.push_back(contact_frame(c.normal));
+    std::vector<ContactTangent<Dim>> tangents(frames.size());
+    contact_tangents<Dim>(start_.law, at.remembered, at.motion, frames, tangents);
+    matrix.reset(kHold * stiffness_);
+    for (std::size_t k = 0; k < frames.size(); ++k)
+      if (interacts(at.contacts[k]))
+        matrix.add(network_contact(at, k, frames[k]), tangents[k], boundary_columns(at, k));
+    Eigen::MatrixXd load = Eigen::MatrixXd::Zero(n_strains(), n_strains());
+    for (int p = 0; p < n_strains(); ++p)
+      for (int q = 0; q < n_strains(); ++q)
+        if (strains_[q][0] == strains_[q][1])
+          load(p, q) = at.cell.volume() * wanted_stress(p) / (scale_.length * scale_.length);
+    matrix.add_boundary(load);
   }
 
-  /// The packing of a configuration: at rest, springs mapped back, grains inside the cell.
-  Packing<2> packing(const Configuration& at) const {
-    Packing<2> out = start_;
-    out.cell.matrix = at.side.asDiagonal();
+  /// The packing of a configuration: at rest, memories mapped back, grains inside the cell.
+  Packing<Dim> packing(const Configuration<Dim>& at) const {
+    Packing<Dim> out = start_;
+    out.cell = at.cell;
     out.cell.velocity.setZero();
-    out.contacts.clear();
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      Contact<2> c = candidates_[k];
-      ContactHistory<Law, 2> history;
-      respond(at, k, history);
-      if constexpr (Law::kHasFriction) c.shear_spring = history.shear;
-      if constexpr (Law::kHasRolling) c.rolling_spring = history.roll;
-      c.image += inward(at, c.i) - inward(at, c.j);
-      out.contacts.push_back(c);
-    }
-    std::vector<TwoPartVec<2>> centres;
+    out.contacts = at.contacts;
+    for (Contact<Dim>& c : out.contacts) c.image += inward(at, c.i) - inward(at, c.j);
+    std::vector<TwoPartVec<Dim>> centres;
     for (int i = 0; i < n_grains(); ++i) {
       out.grains.velocity[i].setZero();
       out.grains.angular_velocity[i].setZero();
-      out.grains.orientation[i] = at.angle[i];
-      centres.push_back(displaced<2>(at.centre[i], out.cell, inward(at, i)));
+      centres.push_back(displaced<Dim>(at.centre[i], out.cell, inward(at, i)));
     }
+    out.grains.orientation = at.orientation;
     out.grains.set_centres(centres);
     refresh_contacts(out);
     return out;
   }
 
  private:
-  double radii(const Contact<2>& c) const { return start_.grains.radius[c.i] + start_.grains.radius[c.j]; }
-  double share_i(const Contact<2>& c) const { return start_.grains.radius[c.i] / radii(c); }
+  int n_grains() const { return start_.grains.size(); }
+  int n_strains() const { return static_cast<int>(strains_.size()); }
+  int order() const { return kDofs<Dim> * n_grains() + n_strains(); }
+  double wanted_stress(int strain) const { return control_.stress(strains_[strain][0], strains_[strain][1]); }
+  double radii(const Contact<Dim>& c) const { return start_.grains.radius[c.i] + start_.grains.radius[c.j]; }
+  double share_i(const Contact<Dim>& c) const { return start_.grains.radius[c.i] / radii(c); }
+  bool interacts(const Contact<Dim>& c) const { return c.gap < start_.law.range(); }
+
+  Configuration<Dim> start_from(double margin) const {
+    Configuration<Dim> c;
+    for (int i = 0; i < n_grains(); ++i) c.centre.push_back(start_.grains.centre(i));
+    c.orientation = start_.grains.orientation;
+    c.cell = start_.cell;
+    c.remembered = candidates(margin);
+    c.motion.resize(c.remembered.size());
+    c.branch.resize(c.remembered.size());
+    for (std::size_t k = 0; k < c.remembered.size(); ++k)
+      carry(locate(c, k), 0.0, c.remembered[k], c.motion[k]);
+    evaluate(c);
+    return c;
+  }
+
+  /// Contacts of the packing, and pairs that may come into contact.
+  std::vector<Contact<Dim>> candidates(double margin) const {
+    const auto image = [](const Vec<Dim, int>& v) {
+      std::array<int, Dim> key;
+      std::copy(v.begin(), v.end(), key.begin());
+      return key;
+    };
+    std::multimap<std::tuple<int, int, std::array<int, Dim>>, const Contact<Dim>*> remembered;
+    for (const Contact<Dim>& c : start_.contacts) remembered.insert({{c.i, c.j, image(c.image)}, &c});
+    std::vector<Contact<Dim>> all;
+    for (const NeighborPair<Dim>& p : find_pairs(start_.cell, start_.grains, start_.law.range() + margin)) {
+      const auto [first, last] = remembered.equal_range({p.i, p.j, image(p.image)});
+      for (auto known = first; known != last; ++known) all.push_back(*known->second);
+      if (first != last) continue;
+      all.emplace_back();
+      all.back().i = p.i;
+      all.back().j = p.j;
+      all.back().image = p.image;
+    }
+    return all;
+  }
+
+  /// Branch and gap of a candidate. @return its normal
+  Vec<Dim> locate(Configuration<Dim>& at, std::size_t k) const {
+    Contact<Dim>& c = at.remembered[k];
+    const TwoPartVec<Dim> r = difference<Dim>(displaced<Dim>(at.centre[c.j], at.cell, c.image), at.centre[c.i]);
+    at.branch[k] = rounded<Dim>(r);
+    c.gap = surface_gap<Dim>(r, start_.grains.radius[c.i], start_.grains.radius[c.j]);
+    return at.branch[k].normalized();
+  }
 
   /// Image that brings a grain into the cell.
-  Vec<2, int> inward(const Configuration& at, int i) const {
-    Vec<2, int> image;
-    for (int a = 0; a < 2; ++a) image[a] = -static_cast<int>(std::floor(at.centre[i][a].high / at.side[a]));
-    return image;
+  Vec<Dim, int> inward(const Configuration<Dim>& at, int i) const {
+    Vec<Dim> high;
+    for (int a = 0; a < Dim; ++a) high[a] = at.centre[i][a].high;
+    return -reduced<Dim>(at.cell.matrix, high).array().floor().matrix().template cast<int>();
   }
 
-  TwoPartVec<2> branch_of(const Configuration& at, const Contact<2>& c) const {
-    TwoPartVec<2> r = difference<2>(at.centre[c.j], at.centre[c.i]);
-    for (int a = 0; a < 2; ++a)
-      if (c.image[a] != 0) r[a] = r[a] + exact_product(c.image[a], at.side[a]);
-    return r;
+  Spin<Dim> turn_of(const Eigen::VectorXd& step, int i) const {
+    return step.segment<kRotations<Dim>>(first_unknown<Dim>(i) + Dim) / start_.grains.radius[i];
+  }
+  Mat<Dim> strain_of(const Eigen::VectorXd& step) const {
+    Mat<Dim> strain = Mat<Dim>::Zero();
+    for (int k = 0; k < n_strains(); ++k)
+      strain(strains_[k][0], strains_[k][1]) = step[order() - n_strains() + k] / scale_.length;
+    return strain;
+  }
+  /// e of to = from (1 + e)^T.
+  static Mat<Dim> strain_between(const Mat<Dim>& from, const Mat<Dim>& to) {
+    return from.template triangularView<Eigen::Lower>().solve(Mat<Dim>(to - from)).transpose();
   }
 
-  double gap_of(const Configuration& at, const Contact<2>& c) const {
-    return surface_gap<2>(branch_of(at, c), start_.grains.radius[c.i], start_.grains.radius[c.j]);
+  Vec<Dim> relative_displacement(const Configuration<Dim>& at, std::size_t k,
+                                 const Eigen::VectorXd& step) const {
+    const Contact<Dim>& c = at.remembered[k];
+    return step.segment<Dim>(first_unknown<Dim>(c.j)) - step.segment<Dim>(first_unknown<Dim>(c.i)) +
+           strain_of(step) * at.branch[k];
   }
 
-  Vec<2> relative_displacement(const Configuration& at, const Contact<2>& c,
-                               const Eigen::VectorXd& step) const {
-    const Vec<2> strain = step.tail<2>() / scale_.length;
-    return step.segment<2>(3 * c.j) - step.segment<2>(3 * c.i) +
-           strain.cwiseProduct(rounded<2>(branch_of(at, c)));
-  }
+  static Vec<Dim> force_on_i(const Contact<Dim>& c) { return c.shear_force - c.normal_force * c.normal; }
 
-  std::array<int, kLocal> local_dofs(const Contact<2>& c) const {
-    return {3 * c.i, 3 * c.i + 1, 3 * c.i + 2, 3 * c.j, 3 * c.j + 1, 3 * c.j + 2, order() - 2, order() - 1};
-  }
-
-  ContactForces<2> respond(const Configuration& at, std::size_t k, ContactHistory<Law, 2>& history) const {
-    const Contact<2>& c = candidates_[k];
-    if constexpr (Law::kHasFriction) history.shear = c.shear_spring;
-    if constexpr (Law::kHasRolling) history.roll = c.rolling_spring;
-    const ContactMotion<2> motion{gap_of(at, c), 0.0, 0.0, Shear<2>(at.slip[k]), Spin<2>(at.turn[k])};
-    return law_.respond(motion, history);
-  }
-
-  void evaluate(Configuration& at) const {
+  void evaluate(Configuration<Dim>& at) const {
+    constexpr int kTurn = kRotations<Dim>;
+    at.contacts = at.remembered;
+    respond<Dim>(start_.law, at.motion, at.contacts);
     at.residual = Eigen::VectorXd::Zero(order());
     at.n_contacts = at.n_yielding = 0;
-    at.residual.tail<2>() = -at.side.prod() * target_ / scale_.length;
+    auto stress_balance = at.residual.tail(n_strains());
+    for (int k = 0; k < n_strains(); ++k)
+      stress_balance[k] = -at.cell.volume() * wanted_stress(k) / scale_.length;
     const std::vector<double>& radius = start_.grains.radius;
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      const Contact<2>& c = candidates_[k];
-      const double gap = gap_of(at, c);
-      if (gap >= law_.range()) continue;
-      const Vec<2> r = rounded<2>(branch_of(at, c));
-      const double distance = r.norm();
-      const Vec<2> n = r / distance;
-      ContactHistory<Law, 2> history;
-      const ContactForces<2> f = respond(at, k, history);
-      const Vec<2> on_i = f.shear[0] * tangent<double>(n) - f.normal.force() * n;
-      const double per_radius = distance / radii(c);  // lever arm over radius, the same on both sides
-      at.residual.segment<2>(3 * c.i) += on_i;
-      at.residual.segment<2>(3 * c.j) -= on_i;
-      at.residual[3 * c.i + 2] += per_radius * f.shear[0] - f.rolling[0] / radius[c.i];
-      at.residual[3 * c.j + 2] += per_radius * f.shear[0] + f.rolling[0] / radius[c.j];
-      at.residual.tail<2>() -= on_i.cwiseProduct(r) / scale_.length;
-      at.n_contacts += gap < 0.0;
-      at.n_yielding += yields(f);
+    for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+      const Contact<Dim>& c = at.contacts[k];
+      if (!interacts(c)) continue;
+      const int first_i = first_unknown<Dim>(c.i), first_j = first_unknown<Dim>(c.j);
+      const Vec<Dim> on_i = force_on_i(c);
+      at.residual.template segment<Dim>(first_i) += on_i;
+      at.residual.template segment<Dim>(first_j) -= on_i;
+      // Lever arms are shares of the branch by the radii: over its radius, the moment of the shear force is the same on both.
+      const Spin<Dim> shear_moment = moment<double>(at.branch[k], c.shear_force) / radii(c);
+      at.residual.template segment<kTurn>(first_i + Dim) += shear_moment + c.rolling_moment / radius[c.i];
+      at.residual.template segment<kTurn>(first_j + Dim) += shear_moment - c.rolling_moment / radius[c.j];
+      for (int s = 0; s < n_strains(); ++s)
+        stress_balance[s] -= on_i[strains_[s][0]] * at.branch[k][strains_[s][1]] / scale_.length;
+      at.n_contacts += c.gap < 0.0;
+      at.n_yielding += c.sliding || c.rolling_yield;
     }
     measure(at);
   }
 
-  void measure(Configuration& at) const {
-    at.worst = at.residual.tail<2>().cwiseAbs().maxCoeff() * scale_.length * scale_.length / at.side.prod();
+  void measure(Configuration<Dim>& at) const {
+    at.worst = at.residual.tail(n_strains()).template lpNorm<Eigen::Infinity>() * std::pow(scale_.length, Dim) /
+               at.cell.volume();
     for (int i = 0; i < n_grains(); ++i) {
-      at.worst = std::max(at.worst, at.residual.segment<2>(3 * i).norm());
-      at.worst = std::max(at.worst, std::abs(at.residual[3 * i + 2]) * start_.grains.radius[i] / scale_.length);
+      const int first = first_unknown<Dim>(i);
+      at.worst = std::max(at.worst, at.residual.template segment<Dim>(first).norm());
+      at.worst = std::max(at.worst, at.residual.template segment<kRotations<Dim>>(first + Dim).norm() *
+                                        start_.grains.radius[i] / scale_.length);
     }
     at.worst /= scale_.force;
   }
 
-  /// A spring that came out of the mapping at its cap.
-  bool slides(const ContactForces<2>& f) const {
-    if constexpr (Law::kHasFriction)
-      return f.normal.elastic > 0.0 &&
-             std::abs(f.shear[0]) >= (1.0 - 1e-12) * law_.friction.coefficient * f.normal.elastic;
-    return false;
-  }
-  bool rolls(const ContactForces<2>& f) const {
-    if constexpr (Law::kHasRolling)
-      return f.normal.elastic > 0.0 &&
-             std::abs(f.rolling[0]) >= (1.0 - 1e-12) * law_.rolling.coefficient * f.normal.elastic;
-    return false;
-  }
-  bool yields(const ContactForces<2>& f) const { return slides(f) || rolls(f); }
-
-  /// Derivative of minus the residual by the contact's dofs. With dr = dx_j - dx_i + strain r, the force on i is
-  /// f = -F n + S t, and df = -dF n - (F/r)(t.dr) t + dS t - (S/r)(t.dr) n.
-  LocalMatrix local_stiffness(const Configuration& at, std::size_t k) const {
-    const Contact<2>& c = candidates_[k];
-    const double gap = gap_of(at, c);
-    if (gap >= law_.range()) return LocalMatrix::Zero();
-    const Vec<2> r = rounded<2>(branch_of(at, c));
-    const double distance = r.norm();
-    const Vec<2> n = r / distance;
-    const Vec<2> t = tangent<double>(n);
-    ContactHistory<Law, 2> history;
-    const ContactForces<2> f = respond(at, k, history);
-    const double radius_i = start_.grains.radius[c.i];
-    const double radius_j = start_.grains.radius[c.j];
-    const double per_radius = distance / radii(c);
-    const double elastic_stiffness = law_.repulsion.stiffness(gap);
-
-    // Derivatives by (dr_x, dr_y, angle_i * R_i, angle_j * R_j).
-    using Row = Eigen::Matrix<double, 1, 4>;
-    const Row along(n[0], n[1], 0.0, 0.0);
-    const Row across(t[0], t[1], 0.0, 0.0);
-    Row shear = Row::Zero(), rolling = Row::Zero();
-    if constexpr (Law::kHasFriction) {
-      if (slides(f))
-        shear = -std::copysign(law_.friction.coefficient * elastic_stiffness, f.shear[0]) * along;
-      else if (f.normal.elastic > 0.0)
-        shear = law_.friction.tangential_stiffness * (across - Row(0.0, 0.0, per_radius, per_radius));
-    }
-    if constexpr (Law::kHasRolling) {
-      if (rolls(f))
-        rolling = -std::copysign(law_.rolling.coefficient * elastic_stiffness, f.rolling[0]) * along;
-      else if (f.normal.elastic > 0.0)
-        rolling = law_.rolling.rolling_stiffness * Row(0.0, 0.0, 1.0 / radius_i, -1.0 / radius_j);
-    }
-    Eigen::Matrix<double, 2, 4> force = n * (f.normal.stiffness * along) -
-                                        t * (f.normal.force() / distance * across) + t * shear -
-                                        n * (f.shear[0] / distance * across);
-    const Row arm = per_radius * shear + f.shear[0] / radii(c) * along;
-
-    Eigen::Matrix<double, kLocal, 4> rows;  // minus the derivative of each equation
-    rows.row(0) = -force.row(0);
-    rows.row(1) = -force.row(1);
-    rows.row(2) = -(arm - rolling / radius_i);
-    rows.row(3) = force.row(0);
-    rows.row(4) = force.row(1);
-    rows.row(5) = -(arm + rolling / radius_j);
-    const Vec<2> on_i = f.shear[0] * t - f.normal.force() * n;
-    for (int a = 0; a < 2; ++a) {
-      rows.row(6 + a) = force.row(a) * (r[a] / scale_.length);
-      rows(6 + a, a) += on_i[a] / scale_.length;
-    }
-    Eigen::Matrix<double, 4, kLocal> columns = Eigen::Matrix<double, 4, kLocal>::Zero();
-    for (int a = 0; a < 2; ++a) {
-      columns(a, a) = -1.0;
-      columns(a, 3 + a) = 1.0;
-      columns(a, 6 + a) = r[a] / scale_.length;
-    }
-    columns(2, 2) = columns(3, 5) = 1.0;
-    return rows * columns;
+  NetworkContact<Dim> network_contact(const Configuration<Dim>& at, std::size_t k,
+                                      const Mat<Dim>& frame) const {
+    const Contact<Dim>& c = at.contacts[k];
+    NetworkContact<Dim> out;
+    out.i = c.i;
+    out.j = c.j;
+    out.branch = at.branch[k];
+    out.arm_i = share_i(c) * out.branch;
+    out.arm_j = (share_i(c) - 1.0) * out.branch;
+    out.frame = frame;
+    out.normal_force = c.normal_force;
+    out.shear_force = c.shear_force;
+    out.rolling_moment = c.rolling_moment;
+    return out;
   }
 
-  const Packing<2>& start_;
-  const Law& law_;
-  Vec<2> target_;
+  BoundaryColumns<Dim> boundary_columns(const Configuration<Dim>& at, std::size_t k) const {
+    const Vec<Dim> on_i = force_on_i(at.contacts[k]);
+    BoundaryColumns<Dim> columns;
+    columns.displacement.setZero(Dim, n_strains());
+    columns.follow.setZero(n_strains(), Dim);
+    for (int s = 0; s < n_strains(); ++s) {
+      const auto [along, by] = strains_[s];
+      columns.displacement(along, s) = at.branch[k][by] / scale_.length;
+      columns.follow(s, by) = on_i[along] / scale_.length;
+    }
+    return columns;
+  }
+
+  const Packing<Dim>& start_;
+  StressControl<Dim> control_;
   ForceScale scale_;
-  std::vector<Contact<2>> candidates_;
+  std::vector<std::array<int, 2>> strains_;  // the free ones
+  Configuration<Dim> initial_;
+  double stiffness_;  // of the stiffest contact
 };
 
-template <class Law>
-StaticSolution<2> solve(const Packing<2>& start, const Law& law, const Vec<2>& target,
-                        const StaticSolverOptions& options) {
-  const StaticProblem<Law> problem(start, law, target, options);
-  Configuration now = problem.initial();
+}  // namespace
+
+template <int Dim>
+StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const StressControl<Dim>& control,
+                                  const StaticSolverOptions& options) {
+  assert(start.cell.matrix.isLowerTriangular(0.0));
+  const StaticProblem<Dim> problem(start, control, options);
+  Configuration<Dim> now = problem.initial();
+  TangentMatrix<Dim> tangent = problem.tangent_pattern();
   UnsymmetricFactor factor;
-  StaticSolution<2> solution;
+  StaticSolution<Dim> solution;
   double travelled = 0.0;
   const double target_residual = std::max(options.target, problem.rounding_of_stress());
   for (; now.worst > target_residual; ++solution.iterations) {
@@ -341,7 +359,8 @@ StaticSolution<2> solve(const Packing<2>& start, const Law& law, const Vec<2>& t
       solution.reason = fmt::format("{} of {} contacts yield", now.n_yielding, now.n_contacts);
       break;
     }
-    if (!factor.factorize(problem.tangent_matrix(now))) {
+    problem.assemble(now, tangent);
+    if (!factor.factorize(tangent.matrix())) {
       solution.reason = "the tangent is singular";
       break;
     }
@@ -356,7 +375,7 @@ StaticSolution<2> solve(const Packing<2>& start, const Law& law, const Vec<2>& t
       length = options.largest_step;
     }
     int halvings = 0;
-    Configuration next = problem.moved(now, step);
+    Configuration<Dim> next = problem.moved(now, step);
     while (next.worst >= now.worst && halvings < options.max_backtracking) {
       step *= 0.5;
       length *= 0.5;
@@ -377,15 +396,9 @@ StaticSolution<2> solve(const Packing<2>& start, const Law& law, const Vec<2>& t
   return solution;
 }
 
-}  // namespace
-
-template <int Dim>
-StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const Vec<Dim>& target_stress,
-                                  const StaticSolverOptions& options) {
-  return std::visit([&](const auto& law) { return solve(start, law, target_stress, options); },
-                    compose_law(start.law));
-}
-
-template StaticSolution<2> solve_statics(const Packing<2>&, const Vec<2>&, const StaticSolverOptions&);
+template StaticSolution<2> solve_statics(const Packing<2>&, const StressControl<2>&,
+                                         const StaticSolverOptions&);
+template StaticSolution<3> solve_statics(const Packing<3>&, const StressControl<3>&,
+                                         const StaticSolverOptions&);
 
 }  // namespace floc

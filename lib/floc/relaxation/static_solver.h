@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "floc/packing/equilibrium.h"
@@ -17,6 +18,22 @@ struct StaticSolverOptions {
   double largest_yielding_share = 0.15;  ///< of the contacts; beyond it sliding rules and Newton stalls
 };
 
+/// Which components of the cell's strain are free, under a stress, and which are held fixed: by row and column, row <= column.
+template <int Dim>
+struct StressControl {
+  /// Wanted of the free components, compression positive; the diagonal also sets the force scale.
+  Mat<Dim> stress = Mat<Dim>::Zero();
+  std::array<std::array<bool, Dim>, Dim> free{};
+
+  /// Every axis under its stress, shear strains fixed.
+  static StressControl axes(const Vec<Dim>& stress) {
+    StressControl control;
+    control.stress = stress.asDiagonal();
+    for (int a = 0; a < Dim; ++a) control.free[a][a] = true;
+    return control;
+  }
+};
+
 /// Outcome of a static solution.
 template <int Dim>
 struct StaticSolution {
@@ -27,14 +44,21 @@ struct StaticSolution {
   Packing<Dim> packing;   ///< best configuration found
 };
 
-/// Solves force, moment and stress balance of a rectangular periodic packing by Newton iterations from where it is:
-/// springs are mapped back to their caps from those it starts with (return mapping), the tangent is that of the
-/// mapped forces and unsymmetric where contacts slide, prestress terms included. Free motions without stiffness
-/// (translations, rattlers, free rollers) carry no load and are held by a vanishing stiffness.
+/// Solves force, moment and stress balance of a periodic packing by Newton iterations from where it is: memories are mapped
+/// back by the law from those it starts with (return mapping), the tangent is the consistent one of the law's response with
+/// all geometric terms, unsymmetric where contacts slide. Free motions without stiffness (translations, rattlers, free
+/// rollers) carry no load and are held by a vanishing stiffness.
 ///
+/// @pre the cell is lower triangular (the first lattice vector along x, ...); it stays so
+template <int Dim>
+[[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const StressControl<Dim>& control,
+                                                const StaticSolverOptions& options);
+
 /// @param target_stress  stress on each axis, compression positive
 template <int Dim>
 [[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const Vec<Dim>& target_stress,
-                                                const StaticSolverOptions& options);
+                                                const StaticSolverOptions& options) {
+  return solve_statics(start, StressControl<Dim>::axes(target_stress), options);
+}
 
 }  // namespace floc

@@ -4,9 +4,14 @@
 
 #include <algorithm>
 
+#include "floc/elasticity/moduli.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/tile.h"
 #include "floc/relaxation/relaxer.h"
 #include "support/dynamics.h"
+#include "support/lattices.h"
 
 namespace floc {
 namespace {
@@ -52,27 +57,39 @@ Packing<2> with_yielding_contacts(Packing<2> packing) {
   return packing;
 }
 
-/// Residual that one Newton step leaves of a disturbance of this size of all positions and both sides.
-double residual_after_one_step(const Packing<2>& equilibrium, double disturbance) {
-  Packing<2> disturbed = equilibrium;
+/// The packing after a disturbance of this size of all positions and of the cell.
+template <int Dim>
+Packing<Dim> disturbed(Packing<Dim> packing, double size) {
   RandomStream random(5, 1);
-  for (Vec<2>& x : disturbed.grains.position)
-    for (int a = 0; a < 2; ++a) x[a] += disturbance * random.normal();
-  disturbed.cell.matrix(0, 0) *= 1.0 + disturbance;
-  disturbed.cell.matrix(1, 1) *= 1.0 - 0.5 * disturbance;
+  for (Vec<Dim>& x : packing.grains.position)
+    for (int a = 0; a < Dim; ++a) x[a] += size * random.normal();
+  packing.cell.matrix(0, 0) *= 1.0 + size;
+  packing.cell.matrix(1, 1) *= 1.0 - 0.5 * size;
+  return packing;
+}
+
+/// Residual that one Newton step leaves of it.
+template <int Dim>
+double residual_after_one_step(const Packing<Dim>& equilibrium, const StressControl<Dim>& control,
+                               double size) {
   StaticSolverOptions one_step;
   one_step.target = 0.0;
   one_step.max_iterations = 1;
-  return solve_statics(disturbed, kTarget, one_step).residual;
+  one_step.largest_yielding_share = 1.0;
+  return solve_statics(disturbed(equilibrium, size), control, one_step).residual;
 }
 
 /// A step with the exact tangent leaves what is quadratic in the disturbance: a hundredth for a tenth. Any error of the
 /// tangent would leave a tenth.
-void expect_quadratic(const Packing<2>& equilibrium) {
-  const double after_large = residual_after_one_step(equilibrium, 1e-4);
-  const double after_small = residual_after_one_step(equilibrium, 1e-5);
+template <int Dim>
+void expect_quadratic(const Packing<Dim>& equilibrium, const StressControl<Dim>& control) {
+  const double after_large = residual_after_one_step(equilibrium, control, 1e-4);
+  const double after_small = residual_after_one_step(equilibrium, control, 1e-5);
   EXPECT_GT(after_large, 1e-10);  // well above rounding
   EXPECT_NEAR(after_large / after_small, 100.0, 10.0);
+}
+void expect_quadratic(const Packing<2>& equilibrium) {
+  expect_quadratic(equilibrium, StressControl<2>::axes(kTarget));
 }
 
 TEST(StaticSolver, StepsWithTheExactTangent) {
@@ -94,6 +111,109 @@ TEST(StaticSolver, StepsWithTheExactTangentWhereContactsSlideAndYield) {
   EXPECT_EQ(count(&Contact<2>::sliding), 1);
   EXPECT_EQ(count(&Contact<2>::rolling_yield), 1);
   expect_quadratic(equilibrium);
+}
+
+LawParameters sphere_law() {
+  LawParameters law;
+  law.normal_stiffness = 10.0;
+  law.friction = {0.5, 8.0};
+  law.rolling = {0.1, 0.3};
+  return law;
+}
+
+/// Spheres on the sites of a face-centred cubic crystal of 2 x 2 x 2 cubes, overlapping by a tenth.
+Packing<3> crystal() {
+  Packing<3> cube;
+  cube.law = sphere_law();
+  cube.cell.matrix = std::sqrt(2.0) * Mat<3>::Identity();
+  cube.grains = Grains<3>::with_size(4);
+  const double half = std::sqrt(0.5);
+  cube.grains.position = {Vec<3>(0.1, 0.1, 0.1), Vec<3>(0.1 + half, 0.1 + half, 0.1),
+                          Vec<3>(0.1 + half, 0.1, 0.1 + half), Vec<3>(0.1, 0.1 + half, 0.1 + half)};
+  cube.grains.radius.assign(4, 0.55);
+  cube.grains.mass.assign(4, 1.0);
+  Packing<3> packing = tiled<3>(cube, {2, 2, 2});
+  find_contacts(packing);
+  return packing;
+}
+
+Vec<3> load_on(const Packing<3>& packing) {
+  return static_stress(packing).diagonal();
+}
+
+/// The crystal with springs stretched at random to half their caps, brought to equilibrium.
+Packing<3> strained_crystal() {
+  Packing<3> packing = crystal();
+  RandomStream random(3, 1);
+  for (Contact<3>& c : packing.contacts) {
+    Vec<3> direction;
+    for (int a = 0; a < 3; ++a) {
+      direction[a] = random.normal();
+      c.rolling_spring[a] = 0.005 * random.normal();
+    }
+    c.shear_spring = 0.02 * to_shear<double>(c.normal, direction).normalized();
+  }
+  StaticSolverOptions options;
+  options.largest_displacement = 0.2;
+  options.max_iterations = 40;
+  const StaticSolution<3> solution = solve_statics(packing, load_on(crystal()), options);
+  EXPECT_TRUE(solution.converged) << solution.reason;
+  return solution.packing;
+}
+
+TEST(StaticSolver, BringsACrystalOfSpheresBackToBalance) {
+  const Vec<3> target = load_on(crystal());
+  const StaticSolution<3> solution = solve_statics(disturbed(crystal(), 1e-4), target, StaticSolverOptions{});
+  ASSERT_TRUE(solution.converged) << solution.reason;
+  EXPECT_LE(solution.iterations, 4);  // quadratic convergence
+  const Residuals left = residuals(solution.packing, target);
+  EXPECT_LT(std::max({left.force, left.moment, left.stress}), 1e-8);
+}
+
+TEST(StaticSolver, StepsWithTheExactTangentAmongSpheresUnderFriction) {
+  const Packing<3> equilibrium = strained_crystal();
+  double shear = 0.0, rolling = 0.0;
+  for (const Contact<3>& c : equilibrium.contacts) {
+    shear += c.shear_force.norm() / c.normal_force / static_cast<double>(equilibrium.contacts.size());
+    rolling += c.rolling_moment.norm() / c.normal_force / static_cast<double>(equilibrium.contacts.size());
+  }
+  EXPECT_GT(shear, 0.05);
+  EXPECT_GT(rolling, 0.001);
+  expect_quadratic(equilibrium, StressControl<3>::axes(load_on(crystal())));
+}
+
+TEST(StaticSolver, AnswersAsTheModuliSayInASkewedCell) {
+  const Packing<2> start = tiled<2>(test::triangular(1.0, test::elastic_law(10.0, 8.0, 0.3)), {4, 4});
+  StressControl<2> control;
+  control.stress = static_stress(start);
+  control.free = {{{true, true}, {false, true}}};
+  constexpr double kShear = 1e-5;
+  control.stress(0, 1) += kShear;
+  const StaticSolution<2> solution = solve_statics(start, control, StaticSolverOptions{});
+  ASSERT_TRUE(solution.converged) << solution.reason;
+  const Mat<2> stress = static_stress(solution.packing);
+  EXPECT_LT((stress - control.stress).template triangularView<Eigen::Upper>().toDenseMatrix().norm(), 1e-8);
+
+  ModuliOptions options;
+  options.strains = StrainSet::full;
+  options.prestress = true;
+  const Mat<2> deformation = (start.cell.matrix.inverse() * solution.packing.cell.matrix).transpose();
+  EXPECT_EQ(deformation(1, 0), 0.0);
+  // Shortening is positive. The solution is within 1e-8 of a load of 1e-5.
+  EXPECT_NEAR(-deformation(0, 1) * elastic_moduli(start, options).G / kShear, 1.0, 1e-3);
+}
+
+TEST(StaticSolver, HoldsTheStrainsThatAreFixed) {
+  const Packing<2> start = tiled<2>(test::triangular(1.0, test::elastic_law(10.0, 8.0, 0.3)), {4, 4});
+  StressControl<2> control;
+  control.stress = static_stress(start);
+  control.free = {{{true, false}, {false, false}}};
+  control.stress(0, 0) *= 1.001;
+  const StaticSolution<2> solution = solve_statics(start, control, StaticSolverOptions{});
+  ASSERT_TRUE(solution.converged) << solution.reason;
+  EXPECT_LT(solution.packing.cell.matrix(0, 0), start.cell.matrix(0, 0));
+  EXPECT_EQ(solution.packing.cell.matrix(1, 1), start.cell.matrix(1, 1));
+  EXPECT_NEAR(static_stress(solution.packing)(0, 0), control.stress(0, 0), 1e-8);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "floc/base/error.h"
 #include "floc/fitting/force_distribution.h"
 #include "floc/fitting/scattering_fit.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/structure/scattering.h"
 
@@ -115,7 +116,7 @@ set key top right
 
 ScatteringSample scattering_sample(const std::string& name, const Packing<2>& packing) {
   constexpr double kLargestFitted = 0.5;
-  const double a = 2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end());
+  const double a = largest_diameter(packing.grains);
   const double unit = 2.0 * std::numbers::pi / a;
   const Scattering s = scattering(packing);
   std::vector<ScatteredPoint> points;

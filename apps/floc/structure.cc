@@ -14,6 +14,7 @@
 #include "floc/network/rattlers.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/structure/coverage.h"
 #include "floc/structure/gap_coordination.h"
 #include "floc/structure/pair_correlation.h"
@@ -65,11 +66,6 @@ struct Series {
   StructureRow mean;  ///< sums, until they are divided by the number of states
 };
 
-template <int Dim>
-double largest_diameter(const Packing<Dim>& packing) {
-  return 2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end());
-}
-
 ScatteringFit fit_of(const Scattering& s, const StructureCommand& command, double diameter) {
   std::vector<ScatteredPoint> points;
   for (std::size_t b = 0; b < s.k.size(); ++b) points.push_back({s.k[b], s.I[b], s.n_vectors[b]});
@@ -104,12 +100,12 @@ void add_scattering(const Packing<2>& packing, const StructureCommand& command, 
   ScatteringAverage alone(mesh.edges);
   alone.add(shortest.cell, coverage);
   const Scattering s = alone.result();
-  row.fit = fit_of(s, command, largest_diameter(packing));
+  row.fit = fit_of(s, command, largest_diameter(packing.grains));
   report(row.file, s, *row.fit, series.intensity);
   if (!command.average) return;
   if (!series.average) {
     series.mesh = mesh;
-    series.diameter = largest_diameter(packing);
+    series.diameter = largest_diameter(packing.grains);
     series.average.emplace(mesh.edges);
     series.mean.mesh_spacing = mesh.spacing;
   }
@@ -151,7 +147,7 @@ template <int Dim>
 void add_pairs(const std::string& file, const Packing<Dim>& packing, const StructureCommand& command,
                Table& table) {
   constexpr double kBinsPerDiameter = 50.0;
-  const double reach = command.reach * largest_diameter(packing);
+  const double reach = command.reach * largest_diameter(packing.grains);
   const PairCorrelation found =
       pair_correlation(packing, reach, static_cast<int>(std::ceil(command.reach * kBinsPerDiameter)));
   for (int b = 0; b < static_cast<int>(found.g.size()); ++b)
@@ -169,7 +165,7 @@ template <int Dim>
 void add_gaps(const std::string& file, const State<Dim>& state, Table& table) {
   const Packing<Dim>& packing = state.packing;
   const double zero_force = state.tolerance.force * force_scale(packing, state.target_stress).force;
-  const std::vector<double> gaps = gaps_of(largest_diameter(packing));
+  const std::vector<double> gaps = gaps_of(largest_diameter(packing.grains));
   const std::vector<double> z = gap_coordination(packing, gaps);
   const std::vector<double> pushed =
       gap_coordination(with_pushed_rattlers(packing, find_rattlers(packing, zero_force)), gaps);

@@ -4,6 +4,7 @@
 
 #include "floc/assembly/cluster_flight.h"
 #include "floc/base/disjoint_sets.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/relaxer.h"
 
@@ -38,7 +39,7 @@ int count_clusters(const Packing<Dim>& packing) {
 template <int Dim>
 Aggregation<Dim>::Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin)
     : options_(options), packing_(std::move(packing)), skin_(skin), n_clusters_(count_clusters(packing_)) {
-  const double a = 2.0 * *std::max_element(packing_.grains.radius.begin(), packing_.grains.radius.end());
+  const double a = largest_diameter(packing_.grains);
   if (options.skin) skin_ = *options.skin * a;
   if (skin_ == 0.0) skin_ = 0.1 * a;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "floc/neighbors/pairs.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -99,7 +100,7 @@ void ClusterFlight::find_motions(const Packing<2>& packing) {
 /// A bound from below: no two surfaces approach faster than their clusters do and turn.
 double ClusterFlight::time_to_meet(const Packing<2>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;
-  const double lookout = nearest + kLookout * 2.0 * *std::max_element(radius.begin(), radius.end());
+  const double lookout = nearest + kLookout * largest_diameter(radius);
   double fastest = 0.0;
   for (const Cluster& c : clusters_)
     fastest = std::max(fastest, c.velocity.norm() + std::abs(c.spin) * c.reach);

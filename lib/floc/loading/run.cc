@@ -9,6 +9,7 @@
 #include "floc/assembly/gas.h"
 #include "floc/base/version.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -60,7 +61,7 @@ template <int Dim>
 double Run<Dim>::agitation_speed() const {
   const Grains<Dim>& g = packing().grains;
   const double m = *std::max_element(g.mass.begin(), g.mass.end());
-  const double a = 2.0 * *std::max_element(g.radius.begin(), g.radius.end());
+  const double a = largest_diameter(g);
   const double adhesive = options_.law.pull_off_force() * options_.law.range();
   const double energy = adhesive > 0.0 ? adhesive : options_.assembly.pressure * std::pow(a, Dim);
   return options_.assembly.agitation * std::sqrt(energy / m);

@@ -1,18 +1,38 @@
 #pragma once
 
-#include <tuple>
+#include <algorithm>
+#include <utility>
 
-#include "floc/packing/contact.h"
+#include "floc/base/vec.h"
 
 namespace floc {
 
-/// The order of the contacts of a packing: by (i, j, image, key).
-template <int Dim>
-bool precedes(const Contact<Dim>& p, const Contact<Dim>& q) {
-  if (std::tie(p.i, p.j) != std::tie(q.i, q.j)) return std::tie(p.i, p.j) < std::tie(q.i, q.j);
-  for (int a = 0; a < Dim; ++a)
+/// The order of pairs of grains and of the contacts of a packing: by (i, j, image), and the key where they have one.
+template <class Pair>
+bool precedes(const Pair& p, const Pair& q) {
+  if (p.i != q.i) return p.i < q.i;
+  if (p.j != q.j) return p.j < q.j;
+  for (int a = 0; a < p.image.size(); ++a)
     if (p.image[a] != q.image[a]) return p.image[a] < q.image[a];
-  return p.key < q.key;
+  if constexpr (requires { p.key; }) return p.key < q.key;
+  return false;
+}
+
+/// The same pair seen from its other grain: i, j and image alone, nothing of what acts there.
+template <class Pair>
+Pair swapped(Pair pair) {
+  std::swap(pair.i, pair.j);
+  pair.image = -pair.image;
+  return pair;
+}
+
+/// Of the two ways to see a pair the one that lists hold: i < j, or, for a grain and its own image, the first component of
+/// the image that is not zero positive.
+template <class Pair>
+bool listed_way_round(const Pair& pair) {
+  if (pair.i != pair.j) return pair.i < pair.j;
+  const auto first = std::find_if(pair.image.begin(), pair.image.end(), [](int turns) { return turns != 0; });
+  return first != pair.image.end() && *first > 0;
 }
 
 }  // namespace floc

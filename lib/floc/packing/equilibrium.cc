@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "floc/packing/balance.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -18,8 +19,7 @@ double ratio(double value, double scale) {
 
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
-  const auto& radius = packing.grains.radius;
-  const double a = radius.empty() ? 0.0 : 2.0 * *std::max_element(radius.begin(), radius.end());
+  const double a = largest_diameter(packing.grains);
   return {std::max(packing.law.pull_off_force(), target_stress.mean() * std::pow(a, Dim - 1)), a};
 }
 

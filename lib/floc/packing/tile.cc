@@ -85,7 +85,7 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
     for (const Contact<Dim>& c : packing.contacts) out.contacts.push_back(placed(c, t, n, copies));
   }
   out.grains.set_centres(centres);
-  std::sort(out.contacts.begin(), out.contacts.end(), precedes<Dim>);
+  std::sort(out.contacts.begin(), out.contacts.end(), precedes<Contact<Dim>>);
   return out;
 }
 

@@ -14,10 +14,6 @@ double mean_diameter(const PackingPicture& picture) {
          static_cast<double>(picture.radius.size());
 }
 
-double largest_diameter(const PackingPicture& picture) {
-  return 2.0 * *std::max_element(picture.radius.begin(), picture.radius.end());
-}
-
 double rms_force(const PackingPicture& picture) {
   double sum = 0.0;
   int n = 0;

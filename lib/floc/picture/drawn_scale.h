@@ -12,7 +12,6 @@ struct DrawnScale {
 };
 
 double mean_diameter(const PackingPicture& picture);
-double largest_diameter(const PackingPicture& picture);
 
 /// Root mean square of the forces of all lines that have one; 0 without.
 double rms_force(const PackingPicture& picture);

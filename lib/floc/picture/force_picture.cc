@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "floc/network/rattlers.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -52,8 +53,7 @@ PackingPicture equilibrium_forces(const Packing<2>& packing, double zero_force) 
 PackingPicture increment_forces(const Packing<2>& packing, const ContactNetwork<2>& network,
                                 const StepResponse<2>& step) {
   PackingPicture picture = grains_of(packing);
-  const double largest =
-      packing.grains.size() == 0 ? 1.0 : 2.0 * *std::max_element(picture.radius.begin(), picture.radius.end());
+  const double largest = packing.grains.size() == 0 ? 1.0 : largest_diameter(picture.radius);
   picture.force_unit = "a δP";
   picture.force_symbol = "δF";
   picture.compression_name = "force grows";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "floc/packing/grain_sizes.h"
 #include "floc/picture/packing_drawing.h"
 #include "floc/picture/palette.h"
 
@@ -68,7 +69,7 @@ LegendItem disk_item(const Color& fill, const std::string& text) {
 }
 
 LegendItem arrow_item(const PackingPicture& picture, const DrawnScale& scale) {
-  const double a = largest_diameter(picture);
+  const double a = largest_diameter(picture.radius);
   const double length = round_number_below(2.0 * rms_displacement(picture) / a);
   const double points = length * a * scale.points_per_displacement;
   return {points,
@@ -179,7 +180,7 @@ LegendItem force_item(const PackingPicture& picture, const DrawnScale& scale) {
 std::vector<LegendItem> legend_of(const std::vector<PackingPicture>& pictures, const DrawnScale& scale,
                                   double bar) {
   const PackingPicture& first = pictures.front();
-  std::vector<LegendItem> items = {scale_bar(largest_diameter(first), scale.points_per_length, bar)};
+  std::vector<LegendItem> items = {scale_bar(largest_diameter(first.radius), scale.points_per_length, bar)};
   std::set<LineKind> kinds;
   bool rattlers = false;
   for (const PackingPicture& picture : pictures) {

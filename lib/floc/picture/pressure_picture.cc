@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/packing/grain_sizes.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/structure/particle_stress.h"
 
@@ -28,7 +29,7 @@ PackingPicture grain_pressures(const Packing<2>& packing, double pressure) {
   double unit = pressure;
   if (unit <= 0.0) {
     picture.shade.name = "pressure of a grain over F₀/a,";
-    unit = packing.law.pull_off_force() / largest_diameter(picture);
+    unit = packing.law.pull_off_force() / largest_diameter(picture.radius);
   }
   if (unit > 0.0)
     for (double& value : picture.shade.value) value /= unit;

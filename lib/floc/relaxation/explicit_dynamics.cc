@@ -10,6 +10,7 @@
 #include "floc/neighbors/space_order.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/barrier.h"
 
 namespace floc {
@@ -18,12 +19,6 @@ namespace {
 /// What a new list of pairs costs, in time steps (measured at N = 1400 and 100 000).
 constexpr double kListCost = 23.0;
 constexpr double kThinnestSkin = 1e-3;  // of the largest diameter
-
-/// The same contact seen from the other grain.
-template <int Dim>
-NeighborPair<Dim> swapped(const NeighborPair<Dim>& p) {
-  return {p.j, p.i, -p.image};
-}
 
 }  // namespace
 
@@ -39,7 +34,7 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const CellC
       dt_(settings.time_step),
       skin_(settings.skin),
       threads_(settings.threads),
-      largest_(2.0 * *std::max_element(packing.grains.radius.begin(), packing.grains.radius.end())),
+      largest_(largest_diameter(packing.grains)),
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
       side_(packing.cell.matrix.diagonal()),
       side_rate_(packing.cell.velocity.diagonal()),
@@ -330,7 +325,7 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
     if (!pairs_.roll.empty()) c.rolling_spring[0] = swap ? -pairs_.roll[p] : pairs_.roll[p];
     out.contacts.push_back(c);
   }
-  std::sort(out.contacts.begin(), out.contacts.end(), precedes<Dim>);
+  std::sort(out.contacts.begin(), out.contacts.end(), precedes<Contact<Dim>>);
   refresh_contacts(out);
   return out;
 }

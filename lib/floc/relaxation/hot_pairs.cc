@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "floc/base/error.h"
+#include "floc/packing/contact_order.h"
 
 namespace floc {
 namespace {
@@ -109,7 +110,7 @@ void HotPairs<Dim>::inherit(const HotPairs& old) {
   for (std::size_t i = 0; i < old.first_of_i_.size(); ++i) {
     int q = old.first_of_i_[i];
     for (int p = first_of_i_[i]; p < end_of_i_[i]; ++p) {
-      while (q < old.end_of_i_[i] && before(old.key(q), key(p))) ++q;
+      while (q < old.end_of_i_[i] && precedes(old.key(q), key(p))) ++q;
       if (q == old.end_of_i_[i]) break;
       if (!(old.key(q) == key(p))) continue;
       if (!viscous.empty()) viscous[p] = old.viscous[q];

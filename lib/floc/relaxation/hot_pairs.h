@@ -24,16 +24,6 @@ inline double lagging_damping(double coefficient, double mass_i, double mass_j, 
 /// @throws InputError if it is beyond what the plans of the sums can name, at 537 million pairs with friction
 int row_place(std::int64_t pair, int row_size);
 
-/// The order of pairs in a list: by i, then j, then image.
-template <int Dim>
-inline bool before(const NeighborPair<Dim>& p, const NeighborPair<Dim>& q) {
-  if (p.i != q.i) return p.i < q.i;
-  if (p.j != q.j) return p.j < q.j;
-  for (int a = 0; a < Dim; ++a)
-    if (p.image[a] != q.image[a]) return p.image[a] < q.image[a];
-  return false;
-}
-
 /// The neighbour pairs as the force loop reads them, i <= j, one array a component. A block of grains owns the pairs whose
 /// first grain it owns; they stand together in order, and are padded to whole vectors with pairs of a grain and its own
 /// image one cell away, of no size, which no grain sums.

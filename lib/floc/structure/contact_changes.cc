@@ -52,12 +52,7 @@ template <int Dim>
 Contact<Dim> name_of(const Contact<Dim>& c, const Vec<Dim, int>& image) {
   Contact<Dim> name;
   name.i = c.i, name.j = c.j, name.image = image, name.key = c.key;
-  const auto first = std::find_if(image.begin(), image.end(), [](int m) { return m != 0; });
-  if (c.j < c.i || (c.i == c.j && first != image.end() && *first < 0)) {
-    std::swap(name.i, name.j);
-    name.image = -image;
-  }
-  return name;
+  return listed_way_round(name) ? name : swapped(name);
 }
 
 template <int Dim>

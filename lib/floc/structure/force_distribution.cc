@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "floc/packing/grain_sizes.h"
+
 namespace floc {
 namespace {
 
@@ -18,9 +20,7 @@ double mean_size(const std::vector<double>& forces) {
 template <int Dim>
 double pull_off_unit(const Packing<Dim>& packing, ForceKind kind) {
   const double F0 = packing.law.pull_off_force();
-  if (kind != ForceKind::rolling) return F0;
-  const auto& radius = packing.grains.radius;
-  return radius.empty() ? 0.0 : 2.0 * F0 * *std::max_element(radius.begin(), radius.end());
+  return kind == ForceKind::rolling ? F0 * largest_diameter(packing.grains) : F0;
 }
 
 }  // namespace

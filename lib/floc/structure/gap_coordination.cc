@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "floc/neighbors/pairs.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -21,7 +22,7 @@ std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vec
   if (gaps.empty() || g.size() == 0) return std::vector<double>(gaps.size(), 0.0);
   std::vector<std::int64_t> n_pairs(gaps.size(), 0);
   // Pairs at exactly the largest gap belong to it.
-  const double largest = *std::max_element(g.radius.begin(), g.radius.end());
+  const double largest = 0.5 * largest_diameter(g);
   const double reach = gaps.back() * (1.0 + kTouching) + 4.0 * kTouching * largest;
   for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, g, reach)) {
     const Vec<Dim> r = g.position[pair.j] + packing.cell.shift(pair.image) - g.position[pair.i];

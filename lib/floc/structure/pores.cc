@@ -7,6 +7,7 @@
 #include "floc/base/disjoint_sets.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/network/components.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -42,7 +43,7 @@ void bridge(const Packing<2>& packing, DisjointSets& sets, std::vector<Edge>& ed
     double size;
     Edge edge;
   };
-  const double a = 2.0 * *std::max_element(g.radius.begin(), g.radius.end());
+  const double a = largest_diameter(g);
   const double longest = packing.cell.matrix.rowwise().norm().sum();
   for (double reach = 0.1 * a; sets.n_sets() > 1; reach = std::min(2.0 * reach, longest)) {
     std::vector<Gap> gaps;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "floc/neighbors/pairs.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -106,7 +107,7 @@ Packing<Dim> with_pushed_rattlers(const Packing<Dim>& packing, const std::vector
   Packing<Dim> out = packing;
   const Grains<Dim>& g = packing.grains;
   if (std::find(rattler.begin(), rattler.end(), true) == rattler.end()) return out;
-  const double a = 2.0 * *std::max_element(g.radius.begin(), g.radius.end());
+  const double a = largest_diameter(g);
   const double travel = 2.0 * a;
   std::vector<std::vector<Obstacle<Dim>>> around(g.size());
   for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, g, travel)) {

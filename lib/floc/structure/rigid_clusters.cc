@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "floc/base/disjoint_sets.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -58,7 +59,7 @@ RigidClusters rigid_clusters(const Packing<Dim>& before, const Packing<Dim>& aft
   RigidClusters out;
   const int n = before.grains.size();
   if (n == 0) return out;
-  const double a = 2.0 * *std::max_element(before.grains.radius.begin(), before.grains.radius.end());
+  const double a = largest_diameter(before.grains);
   DisjointSets sets(n);
   for (const KeptContact& kept : changes.kept) {
     if (!stuck(before, after, kept, tolerance * a, tolerance)) continue;

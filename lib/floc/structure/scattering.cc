@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "floc/geometry/lattice_reduction.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -60,9 +61,8 @@ Packing<2> in_shortest_cell(const Packing<2>& packing) {
 }
 
 ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options) {
-  const auto& radius = packing.grains.radius;
-  assert(!radius.empty());
-  const double a = 2.0 * *std::max_element(radius.begin(), radius.end());
+  assert(packing.grains.size() > 0);
+  const double a = largest_diameter(packing.grains);
   const double area = packing.cell.volume();
   ScatteringMesh mesh;
   mesh.spacing = std::max(a / (options.largest * options.cells_per_wave),

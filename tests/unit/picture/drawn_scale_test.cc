@@ -31,7 +31,6 @@ TEST(DrawnScale, MeansAreOfWhatIsThere) {
   PackingPicture picture;
   picture.radius = {0.5, 0.25};
   EXPECT_DOUBLE_EQ(mean_diameter(picture), 0.75);
-  EXPECT_DOUBLE_EQ(largest_diameter(picture), 1.0);
   EXPECT_EQ(rms_force(picture), 0.0);
   EXPECT_EQ(rms_displacement(picture), 0.0);
   for (const double force : {3.0, 4.0, 0.0}) picture.lines.emplace_back().force = force;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// The unit of length a of a packing; 0 without grains. @param radius  (length)
+inline double largest_diameter(const std::vector<double>& radius) {
+  return radius.empty() ? 0.0 : 2.0 * *std::max_element(radius.begin(), radius.end());
+}
+
+template <int Dim>
+double largest_diameter(const Grains<Dim>& grains) {
+  return largest_diameter(grains.radius);
+}
+
+/// The largest ratio of diameters at which one length, the largest diameter, serves for all grains: to search neighbours by
+/// and to hold forces against. Beyond it either goes by the size of the grain.
+inline constexpr double kSimilarSizes = 4.0;
+
+inline bool similar_sizes(const std::vector<double>& radius) {
+  if (radius.empty()) return true;
+  const auto [least, most] = std::minmax_element(radius.begin(), radius.end());
+  return *most <= kSimilarSizes * *least;
+}
+
+}  // namespace floc

@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <utility>
 
 #include "floc/base/error.h"
 #include "floc/geometry/lattice_reduction.h"
+#include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
-
-template <int Dim>
-bool lexicographically_positive(const Vec<Dim, int>& image) {
-  for (int a = 0; a < Dim; ++a)
-    if (image[a] != 0) return image[a] > 0;
-  return false;
-}
 
 /// Beyond it images do not fit an integer.
 constexpr double kMostTurns = 1e9;
@@ -25,38 +24,78 @@ constexpr double kTrialsPerGrain = 1e5;
 /// Pairs that a packing may have, and more for each of its grains: beyond it, a wrong radius or cell.
 constexpr std::size_t kPairsAlways = 10'000;
 constexpr std::size_t kPairsPerGrain = 1000;
+/// Sizes smaller by a larger power of two are not told apart.
+constexpr int kMostLevels = 32;
+
+/// Grains brought into the cell.
+template <int Dim>
+struct WrappedGrains {
+  std::vector<Vec<Dim>> reduced;    ///< position in units of the lattice vectors, inside [0, 1] up to rounding
+  std::vector<Vec<Dim, int>> wrap;  ///< image that brings each grain into the cell
+  std::vector<Vec<Dim>> position;
+
+  WrappedGrains(const Cell<Dim>& cell, const Grains<Dim>& grains)
+      : reduced(grains.size()), wrap(grains.size()), position(grains.size()) {
+    const Mat<Dim> to_reduced = cell.matrix.transpose().inverse();
+    for (int i = 0; i < grains.size(); ++i) {
+      const Vec<Dim> s = to_reduced * grains.position[i];
+      for (int a = 0; a < Dim; ++a) {
+        const double turns = std::floor(s[a]);
+        if (!(std::abs(turns) < kMostTurns))
+          throw InputError("grain " + std::to_string(i), "lies more than 1e9 cells away from the cell");
+        wrap[i][a] = -static_cast<int>(turns);
+        reduced[i][a] = s[a] - turns;
+      }
+      position[i] = rounded<Dim>(displaced<Dim>(grains.centre(i), cell, wrap[i]));
+    }
+  }
+};
 
 /// Grains sorted into bins of reduced space, each bin at least the cutoff wide where the cell is large enough.
 template <int Dim>
 class Bins {
  public:
-  Bins(const Cell<Dim>& cell, const Grains<Dim>& grains, double cutoff) {
+  /// @param members  grains to sort, ascending, at least one
+  Bins(const Cell<Dim>& cell, const WrappedGrains<Dim>& grains, const std::vector<int>& members, double cutoff)
+      : grains_(grains) {
     const Mat<Dim> to_reduced = cell.matrix.transpose().inverse();
-    const double grains_per_side = std::pow(static_cast<double>(std::max(1, grains.size())), 1.0 / Dim);
+    const double grains_per_side = std::pow(static_cast<double>(members.size()), 1.0 / Dim);
     for (int a = 0; a < Dim; ++a) {
-      const double height = 1.0 / to_reduced.row(a).norm();
+      height_[a] = 1.0 / to_reduced.row(a).norm();
       // Bins much finer than the grains cost memory and find nothing.
-      count_[a] = static_cast<int>(std::clamp(std::floor(height / cutoff), 1.0, 2.0 * grains_per_side + 1.0));
-      reach_[a] = static_cast<int>(std::min(std::ceil(cutoff * count_[a] / height), kMostTurns));
+      count_[a] =
+          static_cast<int>(std::clamp(std::floor(height_[a] / cutoff), 1.0, 2.0 * grains_per_side + 1.0));
     }
-    check_cost(grains.size());
-    sort(cell, grains, to_reduced);
+    sort(members);
   }
 
-  /// Calls visit(j, image of j's bin) for every grain j in reach of grain i's bin.
+  /// Bins that around() visits for a point, at most.
+  double bins_within(double reach) const {
+    double bins = 1.0;
+    for (int a = 0; a < Dim; ++a) bins *= 2.0 * std::ceil(reach * count_[a] / height_[a]) + 1.0;
+    return bins;
+  }
+  double bins() const { return count_.template cast<double>().prod(); }
+
+  /// Calls visit(j, image of j's bin) for every grain j here that may be closer than `reach` to grain i.
   template <class Visit>
-  void around(int i, const Visit& visit) const {
-    Vec<Dim, int> offset = -reach_;
+  void around(int i, double reach, const Visit& visit) const {
+    Vec<Dim, int> first, last;
+    for (int a = 0; a < Dim; ++a) {
+      const double s = grains_.reduced[i][a] * count_[a];
+      // A billionth of a bin for rounding.
+      const double bins = std::min(reach / height_[a] * count_[a], kMostTurns) + 1e-9;
+      first[a] = static_cast<int>(std::floor(s - bins));
+      last[a] = static_cast<int>(std::floor(s + bins));
+    }
+    Vec<Dim, int> target = first;
     while (true) {
-      visit_bin(i, offset, visit);
+      visit_bin(target, visit);
       int a = 0;
-      while (a < Dim && ++offset[a] > reach_[a]) offset[a] = -reach_[a], ++a;
+      while (a < Dim && ++target[a] > last[a]) target[a] = first[a], ++a;
       if (a == Dim) return;
     }
   }
-
-  const Vec<Dim, int>& wrap(int i) const { return wrap_[i]; }
-  const Vec<Dim>& wrapped(int i) const { return wrapped_[i]; }
 
  private:
   int flat(const Vec<Dim, int>& bin) const {
@@ -65,45 +104,25 @@ class Bins {
     return index;
   }
 
-  /// A cell that is tiny beside its grains holds more of their images than could be looked at.
-  void check_cost(double n_grains) const {
-    const double bins_in_reach = (2.0 * reach_.template cast<double>().array() + 1.0).prod();
-    const double trials = n_grains * n_grains * bins_in_reach / count_.template cast<double>().prod();
-    if (trials > std::max(kTrialsAlways, kTrialsPerGrain * n_grains))
-      throw InputError(
-          "cell",
-          "is so small beside its largest grain, or the grains are so different in size, that finding "
-          "contacts would take " +
-              std::to_string(static_cast<std::int64_t>(std::min(trials, 1e18))) + " trials");
+  int bin_of(int i) const {
+    Vec<Dim, int> bin;
+    for (int a = 0; a < Dim; ++a)
+      bin[a] = std::min(count_[a] - 1, static_cast<int>(grains_.reduced[i][a] * count_[a]));
+    return flat(bin);
   }
 
-  void sort(const Cell<Dim>& cell, const Grains<Dim>& grains, const Mat<Dim>& to_reduced) {
-    const int n = grains.size();
-    bin_.resize(n);
-    wrap_.resize(n);
-    wrapped_.resize(n);
+  void sort(const std::vector<int>& members) {
+    std::vector<int> bin(members.size());
     first_.assign(count_.prod() + 1, 0);
-    for (int i = 0; i < n; ++i) {
-      const Vec<Dim> s = to_reduced * grains.position[i];
-      for (int a = 0; a < Dim; ++a) {
-        const double turns = std::floor(s[a]);
-        if (!(std::abs(turns) < kMostTurns))
-          throw InputError("grain " + std::to_string(i), "lies more than 1e9 cells away from the cell");
-        wrap_[i][a] = -static_cast<int>(turns);
-        bin_[i][a] = std::min(count_[a] - 1, static_cast<int>((s[a] - turns) * count_[a]));
-      }
-      wrapped_[i] = rounded<Dim>(displaced<Dim>(grains.centre(i), cell, wrap_[i]));
-      ++first_[flat(bin_[i]) + 1];
-    }
+    for (std::size_t m = 0; m < members.size(); ++m) ++first_[(bin[m] = bin_of(members[m])) + 1];
     for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
-    member_.resize(n);
+    member_.resize(members.size());
     std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (int i = 0; i < n; ++i) member_[next[flat(bin_[i])]++] = i;
+    for (std::size_t m = 0; m < members.size(); ++m) member_[next[bin[m]]++] = members[m];
   }
 
   template <class Visit>
-  void visit_bin(int i, const Vec<Dim, int>& offset, const Visit& visit) const {
-    Vec<Dim, int> target = bin_[i] + offset;
+  void visit_bin(Vec<Dim, int> target, const Visit& visit) const {
     Vec<Dim, int> image = Vec<Dim, int>::Zero();
     for (int a = 0; a < Dim; ++a) {  // a few turns at most, and seldom any: dividing took a third of the search
       for (; target[a] < 0; target[a] += count_[a]) --image[a];
@@ -113,14 +132,64 @@ class Bins {
     for (int m = first_[b]; m < first_[b + 1]; ++m) visit(member_[m], image);
   }
 
+  const WrappedGrains<Dim>& grains_;
+  Vec<Dim> height_;  ///< of the cell
   Vec<Dim, int> count_;
-  Vec<Dim, int> reach_;
-  std::vector<Vec<Dim, int>> bin_;   ///< of each grain
-  std::vector<Vec<Dim, int>> wrap_;  ///< image that brings each grain into the cell
-  std::vector<Vec<Dim>> wrapped_;    ///< position inside the cell
-  std::vector<int> first_;           ///< first member of each bin
-  std::vector<int> member_;          ///< grains by bin
+  std::vector<int> first_;   ///< first member of each bin
+  std::vector<int> member_;  ///< grains by bin
 };
+
+/// Grains of similar size, in bins as wide as the largest of them needs.
+template <int Dim>
+struct SizeLevel {
+  std::vector<int> members;
+  double largest;  ///< radius
+  Bins<Dim> bins;
+};
+
+/// The grains by size, the largest first: one level where the widest bin that a grain needs, 2 R + gap, is at most
+/// kSimilarSizes times the narrowest, otherwise a level for each factor of two. A grain then meets no more others of a level
+/// than fit around one of that level (Ogarko and Luding, Comput. Phys. Commun. 183, 931, 2012).
+template <int Dim>
+std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
+                                        const WrappedGrains<Dim>& wrapped, double gap) {
+  const auto [least, most] = std::minmax_element(grains.radius.begin(), grains.radius.end());
+  const double widest = 2.0 * *most + gap;
+  const bool one = widest <= kSimilarSizes * (2.0 * *least + gap);
+  std::vector<std::vector<int>> members(kMostLevels);
+  for (int i = 0; i < grains.size(); ++i) {
+    const double width = std::max(0.0, 2.0 * grains.radius[i] + gap);
+    members[one ? 0 : std::min(kMostLevels - 1, std::ilogb(widest / width))].push_back(i);
+  }
+  std::vector<SizeLevel<Dim>> levels;
+  for (std::vector<int>& of_level : members) {
+    if (of_level.empty()) continue;
+    double largest = grains.radius[of_level.front()];
+    for (const int i : of_level) largest = std::max(largest, grains.radius[i]);
+    Bins<Dim> bins(cell, wrapped, of_level, 2.0 * largest + gap);
+    levels.push_back({std::move(of_level), largest, std::move(bins)});
+  }
+  return levels;
+}
+
+/// A cell that is tiny beside its grains holds more of their images than could be looked at.
+template <int Dim>
+void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, double gap) {
+  double trials = 0.0;
+  for (std::size_t fine = 0; fine < levels.size(); ++fine)
+    for (std::size_t coarse = 0; coarse <= fine; ++coarse) {
+      const Bins<Dim>& bins = levels[coarse].bins;
+      trials += static_cast<double>(levels[fine].members.size()) *
+                static_cast<double>(levels[coarse].members.size()) *
+                bins.bins_within(levels[fine].largest + levels[coarse].largest + gap) / bins.bins();
+    }
+  if (trials > std::max(kTrialsAlways, kTrialsPerGrain * n_grains))
+    throw InputError(
+        "cell",
+        "is so small beside its largest grain, or the grains are so different in size, that finding "
+        "contacts would take " +
+            std::to_string(static_cast<std::int64_t>(std::min(trials, 1e18))) + " trials");
+}
 
 /// Image of a pair in the lattice it was asked for.
 template <int Dim>
@@ -141,41 +210,76 @@ void check_finite(const Cell<Dim>& cell, const Grains<Dim>& grains) {
       throw InputError("grain " + std::to_string(i), "position and radius must be finite");
 }
 
+/// The pairs of one grain with those of its own and of coarser levels, as the caller of find_pairs() sees them.
+template <int Dim>
+class PairSearch {
+ public:
+  PairSearch(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap)
+      : grains_(grains), gap_(gap), lattice_(reduced_lattice(cell)), wrapped_(lattice_.cell, grains) {}
+
+  /// In no order.
+  std::vector<NeighborPair<Dim>> all() {
+    const std::vector<SizeLevel<Dim>> levels = size_levels(lattice_.cell, grains_, wrapped_, gap_);
+    check_cost(levels, grains_.size(), gap_);
+    for (std::size_t fine = 0; fine < levels.size(); ++fine)
+      for (const int i : levels[fine].members) {
+        levels[fine].bins.around(i, grains_.radius[i] + levels[fine].largest + gap_,
+                                 [&](int j, const Vec<Dim, int>& image) {
+                                   if (j >= i) try_pair(i, j, image);
+                                 });
+        for (std::size_t coarse = 0; coarse < fine; ++coarse)
+          levels[coarse].bins.around(i, grains_.radius[i] + levels[coarse].largest + gap_,
+                                     [&](int j, const Vec<Dim, int>& image) {
+                                       i < j ? try_pair(i, j, image) : try_pair(j, i, -image);
+                                     });
+      }
+    return std::move(pairs_);
+  }
+
+ private:
+  void try_pair(int i, int j, const Vec<Dim, int>& image) {
+    const double reach = grains_.radius[i] + grains_.radius[j] + gap_;
+    const Vec<Dim> r = wrapped_.position[j] + lattice_.cell.shift(image) - wrapped_.position[i];
+    if (!(r.squaredNorm() < reach * reach)) return;
+    const NeighborPair<Dim> pair{
+        i, j, image_in(lattice_, Vec<Dim, int>(image + wrapped_.wrap[j] - wrapped_.wrap[i]))};
+    if (!listed_way_round(pair)) return;
+    pairs_.push_back(pair);
+    if (pairs_.size() > kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains_.size()))
+      throw InputError("cell", "the grains overlap so much, or reach so far, that each has more than " +
+                                   std::to_string(kPairsPerGrain) +
+                                   " neighbours: a radius or the cell is wrong");
+  }
+
+  const Grains<Dim>& grains_;
+  double gap_;
+  ReducedLattice<Dim> lattice_;
+  WrappedGrains<Dim> wrapped_;
+  std::vector<NeighborPair<Dim>> pairs_;
+};
+
+/// Sorts by first grains, by counting, then those of each grain.
+template <int Dim>
+std::vector<NeighborPair<Dim>> sorted(const std::vector<NeighborPair<Dim>>& pairs, int n_grains) {
+  std::vector<std::size_t> first(n_grains + 1, 0);
+  for (const NeighborPair<Dim>& p : pairs) ++first[p.i + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  std::vector<NeighborPair<Dim>> out(pairs.size());
+  for (const NeighborPair<Dim>& p : pairs) out[next[p.i]++] = p;
+  for (int i = 0; i < n_grains; ++i)
+    std::sort(out.begin() + static_cast<std::ptrdiff_t>(first[i]),
+              out.begin() + static_cast<std::ptrdiff_t>(first[i + 1]), precedes<NeighborPair<Dim>>);
+  return out;
+}
+
 }  // namespace
 
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap) {
   check_finite(cell, grains);
-  std::vector<NeighborPair<Dim>> pairs;
-  if (grains.size() == 0) return pairs;
-  const std::size_t most = kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains.size());
-  const double largest = *std::max_element(grains.radius.begin(), grains.radius.end());
-  const ReducedLattice<Dim> lattice = reduced_lattice(cell);
-  const Bins<Dim> bins(lattice.cell, grains, 2.0 * largest + gap);
-
-  for (int i = 0; i < grains.size(); ++i) {
-    const std::size_t first = pairs.size();
-    bins.around(i, [&](int j, const Vec<Dim, int>& image) {
-      if (j < i) return;
-      const double reach = grains.radius[i] + grains.radius[j] + gap;
-      const Vec<Dim> r = bins.wrapped(j) + lattice.cell.shift(image) - bins.wrapped(i);
-      if (!(r.squaredNorm() < reach * reach)) return;
-      const Vec<Dim, int> original = image_in(lattice, Vec<Dim, int>(image + bins.wrap(j) - bins.wrap(i)));
-      if (j == i && !lexicographically_positive<Dim>(original)) return;
-      pairs.push_back({i, j, original});
-      if (pairs.size() > most)
-        throw InputError("cell", "the grains overlap so much, or reach so far, that each has more than " +
-                                     std::to_string(kPairsPerGrain) +
-                                     " neighbours: a radius or the cell is wrong");
-    });
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(),
-              [](const NeighborPair<Dim>& p, const NeighborPair<Dim>& q) {
-                if (p.j != q.j) return p.j < q.j;
-                return std::lexicographical_compare(p.image.begin(), p.image.end(), q.image.begin(),
-                                                    q.image.end());
-              });
-  }
-  return pairs;
+  if (grains.size() == 0) return {};
+  return sorted(PairSearch<Dim>(cell, grains, gap).all(), grains.size());
 }
 
 template std::vector<NeighborPair<2>> find_pairs(const Cell<2>&, const Grains<2>&, double);

@@ -46,6 +46,26 @@ std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grain
   return found;
 }
 
+/// A radius of each factor of two up to `ratio`, in turn: every level of the search has some.
+template <int Dim>
+Grains<Dim> grains_of_sizes(int n, const Cell<Dim>& cell, double largest_radius, double ratio) {
+  Grains<Dim> grains = random_grains(n, cell, largest_radius, 7);
+  for (int i = 0; i < n; ++i)
+    grains.radius[i] = largest_radius * std::pow(ratio, -static_cast<double>(i * 37 % n) / (n - 1));
+  return grains;
+}
+
+template <int Dim>
+void expect_all_found_whatever_the_sizes(const Cell<Dim>& cell, int n, double largest_radius) {
+  for (const double ratio : {3.9, 4.1, 30.0, 1e4})
+    for (const double gap : {0.0, 1e-3, 0.2}) {
+      const Grains<Dim> grains = grains_of_sizes(n, cell, largest_radius, ratio);
+      const auto expected = by_brute_force(cell, grains, gap, 5);
+      ASSERT_FALSE(expected.empty());
+      EXPECT_EQ(find_pairs(cell, grains, gap), expected) << "ratio " << ratio << ", gap " << gap;
+    }
+}
+
 template <int Dim>
 void expect_all_found(const Cell<Dim>& cell, int n, double largest_radius, double gap) {
   const Grains<Dim> grains = random_grains(n, cell, largest_radius, 11);
@@ -71,6 +91,55 @@ TEST(Pairs, OfASmallCellIncludeSeveralImagesAndTheGrainsOwn) {
   small.matrix << 1.1, 0.0, 0.2, 0.9;
   expect_all_found(small, 3, 0.6, 0.3);
   expect_all_found(small, 1, 0.6, 1.5);
+}
+
+TEST(Pairs, OfGrainsOfAllSizesAreThoseOfABruteForceSearch) {
+  Cell<2> square;
+  square.matrix << 10.0, 0.0, 0.0, 8.0;
+  expect_all_found_whatever_the_sizes(square, 150, 1.0);
+  Cell<2> skewed;
+  skewed.matrix << 9.0, 0.0, 4.0, 7.0;
+  expect_all_found_whatever_the_sizes(skewed, 120, 1.5);
+  Cell<2> small;
+  small.matrix << 1.1, 0.0, 0.2, 0.9;
+  expect_all_found_whatever_the_sizes(small, 12, 0.6);
+  Cell<3> tilted;
+  tilted.matrix << 5.0, 0.0, 0.0, 1.0, 4.0, 0.0, -0.5, 0.7, 6.0;
+  expect_all_found_whatever_the_sizes(tilted, 60, 1.0);
+}
+
+TEST(Pairs, OfPointsBesideAGrainAreFound) {
+  Cell<2> cell;
+  cell.matrix *= 10.0;
+  Grains<2> grains = random_grains(40, cell, 1.0, 3);
+  for (int i = 1; i < grains.size(); ++i) grains.radius[i] = 0.0;
+  EXPECT_EQ(find_pairs(cell, grains, 0.0), by_brute_force(cell, grains, 0.0, 3));
+}
+
+TEST(Pairs, OfOneGrainAThousandTimesAsLargeAsManyAreFound) {
+  // All in one bin of the large one: 3e9 trials where sizes are not told apart.
+  constexpr int kSmall = 50000;
+  Cell<2> cell;
+  cell.matrix *= 2.0;
+  Grains<2> grains = random_grains(kSmall + 1, cell, 1e-4, 5);
+  grains.radius[kSmall] = 0.9;
+  int near_large = 0, found = 0;
+  for (int i = 0; i < kSmall; ++i) {
+    Vec<2> r = grains.position[kSmall] - grains.position[i];
+    for (int a = 0; a < 2; ++a) r[a] -= 2.0 * std::round(r[a] / 2.0);
+    near_large += r.norm() < 0.9 + grains.radius[i];
+  }
+  const auto pairs = find_pairs(cell, grains, 0.0);
+  for (const auto& pair : pairs) found += pair.j == kSmall;
+  EXPECT_EQ(found, near_large);
+  EXPECT_GT(near_large, kSmall / 2);
+}
+
+TEST(Pairs, OfACellThatIsTinyBesideItsGrainsAreRefused) {
+  Grains<2> grains = Grains<2>::with_size(2);
+  grains.radius = {1e4, 1.0};
+  EXPECT_THAT([&] { (void)find_pairs(Cell<2>{}, grains, 0.0); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("is so small beside its largest grain")));
 }
 
 TEST(Pairs, OfNoGrainsAreNone) {

@@ -136,12 +136,12 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
   return result;
 }
 
-/// Grains whose net force or moment, measured in `unit`, is not below `limit`.
-template <class Vector>
-std::string unbalanced(const std::vector<Vector>& net, double unit, double limit) {
+/// Grains whose net force or moment, measured in unit(grain), is not below `limit`.
+template <class Vector, class Unit>
+std::string unbalanced(const std::vector<Vector>& net, const Unit& unit, double limit) {
   Offenders offenders;
   for (std::size_t i = 0; i < net.size(); ++i) {
-    const double value = net[i].norm() / unit;
+    const double value = net[i].norm() / unit(static_cast<int>(i));
     if (value >= limit) offenders.add(value, fmt::format("grain {} with {:.2g}", i, value));
   }
   return offenders.worst_first();
@@ -153,12 +153,16 @@ void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed,
   const Residuals r = residuals(recomputed, state.target_stress);
   const EquilibriumTolerance& t = state.tolerance;
   const Balance<Dim> net = net_forces(recomputed);
-  const ForceScale scale = force_scale(recomputed, state.target_stress);
+  const GrainScales<Dim> scales(recomputed, state.target_stress);
   const auto add = [&](const char* name, double value, double limit, std::string where) {
     criteria.push_back({name, value, limit, value < limit, value < limit ? "" : std::move(where)});
   };
-  add("force", r.force, t.force, unbalanced(net.force, scale.force, t.force));
-  add("moment", r.moment, t.moment, unbalanced(net.moment, scale.force * scale.length, t.moment));
+  add("force", r.force, t.force,
+      unbalanced(
+          net.force, [&](int i) { return scales.of(i).force; }, t.force));
+  add("moment", r.moment, t.moment,
+      unbalanced(
+          net.moment, [&](int i) { return scales.of(i).force * scales.of(i).length; }, t.moment));
   const Vec<Dim> stress = static_stress(recomputed).diagonal();
   std::string stresses;
   for (int a = 0; a < Dim; ++a)

@@ -31,12 +31,15 @@ Mat<Dim> static_stress(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-double mean_kinetic_energy(const Packing<Dim>& packing, const std::vector<bool>& counted) {
+double twice_kinetic_energy(const Grains<Dim>& g, int i) {
+  return g.mass[i] * g.velocity[i].squaredNorm() + g.inertia(i) * g.angular_velocity[i].squaredNorm();
+}
+
+template <int Dim>
+double mean_kinetic_energy(const Packing<Dim>& packing) {
   const Grains<Dim>& g = packing.grains;
   double twice = 0.0;
-  for (int i = 0; i < g.size(); ++i)
-    if (counted.empty() || counted[i])
-      twice += g.mass[i] * g.velocity[i].squaredNorm() + g.inertia(i) * g.angular_velocity[i].squaredNorm();
+  for (int i = 0; i < g.size(); ++i) twice += twice_kinetic_energy(g, i);
   return g.size() == 0 ? 0.0 : 0.5 * twice / g.size();
 }
 
@@ -44,7 +47,9 @@ template Balance<2> net_forces(const Packing<2>&);
 template Balance<3> net_forces(const Packing<3>&);
 template Mat<2> static_stress(const Packing<2>&);
 template Mat<3> static_stress(const Packing<3>&);
-template double mean_kinetic_energy(const Packing<2>&, const std::vector<bool>&);
-template double mean_kinetic_energy(const Packing<3>&, const std::vector<bool>&);
+template double twice_kinetic_energy(const Grains<2>&, int);
+template double twice_kinetic_energy(const Grains<3>&, int);
+template double mean_kinetic_energy(const Packing<2>&);
+template double mean_kinetic_energy(const Packing<3>&);
 
 }  // namespace floc

@@ -20,9 +20,12 @@ Balance<Dim> net_forces(const Packing<Dim>& packing);
 template <int Dim>
 Mat<Dim> static_stress(const Packing<Dim>& packing);
 
-/// Kinetic energy of peculiar velocities and spins, mean over the grains (energy).
-/// @param counted  of each grain, whether its energy counts; empty: all
+/// Twice the kinetic energy of the peculiar velocity and the spin of a grain (energy).
 template <int Dim>
-double mean_kinetic_energy(const Packing<Dim>& packing, const std::vector<bool>& counted = {});
+double twice_kinetic_energy(const Grains<Dim>& grains, int i);
+
+/// Kinetic energy of peculiar velocities and spins, mean over the grains (energy).
+template <int Dim>
+double mean_kinetic_energy(const Packing<Dim>& packing);
 
 }  // namespace floc

@@ -24,6 +24,31 @@ ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stres
 }
 
 template <int Dim>
+GrainScales<Dim>::GrainScales(const Packing<Dim>& packing, const Vec<Dim>& target_stress)
+    : radius_(packing.grains.radius),
+      packing_(force_scale(packing, target_stress)),
+      pull_off_force_(packing.law.pull_off_force()),
+      pressure_(target_stress.mean()),
+      shared_(similar_sizes(radius_) || !(packing_.force > 0.0)) {}
+
+template <int Dim>
+ForceScale GrainScales<Dim>::of(int i) const {
+  if (shared_) return packing_;
+  const double d = 2.0 * radius_[i];
+  return {std::max(pull_off_force_, pressure_ * std::pow(d, Dim - 1)), d};
+}
+
+template <int Dim>
+double GrainScales<Dim>::force_share(int i) const {
+  return shared_ ? 1.0 : of(i).force / packing_.force;
+}
+
+template <int Dim>
+double GrainScales<Dim>::work_share(int i) const {
+  return shared_ ? 1.0 : force_share(i) * (2.0 * radius_[i] / packing_.length);
+}
+
+template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure) {
   const double a = force_scale(packing, Vec<Dim>(Vec<Dim>::Zero())).length;
   const double F0 = packing.law.pull_off_force();
@@ -32,13 +57,23 @@ double reduced_pressure(const Packing<Dim>& packing, double pressure) {
 }
 
 template <int Dim>
+double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>& scales,
+                             const std::vector<bool>& counted) {
+  double sum = 0.0;
+  for (int i = 0; i < packing.grains.size(); ++i)
+    if (counted.empty() || counted[i]) sum += twice_kinetic_energy(packing.grains, i) / scales.work_share(i);
+  return packing.grains.size() == 0 ? 0.0 : 0.5 * sum / packing.grains.size();
+}
+
+template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
-  const ForceScale scale = force_scale(packing, target_stress);
+  const GrainScales<Dim> scales(packing, target_stress);
+  const ForceScale& scale = scales.of_packing();
   const Balance<Dim> net = net_forces(packing);
   Residuals r;
   for (int i = 0; i < packing.grains.size(); ++i) {
-    const double force = net.force[i].norm();
-    const double torque = net.moment[i].norm();
+    const double force = net.force[i].norm() / scales.force_share(i);
+    const double torque = net.moment[i].norm() / scales.work_share(i);
     if (r.worst_force_grain < 0 || force > r.force) r.force = force, r.worst_force_grain = i;
     if (r.worst_moment_grain < 0 || torque > r.moment) r.moment = torque, r.worst_moment_grain = i;
   }
@@ -47,12 +82,16 @@ Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress) 
   r.moment = ratio(r.moment, work);
   r.stress = ratio((static_stress(packing).diagonal() - target_stress).cwiseAbs().maxCoeff(),
                    scale.force / std::pow(scale.length, Dim - 1));
-  r.energy = ratio(mean_kinetic_energy(packing), work);
+  r.energy = ratio(scaled_kinetic_energy(packing, scales), work);
   return r;
 }
 
 template ForceScale force_scale(const Packing<2>&, const Vec<2>&);
 template ForceScale force_scale(const Packing<3>&, const Vec<3>&);
+template class GrainScales<2>;
+template class GrainScales<3>;
+template double scaled_kinetic_energy(const Packing<2>&, const GrainScales<2>&, const std::vector<bool>&);
+template double scaled_kinetic_energy(const Packing<3>&, const GrainScales<3>&, const std::vector<bool>&);
 template double reduced_pressure(const Packing<2>&, double);
 template double reduced_pressure(const Packing<3>&, double);
 template Residuals residuals(const Packing<2>&, const Vec<2>&);

@@ -7,12 +7,13 @@
 namespace floc {
 
 /// How strict an equilibrium is asked to be. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1)) and
-/// the matching power of the length a, the largest diameter (PHYSICS section 1; defaults of G08).
+/// the matching power of the length a, the largest diameter (PHYSICS section 1; defaults of G08). Where diameters differ by
+/// more than a factor of four, forces, moments and energies are those of each grain by its own scale: see GrainScales.
 struct EquilibriumTolerance {
-  double force = 1e-5;   ///< net force on any grain / F1
-  double moment = 1e-5;  ///< net moment on any grain / (F1 a)
+  double force = 1e-5;   ///< net force on any grain / F1 of the grain
+  double moment = 1e-5;  ///< net moment on any grain / (F1 a) of the grain
   double stress = 1e-5;  ///< |sigma_aa - Sigma_aa| / (F1/a^(Dim-1))
-  double energy = 5e-8;  ///< mean kinetic energy per grain / (F1 a)
+  double energy = 5e-8;  ///< mean over the grains of kinetic energy / (F1 a) of the grain
 
   bool operator==(const EquilibriumTolerance&) const = default;
 };
@@ -41,9 +42,36 @@ struct ForceScale {
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
+/// Units in which each grain is measured. Grains of similar sizes (kSimilarSizes) share those of the packing. Beyond that a
+/// net force that a large grain would not notice may be all that a small one carries: grain i of diameter d_i is then held
+/// to F1_i = max(F0, P d_i^(Dim-1)) and a moment and energy of F1_i d_i. Refers to the packing it was made from.
+template <int Dim>
+class GrainScales {
+ public:
+  GrainScales(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
+
+  const ForceScale& of_packing() const { return packing_; }
+  ForceScale of(int i) const;       ///< F1_i and d_i
+  double force_share(int i) const;  ///< F1_i/F1
+  double work_share(int i) const;   ///< F1_i d_i/(F1 a)
+
+ private:
+  const std::vector<double>& radius_;
+  ForceScale packing_;
+  double pull_off_force_, pressure_;
+  bool shared_;
+};
+
 /// Pressure in units of the contact law: P* = a^(Dim-1) P/F0, and P a^(Dim-2)/K_N where nothing adheres (in 2D P/K_N).
 template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure);
+
+/// Kinetic energy of each grain in units of its own work scale, mean over the grains, times F1 a of the packing (energy): the
+/// plain mean where they share one.
+/// @param counted  of each grain, whether its energy counts; empty: all
+template <int Dim>
+double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>& scales,
+                             const std::vector<bool>& counted = {});
 
 /// Measures a packing against the diagonal stress it is loaded with, from the forces in its contact list.
 /// An F1 of zero (no adhesion, no pressure) makes any residual infinite but an exact zero.

@@ -47,13 +47,13 @@ double heaviest(const Packing<Dim>& packing) {
   return *std::max_element(packing.grains.mass.begin(), packing.grains.mass.end());
 }
 
-/// Mean kinetic energy per grain of those that interact with others (energy). A grain that touches nothing spins for
-/// ever, which says nothing about the packing.
+/// Mean kinetic energy per grain of those that interact with others (energy), by their scales. A grain that touches nothing
+/// spins for ever, which says nothing about the packing.
 template <int Dim>
-double energy_of_connected_grains(const Packing<Dim>& packing) {
+double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales<Dim>& scales) {
   std::vector<bool> touched(packing.grains.size(), false);
   for (const Contact<Dim>& c : packing.contacts) touched[c.i] = touched[c.j] = true;
-  return mean_kinetic_energy(packing, touched);
+  return scaled_kinetic_energy(packing, scales, touched);
 }
 
 /// An equilibrium has to be stable (PHYSICS section 1). A static solution need not be: with a tail, a grain that could
@@ -244,9 +244,10 @@ RelaxationStatus Relaxer<Dim>::judge_motion() {
   const bool unloaded = target_.isZero(0.0);
   const bool still = (answered && still_density) || ((answered || unloaded) && still_contacts);
   if (!still) return RelaxationStatus::running;
-  const ForceScale scale = force_scale(packing_, target_);
+  const GrainScales<Dim> scales(packing_, target_);
+  const ForceScale& scale = scales.of_packing();
   const double limit = (unloaded && still_contacts ? kCoastingEnergy : 1.0) * options_.tolerance.energy;
-  const double energy = energy_of_connected_grains(packing_);
+  const double energy = energy_of_connected_grains(packing_, scales);
   if (energy < limit * scale.force * scale.length || vibrates(energy)) {
     progress_.stage = RelaxationProgress::finishing;
     progress_.finishing_since_phi = progress_.solid_fraction.back();

@@ -45,6 +45,49 @@ TEST(ForceScale, In3DIsPressureOnTheSquareOfTheDiameter) {
   EXPECT_DOUBLE_EQ(force_scale(packing, Vec<3>(2.0, 2.0, 2.0)).force, 2.0 * 9.0);
 }
 
+/// Three disks that carry nothing but a force of 0.5 on the second along one axis and a moment on it.
+template <class Change>
+Residuals with_sizes(double smallest, const Change& change) {
+  Packing<2> packing = squeezed();
+  packing.grains = Grains<2>::with_size(3);
+  packing.grains.radius = {1.0, 1.0, smallest};
+  packing.grains.mass = {1.0, 1.0, 1.0};
+  Contact<2> c;
+  c.i = 1, c.j = 2;
+  c.normal = {0.0, 1.0};
+  c.normal_force = 0.5;
+  c.shear_force = {0.1, 0.0};
+  packing.contacts.push_back(c);
+  change(packing);
+  return residuals(packing, kStress);
+}
+
+TEST(Residuals, OfGrainsUpToFourTimesAsLargeAsOthersShareTheScaleOfTheLargest) {
+  const Residuals r = with_sizes(0.25, [](Packing<2>& p) { p.grains.velocity[2] = {2.0, 0.0}; });
+  const double f1 = kStress.mean() * 2.0;
+  EXPECT_DOUBLE_EQ(r.force, std::hypot(0.5, 0.1) / f1);
+  EXPECT_EQ(r.worst_force_grain, 1);
+  EXPECT_DOUBLE_EQ(r.moment, 0.1 / (f1 * 2.0));
+  EXPECT_EQ(r.worst_moment_grain, 1);
+  EXPECT_DOUBLE_EQ(r.energy, 0.5 * 4.0 / 3 / (f1 * 2.0));
+}
+
+TEST(Residuals, OfGrainsMoreDifferentThanThatAreByTheirOwn) {
+  const Residuals r = with_sizes(0.1, [](Packing<2>& p) { p.grains.velocity[2] = {2.0, 0.0}; });
+  const double small_f1 = kStress.mean() * 0.2;
+  EXPECT_DOUBLE_EQ(r.force, std::hypot(0.5, 0.1) / small_f1);
+  EXPECT_EQ(r.worst_force_grain, 2);
+  EXPECT_DOUBLE_EQ(r.moment, 0.1 * 0.1 / (small_f1 * 0.2));
+  EXPECT_EQ(r.worst_moment_grain, 2);
+  EXPECT_DOUBLE_EQ(r.energy, 0.5 * 4.0 / 3 / (small_f1 * 0.2));
+}
+
+TEST(Residuals, WithAdhesionNoGrainIsHeldToLessThanThePullOffForce) {
+  const Residuals r = with_sizes(0.1, [](Packing<2>& p) { p.law.adhesion = {1.5, 0.0}; });
+  EXPECT_DOUBLE_EQ(r.force, std::hypot(0.5, 0.1) / 1.5);
+  EXPECT_EQ(r.worst_force_grain, 2);
+}
+
 TEST(Residuals, OfABalancedDiskVanish) {
   const Residuals r = residuals(squeezed(), kStress);
   EXPECT_EQ(r.force, 0.0);

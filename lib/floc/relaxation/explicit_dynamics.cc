@@ -18,7 +18,7 @@ namespace {
 
 /// What a new list of pairs costs, in time steps (measured at N = 1400 and 100 000).
 constexpr double kListCost = 23.0;
-constexpr double kThinnestSkin = 1e-3;  // of the largest diameter
+constexpr double kThinnestSkin = 1e-3;  // of the largest diameter, or the smallest where they differ much
 
 }  // namespace
 
@@ -35,6 +35,7 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const CellC
       skin_(settings.skin),
       threads_(settings.threads),
       largest_(largest_diameter(packing.grains)),
+      thinnest_skin_(kThinnestSkin * size_of_skins(packing.grains.radius)),
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
       side_(packing.cell.matrix.diagonal()),
       side_rate_(packing.cell.velocity.diagonal()),
@@ -164,7 +165,7 @@ double ExplicitDynamics<Dim>::eaten_skin() const {
 /// The list carries too many idle pairs, or something outside it might interact.
 template <int Dim>
 bool ExplicitDynamics<Dim>::list_is_stale() const {
-  if (list_cost_share() < 0.5 * idle_share_ && skin_ > kThinnestSkin * largest_) return true;
+  if (list_cost_share() < 0.5 * idle_share_ && skin_ > thinnest_skin_) return true;
   return eaten_skin() >= skin_;
 }
 
@@ -174,7 +175,7 @@ void ExplicitDynamics<Dim>::adapt_skin() {
   on_first_list_ = false;
   const double cost = list_cost_share();
   if (cost > idle_share_) skin_ = std::min((cost > 4.0 * idle_share_ ? 2.0 : 1.25) * skin_, 0.5 * largest_);
-  if (cost < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, kThinnestSkin * largest_);
+  if (cost < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, thinnest_skin_);
 }
 
 /// The next stretch begins with a new list in any case: where one list has served for all of this one, twice what motion took
@@ -182,7 +183,7 @@ void ExplicitDynamics<Dim>::adapt_skin() {
 template <int Dim>
 double ExplicitDynamics<Dim>::skin() const {
   if (!on_first_list_ || steps_since_list_ == 0) return skin_;
-  return std::min(skin_, std::max(2.0 * eaten_skin(), kThinnestSkin * largest_));
+  return std::min(skin_, std::max(2.0 * eaten_skin(), thinnest_skin_));
 }
 
 /// Share of a step that goes into pairs out of each other's range: a grain costs about as much as a pair.

@@ -52,7 +52,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double dt_;
   double skin_;
   int threads_;
-  double largest_;  ///< diameter
+  double largest_;        ///< diameter
+  double thinnest_skin_;  ///< (length)
 
   HotGrains<Dim> grains_;
   HotPairs<Dim> pairs_;

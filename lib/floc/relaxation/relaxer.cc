@@ -9,6 +9,7 @@
 
 #include "floc/elasticity/stability.h"
 #include "floc/neighbors/find_contacts.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/static_solver.h"
 
@@ -38,8 +39,9 @@ constexpr double kDefaultInertialNumber = 1e-3;
 constexpr double kPolishResidual = 5e-3;
 constexpr int kPolishPause = 8;
 
-double first_skin(const RelaxationOptions& options, double a) {
-  return options.skin ? *options.skin * a : 0.05 * a;
+template <int Dim>
+double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
+  return options.skin ? *options.skin * largest_diameter(grains) : 0.05 * size_of_skins(grains.radius);
 }
 
 template <int Dim>
@@ -140,7 +142,7 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
       residuals_(residuals(packing_, target_stress)),
       time_step_(time_step_of(packing_, options.time_step)),
       time_unit_(inertial_time(packing_, target_stress)) {
-  if (progress_.skin == 0.0) progress_.skin = first_skin(options, force_scale(packing_, target_stress).length);
+  if (progress_.skin == 0.0) progress_.skin = first_skin(options, packing_.grains);
   if (progress_.imbalance_sign.empty()) {
     const Vec<Dim> imbalance = static_stress(packing_).diagonal() - target_stress;
     for (int a = 0; a < Dim; ++a) progress_.imbalance_sign.push_back(imbalance[a] < 0.0 ? -1.0 : 1.0);

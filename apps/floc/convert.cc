@@ -116,7 +116,7 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
     state.target_stress = static_stress(state.packing).diagonal();
   }
   state.tolerance = tolerance_for(imported, arguments);
-  state.residuals = residuals(state.packing, state.target_stress);
+  measure(state);
   state.provenance.program = "floc " + version();
   state.provenance.commit = commit();
   state.provenance.compiler = compiler();
@@ -131,7 +131,7 @@ void report(const std::string& out, const State<Dim>& state, const std::vector<s
   spdlog::info(
       "{}: {} grains in {}D, {} contacts, phi = {:.6g}, pressure = {:.6g}, largest net force = {:.2g} F1", out,
       state.packing.grains.size(), Dim, state.packing.contacts.size(), solid_fraction(state.packing),
-      static_stress(state.packing).diagonal().mean(), state.residuals.force);
+      state.stress.diagonal().mean(), state.residuals.force);
   if (const std::string faults = unbalance(state); !faults.empty())
     spdlog::warn("{}: warning: this is no equilibrium: {}", out, faults);
 }

@@ -13,7 +13,6 @@
 #include "command.h"
 #include "contact_tracker.h"
 #include "floc/base/error.h"
-#include "floc/elasticity/stability.h"
 #include "floc/scene/read_scene.h"
 #include "run_directory.h"
 #include "run_ensemble.h"
@@ -84,8 +83,7 @@ class RunDriver {
 
   void save() {
     const double seconds = seconds_since(step_began_);
-    State<2> state = run_.state();
-    state.n_negative = count_negative_eigenvalues(state.packing);
+    const State<2> state = run_.state();
     if (tracker_ != nullptr) tracker_->finish_step(run_);
     // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
     if (tracker_ != nullptr) tracker_->write();

@@ -12,9 +12,8 @@ import sys
 import h5py
 
 SEAL_SIZE = 80
-# Words for a reader, derived from what is there, or of later versions: nothing needs them.
+# Words for a reader, or of later versions: nothing needs them.
 UNREAD = {"units", "meaning", "boundary", "scene_sha256", "ending"}
-UNREAD_DATASETS = {"equilibrium/stress"}
 
 
 def parts(path):
@@ -22,7 +21,7 @@ def parts(path):
     found = []
 
     def visit(name, item):
-        if isinstance(item, h5py.Dataset) and name not in UNREAD_DATASETS:
+        if isinstance(item, h5py.Dataset):
             found.append((name, None))
         found.extend((name, attribute) for attribute in item.attrs if attribute not in UNREAD)
 

@@ -72,7 +72,7 @@ TEST(Positions, OfAStiffCrystalAreWholeInItsFile) {
   State<2> state;
   state.packing = crystal.packing;
   state.target_stress = crystal.target;
-  state.residuals = residuals(state.packing, state.target_stress);
+  measure(state);
   const test::ScratchDirectory scratch;
   write_state(scratch.file("stiff.h5"), state);
   const State<2> read = std::get<State<2>>(read_state(scratch.file("stiff.h5")));

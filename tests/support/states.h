@@ -54,7 +54,7 @@ State<Dim> busy_state() {
 
   s.target_stress.setConstant(0.01 / 3.0);
   s.tolerance.force = 2e-5;
-  s.residuals = residuals(p, s.target_stress);
+  measure(s);
   s.n_negative = 2;
   s.path = {17, "unload", 123.456 / 7.0, std::int64_t{5} << 33, "polished"};
   s.scene = "[scene]\nname = \"d\xc3\xa9pot\"\n";

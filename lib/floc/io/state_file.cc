@@ -13,7 +13,6 @@
 #include "floc/io/law_attributes.h"
 #include "floc/io/sealed_bytes.h"
 #include "floc/io/state_layout.h"
-#include "floc/packing/balance.h"
 
 namespace floc {
 namespace {
@@ -236,7 +235,7 @@ template <int Dim>
 void write_equilibrium(WritingArchive& archive, const State<Dim>& s) {
   const Residuals& r = s.residuals;
   const EquilibriumTolerance& t = s.tolerance;
-  archive.matrix(kStress, static_stress(s.packing));
+  archive.matrix(kStress, s.stress);
   archive.put(kTarget, {Dim}, std::vector<double>(s.target_stress.begin(), s.target_stress.end()));
   archive.put(kResiduals, {4}, std::vector<double>{r.force, r.moment, r.stress, r.energy});
   archive.put(kTolerances, {4}, std::vector<double>{t.force, t.moment, t.stress, t.energy});
@@ -247,6 +246,7 @@ template <int Dim>
 void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& s) {
   const auto target = archive.take<double>(kTarget, {Dim});
   for (int a = 0; a < Dim; ++a) s.target_stress[a] = target[a];
+  archive.matrix(kStress, s.stress);
   // Residuals alone may be infinite: those of a packing that has no scale of force.
   std::vector<double> r;
   file.array(kResiduals.path, {4}, r);

@@ -148,13 +148,20 @@ PathPosition Run<Dim>::path() const {
 
 template <int Dim>
 State<Dim> Run<Dim>::state() const {
-  return state_of(packing());
+  State<Dim> state = state_without_packing();
+  state.packing = packing();
+  if (!relaxer_) measure(state);
+  return state;
 }
 
 template <int Dim>
 State<Dim> Run<Dim>::lend_state() {
+  State<Dim> state = state_without_packing();
+  const bool measured = relaxer_ != nullptr;
   take_packing_back();
-  return state_of(std::move(packing_));
+  state.packing = std::move(packing_);
+  if (!measured) measure(state);
+  return state;
 }
 
 /// Between two stretches point and packing are the whole truth.
@@ -164,14 +171,19 @@ void Run<Dim>::go_on(Packing<Dim> packing) {
   start_step();
 }
 
+/// What the relaxer has measured is not measured again.
 template <int Dim>
-State<Dim> Run<Dim>::state_of(Packing<Dim> packing) const {
+State<Dim> Run<Dim>::state_without_packing() const {
   State<Dim> state;
   state.units = options_.units;
-  state.packing = std::move(packing);
   state.target_stress = Vec<Dim>::Constant(target().pressure);
   state.tolerance = options_.relaxation.tolerance;
-  state.residuals = residuals(state.packing, state.target_stress);
+  if (relaxer_) {
+    const RelaxationReport reached = relaxer_->report();
+    state.stress = relaxer_->stress();
+    state.residuals = reached.residuals;
+    state.n_negative = reached.n_negative;
+  }
   state.path = path();
   state.scene = options_.scene;
   state.provenance.program = "floc " + version();

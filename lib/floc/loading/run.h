@@ -90,7 +90,7 @@ class Run {
   void pass_observer();
   double agitation_speed() const;
   PathPosition path() const;
-  State<Dim> state_of(Packing<Dim> packing) const;
+  State<Dim> state_without_packing() const;
   void take_packing_back();
 
   RunOptions options_;

@@ -67,6 +67,11 @@ double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>
 
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
+  return residuals(packing, target_stress, static_stress(packing));
+}
+
+template <int Dim>
+Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress, const Mat<Dim>& stress) {
   const GrainScales<Dim> scales(packing, target_stress);
   const ForceScale& scale = scales.of_packing();
   const Balance<Dim> net = net_forces(packing);
@@ -80,7 +85,7 @@ Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress) 
   const double work = scale.force * scale.length;
   r.force = ratio(r.force, scale.force);
   r.moment = ratio(r.moment, work);
-  r.stress = ratio((static_stress(packing).diagonal() - target_stress).cwiseAbs().maxCoeff(),
+  r.stress = ratio((stress.diagonal() - target_stress).cwiseAbs().maxCoeff(),
                    scale.force / std::pow(scale.length, Dim - 1));
   r.energy = ratio(scaled_kinetic_energy(packing, scales), work);
   return r;
@@ -96,5 +101,7 @@ template double reduced_pressure(const Packing<2>&, double);
 template double reduced_pressure(const Packing<3>&, double);
 template Residuals residuals(const Packing<2>&, const Vec<2>&);
 template Residuals residuals(const Packing<3>&, const Vec<3>&);
+template Residuals residuals(const Packing<2>&, const Vec<2>&, const Mat<2>&);
+template Residuals residuals(const Packing<3>&, const Vec<3>&, const Mat<3>&);
 
 }  // namespace floc

@@ -78,4 +78,8 @@ double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
+/// The same where the packing's static_stress() is known already.
+template <int Dim>
+Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress, const Mat<Dim>& stress);
+
 }  // namespace floc

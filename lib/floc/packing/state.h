@@ -35,11 +35,16 @@ struct State {
   Packing<Dim> packing;
   Vec<Dim> target_stress = Vec<Dim>::Zero();  ///< diagonal stress imposed, compression positive
   EquilibriumTolerance tolerance;
-  Residuals residuals;  ///< reached when saved
-  int n_negative = -1;  ///< negative eigenvalues of the stiffness matrix; -1: not determined
+  Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing, when saved
+  Residuals residuals;                 ///< reached when saved
+  int n_negative = -1;                 ///< negative eigenvalues of the stiffness matrix; -1: not determined
   PathPosition path;
   std::string scene;  ///< text of the scene, empty for converted packings
   Provenance provenance;
 };
+
+/// Sets the stress and the residuals of a state to those of its packing under its target stress.
+template <int Dim>
+void measure(State<Dim>& state);
 
 }  // namespace floc

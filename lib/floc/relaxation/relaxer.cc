@@ -58,13 +58,6 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
   return scaled_kinetic_energy(packing, scales, touched);
 }
 
-/// An equilibrium has to be stable (PHYSICS section 1). A static solution need not be: with a tail, a grain that could
-/// roll onto its neighbour has a saddle on the way.
-template <int Dim>
-bool stable(const Packing<Dim>& packing) {
-  return count_negative_eigenvalues(packing) == 0;
-}
-
 template <class T>
 T overshot(const T& start, const T& end) {
   return start + kOvershoot * (end - start);
@@ -139,12 +132,12 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
       packing_(std::move(packing)),
       target_(target_stress),
       progress_(std::move(progress)),
-      residuals_(residuals(packing_, target_stress)),
       time_step_(time_step_of(packing_, options.time_step)),
       time_unit_(inertial_time(packing_, target_stress)) {
+  measure();
   if (progress_.skin == 0.0) progress_.skin = first_skin(options, packing_.grains);
   if (progress_.imbalance_sign.empty()) {
-    const Vec<Dim> imbalance = static_stress(packing_).diagonal() - target_stress;
+    const Vec<Dim> imbalance = stress_.diagonal() - target_stress;
     for (int a = 0; a < Dim; ++a) progress_.imbalance_sign.push_back(imbalance[a] < 0.0 ? -1.0 : 1.0);
   }
 }
@@ -169,6 +162,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   if (!dynamics->finite()) {
     ending_ = "diverged";
     find_contacts(packing_);
+    measure();
     return RelaxationStatus::gave_up;
   }
   packing_ = {};
@@ -178,7 +172,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   progress_.n_steps += kStretch;
   progress_.time += kStretch * time_step_;
 
-  residuals_ = residuals(packing_, target_);
+  measure();
   progress_.force_residual.push_back(residuals_.force);
   if (progress_.force_residual.size() > 10) progress_.force_residual.erase(progress_.force_residual.begin());
   const RelaxationStatus status = finishing ? judge_finish() : judge_motion();
@@ -191,7 +185,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
 /// increment would count as equilibrium before anything has moved.
 template <int Dim>
 bool Relaxer<Dim>::answered_to_load() {
-  const Vec<Dim> imbalance = static_stress(packing_).diagonal() - target_;
+  const Vec<Dim> imbalance = stress_.diagonal() - target_;
   bool answered = true;
   for (int a = 0; a < Dim; ++a) {
     if (imbalance[a] * progress_.imbalance_sign[a] < 0.0) progress_.imbalance_sign[a] = 0.0;
@@ -274,17 +268,17 @@ RelaxationStatus Relaxer<Dim>::judge_finish() {
     progress_.next_polish =
         progress_.finishing_stretches + std::max(kPolishPause, progress_.finishing_stretches / 2);
   }
-  if (!within || !stable(packing_)) return RelaxationStatus::running;
+  if (!within) return RelaxationStatus::running;
+  const int n_negative = count_negative_eigenvalues(packing_);
+  if (n_negative > 0) return RelaxationStatus::running;
+  n_negative_ = n_negative;
   ending_ = "dynamic";
   return RelaxationStatus::converged;
 }
 
 template <int Dim>
 bool Relaxer<Dim>::polish() {
-  const StaticSolution<Dim> solution = solve_statics(packing_, target_, StaticSolverOptions{});
-  if (!is_equilibrium(solution)) return false;
-  take(solution, "polished");
-  return true;
+  return take_if_equilibrium(solve_statics(packing_, target_, StaticSolverOptions{}), "polished");
 }
 
 /// A static step without dynamics, where dynamics would end in the same state, or where the scene takes any equilibrium.
@@ -300,29 +294,38 @@ bool Relaxer<Dim>::solved_at_once() {
     solution = solve_statics(solution.packing, target_, StaticSolverOptions{});
     if (!only_springs_move(packing_, solution.packing)) return false;
   }
-  if (!is_equilibrium(solution)) return false;
-  take(solution, "static");
+  return take_if_equilibrium(std::move(solution), "static");
+}
+
+/// An equilibrium is within tolerance and stable (PHYSICS section 1). A static solution need not be stable: with a tail, a
+/// grain that could roll onto its neighbour has a saddle on the way.
+template <int Dim>
+bool Relaxer<Dim>::take_if_equilibrium(StaticSolution<Dim> solution, const char* ending) {
+  if (!solution.converged) return false;
+  const Mat<Dim> stress = static_stress(solution.packing);
+  const Residuals reached = residuals(solution.packing, target_, stress);
+  if (!reached.within(options_.tolerance)) return false;
+  const int n_negative = count_negative_eigenvalues(solution.packing);
+  if (n_negative > 0) return false;
+  packing_ = std::move(solution.packing);
+  stress_ = stress;
+  residuals_ = reached;
+  n_negative_ = n_negative;
+  ending_ = ending;
   return true;
 }
 
-/// A static solution is an equilibrium where it is within tolerance and stable.
 template <int Dim>
-bool Relaxer<Dim>::is_equilibrium(const StaticSolution<Dim>& solution) const {
-  return solution.converged && residuals(solution.packing, target_).within(options_.tolerance) &&
-         stable(solution.packing);
-}
-
-template <int Dim>
-void Relaxer<Dim>::take(const StaticSolution<Dim>& solution, const char* ending) {
-  packing_ = solution.packing;
-  residuals_ = residuals(packing_, target_);
-  ending_ = ending;
+void Relaxer<Dim>::measure() {
+  stress_ = static_stress(packing_);
+  residuals_ = residuals(packing_, target_, stress_);
 }
 
 template <int Dim>
 RelaxationReport Relaxer<Dim>::report() const {
   RelaxationReport report;
   report.residuals = residuals_;
+  report.n_negative = n_negative_;
   report.ending = ending_;
   struct Criterion {
     const char* name;

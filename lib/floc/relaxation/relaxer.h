@@ -36,6 +36,7 @@ enum class RelaxationStatus { running, converged, gave_up };
 /// How a relaxation ended or where it stands, in numbers and words.
 struct RelaxationReport {
   Residuals residuals;
+  int n_negative = -1;      ///< negative eigenvalues of an equilibrium's stiffness matrix; -1 before
   std::string ending;       ///< "polished", "dynamic", "static", "diverged"; empty while it runs
   std::string blocking;     ///< criterion that is worst against its tolerance, with its grain
   double decay_rate = 0.0;  ///< of the force residual (1/time); positive when it falls
@@ -59,6 +60,8 @@ class Relaxer {
   Packing<Dim> packing() && { return std::move(packing_); }
   const RelaxationProgress& progress() const { return progress_; }
   RelaxationReport report() const;
+  /// Static stress of the packing as it is now.
+  const Mat<Dim>& stress() const { return stress_; }
 
  private:
   bool answered_to_load();
@@ -70,14 +73,16 @@ class Relaxer {
   RelaxationStatus judge_finish();
   bool polish();
   bool solved_at_once();
-  bool is_equilibrium(const StaticSolution<Dim>& solution) const;
-  void take(const StaticSolution<Dim>& solution, const char* ending);
+  bool take_if_equilibrium(StaticSolution<Dim> solution, const char* ending);
+  void measure();
 
   RelaxationOptions options_;
   Packing<Dim> packing_;
   Vec<Dim> target_;
   RelaxationProgress progress_;
+  Mat<Dim> stress_;  ///< of the packing, like the residuals
   Residuals residuals_;
+  int n_negative_ = -1;  ///< of an equilibrium
   std::string ending_;
   double time_step_;
   double time_unit_;  ///< sqrt(a m/F1): T0 of a cohesive scene below P* = 1

@@ -84,6 +84,7 @@ TYPED_TEST(StateFile, GivesBackEveryNumberThatWasWritten) {
   expect_same_contacts(s.packing, back.packing);
   EXPECT_EQ(back.packing.law, s.packing.law);
   EXPECT_EQ(back.target_stress, s.target_stress);
+  EXPECT_EQ(back.stress, s.stress);
   EXPECT_EQ(back.tolerance, s.tolerance);
   EXPECT_EQ(back.n_negative, s.n_negative);
   EXPECT_EQ(back.scene, s.scene);

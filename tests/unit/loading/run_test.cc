@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/elasticity/stability.h"
 #include "floc/neighbors/find_contacts.h"
+#include "floc/packing/balance.h"
 #include "support/dynamics.h"
 
 namespace floc {
@@ -40,6 +42,46 @@ TEST(Run, StepsThatChangeTheLawStartFromTheForcesOfTheNewOne) {
   const floc::Run<2> run(losing_adhesion(), point, packing);
   EXPECT_EQ(run.packing().contacts.size(), n_touching);
   for (const Contact<2>& c : run.packing().contacts) EXPECT_EQ(c.normal_force, c.elastic_force);
+}
+
+void expect_measured(const State<2>& state) {
+  EXPECT_EQ(state.stress, static_stress(state.packing));
+  const Residuals r = residuals(state.packing, state.target_stress);
+  EXPECT_EQ(state.residuals.force, r.force);
+  EXPECT_EQ(state.residuals.moment, r.moment);
+  EXPECT_EQ(state.residuals.stress, r.stress);
+  EXPECT_EQ(state.residuals.energy, r.energy);
+}
+
+/// What the relaxer found of an equilibrium is not computed again, and is that of the state.
+TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
+  for (const Finish finish : {Finish::automatic, Finish::dynamic}) {
+    RunOptions options = losing_adhesion();
+    options.grains.count = 30;
+    options.grains.diameter.min = 0.5;
+    options.grains.diameter.max = 1.0;
+    options.assembly.solid_fraction = 0.6;
+    options.load.front().set.clear();
+    options.load.front().to = 0.6;
+    options.load.front().steps = 1;
+    options.relaxation.finish = finish;
+    floc::Run<2> run(options);
+    while (!run.finished()) {
+      const RunEvent event = run.advance();
+      ASSERT_NE(event, RunEvent::gave_up) << run.report().blocking;
+      const State<2> state = run.state();
+      expect_measured(state);
+      if (event == RunEvent::equilibrium) {
+        EXPECT_EQ(state.n_negative, count_negative_eigenvalues(state.packing));
+        run.saved("");
+        continue;
+      }
+      EXPECT_EQ(state.n_negative, -1);
+      State<2> lent = run.lend_state();
+      expect_measured(lent);
+      run.go_on(std::move(lent.packing));
+    }
+  }
 }
 
 /// Root mean square of the speeds that a run from a saved packing of disks up to a = m = 1 begins with.

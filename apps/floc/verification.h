@@ -21,9 +21,11 @@ struct Criterion {
 ///   list         interactions in the law's range that the list misses, and contacts it has too many
 ///   law          forces, moments, stiffnesses and flags stored, against the law and the springs (force)
 ///   force, moment, stress, energy   the four residuals, against the tolerances the state was asked to meet
-///   mean_stress  sum F_N r/(Dim V) against the mean stress, relative
+///   mean_stress  the stress recorded, against that of the forces recomputed, in units of the mean stress
 ///   stability    number of negative eigenvalues of the stiffness matrix
-/// Geometry and law are held to what rounding of the positions leaves open.
+///   boundary_balance  the forces across the faces of the cell over their areas, against the stress (stress)
+/// Geometry, law and mean stress are held to what rounding of the positions leaves open, the boundary to what net forces
+/// within their tolerance do.
 template <int Dim>
 std::vector<Criterion> verify_equilibrium(const State<Dim>& state);
 

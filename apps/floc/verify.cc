@@ -54,11 +54,10 @@ Command add_verify(CommandLine program) {
   add_states_argument(app, arguments->files);
   add_format_option(app, arguments->format);
   app.footer(
-      "Prints for each state what was found: geometry and law (largest disagreement of the contacts stored), "
-      "list (contacts\n"
-      "missing or too many), force, moment, stress, energy (residuals, see the README), mean_stress (sum F_N "
-      "r/(D V)\n"
-      "against the mean stress), stability (negative eigenvalues). Exit 5 if one is no equilibrium.");
+      "Prints for each state what was found: geometry and law (largest disagreement of the contacts stored),\n"
+      "list (contacts missing or too many), force, moment, stress, energy (residuals, see the README),\n"
+      "mean_stress (the stress recorded, relative), stability (negative eigenvalues), boundary_balance\n"
+      "(forces across the cell's faces against the stress). Exit 5 if one is no equilibrium.");
   return {app, [arguments] { return verify(*arguments); }};
 }
 

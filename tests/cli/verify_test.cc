@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "floc/io/state_file.h"
@@ -14,6 +15,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string kJambashbulk = std::string(FLOC_SOURCE_DIR) + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
 
@@ -46,6 +48,7 @@ TEST(Verify, PassesARealPacking) {
   EXPECT_LT(row["force"].get<double>(), 1e-11);
   EXPECT_LT(row["stress"].get<double>(), 1e-11);
   EXPECT_LT(row["mean_stress"].get<double>(), 1e-10);
+  EXPECT_LT(row["boundary_balance"].get<double>(), 1e-11 * 1e-3);  // of the stress
   EXPECT_EQ(row["stability"], 0);
 }
 
@@ -54,7 +57,7 @@ TEST(Verify, NamesTheGrainsOutOfBalance) {
     s.packing.grains.position[3][0] += 1e-5;
     find_contacts(s.packing);
   });
-  expect_failed(result, "force stress", "force does not hold");
+  expect_failed(result, "force stress mean_stress boundary_balance", "force does not hold");
   EXPECT_THAT(result.err, HasSubstr("grain 3 with"));
 }
 
@@ -97,6 +100,42 @@ TEST(Verify, MeasuresAgainstTheStressAndTheTolerancesAskedFor) {
                 "still move");
 }
 
+TEST(Verify, HoldsTheStressThatTheFileRecordsAgainstTheForces) {
+  for (const auto& [a, b] : {std::pair{0, 0}, std::pair{1, 1}, std::pair{0, 1}})
+    expect_failed(verify_spoiled([&](State<2>& s) { s.stress(a, b) += 1e-9 * s.stress(0, 0); }), "mean_stress",
+                  "recorded");
+}
+
+/// A contact that was taken away and one that looks for its grain in another cell leave the stress and its transmission
+/// through the faces of the cell unlike, even where the file agrees with itself.
+TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
+  const auto expect_both = [](const Outcome& result) {
+    EXPECT_EQ(result.code, 5);
+    EXPECT_THAT(result.err, AllOf(HasSubstr("boundary_balance does not hold"), HasSubstr("across the faces")));
+    EXPECT_THAT(result.err, HasSubstr("mean_stress does not hold"));
+  };
+  for (const bool crossing : {false, true}) {
+    const auto chosen = [crossing](State<2>& s) {
+      auto& contacts = s.packing.contacts;
+      return std::find_if(contacts.begin(), contacts.end(), [&](const Contact<2>& c) {
+        return c.image.isZero() != crossing && c.normal_force > 1e-4;
+      });
+    };
+    expect_both(verify_spoiled([&](State<2>& s) { s.packing.contacts.erase(chosen(s)); }));
+    expect_both(verify_spoiled([&](State<2>& s) {
+      Contact<2>& c = *chosen(s);
+      c.image[0] += 1;
+      refresh_contact(s.packing, c);
+    }));
+    const Outcome remeasured = verify_spoiled([&](State<2>& s) {
+      s.packing.contacts.erase(chosen(s));
+      measure(s);
+    });
+    EXPECT_THAT(remeasured.err, HasSubstr("boundary_balance does not hold"));
+    EXPECT_THAT(remeasured.err, Not(HasSubstr("mean_stress does not hold")));
+  }
+}
+
 /// A ring of four equal disks of diameter 1 around the cell that only distant attractions hold: pushed sideways it buckles.
 TEST(Verify, NamesAnUnstableState) {
   const ScratchDirectory scratch;
@@ -113,6 +152,7 @@ TEST(Verify, NamesAnUnstableState) {
   find_contacts(s.packing);
   s.target_stress.setZero();
   s.tolerance = {1.0, 1.0, 10.0, 1.0};
+  measure(s);
   write_state(scratch.file("s.h5"), s);
   expect_failed(floc_arguments({"verify", scratch.file("s.h5"), "--format", "json"}), "stability",
                 "negative eigenvalue");

@@ -31,6 +31,17 @@ Mat<Dim> static_stress(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
+Mat<Dim> boundary_stress(const Packing<Dim>& packing) {
+  Mat<Dim> sum = Mat<Dim>::Zero();
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (c.image.isZero()) continue;
+    const Vec<Dim> on_j = c.normal_force * c.normal - c.shear_force;
+    sum += on_j * packing.cell.shift(c.image).transpose();
+  }
+  return sum / packing.cell.volume();
+}
+
+template <int Dim>
 double twice_kinetic_energy(const Grains<Dim>& g, int i) {
   return g.mass[i] * g.velocity[i].squaredNorm() + g.inertia(i) * g.angular_velocity[i].squaredNorm();
 }
@@ -47,6 +58,8 @@ template Balance<2> net_forces(const Packing<2>&);
 template Balance<3> net_forces(const Packing<3>&);
 template Mat<2> static_stress(const Packing<2>&);
 template Mat<3> static_stress(const Packing<3>&);
+template Mat<2> boundary_stress(const Packing<2>&);
+template Mat<3> boundary_stress(const Packing<3>&);
 template double twice_kinetic_energy(const Grains<2>&, int);
 template double twice_kinetic_energy(const Grains<3>&, int);
 template double mean_kinetic_energy(const Packing<2>&);

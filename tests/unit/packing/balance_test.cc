@@ -53,6 +53,31 @@ TEST(StaticStress, TakesTheBranchThroughTheBoundary) {
   EXPECT_NEAR(static_stress(packing)(0, 0), 3.0 * 1.4 / 100, 1e-16);
 }
 
+TEST(BoundaryStress, IsTheForceAcrossAFaceOverItsArea) {
+  EXPECT_EQ(boundary_stress(two_disks()), Mat<2>(Mat<2>::Zero()));  // both disks inside
+  Packing<2> packing = two_disks();
+  packing.grains.position[0] += Vec<2>(8.0, 0.0);
+  packing.grains.position[1] -= Vec<2>(2.0, 0.0);
+  packing.contacts[0].image = {1, 0};
+  const Mat<2> stress = boundary_stress(packing);
+  EXPECT_NEAR(stress(0, 0), 3.0 / 10.0, 1e-16);
+  EXPECT_NEAR(stress(1, 0), -0.5 / 10.0, 1e-16);
+  EXPECT_EQ(stress(0, 1), 0.0);
+  EXPECT_EQ(stress(1, 1), 0.0);
+}
+
+TEST(BoundaryStress, DiffersFromTheStaticStressByTheMomentsOfTheNetForces) {
+  Packing<2> packing = two_disks();
+  packing.cell.matrix << 10.0, 0.0, 3.0, 10.0;
+  packing.grains.position[1] -= Vec<2>(3.0, 10.0);
+  packing.contacts[0].image = {0, 1};
+  const Balance<2> net = net_forces(packing);
+  Mat<2> moments = Mat<2>::Zero();
+  for (int i = 0; i < 2; ++i) moments += net.force[i] * packing.grains.position[i].transpose();
+  const Mat<2> difference = static_stress(packing) - boundary_stress(packing) - moments / 100.0;
+  EXPECT_NEAR(difference.norm(), 0.0, 1e-15);
+}
+
 TEST(NetForces, AGrainTouchingItsOwnImageIsInBalanceAndCarriesStress) {
   Packing<2> packing;
   packing.cell.matrix << 1.9, 0.0, 0.0, 5.0;

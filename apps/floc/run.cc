@@ -42,8 +42,7 @@ struct RunArguments {
 };
 
 RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
-  RunOptions options{scene.units, scene.grains,     scene.law,  scene.assembly,
-                     scene.load,  scene.relaxation, scene.seed, scene.text};
+  RunOptions options = scene;
   if (arguments.seed) options.seed = *arguments.seed;
   if (arguments.threads) options.relaxation.threads = *arguments.threads;
   return options;

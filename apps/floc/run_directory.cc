@@ -49,7 +49,7 @@ RunDirectory::RunDirectory(const std::string& path, Existing existing, const Run
 
 void RunDirectory::check_scene(const State<2>& state, const std::string& file,
                                const RunOptions& options) const {
-  if (state.scene != options.scene || state.provenance.seed != options.seed)
+  if (state.scene != options.text || state.provenance.seed != options.seed)
     throw InputError(file,
                      fmt::format("was made by another scene or seed ({} here, {} there): a run can only be "
                                  "continued with the scene, settings and seed it began with",

@@ -185,7 +185,7 @@ State<Dim> Run<Dim>::state_without_packing() const {
     state.n_negative = reached.n_negative;
   }
   state.path = path();
-  state.scene = options_.scene;
+  state.scene = options_.text;
   state.provenance.program = "floc " + version();
   state.provenance.commit = commit();
   state.provenance.compiler = compiler();

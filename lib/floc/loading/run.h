@@ -6,24 +6,12 @@
 #include <vector>
 
 #include "floc/assembly/aggregation.h"
-#include "floc/assembly/assembly_options.h"
+#include "floc/loading/run_options.h"
 #include "floc/loading/run_plan.h"
 #include "floc/packing/state.h"
 #include "floc/relaxation/relaxer.h"
 
 namespace floc {
-
-/// Everything that says what a run does; with the same options a run gives the same bits.
-struct RunOptions {
-  std::string units;
-  GrainOptions grains;
-  LawParameters law;
-  AssemblyOptions assembly;
-  std::vector<LoadTurn> load;
-  RelaxationOptions relaxation;
-  std::uint64_t seed = 1;
-  std::string scene;  ///< text, stored in every state
-};
 
 /// Where a run stands between two stretches: with the options and the packing, all that decides how it goes on. This is
 /// what a checkpoint holds.

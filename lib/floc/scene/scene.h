@@ -2,33 +2,21 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
-#include "floc/assembly/assembly_options.h"
-#include "floc/contact/law_parameters.h"
-#include "floc/loading/load_path.h"
-#include "floc/relaxation/relaxation_options.h"
+#include "floc/loading/run_options.h"
 
 namespace floc {
 
 /// The unknowns of a packing, three a grain, are counted in an int.
 inline constexpr std::int64_t kMostGrains = 100'000'000;
 
-/// A scene file, parsed: the options of every part of a run.
-struct Scene {
+/// A scene file, parsed: the options of a run, and what concerns who makes it.
+struct Scene : RunOptions {
   std::string name;
   int dimension = 2;
-  std::string units = "reduced";  ///< "reduced" or "SI"
-  GrainOptions grains;
-  LawParameters law;
-  AssemblyOptions assembly;
-  std::vector<LoadTurn> load;
-  RelaxationOptions relaxation;
-  std::uint64_t seed = 1;
   double checkpoint_every = 60.0;  ///< seconds of wall time between checkpoints
   std::string start;               ///< what the run starts from where that is a saved packing; empty elsewhere
   std::string accuracy;            ///< setting that [accuracy] chose and why; empty without one
-  std::string text;                ///< the scene with overrides applied, as written into every state
 
   bool starts_from_state() const { return assembly.protocol == AssemblyOptions::Protocol::state; }
   /// Whether another seed makes another sample: all but a saved packing that starts at rest are random.

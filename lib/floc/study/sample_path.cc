@@ -44,8 +44,9 @@ void run_until(Run<2>& run, int end, const std::vector<int>& turns, const Deadli
 }  // namespace
 
 RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::uint64_t seed) {
-  RunOptions options{scene.units, scene.grains,     scene.law, scene.assembly,
-                     scene.load,  scene.relaxation, seed,      ""};
+  RunOptions options = scene;
+  options.seed = seed;
+  options.text.clear();
   setting.numerical.apply(options.relaxation);
   options.relaxation.threads = 1;
   if (setting.n_grains > 0) options.grains.count = setting.n_grains;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "floc/assembly/assembly_options.h"
+#include "floc/contact/law_parameters.h"
+#include "floc/loading/load_path.h"
+#include "floc/relaxation/relaxation_options.h"
+
+namespace floc {
+
+/// Everything that says what a run does; with the same options a run gives the same bits.
+struct RunOptions {
+  std::string units = "reduced";  ///< "reduced" or "SI"
+  GrainOptions grains;
+  LawParameters law;
+  AssemblyOptions assembly;
+  std::vector<LoadTurn> load;
+  RelaxationOptions relaxation;
+  std::uint64_t seed = 1;
+  std::string text;  ///< the scene with overrides applied, as written into every state
+};
+
+}  // namespace floc

@@ -24,14 +24,6 @@ TableFormat chosen_format(const std::string& format) {
   return isatty(STDOUT_FILENO) ? TableFormat::table : TableFormat::csv;
 }
 
-TableValue or_undefined(const std::optional<double>& number) {
-  return number ? TableValue{*number} : TableValue{};
-}
-
-TableValue or_undefined(const std::string& text) {
-  return text.empty() ? TableValue{} : TableValue{text};
-}
-
 void print_table(const Table& table, const std::string& format) {
   write_table(std::cout, table, chosen_format(format));
   std::cout.flush();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +15,6 @@ void add_format_option(CommandLine app, std::string& format);
 
 /// What `--format` asks for; without it a table on a terminal, csv otherwise.
 TableFormat chosen_format(const std::string& format);
-
-/// A value of a table, undefined where there is none: no number, an empty text.
-TableValue or_undefined(const std::optional<double>& number);
-TableValue or_undefined(const std::string& text);
 
 /// Prints a table on stdout in the format asked for. @throws IoError if stdout cannot take it (disk full).
 void print_table(const Table& table, const std::string& format);

@@ -1,20 +1,17 @@
 #include <fmt/format.h>
 #include <malloc.h>
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "command.h"
-#include "contact_tracker.h"
 #include "floc/base/error.h"
+#include "floc/run/drive.h"
 #include "floc/scene/read_scene.h"
-#include "run_directory.h"
 #include "run_ensemble.h"
 #include "run_monitor.h"
 
@@ -48,94 +45,25 @@ RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
   return options;
 }
 
-/// Drives a run and keeps its directory: a state and a row for each equilibrium, a checkpoint now and then.
-class RunDriver {
- public:
-  RunDriver(Run<2>& run, RunDirectory& directory, ContactTracker* tracker, double checkpoint_every, int until)
-      : run_(run),
-        directory_(directory),
-        tracker_(tracker),
-        checkpoint_every_(checkpoint_every),
-        until_(until),
-        monitor_(static_cast<int>(run.plan().size())) {}
-
-  int drive() {
-    step_began_ = last_checkpoint_ = Clock::now();
-    while (!run_.finished() && run_.point().step <= until_) {
-      const RunEvent event = run_.advance();
-      if (event == RunEvent::equilibrium) save();
-      if (event == RunEvent::gave_up) return give_up();
-      if (event == RunEvent::stretch) monitor_.stretch(run_);
-      if (g_interrupted) return stop();
-      if (seconds_since(last_checkpoint_) > checkpoint_every_) checkpoint();
-    }
-    directory_.remove_checkpoint();
-    return kDone;
+/// Says how a run ended. @return exit code
+int tell(const DriveReport& report, const Run<2>& run, const std::string& directory) {
+  switch (report.outcome) {
+    case DriveReport::stopped:
+      fmt::print(stderr, "\ninterrupted; --resume continues from here\n");
+      return kInterrupted;
+    case DriveReport::gave_up:
+      fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time\n",
+                 run.point().step, run.target().branch, run.target().pressure, report.relaxation.blocking,
+                 report.relaxation.decay_rate);
+      return kNotConverged;
+    case DriveReport::done:
+      break;
   }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  static double seconds_since(Clock::time_point since) {
-    return std::chrono::duration<double>(Clock::now() - since).count();
-  }
-
-  void save() {
-    const double seconds = seconds_since(step_began_);
-    const State<2> state = run_.state();
-    if (tracker_ != nullptr) tracker_->finish_step(run_);
-    // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
-    if (tracker_ != nullptr) tracker_->write();
-    const std::string sha256 = directory_.save(state, seconds);
-    monitor_.equilibrium(state, run_.report(), seconds);
-    run_.saved(sha256);
-    step_began_ = Clock::now();
-  }
-
-  void checkpoint() {
-    if (tracker_ != nullptr) tracker_->write();
-    if (!run_.finished()) {
-      State<2> state = run_.lend_state();
-      directory_.save_checkpoint(state, run_.point());
-      run_.go_on(std::move(state.packing));
-    }
-    last_checkpoint_ = Clock::now();
-  }
-
-  int stop() {
-    checkpoint();
-    fmt::print(stderr, "\ninterrupted; --resume continues from here\n");
-    return kInterrupted;
-  }
-
-  int give_up() {
-    const RelaxationReport report = run_.report();
-    checkpoint();
-    fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time\n",
-               run_.point().step, run_.target().branch, run_.target().pressure, report.blocking,
-               report.decay_rate);
-    return kNotConverged;
-  }
-
-  Run<2>& run_;
-  RunDirectory& directory_;
-  ContactTracker* tracker_;  // null: nobody looks at contacts
-  double checkpoint_every_;
-  int until_;
-  RunMonitor monitor_;
-  Clock::time_point step_began_, last_checkpoint_;
-};
-
-/// Has the contacts of a run recorded while it moves.
-std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& options,
-                                               const RunDirectory& directory, double interval) {
-  const int step = run.point().step;
-  Packing<2> start = step > 0 ? directory.start_of(step) : Run<2>(options).packing();
-  auto tracker = std::make_unique<ContactTracker>(directory.contact_table(), run, std::move(start));
-  run.observe({interval, [&run, watcher = tracker.get()](const Packing<2>& packing, double time) {
-                 watcher->see(run, packing, time);
-               }});
-  return tracker;
+  fmt::print(stderr,
+             "{} equilibria in {}. Next:\n  floc moduli {}/state-*.h5\n  floc fit consolidation {}\n"
+             "  floc verify {}/state-*.h5\n",
+             run.point().step, directory, directory, directory, directory);
+  return kDone;
 }
 
 /// Smallest block that goes back to the system when it is freed, where glibc would keep those up to 32 MB: lists, states and
@@ -151,9 +79,7 @@ int run_scene(const RunArguments& arguments) {
                                                   : Existing::refuse;
   const std::vector<PlannedEquilibrium> plan = plan_run(options.assembly, options.law, options.load);
   RunDirectory directory(arguments.directory, existing, options);
-  std::optional<ReachedPoint> reached = directory.resume_point();
-  Run<2> run =
-      reached ? Run<2>(options, std::move(reached->point), std::move(reached->packing)) : Run<2>(options);
+  Run<2> run = start_or_resume(directory, options);
 
   std::unique_ptr<ContactTracker> tracker;
   if (arguments.track_contacts && !run.finished())
@@ -163,16 +89,14 @@ int run_scene(const RunArguments& arguments) {
   if (!scene.accuracy.empty()) fmt::print(stderr, "accuracy: {}\n", scene.accuracy);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  const int code = RunDriver(run, directory, tracker.get(), scene.checkpoint_every,
-                             arguments.until.value_or(std::numeric_limits<int>::max()))
-                       .drive();
-  if (code == kDone)
-    fmt::print(stderr,
-               "{} equilibria in {}. Next:\n  floc moduli {}/state-*.h5\n  floc fit consolidation {}\n"
-               "  floc verify {}/state-*.h5\n",
-               run.point().step, arguments.directory, arguments.directory, arguments.directory,
-               arguments.directory);
-  return code;
+  RunMonitor monitor(static_cast<int>(run.plan().size()));
+  DriveOptions driving;
+  driving.checkpoint_every = scene.checkpoint_every;
+  if (arguments.until) driving.until = *arguments.until;
+  driving.stop = [] { return g_interrupted != 0; };
+  driving.stretch = [&monitor](const Run<2>& moving) { monitor.stretch(moving); };
+  driving.equilibrium = [&monitor](const auto&... reached) { monitor.equilibrium(reached...); };
+  return tell(drive(run, directory, driving, tracker.get()), run, arguments.directory);
 }
 
 /// One process a seed, each a run of this scene with these arguments.

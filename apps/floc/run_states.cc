@@ -6,17 +6,10 @@
 
 #include "fit_tables.h"
 #include "floc/base/error.h"
+#include "floc/run/run_directory.h"
 
 namespace floc {
-namespace {
-
 namespace fs = std::filesystem;
-
-std::string state_file(const std::string& directory, int step) {
-  return (fs::path(directory) / fmt::format("state-{:04d}.h5", step)).string();
-}
-
-}  // namespace
 
 std::string table_of_run(const std::string& directory) {
   if (!fs::is_directory(directory)) throw InputError(directory, "is no directory: expected one of floc run");

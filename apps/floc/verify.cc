@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "command.h"
+#include "floc/run/verification.h"
 #include "output.h"
-#include "verification.h"
 
 namespace floc {
 namespace {

@@ -80,6 +80,9 @@ TEST(Layers, AForeignLibraryHasOneOwner) {
   EXPECT_TRUE(fault_of("packing", {"hdf5.h", false}));
   EXPECT_TRUE(fault_of("loading", {"toml++/toml.h", false}));
   EXPECT_TRUE(fault_of("base", {"CLI/CLI.hpp", false}));
+  EXPECT_FALSE(fault_of("run", {"nlohmann/json.hpp", false}));
+  EXPECT_EQ(fault_of("loading", {"nlohmann/json.hpp", false}),
+            "loading may not include <nlohmann/json.hpp>, only io and run");
   EXPECT_FALSE(fault_of("io", {"vector", false}));
 }
 

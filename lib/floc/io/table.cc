@@ -99,6 +99,14 @@ void write_aligned(std::ostream& out, const Table& table) {
 
 }  // namespace
 
+TableValue or_undefined(const std::optional<double>& number) {
+  return number ? TableValue{*number} : TableValue{};
+}
+
+TableValue or_undefined(const std::string& text) {
+  return text.empty() ? TableValue{} : TableValue{text};
+}
+
 void write_table(std::ostream& out, const Table& table, TableFormat format) {
   switch (format) {
     case TableFormat::csv:

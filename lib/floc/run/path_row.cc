@@ -1,4 +1,4 @@
-#include "path_row.h"
+#include "floc/run/path_row.h"
 
 #include <fmt/ranges.h>
 
@@ -8,7 +8,6 @@
 #include "floc/io/table.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/structure/coordination.h"
-#include "output.h"
 
 namespace floc {
 namespace {

@@ -1,4 +1,4 @@
-#include "verification.h"
+#include "floc/run/verification.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "contact_tracker.h"
+#include "floc/run/contact_tracker.h"
 
 #include <fmt/format.h>
 
@@ -58,6 +58,17 @@ void ContactTracker::write() const {
   std::string text = std::string(kHeader) + "\n";
   for (const std::string& row : rows_) text += row + "\n";
   write_bytes_atomically(file_, text);
+}
+
+std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& options,
+                                               const RunDirectory& directory, double interval) {
+  const int step = run.point().step;
+  Packing<2> start = step > 0 ? directory.start_of(step) : Run<2>(options).packing();
+  auto tracker = std::make_unique<ContactTracker>(directory.contact_table(), run, std::move(start));
+  run.observe({interval, [&run, watcher = tracker.get()](const Packing<2>& packing, double time) {
+                 watcher->see(run, packing, time);
+               }});
+  return tracker;
 }
 
 }  // namespace floc

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "floc/loading/run.h"
+#include "floc/run/run_directory.h"
 
 namespace floc {
 
@@ -33,5 +35,11 @@ class ContactTracker {
   std::vector<std::string> rows_;
   Packing<2> start_, previous_;
 };
+
+/// Has the contacts of a run recorded while it moves, in the table of its directory.
+/// @param interval  simulated time between two looks (time)
+/// @pre the run is not finished, and stays where it is in memory as long as it moves
+std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& options,
+                                               const RunDirectory& directory, double interval);
 
 }  // namespace floc

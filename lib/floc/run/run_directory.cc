@@ -1,4 +1,4 @@
-#include "run_directory.h"
+#include "floc/run/run_directory.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "checkpoint.h"
 #include "floc/base/error.h"
 #include "floc/base/sha256.h"
 #include "floc/io/atomic_file.h"
-#include "path_row.h"
+#include "floc/run/checkpoint.h"
+#include "floc/run/path_row.h"
 
 namespace floc {
 namespace fs = std::filesystem;
@@ -24,6 +24,10 @@ State<2> read_run_state(const std::string& file) {
 }
 
 }  // namespace
+
+std::string state_file(const std::string& directory, int step) {
+  return (fs::path(directory) / fmt::format("state-{:04d}.h5", step)).string();
+}
 
 RunDirectory::RunDirectory(const std::string& path, Existing existing, const RunOptions& options)
     : path_(path) {
@@ -57,7 +61,7 @@ void RunDirectory::check_scene(const State<2>& state, const std::string& file,
 }
 
 std::string RunDirectory::state_path(int step) const {
-  return fmt::format("{}/state-{:04d}.h5", path_, step);
+  return state_file(path_, step);
 }
 std::string RunDirectory::path_table() const {
   return path_ + "/path.csv";

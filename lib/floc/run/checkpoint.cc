@@ -1,4 +1,4 @@
-#include "checkpoint.h"
+#include "floc/run/checkpoint.h"
 
 #include <nlohmann/json.hpp>
 

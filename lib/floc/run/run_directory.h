@@ -9,6 +9,9 @@
 
 namespace floc {
 
+/// File of one equilibrium in the directory of a run: DIR/state-0000.h5 and on.
+std::string state_file(const std::string& directory, int step);
+
 /// What to do with a run's directory that is there already.
 enum class Existing { refuse, resume, overwrite };
 

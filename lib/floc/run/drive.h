@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+
+#include "floc/run/contact_tracker.h"
+#include "floc/run/run_directory.h"
+
+namespace floc {
+
+/// How a run is driven, and who is told of it.
+struct DriveOptions {
+  double checkpoint_every = 60.0;               ///< wall time between two checkpoints (s)
+  int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to make
+  /// Asked after each stretch of steps, such as for a signal: true stops the run at a checkpoint. Empty: never.
+  std::function<bool()> stop;
+  /// Told after each stretch that ends without an equilibrium. May be empty.
+  std::function<void(const Run<2>&)> stretch;
+  /// Told of each equilibrium once it is saved, with the wall time of its step (s). May be empty.
+  std::function<void(const State<2>&, const RelaxationReport&, double seconds)> equilibrium;
+};
+
+/// What driving a run came to. A run that is not done can be resumed from its checkpoint.
+struct DriveReport {
+  enum Outcome {
+    done,     ///< every equilibrium that was asked for is saved
+    stopped,  ///< as `DriveOptions::stop` asked
+    gave_up,  ///< the present step does not converge
+  };
+  Outcome outcome = done;
+  RelaxationReport relaxation;  ///< of the step that gave up
+};
+
+/// The run of a directory: from the point it has reached there, or from its beginning.
+/// @param options  those the directory was opened with
+/// @throws InputError for options that cannot be run, or files that cannot be read
+Run<2> start_or_resume(RunDirectory& directory, const RunOptions& options);
+
+/// Drives a run and keeps its directory: a state and a row for each equilibrium, a checkpoint now and then.
+/// @param tracker  of the contacts of this run; null: nobody looks at them
+/// @throws IoError if a file cannot be written
+[[nodiscard]] DriveReport drive(Run<2>& run, RunDirectory& directory, const DriveOptions& options,
+                                ContactTracker* tracker = nullptr);
+
+}  // namespace floc

@@ -47,10 +47,11 @@ class Option {
   CLI::Option* option_;
 };
 
-/// The command line of the program or of one of its commands. Handles may be copied; the program owns what they name.
+/// The command line of the program or of one of its commands. Handles may be copied; ProgramLine owns what they
+/// name.
 ///
-/// This class and Option stand between the commands and CLI11 because its headers cost every file that includes them
-/// some eight seconds of compilation: command_line.cc alone does.
+/// This class and Option stand between the commands and CLI11, whose headers and option templates cost each file
+/// that includes them about as much as all else in it: command_line.cc alone does.
 class CommandLine {
  public:
   CommandLine add_subcommand(const std::string& name, const std::string& description);
@@ -61,7 +62,8 @@ class CommandLine {
   /// Text below the help.
   void footer(const std::string& text);
 
-  /// Adds an option ("-o,--output") or a positional argument ("STATE"), read into `value` when the line is parsed.
+  /// Adds an option ("-o,--output") or a positional argument ("STATE"), read into `value` when the line is
+  /// parsed.
   /// Defined for the types that command_line.cc lists; a new type takes a line there.
   template <class T>
   Option add_option(const std::string& name, T& value, const std::string& text);
@@ -84,8 +86,8 @@ class ProgramLine {
   CommandLine top();
 
   /// Reads the arguments into the variables of the options.
-  /// @return nothing if a command is to be run; otherwise help, version or a fault was printed and the program is to
-  ///   end: with an exit code of 0, or of kUsage for a fault
+  /// @return nothing if a command is to be run; otherwise help, version or a fault was printed and the program
+  ///   is to end: with an exit code of 0, or of kUsage for a fault
   std::optional<int> parse(int argc, char** argv);
 
  private:

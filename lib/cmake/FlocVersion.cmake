@@ -6,4 +6,4 @@ add_custom_target(floc_commit
   BYPRODUCTS ${floc_commit_header} VERBATIM)
 add_dependencies(floc_base floc_commit)
 target_include_directories(floc_base PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
-target_compile_definitions(floc_base PRIVATE FLOC_VERSION="${PROJECT_VERSION}")
+set_source_files_properties(version.cc PROPERTIES COMPILE_DEFINITIONS FLOC_VERSION="${PROJECT_VERSION}")

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <regex>
 
+#include "support/places.h"
 #include "support/run_arguments.h"
 #include "support/small_run.h"
 
@@ -82,10 +83,10 @@ TEST_F(Report, HoldsEverythingInOneFile) {
 
 TEST_F(Report, RefusesWhatIsNoRun) {
   EXPECT_THAT(floc("report small.toml -o r.html").err, HasSubstr("is no directory"));
-  const Outcome ensemble = floc("report " FLOC_SOURCE_DIR "/data/tables/demo -o r.html");
+  const Outcome ensemble = floc("report " + source_directory() + "/data/tables/demo -o r.html");
   EXPECT_EQ(ensemble.code, 4);
   EXPECT_THAT(ensemble.err, HasSubstr("holds 8 samples"));
-  EXPECT_THAT(floc("report " FLOC_SOURCE_DIR "/data/tables/demo/seed-1 -o r.html").err,
+  EXPECT_THAT(floc("report " + source_directory() + "/data/tables/demo/seed-1 -o r.html").err,
               HasSubstr("state-0000.h5"));
   std::filesystem::copy(file("run"), file("cut"), std::filesystem::copy_options::recursive);
   std::filesystem::remove(file("cut/state-0008.h5"));

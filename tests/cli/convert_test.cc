@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "floc/base/read_file.h"
+#include "support/places.h"
 #include "support/run_arguments.h"
 
 namespace floc::test {
@@ -15,7 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kJambashbulk = std::string(FLOC_SOURCE_DIR) + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
 const std::string kTwoGrains = "X,Y,R\n1,1,0.5\n1.9,1,0.5\n";
 
 nlohmann::json info(const std::string& state) {
@@ -118,7 +119,7 @@ TEST(Info, ThatCannotBePrintedIsAFailure) {
   const ScratchDirectory scratch;
   ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")}).code, 0);
   const Outcome result = run_arguments(
-      "/bin/sh", {"-c", "exec \"$0\" info \"$1\" >/dev/full", FLOC_PROGRAM, scratch.file("s.h5")});
+      "/bin/sh", {"-c", "exec \"$0\" info \"$1\" >/dev/full", floc_program(), scratch.file("s.h5")});
   EXPECT_EQ(result.code, 1);
   EXPECT_THAT(result.err, HasSubstr("standard output: cannot be written"));
 }

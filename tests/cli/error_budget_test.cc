@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "support/places.h"
 #include "support/run_program.h"
 
 /// What limits a result is said with it.
@@ -47,7 +48,7 @@ TEST(ErrorBudgetOfModuli, WarnsOfAToleranceThatPositionsCannotHold) {
 }
 
 TEST(ErrorBudgetOfAFit, NamesWhatLimitsEachParameter) {
-  const std::string demo = std::string(FLOC_SOURCE_DIR) + "/data/tables/demo";
+  const std::string demo = source_directory() + "/data/tables/demo";
   const Outcome o = run_floc("fit consolidation " + demo + " --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, HasSubstr("errors from the scatter between samples and from where the regimes end"));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "support/places.h"
 #include "support/run_program.h"
 
 namespace floc::test {
@@ -13,10 +14,10 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kOedometer = std::string(FLOC_SOURCE_DIR) + "/data/tables/oedometer/oedometer.csv";
+const std::string kOedometer = source_directory() + "/data/tables/oedometer/oedometer.csv";
 const std::string kColumns = " --columns P_star=Effective_Vertical_Stress,void_ratio=Void_Ratio --format json";
-const std::string kReload = std::string(FLOC_SOURCE_DIR) + "/data/tables/reload";
-const std::string kDemo = std::string(FLOC_SOURCE_DIR) + "/data/tables/demo";
+const std::string kReload = source_directory() + "/data/tables/reload";
+const std::string kDemo = source_directory() + "/data/tables/demo";
 
 TEST(Oedometer, VirginSlopeIsThatOfItsLastTwoSteps) {
   const Outcome o =

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "floc/base/read_file.h"
+#include "support/places.h"
 #include "support/run_arguments.h"
 
 namespace floc::test {
@@ -17,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-const std::string kPackings = std::string(FLOC_SOURCE_DIR) + "/data/packings/";
+const std::string kPackings = source_directory() + "/data/packings/";
 const std::string kLammpsLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 const std::string kLammpsColumns =
     "id1=c_pair[1],id2=c_pair[2],force1=c_force[1],force2=c_force[2],shear_force1=c_force[4],shear_force2=c_"
@@ -44,7 +45,9 @@ class ForeignPacking : public testing::Test {
     EXPECT_THAT(o.err, HasSubstr(words));
     EXPECT_FALSE(std::filesystem::exists(scratch_.file("s.h5")));
   }
-  Outcome shell(const std::string& command) { return run_arguments("/bin/sh", {"-c", command, FLOC_PROGRAM}); }
+  Outcome shell(const std::string& command) {
+    return run_arguments("/bin/sh", {"-c", command, floc_program()});
+  }
 
   const std::string kGrains = "id,x,y,radius\n1,1,1,0.5\n2,1.9,1,0.5\n";
   ScratchDirectory scratch_;

@@ -6,6 +6,7 @@
 
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
+#include "support/places.h"
 #include "support/run_arguments.h"
 
 namespace floc::test {
@@ -15,13 +16,13 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kJambashbulk = std::string(FLOC_SOURCE_DIR) + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
 
 /// A directory with the jamBashbulk packing in it as packing.h5.
 class ModuliCommand : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(run_arguments(FLOC_PROGRAM, {"convert", kJambashbulk, scratch_.file("packing.h5")}).code, 0);
+    ASSERT_EQ(run_arguments(floc_program(), {"convert", kJambashbulk, scratch_.file("packing.h5")}).code, 0);
   }
   Outcome moduli(const std::string& arguments) const {
     return run_floc("moduli " + arguments, scratch_.path());

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "support/places.h"
 #include "support/small_run.h"
 
 namespace floc::test {
@@ -14,7 +15,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const std::string kDemo = std::string(FLOC_SOURCE_DIR) + "/data/tables/demo";
+const std::string kDemo = source_directory() + "/data/tables/demo";
 
 class PlotCommand : public SmallRun {};
 

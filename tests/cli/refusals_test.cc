@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "floc/io/state_file.h"
+#include "support/places.h"
 #include "support/run_program.h"
 
 /// What the program refuses, and the words in which it does: where (file, line, array, option), what, and what was expected.
@@ -15,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kDemo = std::string(FLOC_SOURCE_DIR) + "/data/scenes/demo.toml";
+const std::string kDemo = source_directory() + "/data/scenes/demo.toml";
 const std::string kGrains = "x,y,r\n0,0,0.5\n0.9,0,0.5\n";
 const std::string kLaw = "--law normal.stiffness=1000";
 const std::string kConvert = "convert g.csv p.h5 --columns radius=r --cell '5,0;0,5' " + kLaw;
@@ -359,7 +360,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, Refused, ::testing::ValuesIn(kOfCommands),
 /// What a run finds in its directory has to be its own.
 TEST(RefusedRun, FindsWhatIsNotItsOwn) {
   const ScratchDirectory scratch;
-  const std::string run = "run " + std::string(FLOC_SOURCE_DIR) +
+  const std::string run = "run " + source_directory() +
                           "/data/scenes/type1_rolling_small.toml --set grains.count=40 --until 0 -o d ";
   ASSERT_EQ(run_floc(run + "--track-contacts 10", scratch.path()).code, 0);
   const auto refusal = [&](const std::string& options) {
@@ -381,7 +382,7 @@ TEST(RefusedRun, FindsWhatIsNotItsOwn) {
 
 TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
   const ScratchDirectory scratch;
-  const std::string run = "run " + std::string(FLOC_SOURCE_DIR) +
+  const std::string run = "run " + source_directory() +
                           "/data/scenes/type1_rolling_small.toml --set grains.count=40 -o d --resume --until ";
   ASSERT_EQ(run_floc(run + "0", scratch.path()).code, 0);
   const auto state = std::get<State<2>>(read_state(scratch.file("d/state-0000.h5")));
@@ -394,7 +395,7 @@ TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
 /// Samples that begin with a saved state at rest are all the same, and a study makes its own.
 TEST(RefusedRun, OfSamplesFromAStateAtRest) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(run_floc("run " + std::string(FLOC_SOURCE_DIR) +
+  ASSERT_EQ(run_floc("run " + source_directory() +
                          "/data/scenes/type1_rolling_small.toml --set grains.count=40 --until 0 -o d",
                      scratch.path())
                 .code,

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/kill_and_resume.h"
+#include "support/places.h"
 
 namespace floc::test {
 namespace {
@@ -154,9 +155,9 @@ TEST_F(RunCommand, ReportsADirectoryThatCannotBeWritten) {
 
 TEST_F(RunCommand, ReportsAFullDiskAndLeavesNoHalfWrittenFile) {
   // A file-size limit stands in for the full disk: the kernel refuses the write in the same place.
-  const Outcome failed = run_floc("--version >/dev/null; trap '' XFSZ; ulimit -f 4; " +
-                                      std::string(FLOC_PROGRAM) + " run small.toml -o full",
-                                  scratch_->path());
+  const Outcome failed =
+      run_floc("--version >/dev/null; trap '' XFSZ; ulimit -f 4; " + floc_program() + " run small.toml -o full",
+               scratch_->path());
   EXPECT_EQ(failed.code, 1);
   EXPECT_THAT(failed.err, ::testing::HasSubstr("full/"));
   for (const auto& entry : fs::recursive_directory_iterator(file("full")))

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "floc/relaxation/relaxation_options.h"
+#include "support/places.h"
 #include "support/run_program.h"
 
 namespace floc::test {
@@ -13,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kDemo = std::string(FLOC_SOURCE_DIR) + "/data/scenes/demo.toml";
+const std::string kDemo = source_directory() + "/data/scenes/demo.toml";
 
 double group(const std::string& json, const std::string& name) {
   for (const auto& row : nlohmann::json::parse(json))

@@ -8,6 +8,7 @@
 #include "floc/io/hdf5_image.h"
 #include "floc/io/sealed_bytes.h"
 #include "floc/io/state_file.h"
+#include "support/places.h"
 #include "support/run_arguments.h"
 #include "support/states.h"
 
@@ -17,8 +18,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string kScripts = std::string(FLOC_SOURCE_DIR) + "/tests/cli/";
-const std::string kJambashbulk = std::string(FLOC_SOURCE_DIR) + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+const std::string kScripts = source_directory() + "/tests/cli/";
+const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
 /// The Python that Debian's python3-h5py belongs to.
 const std::string kPython = "/usr/bin/python3";
 
@@ -54,7 +55,7 @@ TEST(BadState, WithoutAnyOfItsPartsIsRefusedByThePartsName) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>());
   const Outcome result = run_arguments(
-      kPython, {kScripts + "take_parts_away.py", FLOC_PROGRAM, scratch.file("s.h5"), scratch.path()});
+      kPython, {kScripts + "take_parts_away.py", floc_program(), scratch.file("s.h5"), scratch.path()});
   EXPECT_EQ(result.code, 0) << result.err;
 }
 

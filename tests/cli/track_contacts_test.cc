@@ -6,6 +6,7 @@
 
 #include "floc/io/csv.h"
 #include "support/kill_and_resume.h"
+#include "support/places.h"
 #include "support/run_arguments.h"
 
 namespace floc::test {
@@ -71,7 +72,7 @@ TEST_F(TrackContacts, GoesOnWhereItStopped) {
   int n_interrupted = 0;
   for (double seconds = 0.05; seconds < 5.0 && n_interrupted < 2; seconds *= 1.3) {
     const Outcome o = run_arguments(
-        "/usr/bin/timeout", {"-s", "TERM", std::to_string(seconds), FLOC_PROGRAM, "run", file("small.toml"),
+        "/usr/bin/timeout", {"-s", "TERM", std::to_string(seconds), floc_program(), "run", file("small.toml"),
                              "-o", file("halves"), "--track-contacts", "0.05", "--resume"});
     n_interrupted += o.err.find("interrupted") != std::string::npos;
     if (o.code == 0) break;

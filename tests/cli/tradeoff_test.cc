@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "support/places.h"
 #include "support/run_program.h"
 
 namespace floc::test {
@@ -14,7 +15,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// A scene so small that a sample takes a fraction of a second.
-const std::string kSmall = std::string(FLOC_SOURCE_DIR) +
+const std::string kSmall = source_directory() +
                            "/data/scenes/type1_rolling_small.toml --set grains.count=40 --set load.0.to=0.1 "
                            "--set load.0.steps_per_decade=2 ";
 
@@ -59,7 +60,7 @@ TEST(TradeoffCommand, FirstColumnIsTheKnobAndObservablesCanBeChosen) {
 
 TEST(TradeoffCommand, SaysWhatABudgetDidNotAllow) {
   const Outcome o =
-      run_floc("tradeoff " + std::string(FLOC_SOURCE_DIR) + "/data/scenes/demo.toml --budget 0.2 --format csv");
+      run_floc("tradeoff " + source_directory() + "/data/scenes/demo.toml --budget 0.2 --format csv");
   EXPECT_EQ(o.code, 3);
   EXPECT_THAT(o.err, HasSubstr("broken off at the end of the budget"));
   EXPECT_THAT(o.err, HasSubstr("--budget may be too small"));
@@ -152,7 +153,7 @@ TEST(ModuliWithinAnAccuracy, AreThoseOfTheCheapestMethodThatKeepsIt) {
 /// Packings of other programs, disks and spheres.
 TEST(ModuliWithinAnAccuracy, AreKeptOnShippedPackings) {
   const ScratchDirectory scratch;
-  const std::string packings = std::string(FLOC_SOURCE_DIR) + "/data/packings/";
+  const std::string packings = source_directory() + "/data/packings/";
   ASSERT_EQ(run_floc("convert '" + packings + "jambashbulk/N16~P1e-3~0001.txt' bulk.h5", scratch.path()).code,
             0);
   ASSERT_EQ(

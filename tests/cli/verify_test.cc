@@ -7,6 +7,7 @@
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/contact_forces.h"
+#include "support/places.h"
 #include "support/run_arguments.h"
 #include "support/states.h"
 
@@ -17,7 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kJambashbulk = std::string(FLOC_SOURCE_DIR) + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
 
 /// What `floc verify` says of the jamBashbulk packing after `spoil` changed it.
 template <class Spoil>

@@ -8,6 +8,7 @@
 #include "floc/scene/accuracy.h"
 #include "floc/scene/read_scene.h"
 #include "floc/study/comparison.h"
+#include "support/places.h"
 
 // The promise of [accuracy], on scenes and seeds that did not make the shipped table. By itself:
 //   build/release/tests/long_tests --gtest_filter='AccuracyPromise.*'
@@ -75,7 +76,7 @@ Scene scene_of(const HeldOut& held, const WantedAccuracy& wanted) {
   std::vector<std::string> changes = {"grains.count=60", "load.0.steps_per_decade=3",
                                       "load.1.steps_per_decade=1"};
   for (const auto& [key, error] : wanted) changes.push_back("accuracy." + key + "=" + std::to_string(error));
-  return read_scene(std::string(FLOC_SOURCE_DIR) + "/data/scenes/" + held.scene + ".toml", changes);
+  return read_scene(test::source_directory() + "/data/scenes/" + held.scene + ".toml", changes);
 }
 
 /// A sample that is whole, with the strict equilibria its states go to.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "floc/io/state_file.h"
+#include "support/places.h"
 #include "support/run_program.h"
 
 namespace floc::test {
@@ -11,7 +12,7 @@ namespace {
 TEST(StiffContacts, OfALoosePowderReachAnEquilibriumThatTheirFileHolds) {
   const ScratchDirectory scratch;
   const Outcome run =
-      run_floc("run " FLOC_SOURCE_DIR "/data/scenes/stiff_contacts.toml -o stiff", scratch.path());
+      run_floc("run " + source_directory() + "/data/scenes/stiff_contacts.toml -o stiff", scratch.path());
   ASSERT_EQ(run.code, 0) << run.err;
   const Outcome verified = run_floc("verify stiff/state-*.h5", scratch.path());
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;

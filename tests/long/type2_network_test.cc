@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/places.h"
 #include "support/run_program.h"
 
 namespace floc::test {
@@ -17,10 +18,11 @@ class Type2Network : public ::testing::Test {
   static constexpr int kDensest = 26;          ///< state at P* = 13.33; 1 is the loosest, at 0.01
 
   void SetUp() override {
-    ASSERT_EQ(run_floc("run " FLOC_SOURCE_DIR "/data/scenes/demo.toml -o out --seeds 2..4 --jobs 2 --until 26",
-                       scratch_.path())
-                  .code,
-              0);
+    ASSERT_EQ(
+        run_floc("run " + source_directory() + "/data/scenes/demo.toml -o out --seeds 2..4 --jobs 2 --until 26",
+                 scratch_.path())
+            .code,
+        0);
   }
 
   json rows(const std::string& command, int seed) const {

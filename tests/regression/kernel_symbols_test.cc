@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 
+#include "support/places.h"
 #include "support/scratch_directory.h"
 
 namespace floc::test {
@@ -14,7 +15,7 @@ namespace {
 TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
   const ScratchDirectory scratch;
   const std::string symbols = scratch.file("symbols");
-  const std::string command = "nm --demangle --defined-only '" FLOC_RELAXATION_LIBRARY "' >'" + symbols + "'";
+  const std::string command = "nm --demangle --defined-only '" + relaxation_library() + "' >'" + symbols + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   std::ifstream lines(symbols);
   int n_own = 0;

@@ -9,13 +9,15 @@
 #include <regex>
 #include <string>
 
+#include "support/places.h"
+
 namespace floc::testing {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-const std::filesystem::path kLibrary = std::filesystem::path(FLOC_SOURCE_DIR) / "lib" / "floc";
+const std::filesystem::path kLibrary = std::filesystem::path(test::source_directory()) / "lib" / "floc";
 
 TEST(Layers, NoSourceIncludesWhatTheOrderForbids) {
   EXPECT_THAT(layer_faults(kLibrary), IsEmpty());

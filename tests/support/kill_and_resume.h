@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "floc/base/random.h"
+#include "support/places.h"
 #include "support/run_program.h"
 
 namespace floc::test {
@@ -55,8 +56,7 @@ checkpoint_every = 0.02
 inline pid_t start_run(const std::string& directory, const std::string& arguments) {
   const pid_t child = ::fork();
   if (child == 0) {
-    const std::string command =
-        std::string("exec ") + FLOC_PROGRAM + " run " + arguments + " 2>/dev/null >/dev/null";
+    const std::string command = "exec " + floc_program() + " run " + arguments + " 2>/dev/null >/dev/null";
     if (::chdir(directory.c_str()) == 0) ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     ::_exit(127);
   }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
 #include "support/run_program.h"
 
 namespace floc::test {
@@ -29,7 +30,7 @@ inline Outcome run_arguments(const std::string& program, const std::vector<std::
 
 /// The same of floc itself.
 inline Outcome floc_arguments(const std::vector<std::string>& arguments, const std::string& input = "") {
-  return run_arguments(FLOC_PROGRAM, arguments, input);
+  return run_arguments(floc_program(), arguments, input);
 }
 
 }  // namespace floc::test

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "support/places.h"
 #include "support/scratch_directory.h"
 
 namespace floc::test {
@@ -33,7 +34,7 @@ inline Outcome run_floc(const std::string& arguments, const std::string& directo
                         const std::string& input = "") {
   const ScratchDirectory scratch;
   write_text(scratch.file("in"), input);
-  const std::string command = "cd '" + directory + "' && " + FLOC_PROGRAM + " " + arguments + " <'" +
+  const std::string command = "cd '" + directory + "' && " + floc_program() + " " + arguments + " <'" +
                               scratch.file("in") + "' >'" + scratch.file("out") + "' 2>'" +
                               scratch.file("err") + "'";
   const int status = std::system(command.c_str());

@@ -7,6 +7,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
 #include "support/network_packings.h"
+#include "support/places.h"
 
 namespace floc {
 namespace {
@@ -15,7 +16,8 @@ namespace {
 class JamBashbulk : public ::testing::Test {
  protected:
   JamBashbulk() {
-    const Imported file = read_jambashbulk(FLOC_SOURCE_DIR "/data/packings/jambashbulk/N16~P1e-3~0001.txt", {});
+    const Imported file =
+        read_jambashbulk(test::source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt", {});
     packing_ = std::get<State<2>>(file.state).packing;
     find_contacts(packing_);
   }

@@ -12,13 +12,14 @@
 #include "floc/io/yade_text.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "support/places.h"
 
 /// Packings made by LAMMPS and YADE (data/packings), read back and held against what those programs printed of them: the
 /// stress of the contacts and the net force on every grain, to all 17 digits but rounding.
 namespace floc {
 namespace {
 
-const std::string kData = std::string(FLOC_SOURCE_DIR) + "/data/packings/";
+const std::string kData = test::source_directory() + "/data/packings/";
 
 /// Relative rounding of a sum of a hundred products.
 constexpr double kRounding = 1e-13;

@@ -10,6 +10,7 @@
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "support/places.h"
 #include "support/scratch_directory.h"
 
 namespace floc {
@@ -18,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-const std::string kPacking = std::string(FLOC_SOURCE_DIR) + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+const std::string kPacking = test::source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
 
 State<2> read(const std::string& path, int index = 0) {
   ImportOptions options;

@@ -6,12 +6,13 @@
 
 #include "floc/scene/read_scene.h"
 #include "floc/scene/starting_scene.h"
+#include "support/places.h"
 
 namespace floc {
 namespace {
 
 Scene shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  return read_scene(std::string(FLOC_SOURCE_DIR) + "/data/scenes/" + name + ".toml", overrides);
+  return read_scene(test::source_directory() + "/data/scenes/" + name + ".toml", overrides);
 }
 
 double group(const Scene& scene, const std::string& name) {

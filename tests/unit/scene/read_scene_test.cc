@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "floc/base/error.h"
+#include "support/places.h"
 
 namespace floc {
 namespace {
@@ -299,7 +300,7 @@ TEST(ReadScene, AFileThatIsNotThereIsNamed) {
 
 TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
   int n = 0;
-  for (const auto& file : std::filesystem::directory_iterator(FLOC_SOURCE_DIR "/data/scenes")) {
+  for (const auto& file : std::filesystem::directory_iterator(test::source_directory() + "/data/scenes")) {
     if (file.path().extension() != ".toml") continue;
     const Scene s = read_scene(file.path().string());
     EXPECT_EQ(s.name, file.path().stem());

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "floc/scene/read_scene.h"
+#include "support/places.h"
 
 namespace floc {
 namespace {
@@ -14,7 +15,7 @@ using testing::HasSubstr;
 
 Scene small_scene(int n_grains) {
   return read_scene(
-      std::string(FLOC_SOURCE_DIR) + "/data/scenes/type1_rolling_small.toml",
+      test::source_directory() + "/data/scenes/type1_rolling_small.toml",
       {"grains.count=" + std::to_string(n_grains), "load.0.to=0.05", "load.0.steps_per_decade=2"});
 }
 

@@ -34,11 +34,11 @@ enum Physics { kFrictionless, kFriction, kFrictionAndRolling };
 /// The law of G08 in units F0 = a = m = 1, with the slots asked for.
 LawParameters law_of(int physics, bool adhesive) {
   LawParameters law;
-  law.normal_stiffness = 1e5;
-  law.damping = {0.015, DampingMass::effective};
-  if (adhesive) law.adhesion = {1.0, 1e-3};
-  if (physics >= kFriction) law.friction = {0.5, 1e5};
-  if (physics == kFrictionAndRolling) law.rolling = {0.005, 10.0};
+  law.normal = LinearRepulsion{1e5};
+  law.damping = ViscousDamping{0.015, DampingMass::effective};
+  if (adhesive) law.adhesion = TailAdhesion{1.0, 1e-3};
+  if (physics >= kFriction) law.friction = CoulombFriction{0.5, 1e5};
+  if (physics == kFrictionAndRolling) law.rolling = RollingSpring{0.005, 10.0};
   return law;
 }
 
@@ -49,11 +49,10 @@ RelaxationOptions relaxation() {
 }
 
 /// The stress it has stays imposed.
-CellControl<2> pressed(const Packing<2>& packing) {
-  CellControl<2> control;
-  control.target = static_stress(packing).diagonal();
-  for (const double m : packing.grains.mass) control.mass += m;
-  return control;
+BoundaryControl<2> pressed(const Packing<2>& packing) {
+  double mass = 0.0;
+  for (const double m : packing.grains.mass) mass += m;
+  return BoundaryControl<2>::normal_stress(static_stress(packing).diagonal(), mass);
 }
 
 /// A gas compressed to equilibrium under P = 10 F0/a, that is P/K_N = 1e-4.
@@ -119,12 +118,13 @@ void passes(benchmark::State& state) {
     return HotPairs<2>(find_pairs(packing.cell, ordered, 0.005), ordered.radius, grains.mass, law, 1e-4);
   };
   HotPairs<2> pairs = new_pairs();
-  const StepKernels<2>& kernels = step_kernels(widest_instruction_set(), law.index());
+  const StepKernels<2>& kernels =
+      step_kernels(widest_instruction_set(), LatticeShape::rectangular, law.index());
   const GrainArrays<2> g = grains.arrays(x_list);
   const PairArrays<2> p = pairs.arrays();
-  const PairCell<2> cell{{packing.cell.matrix(0, 0), packing.cell.matrix(1, 1)}, {0.0, 0.0}, 0.0};
-  const Kick<2> kick{0.0, {1.0, 1.0}, {1.0, 1.0}};
-  const Drift<2> drift{0.0, {1.0, 1.0}, {0.0, 0.0}, {1.0, 1.0}};
+  const PairCell<2> cell{{{packing.cell.matrix(0, 0), 0.0}, {0.0, packing.cell.matrix(1, 1)}}, {}, 0.0};
+  const Kick<2> kick{0.0, {{1.0, 0.0}, {0.0, 1.0}}, {{1.0, 0.0}, {0.0, 1.0}}};
+  const Drift<2> drift{0.0, {{1.0, 0.0}, {0.0, 1.0}}, {}, {{1.0, 0.0}, {0.0, 1.0}}};
   BlockSums<2> sums;
   const int n_blocks = (grains.size() + kGrainBlock - 1) / kGrainBlock;
   double seconds[4] = {};

@@ -77,9 +77,9 @@ void jitter(auto& contacts) {
 
 LawParameters lattice_law() {
   LawParameters law;
-  law.normal_stiffness = 1.0;
-  law.friction = {0.5, 1.0};
-  law.rolling = {0.005, 1e-4};
+  law.normal = LinearRepulsion{1.0};
+  law.friction = CoulombFriction{0.5, 1.0};
+  law.rolling = RollingSpring{0.005, 1e-4};
   return law;
 }
 

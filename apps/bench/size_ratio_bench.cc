@@ -31,14 +31,11 @@ std::vector<double> uniform_by_area(int n, double ratio) {
   return diameter;
 }
 
-CellControl<2> loaded(const Packing<2>& packing, const Vec<2>& stress) {
+BoundaryControl<2> loaded(const Packing<2>& packing, const Vec<2>& stress) {
   RelaxationOptions options;
   options.inertial_number_cap = 0.03;
-  CellControl<2> control;
-  control.target = stress;
-  control.mass = 0.01 * std::accumulate(packing.grains.mass.begin(), packing.grains.mass.end(), 0.0);
-  control.rate_cap = strain_rate_cap(options, packing, stress);
-  return control;
+  const double mass = 0.01 * std::accumulate(packing.grains.mass.begin(), packing.grains.mass.end(), 0.0);
+  return BoundaryControl<2>::normal_stress(stress, mass, strain_rate_cap(options, packing, stress));
 }
 
 Packing<2> moved_for(const Packing<2>& packing, const Vec<2>& stress, double time, DynamicsSettings& settings) {
@@ -72,9 +69,9 @@ const Packing<2>& dense(double ratio, Load load) {
   grains.diameter.kind = DiameterDistribution::Kind::list;
   grains.diameter.values = uniform_by_area(kGrains, ratio);
   LawParameters law;
-  law.normal_stiffness = 1e5;
-  law.damping = {0.015, DampingMass::effective};
-  law.friction = {0.5, 1e5};
+  law.normal = LinearRepulsion{1e5};
+  law.damping = ViscousDamping{0.015, DampingMass::effective};
+  law.friction = CoulombFriction{0.5, 1e5};
   RandomStream random(1, 1);
   const Packing<2> gas = make_gas<2>(grains, law, 0.4, random);
   DynamicsSettings settings = settings_of(gas);

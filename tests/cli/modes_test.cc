@@ -23,7 +23,7 @@ class ModesCommand : public testing::Test {
   void SetUp() override {
     // Adhesive: without adhesion a disk held by one contact would be a rattler too.
     LawParameters law = elastic_law(1.0, 0.5, 0.0);
-    law.adhesion = LawParameters::Adhesion{1e-3, 0.0};
+    law.adhesion = ConstantAdhesion{1e-3};
     State<2> state;
     state.packing = square_frames(5, 1.0, law);
     Grains<2>& g = state.packing.grains;

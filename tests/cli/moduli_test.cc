@@ -96,8 +96,8 @@ TEST_F(ModuliCommand, GiveARowForEachRollingStiffness) {
 /// Two grains in contact and nothing around them: the cell can be strained at no cost.
 TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   State<2> pair;
-  pair.packing.law.normal_stiffness = 1.0;
-  pair.packing.law.adhesion = {0x1p-10, 0.0};
+  pair.packing.law.normal = LinearRepulsion{1.0};
+  pair.packing.law.adhesion = ConstantAdhesion{0x1p-10};
   pair.packing.cell.matrix *= 4.0;
   pair.packing.grains = Grains<2>::with_size(2);
   for (int i = 0; i < 2; ++i) {

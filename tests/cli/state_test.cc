@@ -84,7 +84,7 @@ TEST(BadState, OfAnotherFormatVersionOrShapeIsRefusedWithExitCode4) {
   };
   expect_refusal(info_of_header("other-state", 1, 2, nothing),
                  "format = \"other-state\", expected \"floc-state\"");
-  expect_refusal(info_of_header("floc-state", 2, 2, nothing), "version = 2: written by a newer floc");
+  expect_refusal(info_of_header("floc-state", 3, 2, nothing), "version = 3: written by a newer floc");
   expect_refusal(info_of_header("floc-state", 0, 2, nothing), "version = 0");
   expect_refusal(info_of_header("floc-state", 1, 4, nothing), "dimension = 4, expected 2 or 3");
   expect_refusal(info_of_header("floc-state", 1, 2, nothing), ":/cell/matrix: this dataset is missing");

@@ -141,8 +141,8 @@ TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
 TEST(Verify, NamesAnUnstableState) {
   const ScratchDirectory scratch;
   State<2> s;
-  s.packing.law.normal_stiffness = 1e5;
-  s.packing.law.adhesion = {1.0, 1e-3};
+  s.packing.law.normal = LinearRepulsion{1e5};
+  s.packing.law.adhesion = TailAdhesion{1.0, 1e-3};
   s.packing.cell.matrix << 4.002, 0.0, 0.0, 3.0;
   s.packing.grains = Grains<2>::with_size(4);
   for (int i = 0; i < 4; ++i) {

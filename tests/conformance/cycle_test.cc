@@ -12,6 +12,7 @@ namespace floc {
 namespace {
 
 using testing::for_each_law_and_dimension;
+using testing::pair_at;
 
 /// A closed curve: a random sum of the first few harmonics.
 class ClosedCurve {
@@ -75,7 +76,7 @@ struct LoopWork {
 template <class Law, int Dim>
 LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
   LoopWork work;
-  ContactHistory<Law, Dim> history;
+  testing::Remembered<Law, Dim> history;
   Shear<Dim> shear = Shear<Dim>::Zero();
   Spin<Dim> rolling = Spin<Dim>::Zero();
   const double dt = 1e-3;
@@ -83,18 +84,19 @@ LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
     const double from = static_cast<double>(k - 1) / n_steps;
     const double to = static_cast<double>(k) / n_steps;
     const double opening = loop.gap(to) - loop.gap(from);
-    const ContactMotion<Dim> motion{loop.gap(to), opening / dt, law.damping_coefficient(1.0, 0.5),
+    const ContactMotion<Dim> motion{pair_at(loop.gap(to)), opening / dt, law.damping_coefficient(1.0, 0.5),
                                     loop.slip(to) - loop.slip(from), loop.turn(to) - loop.turn(from)};
     const ContactForces<Dim> f = law.respond(motion, history);
-    work.normal += law.energy(loop.gap(to)) - law.energy(loop.gap(from));
+    work.normal += law.energy(pair_at(loop.gap(to))) - law.energy(pair_at(loop.gap(from)));
     work.viscous -= f.viscous * opening;
     work.tangential += 0.5 * (shear + f.shear).dot(motion.slip);
     work.rolling += 0.5 * (rolling + f.rolling).dot(motion.relative_turn);
     shear = f.shear;
     rolling = f.rolling;
     work.stored = 0.0;
-    if constexpr (Law::kHasFriction) work.stored += 0.5 * shear.dot(history.shear);
-    if constexpr (Law::kHasRolling) work.stored += 0.5 * rolling.dot(history.roll);
+    const ContactStiffness stiffness = testing::stiffness_at<Dim>(law, loop.gap(to));
+    if (stiffness.tangential > 0) work.stored += 0.5 * shear.squaredNorm() / stiffness.tangential;
+    if (stiffness.rolling > 0) work.stored += 0.5 * rolling.squaredNorm() / stiffness.rolling;
     work.largest = std::max(work.largest, work.stored);
   }
   return work;

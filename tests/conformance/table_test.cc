@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "floc/base/random.h"
+#include "support/law_units.h"
 #include "support/laws.h"
 
 namespace floc {
@@ -14,6 +15,7 @@ namespace {
 
 using testing::for_each_law;
 using testing::for_each_law_and_dimension;
+using testing::pair_at;
 using testing::parameters_of;
 
 TEST(Table, EveryRowIsReachedByItsParametersAndKeepsThem) {
@@ -36,11 +38,12 @@ TEST(Table, EveryCombinationOfKeywordsHasARowOfItsOwn) {
         for (const int springs : {0, 1, 2}) {
           if (force < 0 && range > 0) continue;
           LawParameters p;
-          p.normal_stiffness = 1e5;
-          if (force > 0) p.adhesion = {force, range};
-          if (damped) p.damping = {0.5, DampingMass::grain};
-          if (springs > 0) p.friction = {0.5, 1e5};
-          if (springs > 1) p.rolling = {0.01, 10.0};
+          p.normal = LinearRepulsion{1e5};
+          if (force > 0 && range > 0) p.adhesion = TailAdhesion{force, range};
+          if (force > 0 && range == 0) p.adhesion = ConstantAdhesion{force};
+          if (damped) p.damping = ViscousDamping{0.5, DampingMass::grain};
+          if (springs > 0) p.friction = CoulombFriction{0.5, 1e5};
+          if (springs > 1) p.rolling = RollingSpring{0.01, 10.0};
           ++n_combinations;
           rows.insert(compose_law(p).index());
         }
@@ -50,9 +53,9 @@ TEST(Table, EveryCombinationOfKeywordsHasARowOfItsOwn) {
 
 TEST(Table, AdhesionOfNoForceIsNoAdhesion) {
   LawParameters p;
-  p.normal_stiffness = 1e5;
+  p.normal = LinearRepulsion{1e5};
   const std::size_t bare = compose_law(p).index();
-  p.adhesion = {0.0, 1e-3};
+  p.adhesion = TailAdhesion{0.0, 1e-3};
   EXPECT_EQ(compose_law(p).index(), bare);
   EXPECT_EQ(std::visit([](const auto& law) { return law.range(); }, compose_law(p)), 0.0);
 }
@@ -67,7 +70,7 @@ TEST(EmptySlots, CostNoByteOfTheContactRecord) {
     using Law = std::decay_t<decltype(law)>;
     const std::size_t components =
         (Law::kHasFriction ? kShearComponents<Dim> : 0) + (Law::kHasRolling ? kRotations<Dim> : 0);
-    using History = ContactHistory<Law, Dim>;
+    using History = testing::Remembered<Law, Dim>;
     // The language gives an object without members one byte.
     EXPECT_EQ(sizeof(History), components > 0 ? components * sizeof(double) : 1u);
     EXPECT_EQ(std::is_empty_v<History>, components == 0);
@@ -94,34 +97,30 @@ struct Units {
   double time = 0x1p2;
 };
 
-LawParameters rescaled(LawParameters p, const Units& u) {
-  p.normal_stiffness *= u.force / u.length;
-  if (p.adhesion) p.adhesion = {p.adhesion->force * u.force, p.adhesion->range * u.length};
-  if (p.friction) p.friction->stiffness *= u.force / u.length;
-  if (p.rolling) p.rolling = {p.rolling->coefficient * u.length, p.rolling->stiffness * u.force * u.length};
-  return p;
-}
-
 TEST(Units, RescalingByPowersOfTwoChangesNoBit) {
   for_each_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     const Units u;
-    const Law other = std::get<Law>(compose_law(rescaled(parameters_of(law), u)));
+    const Law other = std::get<Law>(compose_law(test::in_units(parameters_of(law), u.length, u.force)));
     const double damping = law.damping_coefficient(1.0, 0.3);
     const double other_damping = other.damping_coefficient(u.mass, 0.3 * u.mass);
     EXPECT_EQ(other_damping, damping * u.force * u.time / u.length);
 
-    ContactHistory<Law, Dim> history, other_history;
+    testing::Remembered<Law, Dim> history, other_history;
     RandomStream random(3, Dim);
     for (int k = 0; k < 500; ++k) {
       SCOPED_TRACE(k);
-      ContactMotion<Dim> m{random.uniform(-2e-4, 2e-4), random.normal(), damping, Shear<Dim>::Zero(),
+      ContactMotion<Dim> m{pair_at(random.uniform(-2e-4, 2e-4)), random.normal(), damping, Shear<Dim>::Zero(),
                            Spin<Dim>::Zero()};
       for (double& x : m.slip) x = 2e-5 * random.normal();
       for (double& x : m.relative_turn) x = 1e-3 * random.normal();
-      const ContactMotion<Dim> other_m{m.gap * u.length, m.gap_rate * u.length / u.time, other_damping,
-                                       m.slip * u.length, m.relative_turn};
+      const ContactMotion<Dim> other_m{
+          {m.pair.gap * u.length, m.pair.reduced_radius * u.length, m.pair.reduced_mass * u.mass},
+          m.gap_rate * u.length / u.time,
+          other_damping,
+          m.slip * u.length,
+          m.relative_turn};
       const auto f = law.respond(m, history);
       const auto other_f = other.respond(other_m, other_history);
       EXPECT_EQ(other_f.normal.elastic, f.normal.elastic * u.force);
@@ -130,7 +129,7 @@ TEST(Units, RescalingByPowersOfTwoChangesNoBit) {
       EXPECT_EQ(other_f.viscous, f.viscous * u.force);
       EXPECT_EQ(other_f.shear, f.shear * u.force);
       EXPECT_EQ(other_f.rolling, f.rolling * (u.force * u.length));
-      EXPECT_EQ(other.energy(other_m.gap), law.energy(m.gap) * (u.force * u.length));
+      EXPECT_EQ(other.energy(other_m.pair), law.energy(m.pair) * (u.force * u.length));
     }
   });
 }

@@ -28,8 +28,8 @@ struct StiffCrystal {
 
   StiffCrystal() {
     LawParameters law;
-    law.normal_stiffness = kStiff;
-    law.friction = {0.5, kStiff};
+    law.normal = LinearRepulsion{kStiff};
+    law.friction = CoulombFriction{0.5, kStiff};
     Packing<2> start = tiled<2>(cell_of_two(law), {28, 25});
     RandomStream random(1, 1);
     for (double& radius : start.grains.radius) radius += 2e-11 * random.normal();
@@ -132,7 +132,7 @@ TEST(Positions, FartherThanImagesCanCountAreRefused) {
   test::write_text(scratch.file("far.csv"), "x,y,radius\n0,0,0.5\n1e20,0,0.5\n");
   ImportOptions options;
   options.law = LawParameters{};
-  options.law->normal_stiffness = 1.0;
+  options.law->normal = LinearRepulsion{1.0};
   options.cell = {{4.0, 0.0}, {0.0, 4.0}};
   try {
     read_csv_packing(scratch.file("far.csv"), options);

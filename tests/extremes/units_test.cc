@@ -6,7 +6,9 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/loading/run.h"
 #include "support/dynamics.h"
+#include "support/law_units.h"
 #include "support/network_packings.h"
+#include "support/springs.h"
 
 /// Nothing depends on the units of length, force and mass, wherever in the range of doubles they put the numbers.
 namespace floc {
@@ -21,12 +23,8 @@ struct Units {
   double time() const { return std::sqrt(mass * length / force); }
 };
 
-LawParameters rescaled(LawParameters law, const Units& u) {
-  law.normal_stiffness *= u.stiffness();
-  if (law.adhesion) law.adhesion->force *= u.force, law.adhesion->range *= u.length;
-  if (law.friction) law.friction->stiffness *= u.stiffness();
-  if (law.rolling) law.rolling->stiffness *= u.moment(), law.rolling->coefficient *= u.length;
-  return law;
+LawParameters rescaled(const LawParameters& law, const Units& u) {
+  return test::in_units(law, u.length, u.force);
 }
 
 template <int Dim>
@@ -132,8 +130,8 @@ void expect_same_path(AssemblyOptions::Protocol protocol) {
       ASSERT_EQ(q.contacts.size(), p.contacts.size());
       for (std::size_t c = 0; c < p.contacts.size(); ++c) {
         EXPECT_EQ(q.contacts[c].normal_force, u.force * p.contacts[c].normal_force);
-        EXPECT_EQ(q.contacts[c].shear_spring, u.length * p.contacts[c].shear_spring);
-        EXPECT_EQ(q.contacts[c].rolling_spring, p.contacts[c].rolling_spring);
+        EXPECT_EQ(test::shear_spring(q.contacts[c]), u.length * test::shear_spring(p.contacts[c]));
+        EXPECT_EQ(test::rolling_spring(q.contacts[c]), test::rolling_spring(p.contacts[c]));
       }
     }
   }

@@ -38,9 +38,9 @@ seed = 3
 
 bool law_is_right() {
   floc::LawParameters parameters;
-  parameters.normal_stiffness = 100.0;
-  parameters.adhesion = {2.0, 0.0};
-  const auto force = [](const auto& law) { return law.normal(-0.25).force(); };
+  parameters.normal = floc::LinearRepulsion{100.0};
+  parameters.adhesion = floc::ConstantAdhesion{2.0};
+  const auto force = [](const auto& law) { return law.normal(floc::PairGeometry<>(-0.25)).force(); };
   return std::visit(force, floc::compose_law(parameters)) == 23.0;
 }
 

@@ -84,7 +84,7 @@ TEST(Layers, AForeignLibraryHasOneOwner) {
   EXPECT_TRUE(fault_of("base", {"CLI/CLI.hpp", false}));
   EXPECT_FALSE(fault_of("run", {"nlohmann/json.hpp", false}));
   EXPECT_EQ(fault_of("loading", {"nlohmann/json.hpp", false}),
-            "loading may not include <nlohmann/json.hpp>, only io and run");
+            "loading may not include <nlohmann/json.hpp>, only io and relaxation and run");
   EXPECT_FALSE(fault_of("io", {"vector", false}));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numeric>
 
 #include "floc/assembly/gas.h"
 #include "floc/relaxation/dynamics.h"
@@ -10,11 +11,11 @@ namespace floc::test {
 /// The contact law of G08 in units F0 = a = m = 1, with small rolling resistance.
 inline LawParameters cohesive_law() {
   LawParameters law;
-  law.normal_stiffness = 1e5;
-  law.adhesion = {1.0, 1e-3};
-  law.damping = {0.015, DampingMass::effective};
-  law.friction = {0.5, 1e5};
-  law.rolling = {0.005, 10.0};
+  law.normal = LinearRepulsion{1e5};
+  law.adhesion = TailAdhesion{1.0, 1e-3};
+  law.damping = ViscousDamping{0.015, DampingMass::effective};
+  law.friction = CoulombFriction{0.5, 1e5};
+  law.rolling = RollingSpring{0.005, 10.0};
   return law;
 }
 
@@ -36,11 +37,12 @@ inline Packing<2> agitated_gas(int n, const LawParameters& law) {
   return gas;
 }
 
-inline CellControl<2> pressed(const Packing<2>& packing, double pressure) {
-  CellControl<2> control;
-  control.target = Vec<2>::Constant(pressure);
-  for (const double m : packing.grains.mass) control.mass += m;
-  return control;
+inline double total_mass(const Packing<2>& packing) {
+  return std::accumulate(packing.grains.mass.begin(), packing.grains.mass.end(), 0.0);
+}
+
+inline BoundaryControl<2> pressed(const Packing<2>& packing, double pressure) {
+  return BoundaryControl<2>::normal_stress(Vec<2>::Constant(pressure), total_mass(packing));
 }
 
 }  // namespace floc::test

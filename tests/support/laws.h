@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -107,18 +108,56 @@ double pull_off_force(const Law& law) {
 template <class Law>
 LawParameters parameters_of(const Law& law) {
   LawParameters p;
-  p.normal_stiffness = law.repulsion.normal_stiffness;
-  if constexpr (Law::kHasAdhesion) p.adhesion = {law.adhesion.pull_off_force, law.range()};
-  if constexpr (Law::kHasDamping) p.damping = {law.damping.restitution, law.damping.mass_rule};
-  if constexpr (Law::kHasFriction) p.friction = {law.friction.coefficient, law.friction.tangential_stiffness};
-  if constexpr (Law::kHasRolling) p.rolling = {law.rolling.coefficient, law.rolling.rolling_stiffness};
+  p.normal = law.repulsion;
+  p.adhesion = law.adhesion;
+  p.damping = law.damping;
+  p.friction = law.friction;
+  p.rolling = law.rolling;
   return p;
+}
+
+/// What a contact remembers under a law, and a pair of the suite's grains at a gap.
+template <class Law, int Dim, class T = double>
+using Remembered = PackedMemory<std::decay_t<Law>::template kMemorySize<Dim>, T>;
+
+template <class T = double>
+PairGeometry<T> pair_at(const T& gap) {
+  return {gap, T(0.1875), T(1.0 / 3.0)};  // of radii 0.5 and 0.3, masses 1 and 0.5
+}
+
+/// Elastic normal force of a new contact.
+template <class Law>
+double elastic_force_at(const Law& law, double gap) {
+  return law.normal(pair_at(gap)).elastic;
+}
+
+/// Overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. By Newton's method, from the
+/// answer of the stiffest contact: at once for linear repulsion.
+template <class Law>
+double free_overlap(const Law& law) {
+  double h = pull_off_force(law) / law.stiffness_bound().normal;
+  for (int k = 0; k < 50; ++k) {
+    const auto response = law.normal(pair_at(-h));
+    if (h == 0.0 || std::abs(response.force()) <= 4e-16 * pull_off_force(law)) break;
+    h -= response.force() / response.stiffness;
+  }
+  return h;
+}
+
+/// Whether a law forgets the overlaps it has had, as an elastic repulsion does.
+template <class Law>
+inline constexpr bool kForgetsOverlap = memory_size<typename std::decay_t<Law>::NormalModel>(2) == 0;
+
+/// Stiffness of a new contact.
+template <int Dim = 2, class Law>
+ContactStiffness stiffness_at(const Law& law, double gap) {
+  return law.template stiffness<Dim>(pair_at(gap), Remembered<Law, Dim>{});
 }
 
 /// A motion of the normal alone: no slip, no turn, at rest.
 template <int Dim, class T = double>
 ContactMotion<Dim, T> at_gap(const T& gap) {
-  return {gap, T(0), T(0), Shear<Dim, T>::Zero(), Spin<Dim, T>::Zero()};
+  return {pair_at(gap), T(0), T(0), Shear<Dim, T>::Zero(), Spin<Dim, T>::Zero()};
 }
 
 /// A tangential displacement of a contact whose normal is the last axis of space (3D) or any (2D).

@@ -58,7 +58,7 @@ inline const std::vector<std::pair<std::string, std::set<std::string>>>& foreign
       {"toml", {"scene"}},
       {"cairo", {"picture"}},
       {"fftw3", {"structure"}},
-      {"nlohmann/", {"io", {"run"}}},
+      {"nlohmann/", {"io", "relaxation", "run"}},
       {"CLI/", {}},
   };
   return owners;

@@ -10,9 +10,9 @@ namespace floc::test {
 /// Linear law with every stiffness; caps far beyond any motion of a test.
 inline LawParameters elastic_law(double kn, double kt, double kr) {
   LawParameters law;
-  law.normal_stiffness = kn;
-  if (kt > 0.0) law.friction = LawParameters::Friction{1e6, kt};
-  if (kr > 0.0) law.rolling = LawParameters::Rolling{1e6, kr};
+  law.normal = LinearRepulsion{kn};
+  if (kt > 0.0) law.friction = CoulombFriction{1e6, kt};
+  if (kr > 0.0) law.rolling = RollingSpring{1e6, kr};
   return law;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "floc/contact/contact_law.h"
+#include "floc/contact/memory_layout.h"
 #include "floc/geometry/frame.h"
+#include "support/laws.h"
 
 namespace floc::testing {
 
@@ -31,12 +33,12 @@ class MovingPair {
     const double arm = half.norm() / (ri_ + rj_);
     const Spin<Dim> turns = ri_ * arm * i.turn + rj_ * arm * j.turn;
 
-    ContactMotion<Dim> motion{after.norm() - ri_ - rj_, 0.0, 0.0, Shear<Dim>::Zero(), i.turn - j.turn};
+    ContactMotion<Dim> motion{pair_at(after.norm() - ri_ - rj_), 0.0, 0.0, Shear<Dim>::Zero(), i.turn - j.turn};
     motion.slip = to_shear<double>(n, after - before - cross<double>(turns, n));
     double twist = 0.0;
     if constexpr (Dim == 3) twist = 0.5 * (i.turn + j.turn).dot(n);
     carry(before.normalized(), normal(), twist);
-    return law_.respond(motion, history_);
+    return law_.respond(motion, memory_);
   }
 
   Vec<Dim> normal() const { return (xj_ - xi_).normalized(); }
@@ -44,13 +46,20 @@ class MovingPair {
   const Vec<Dim>& position_j() const { return xj_; }
 
  private:
-  void carry(const Vec<Dim>& from, const Vec<Dim>& to, double twist) {
-    if constexpr (Law::kHasFriction) history_.shear = transport<double>(history_.shear, from, to, twist);
-    if constexpr (Law::kHasRolling) history_.roll = transport<double>(history_.roll, from, to, twist);
+  void carry([[maybe_unused]] const Vec<Dim>& from, [[maybe_unused]] const Vec<Dim>& to,
+             [[maybe_unused]] double twist) {
+    if constexpr (Dim == 3)
+      for (const RememberedQuantity& q : remembered_quantities(parameters_of(law_), Dim)) {
+        if (q.size != 3) continue;
+        ContactMemory<Dim> all = unpacked_memory<Law, Dim>(memory_);
+        all.template segment<3>(q.begin) =
+            transport<double>(Vec<3>(all.template segment<3>(q.begin)), from, to, twist);
+        memory_ = packed_memory<Law, Dim>(all);
+      }
   }
 
   Law law_;
-  ContactHistory<Law, Dim> history_;
+  Remembered<Law, Dim> memory_;
   Vec<Dim> xi_, xj_;
   double ri_, rj_;
 };

@@ -6,6 +6,7 @@
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/state.h"
+#include "support/springs.h"
 
 namespace floc::test {
 
@@ -16,11 +17,11 @@ template <int Dim>
 State<Dim> busy_state() {
   State<Dim> s;
   Packing<Dim>& p = s.packing;
-  p.law.normal_stiffness = 1e5;
-  p.law.adhesion = {1.0, 1e-3};
-  p.law.damping = {0.015, DampingMass::effective};
-  p.law.friction = {0.5, 1e5};
-  p.law.rolling = {0.005, 10.0};
+  p.law.normal = LinearRepulsion{1e5};
+  p.law.adhesion = TailAdhesion{1.0, 1e-3};
+  p.law.damping = ViscousDamping{0.015, DampingMass::effective};
+  p.law.friction = CoulombFriction{0.5, 1e5};
+  p.law.rolling = RollingSpring{0.005, 10.0};
   p.cell.matrix *= 7.3;
   p.cell.matrix(0, 0) = 1.0 - 1e-5 / 3.0;
   p.cell.matrix(1, 0) = 0.1;
@@ -44,8 +45,8 @@ State<Dim> busy_state() {
   Contact<Dim> overlap;
   overlap.j = 1;
   overlap.key = 4;
-  overlap.shear_spring[0] = 1e-6 / 3.0;
-  overlap.rolling_spring[0] = -1e-4 / 3.0;
+  test::shear_spring(overlap)[0] = 1e-6 / 3.0;
+  test::rolling_spring(overlap)[0] = -1e-4 / 3.0;
   Contact<Dim> distant;
   distant.i = 1;
   distant.j = 2;

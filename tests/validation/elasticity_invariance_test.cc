@@ -6,6 +6,7 @@
 #include <random>
 
 #include "floc/elasticity/moduli.h"
+#include "support/law_units.h"
 #include "support/network_packings.h"
 
 namespace floc {
@@ -67,9 +68,7 @@ class Invariance : public ::testing::Test {
     changed.cell.matrix *= kLength;
     for (Vec<Dim>& x : changed.grains.position) x *= kLength;
     for (double& radius : changed.grains.radius) radius *= kLength;
-    changed.law.normal_stiffness *= kForce / kLength;
-    changed.law.friction->stiffness *= kForce / kLength;
-    changed.law.rolling->stiffness *= kForce * kLength;
+    changed.law = test::in_units(changed.law, kLength, kForce);
     expect_same_moduli(changed, kForce / std::pow(kLength, Dim - 1));
   }
 

@@ -70,8 +70,8 @@ TEST(ModuliAndRelaxation, AgreeOnACohesivePacking) {
 
 TEST(ModuliAndRelaxation, AgreeOnAFrictionlessPackingWherePrestressCounts) {
   LawParameters law;
-  law.normal_stiffness = 1e3;
-  law.damping = {0.1, DampingMass::effective};
+  law.normal = LinearRepulsion{1e3};
+  law.damping = ViscousDamping{0.1, DampingMass::effective};
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Packing<2> packing = solved(equilibrium(40, law, 1.0, seed), Vec<2>::Constant(1.0));
     // Without tangential forces nothing is left but the square of the step; prestress is worth 5 to 40 %.
@@ -82,7 +82,7 @@ TEST(ModuliAndRelaxation, AgreeOnAFrictionlessPackingWherePrestressCounts) {
 
 TEST(Bounds, AreInOrderOnEquilibria) {
   LawParameters law = test::cohesive_law();
-  law.adhesion = {1.0, 0.0};  // in contact only: a distant attraction has no place in the theorem
+  law.adhesion = ConstantAdhesion{1.0};  // in contact only: a distant attraction has no place in the theorem
   for (const std::uint64_t seed : {1, 2})
     for (const double pressure : {0.1, 1.0, 10.0}) {
       const Packing<2> packing = solved(equilibrium(40, law, pressure, seed), Vec<2>::Constant(pressure));

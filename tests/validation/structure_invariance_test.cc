@@ -34,7 +34,7 @@ void append(std::vector<double>& list, std::vector<double> more, bool sorted = f
 /// Disks of which some touch, with room for rattlers: random places, radii shrunk until they hardly overlap.
 Packing<2> loose_packing() {
   Packing<2> packing = random_packing<2>(80, 3, elastic_law(1.0, 0.5, 0.1), 0.85);
-  packing.law.friction->coefficient = 0.5;
+  packing.law.friction.get<CoulombFriction>().coefficient = 0.5;
   for (int pass = 0; pass < 200; ++pass) {
     find_contacts(packing);
     for (const Contact<2>& c : packing.contacts) {

@@ -139,9 +139,9 @@ TEST(Yade, StiffnessesAreThoseOfEachContactAndTheLawHasTheirMeans) {
     kn += c.kn / 92.0;
     kt += c.kt / 92.0;
   }
-  EXPECT_NEAR(state.packing.law.normal_stiffness, kn, 1e-9 * kn);
-  EXPECT_NEAR(state.packing.law.friction->stiffness, kt, 1e-9 * kt);
-  EXPECT_NEAR(state.packing.law.friction->coefficient, std::tan(0.4), 1e-15);
+  EXPECT_NEAR(state.packing.law.normal.get<LinearRepulsion>().normal_stiffness, kn, 1e-9 * kn);
+  EXPECT_NEAR(state.packing.law.friction.get<CoulombFriction>().tangential_stiffness, kt, 1e-9 * kt);
+  EXPECT_NEAR(state.packing.law.friction.get<CoulombFriction>().coefficient, std::tan(0.4), 1e-15);
 }
 
 /// What lever arms of another convention leave: LAMMPS takes whole radii, 1 + overlap/branch times ours.

@@ -48,9 +48,8 @@ template <int Dim>
 bool Aggregation<Dim>::advance() {
   flight_time_ = fly();
   time_step_ = step_across_tail(options_, packing_);
-  CellControl<Dim> control;
-  control.fixed = true;
-  const auto dynamics = make_dynamics(packing_, control, {time_step_, skin_, options_.threads});
+  const auto dynamics =
+      make_dynamics(packing_, BoundaryControl<Dim>::fixed(), {time_step_, skin_, options_.threads});
   advance_observed(*dynamics, kStretch, Motion::free, observer_, flight_time_, time_step_);
   packing_ = {};
   packing_ = dynamics->packing();

@@ -22,8 +22,7 @@ Packing<Dim> start_from(Packing<Dim> saved, const LawParameters& law, const Vec<
   for (Contact<Dim>& c : saved.contacts) {
     while (old != before.end() && precedes(*old, c)) ++old;
     if (old == before.end() || precedes(c, *old)) continue;
-    c.shear_spring = old->shear_spring;
-    c.rolling_spring = old->rolling_spring;
+    c.memory = old->memory;
   }
   refresh_contacts(saved);
   return copies.prod() == 1 ? saved : tiled(saved, copies);

@@ -5,11 +5,19 @@ namespace floc {
 /// Marks a slot that a law leaves empty. Each slot has a tag of its own: two empty members of one type could not
 /// share an address, and would cost bytes.
 template <int Tag>
-struct Absent {};
+struct Absent {
+  static constexpr const char* kKeyword = "none";
+  bool operator==(const Absent&) const = default;
+};
 
 using NoAdhesion = Absent<1>;
 using NoDamping = Absent<2>;
 using NoFriction = Absent<3>;
 using NoRolling = Absent<4>;
+
+template <class Model>
+inline constexpr bool kIsAbsent = false;
+template <int Tag>
+inline constexpr bool kIsAbsent<Absent<Tag>> = true;
 
 }  // namespace floc

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 
 #include "floc/base/lanes.h"
@@ -20,6 +21,22 @@ inline V capped(const V& spring, const T& limit) {
     const T length = sqrt(lanes::select(beyond, squared, T(1)));
     return spring * lanes::select(beyond, T(limit / length), T(1));
   }
+}
+
+/// An incremental spring whose force is capped at coefficient * FNe, FNe the ELASTIC part of the normal force: what
+/// friction and rolling resistance have in common. @param memory  the spring, updated. @return its force
+template <class V, class T>
+inline V respond_capped(double coefficient, double stiffness, const T& elastic, const V& increment, T* memory) {
+  Eigen::Map<V> spring(memory);
+  spring = capped(V(spring + increment), T((coefficient / stiffness) * elastic));
+  return T(stiffness) * spring;
+}
+
+/// Whether such a spring is at its cap, to a relative tolerance: it slides as soon as it is pushed on.
+template <class V>
+inline bool capped_is_mobilised(double coefficient, double stiffness, double elastic, const double* memory,
+                                double tolerance) {
+  return Eigen::Map<const V>(memory).norm() >= (1.0 - tolerance) * ((coefficient / stiffness) * elastic);
 }
 
 }  // namespace floc

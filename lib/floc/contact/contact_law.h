@@ -2,42 +2,24 @@
 
 #include <type_traits>
 
+#include "floc/base/lanes.h"
 #include "floc/base/vec.h"
 #include "floc/contact/absent.h"
-#include "floc/contact/adhesion/constant_adhesion.h"
-#include "floc/contact/adhesion/tail_adhesion.h"
-#include "floc/contact/capped_spring.h"
-#include "floc/contact/damping/viscous_damping.h"
-#include "floc/contact/normal/linear_repulsion.h"
+#include "floc/contact/contact_memory.h"
+#include "floc/contact/mobilised.h"
 #include "floc/contact/normal_response.h"
-#include "floc/contact/rolling/rolling_spring.h"
-#include "floc/contact/tangential/coulomb_friction.h"
+#include "floc/contact/pair_geometry.h"
 #include "floc/geometry/frame.h"
 
 namespace floc {
 
-/// Memory of one contact under a law: the springs of the slots the law has, and no byte for those it lacks.
-template <class Law, int Dim, class T = double>
-struct ContactHistory {
-  struct NoShear {};
-  struct NoRoll {};
-  [[no_unique_address]] std::conditional_t<Law::kHasFriction, Shear<Dim, T>, NoShear> shear;
-  [[no_unique_address]] std::conditional_t<Law::kHasRolling, Spin<Dim, T>, NoRoll> roll;
-
-  /// A new contact: springs at rest.
-  ContactHistory() {
-    if constexpr (Law::kHasFriction) shear.setZero();
-    if constexpr (Law::kHasRolling) roll.setZero();
-  }
-};
-
 /// Relative motion of the two surfaces of a contact.
 template <int Dim, class T = double>
 struct ContactMotion {
-  T gap;                       ///< h (length), negative when the grains overlap
+  PairGeometry<T> pair;        ///< at the end of the motion
   T gap_rate;                  ///< dh/dt (length/time)
   T damping;                   ///< damping coefficient of the pair (force * time/length)
-  Shear<Dim, T> slip;          ///< tangential displacement of j against i since the history was last updated
+  Shear<Dim, T> slip;          ///< tangential displacement of j against i since the memory was last updated
   Spin<Dim, T> relative_turn;  ///< rotation of i against j since then (radians)
 };
 
@@ -47,8 +29,8 @@ template <int Dim, class T = double>
 struct ContactForces {
   NormalResponse<T> normal;  ///< static normal response
   T viscous;                 ///< dashpot force, compression positive; no part of the static force
-  Shear<Dim, T> shear;       ///< K_T times the spring: tangential force on i, in the contact's frame (force)
-  Spin<Dim, T> rolling;      ///< K_R times the relative rotation: moment on j (force * length)
+  Shear<Dim, T> shear;       ///< tangential force on i, in the contact's frame (force)
+  Spin<Dim, T> rolling;      ///< moment on j (force * length)
 };
 
 /// Stiffnesses of one contact for the network: along the normal, across it, and against rolling.
@@ -58,14 +40,29 @@ struct ContactStiffness {
   double rolling;     ///< K_R (force * length), 0 when they do not touch
 };
 
-/// A contact law composed of slots; an absent slot (contact/absent.h) has no member, no branch and no history.
-/// Every function is a template on its number type and free of branches on values.
+/// A contact law composed of slots; an absent slot (contact/absent.h) has no member, no branch and no memory.
+/// Every function that dynamics calls is a template on its number type and free of branches on values.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling>
 struct ContactLaw {
-  static constexpr bool kHasAdhesion = !std::is_same_v<Adhesion, NoAdhesion>;
-  static constexpr bool kHasDamping = !std::is_same_v<Damping, NoDamping>;
-  static constexpr bool kHasFriction = !std::is_same_v<Tangential, NoFriction>;
-  static constexpr bool kHasRolling = !std::is_same_v<Rolling, NoRolling>;
+  static constexpr bool kHasAdhesion = !kIsAbsent<Adhesion>;
+  static constexpr bool kHasDamping = !kIsAbsent<Damping>;
+  static constexpr bool kHasFriction = !kIsAbsent<Tangential>;
+  static constexpr bool kHasRolling = !kIsAbsent<Rolling>;
+
+  /// Whether the law reads those numbers of a pair; they are loaded for no other.
+  static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
+  || requires { requires Adhesion::kNeedsReducedRadius; };
+  static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
+  || requires { requires Adhesion::kNeedsReducedMass; };
+
+  /// Numbers a contact remembers: those of the normal, the tangential and the rolling slot, in this order.
+  template <int Dim>
+  static constexpr int kMemorySize =
+      memory_size<Normal>(Dim) + memory_size<Tangential>(Dim) + memory_size<Rolling>(Dim);
+
+  using NormalModel = Normal;
+  using TangentialModel = Tangential;
+  using RollingModel = Rolling;
 
   [[no_unique_address]] Normal repulsion;
   [[no_unique_address]] Adhesion adhesion;
@@ -79,59 +76,125 @@ struct ContactLaw {
     return 0.0;
   }
 
-  /// Static normal response at a gap.
+  /// Whether surfaces at this gap belong to the contact list.
+  bool interacts(double gap) const { return gap < 0.0 || gap < range(); }
+
+  /// Static normal response. @param memory  of the normal slot; null for a new contact
   template <class T>
-  NormalResponse<T> normal(const T& gap) const {
-    NormalResponse<T> response{repulsion.force(gap), T(0), repulsion.stiffness(gap)};
+  NormalResponse<T> normal(const PairGeometry<T>& pair, const T* memory = nullptr) const {
+    NormalResponse<T> response{T(0), T(0), T(0)};
+    if constexpr (kRemembersOverlap) {
+      const PackedMemory<memory_size<Normal>(2), T> fresh;
+      if (memory == nullptr) memory = fresh.value;
+      response.elastic = repulsion.force(pair, memory);
+      response.stiffness = repulsion.stiffness(pair, memory);
+    } else {
+      response.elastic = repulsion.force(pair);
+      response.stiffness = repulsion.stiffness(pair);
+    }
     if constexpr (kHasAdhesion) {
-      response.adhesive = adhesion.force(gap);
-      response.stiffness += adhesion.stiffness(gap);
+      response.adhesive = adhesion.force(pair);
+      response.stiffness += adhesion.stiffness(pair);
     }
     return response;
   }
 
   /// Potential energy of the static normal force, zero beyond the range.
   template <class T>
-  T energy(const T& gap) const {
-    T u = repulsion.energy(gap);
-    if constexpr (kHasAdhesion) u += adhesion.energy(gap);
+  T energy(const PairGeometry<T>& pair) const {
+    T u = repulsion.energy(pair);
+    if constexpr (kHasAdhesion) u += adhesion.energy(pair);
     return u;
   }
 
   /// Damping coefficient of a pair of grains (force * time/length), 0 without damping.
   double damping_coefficient(double mass_i, double mass_j) const {
-    if constexpr (kHasDamping) return damping.coefficient(mass_i, mass_j, repulsion.normal_stiffness);
+    if constexpr (kHasDamping) return damping.coefficient(mass_i, mass_j, repulsion.stiffness_bound());
     return 0.0;
   }
 
-  /// Updates the history by one motion and returns the forces. Springs are cut back to their caps, and vanish when
+  /// Updates the memory by one motion and returns the forces. Springs are cut back to their caps, and vanish when
   /// the surfaces part.
   template <int Dim, class T>
   ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion,
-                                ContactHistory<ContactLaw, Dim, T>& history) const {
-    ContactForces<Dim, T> forces{normal(motion.gap), T(0), Shear<Dim, T>::Zero(), Spin<Dim, T>::Zero()};
+                                PackedMemory<kMemorySize<Dim>, T>& memory) const {
+    const PairGeometry<T>& pair = motion.pair;
+    if constexpr (kRemembersOverlap) repulsion.remember(pair, memory.value);
+    ContactForces<Dim, T> forces{normal(pair, normal_memory(memory)), T(0), Shear<Dim, T>::Zero(),
+                                 Spin<Dim, T>::Zero()};
     if constexpr (kHasDamping)
-      forces.viscous = lanes::select(motion.gap < T(0), T(-motion.damping * motion.gap_rate), T(0));
+      forces.viscous = lanes::select(pair.gap < T(0), T(-motion.damping * motion.gap_rate), T(0));
     // A parted contact has no elastic force, so the caps also clear its springs.
-    if constexpr (kHasFriction) {
-      history.shear =
-          capped(Shear<Dim, T>(history.shear + motion.slip), friction.spring_limit(forces.normal.elastic));
-      forces.shear = T(friction.tangential_stiffness) * history.shear;
-    }
-    if constexpr (kHasRolling) {
-      history.roll = capped(Spin<Dim, T>(history.roll + motion.relative_turn),
-                            rolling.spring_limit(forces.normal.elastic));
-      forces.rolling = T(rolling.rolling_stiffness) * history.roll;
-    }
+    if constexpr (kHasFriction)
+      forces.shear = friction.respond(pair, forces.normal, motion.slip, memory.value + kTangentialBegin<Dim>);
+    if constexpr (kHasRolling)
+      forces.rolling =
+          rolling.respond(pair, forces.normal, motion.relative_turn, memory.value + kRollingBegin<Dim>);
     return forces;
   }
 
-  /// Stiffnesses a contact at this gap has in the network (nothing sliding).
-  ContactStiffness stiffness(double gap) const {
-    ContactStiffness k{normal(gap).stiffness, 0.0, 0.0};
-    if (gap >= 0.0) return k;
-    if constexpr (kHasFriction) k.tangential = friction.tangential_stiffness;
-    if constexpr (kHasRolling) k.rolling = rolling.rolling_stiffness;
+  /// Stiffnesses a contact has in the network (nothing sliding).
+  template <int Dim>
+  ContactStiffness stiffness(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory) const {
+    const NormalResponse<double> response = normal(pair, normal_memory(memory));
+    return pair.gap < 0.0 ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
+  }
+
+  /// Those of surfaces in contact of which only the elastic force is known.
+  ContactStiffness stiffness_at_force(double elastic) const {
+    return touching({elastic, 0.0, repulsion.stiffness_at_force(elastic)});
+  }
+
+  /// No contact is stiffer than that.
+  ContactStiffness stiffness_bound() const {
+    ContactStiffness k{repulsion.stiffness_bound(), 0.0, 0.0};
+    if constexpr (kHasFriction) k.tangential = friction.stiffness_bound();
+    if constexpr (kHasRolling) k.rolling = rolling.stiffness_bound();
+    return k;
+  }
+
+  /// Which springs of a contact whose surfaces touch are at their caps: THE place that decides what slides.
+  /// @param tolerance  relative, of what counts as being at the cap
+  template <int Dim>
+  Mobilised mobilised(double elastic, const PackedMemory<kMemorySize<Dim>>& memory, double tolerance) const {
+    Mobilised m;
+    if constexpr (kHasFriction)
+      m.sliding =
+          friction.template is_mobilised<Shear<Dim>>(elastic, memory.value + kTangentialBegin<Dim>, tolerance);
+    if constexpr (kHasRolling)
+      m.rolling =
+          rolling.template is_mobilised<Spin<Dim>>(elastic, memory.value + kRollingBegin<Dim>, tolerance);
+    return m;
+  }
+
+  /// Sets the springs to those that carry given forces (signs of ContactForces) at given stiffnesses.
+  template <int Dim>
+  void carry(const Shear<Dim>& shear, const Spin<Dim>& moment, const ContactStiffness& k,
+             PackedMemory<kMemorySize<Dim>>& memory) const {
+    if constexpr (kHasFriction)
+      if (k.tangential > 0.0) friction.carry(shear, k.tangential, memory.value + kTangentialBegin<Dim>);
+    if constexpr (kHasRolling)
+      if (k.rolling > 0.0) rolling.carry(moment, k.rolling, memory.value + kRollingBegin<Dim>);
+  }
+
+ private:
+  static constexpr bool kRemembersOverlap = memory_size<Normal>(2) > 0;
+  template <int Dim>
+  static constexpr int kTangentialBegin = memory_size<Normal>(Dim);
+  template <int Dim>
+  static constexpr int kRollingBegin = kTangentialBegin<Dim> + memory_size<Tangential>(Dim);
+
+  template <int Size, class T>
+  static const T* normal_memory(const PackedMemory<Size, T>& memory) {
+    if constexpr (kRemembersOverlap) return memory.value;
+    return nullptr;
+  }
+
+  /// Of surfaces that touch.
+  ContactStiffness touching(const NormalResponse<double>& response) const {
+    ContactStiffness k{response.stiffness, 0.0, 0.0};
+    if constexpr (kHasFriction) k.tangential = friction.stiffness(response);
+    if constexpr (kHasRolling) k.rolling = rolling.stiffness(response);
     return k;
   }
 };

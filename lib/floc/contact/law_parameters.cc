@@ -4,41 +4,52 @@
 
 #include <cmath>
 
+#include "floc/contact/law_description.h"
+
 namespace floc {
 namespace {
 
-void require(std::vector<std::string>& faults, const char* key, double value, bool holds,
-             const char* requirement) {
-  if (!std::isfinite(value) || !holds) faults.push_back(fmt::format("{} = {}: {}", key, value, requirement));
+const char* words(Requirement requirement) {
+  switch (requirement) {
+    case Requirement::positive:
+      return "must be positive and finite";
+    case Requirement::not_negative:
+      return "must be >= 0 and finite";
+    case Requirement::at_most_one:
+      return "must be in (0, 1]";
+  }
+  return "";
 }
 
 }  // namespace
 
+double LawParameters::pull_off_force() const {
+  return adhesion.visit([](const auto& model) {
+    if constexpr (requires { model.pull_off_force; }) return model.pull_off_force;
+    return 0.0;
+  });
+}
+
+double LawParameters::range() const {
+  return adhesion.visit([](const auto& model) {
+    if constexpr (requires { model.range(); }) return model.acts() ? model.range() : 0.0;
+    return 0.0;
+  });
+}
+
+double LawParameters::contact_modulus(int dim, double diameter) const {
+  return normal.visit([&](const auto& model) { return model.modulus(dim, diameter); });
+}
+
 std::vector<std::string> LawParameters::validate() const {
   std::vector<std::string> faults;
-  require(faults, "contact.normal.stiffness", normal_stiffness, normal_stiffness > 0,
-          "must be positive and finite");
-  if (adhesion) {
-    require(faults, "contact.adhesion.force", adhesion->force, adhesion->force >= 0, "must be >= 0 and finite");
-    require(faults, "contact.adhesion.range", adhesion->range, adhesion->range >= 0, "must be >= 0 and finite");
+  LawParameters law = *this;
+  for (const LawNumber& n : numbers_of(law)) {
+    if (std::isfinite(*n.value) && holds(n.declared->requirement, *n.value)) continue;
+    faults.push_back(fmt::format("contact.{} = {}: {}", n.key, *n.value, words(n.declared->requirement)));
   }
-  if (damping)
-    require(faults, "contact.damping.restitution", damping->restitution,
-            damping->restitution > 0 && damping->restitution <= 1, "must be in (0, 1]");
-  if (friction) {
-    require(faults, "contact.friction.coefficient", friction->coefficient, friction->coefficient >= 0,
-            "must be >= 0 and finite");
-    require(faults, "contact.friction.stiffness", friction->stiffness, friction->stiffness > 0,
-            "must be positive and finite");
-  }
-  if (rolling) {
-    require(faults, "contact.rolling.coefficient", rolling->coefficient, rolling->coefficient >= 0,
-            "must be >= 0 and finite (a length)");
-    require(faults, "contact.rolling.stiffness", rolling->stiffness, rolling->stiffness > 0,
-            "must be positive and finite");
-    if (!friction)
-      faults.emplace_back("contact.rolling: needs contact.friction; grains that slide freely need not roll");
-  }
+  if (rolling && !friction)
+    faults.emplace_back("contact.rolling: needs contact.friction; grains that slide freely need not roll");
   return faults;
 }
 

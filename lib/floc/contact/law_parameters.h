@@ -1,49 +1,48 @@
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
+#include "floc/contact/adhesion/constant_adhesion.h"
+#include "floc/contact/adhesion/tail_adhesion.h"
 #include "floc/contact/damping/viscous_damping.h"
+#include "floc/contact/law_slot.h"
+#include "floc/contact/normal/linear_repulsion.h"
+#include "floc/contact/rolling/rolling_spring.h"
+#include "floc/contact/tangential/coulomb_friction.h"
 
 namespace floc {
 
-/// A contact law as a scene or a saved state names it: slots with their parameters, absent where the scene says
-/// nothing. `law_table.h` turns it into the composed type.
+/// A contact law as a scene or a saved state names it: a model with its numbers in each slot, absent where nothing is
+/// said. THE lists of models: what stands here is known to scenes, law texts, state files and the law table
+/// (law_table.h), which turns a LawParameters into the composed type.
 struct LawParameters {
-  struct Adhesion {
-    double force;  ///< pull-off force F0
-    double range;  ///< D0 of the linear tail (length); 0 for constant adhesion without a tail
-    bool operator==(const Adhesion&) const = default;
-  };
-  struct Damping {
-    double restitution;
-    DampingMass mass = DampingMass::effective;
-    bool operator==(const Damping&) const = default;
-  };
-  struct Friction {
-    double coefficient;  ///< mu
-    double stiffness;    ///< K_T (force/length)
-    bool operator==(const Friction&) const = default;
-  };
-  struct Rolling {
-    double coefficient;  ///< mu_R (length)
-    double stiffness;    ///< K_R (force * length)
-    bool operator==(const Rolling&) const = default;
-  };
+  LawSlot<LinearRepulsion> normal;
+  LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion> adhesion;
+  LawSlot<NoDamping, ViscousDamping> damping;
+  LawSlot<NoFriction, CoulombFriction> friction;
+  LawSlot<NoRolling, RollingSpring> rolling;
 
-  double normal_stiffness = 0.0;  ///< K_N (force/length)
-  std::optional<Adhesion> adhesion;
-  std::optional<Damping> damping;
-  std::optional<Friction> friction;
-  std::optional<Rolling> rolling;
+  /// Calls visit(key, slot) for each slot, in this order. The key is that of its table in a scene.
+  template <class Self, class Visit>
+  static void for_each_slot(Self& law, Visit&& visit) {
+    visit("normal", law.normal);
+    visit("adhesion", law.adhesion);
+    visit("damping", law.damping);
+    visit("friction", law.friction);
+    visit("rolling", law.rolling);
+  }
 
   bool operator==(const LawParameters&) const = default;
 
   /// F0, or 0 without adhesion.
-  double pull_off_force() const { return adhesion ? adhesion->force : 0.0; }
+  double pull_off_force() const;
   /// Largest gap at which the law acts; adhesion of zero force acts nowhere.
-  double range() const { return pull_off_force() > 0.0 ? adhesion->range : 0.0; }
+  double range() const;
+  /// Modulus that a pressure is measured against where nothing adheres: K_N/a^(Dim-2) of linear contacts of grains of
+  /// diameter a (force/length^(Dim-1)).
+  double contact_modulus(int dim, double diameter) const;
 
   /// Every fault as "key = value: requirement"; empty when the law can be used.
   std::vector<std::string> validate() const;

@@ -5,44 +5,57 @@
 #include "floc/contact/contact_law.h"
 #include "floc/contact/law_parameters.h"
 
-/// THE list of contact laws. To add one:
-///   1. write its slot as a header in the slot's folder (a struct with templates on the number type, see
-///      normal/linear_repulsion.h) and, if it has parameters, its fields in law_parameters.h with their validation;
-///   2. add the compositions that make sense to `AnyContactLaw` below, and how keywords choose them to
-///      `compose_law()` in law_table.cc;
-///   3. write a unit test with a closed form. The conformance suite enumerates this table by itself; all it asks for is
-///      one set of sample parameters of a new kind of slot, in tests/support/laws.h.
+/// The composed contact laws. To add a model (docs/adding-a-law.md takes you through an example):
+///   1. write it as a header in its slot's folder: a struct that declares its numbers and its memory (declaration.h)
+///      and has the functions of its slot as templates on the number type (see normal/linear_repulsion.h and
+///      tangential/coulomb_friction.h);
+///   2. add it to its slot in law_parameters.h; the table below is the product of the slots and finds it by itself;
+///   3. give the conformance suite a set of sample numbers in tests/support/laws.h, and write a unit test with a closed
+///      form.
 namespace floc {
 
-namespace laws {
-template <class Adhesion, class Damping, class Tangential = NoFriction, class Rolling = NoRolling>
-using Linear = ContactLaw<LinearRepulsion, Adhesion, Damping, Tangential, Rolling>;
-}  // namespace laws
+/// Which compositions are compiled: grains that slide freely need not roll.
+template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling>
+inline constexpr bool kIsCompiled = !kIsAbsent<Tangential> || kIsAbsent<Rolling>;
 
-/// One alternative for each useful composition; it is visited once per run, never per contact.
-using AnyContactLaw = std::variant<
-    // cohesionless
-    laws::Linear<NoAdhesion, NoDamping>,                                       //
-    laws::Linear<NoAdhesion, ViscousDamping>,                                  //
-    laws::Linear<NoAdhesion, NoDamping, CoulombFriction>,                      //
-    laws::Linear<NoAdhesion, ViscousDamping, CoulombFriction>,                 //
-    laws::Linear<NoAdhesion, NoDamping, CoulombFriction, RollingSpring>,       //
-    laws::Linear<NoAdhesion, ViscousDamping, CoulombFriction, RollingSpring>,  //
-    // adhesion with a linear tail
-    laws::Linear<TailAdhesion, NoDamping>,                                       //
-    laws::Linear<TailAdhesion, ViscousDamping>,                                  //
-    laws::Linear<TailAdhesion, NoDamping, CoulombFriction>,                      //
-    laws::Linear<TailAdhesion, ViscousDamping, CoulombFriction>,                 //
-    laws::Linear<TailAdhesion, NoDamping, CoulombFriction, RollingSpring>,       //
-    laws::Linear<TailAdhesion, ViscousDamping, CoulombFriction, RollingSpring>,  //
-    // constant adhesion without a tail
-    laws::Linear<ConstantAdhesion, NoDamping>,                                      //
-    laws::Linear<ConstantAdhesion, ViscousDamping>,                                 //
-    laws::Linear<ConstantAdhesion, NoDamping, CoulombFriction>,                     //
-    laws::Linear<ConstantAdhesion, ViscousDamping, CoulombFriction>,                //
-    laws::Linear<ConstantAdhesion, NoDamping, CoulombFriction, RollingSpring>,      //
-    laws::Linear<ConstantAdhesion, ViscousDamping, CoulombFriction, RollingSpring>  //
-    >;
+namespace detail {
+
+template <class... Laws>
+struct LawList {
+  using Variant = std::variant<Laws...>;
+};
+
+template <class... Lists>
+struct Joined;
+template <class... Laws>
+struct Joined<LawList<Laws...>> {
+  using Type = LawList<Laws...>;
+};
+template <class... A, class... B, class... Rest>
+struct Joined<LawList<A...>, LawList<B...>, Rest...> : Joined<LawList<A..., B...>, Rest...> {};
+
+/// All compositions of one model a slot that are compiled: the slots still to be chosen from, then the models chosen.
+template <class Models, class... Slots>
+struct Compositions;
+template <class... M>
+struct Chosen {};
+
+template <class... M>
+struct Compositions<Chosen<M...>> {
+  using Type = std::conditional_t<kIsCompiled<M...>, LawList<ContactLaw<M...>>, LawList<>>;
+};
+template <class... M, class... Models, class... Rest>
+struct Compositions<Chosen<M...>, LawSlot<Models...>, Rest...> {
+  using Type = typename Joined<LawList<>, typename Compositions<Chosen<M..., Models>, Rest...>::Type...>::Type;
+};
+
+}  // namespace detail
+
+/// One alternative for each composition that is compiled; it is visited once per run, never per contact.
+using AnyContactLaw =
+    detail::Compositions<detail::Chosen<>, decltype(LawParameters::normal), decltype(LawParameters::adhesion),
+                         decltype(LawParameters::damping), decltype(LawParameters::friction),
+                         decltype(LawParameters::rolling)>::Type::Variant;
 
 /// The composed law of a scene or saved state. Adhesion of zero force is no adhesion, a coefficient of zero no friction and no
 /// rolling resistance: such a spring could carry nothing, and must not stiffen the network either.

@@ -232,6 +232,10 @@ void Hdf5Writer::group(const std::string& path) {
   const Handle made(checked(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT)), H5Gclose);
 }
 
+void Hdf5Writer::link(const std::string& path, const std::string& second_path) {
+  checked(H5Lcreate_hard(file_, path.c_str(), file_, second_path.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+}
+
 void Hdf5Writer::array(const std::string& path, const Shape& shape, const std::vector<double>& values) {
   write_array(file_, path, shape, values);
 }

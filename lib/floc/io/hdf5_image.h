@@ -39,6 +39,9 @@ class Hdf5Writer {
   void attribute(const std::string& path, const std::string& name, std::int64_t value);
   void attribute(const std::string& path, const std::string& name, std::uint64_t value);
 
+  /// A second name for an array that is there; it takes no room.
+  void link(const std::string& path, const std::string& second_path);
+
   /// The whole file. Nothing can be added afterwards.
   std::string bytes();
 

@@ -151,7 +151,7 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   const auto l2 = header_numbers(place, header, "L2", 2);
   state.packing.cell.matrix << l1[0], l1[1], l2[0], l2[1];
   if (!(state.packing.cell.volume() > 0.0)) throw InputError(place, "L1 and L2 span no area");
-  state.packing.law.normal_stiffness = kNormalStiffness;
+  state.packing.law.normal = LinearRepulsion{kNormalStiffness};
   state.target_stress.setConstant(header_numbers(place, header, "P0", 1)[0]);
   state.packing.grains = read_grains(path, lines, state.packing.cell, static_cast<int>(n));
   state.path.branch = "imported";

@@ -3,66 +3,92 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "floc/base/error.h"
+#include "floc/contact/law_description.h"
 
 namespace floc {
 namespace {
 
 const std::string kGroup = "law";
 
-std::string keyword(const Hdf5Reader& file, const char* slot, const std::vector<std::string>& known) {
-  std::string word;
-  file.attribute(kGroup, slot, word);
-  for (const std::string& k : known)
-    if (word == k) return word;
-  throw InputError(file.place(kGroup), fmt::format("attribute {} = \"{}\", expected one of {}", slot, word,
-                                                   fmt::join(known, ", ")));
+/// Which of the known words an attribute of the law holds.
+int word(const Hdf5Reader& file, const std::string& attribute, const std::vector<std::string>& known) {
+  std::string given;
+  file.attribute(kGroup, attribute, given);
+  const auto found = std::find(known.begin(), known.end(), given);
+  if (found != known.end()) return static_cast<int>(found - known.begin());
+  throw InputError(file.place(kGroup), fmt::format("attribute {} = \"{}\", expected one of {}", attribute,
+                                                   given, fmt::join(known, ", ")));
 }
 
-double parameter(const Hdf5Reader& file, const char* name) {
-  double value = 0.0;
-  file.attribute(kGroup, name, value);
-  return value;
+/// Numbers of all models of a slot, each key once: the attributes that a file has for it.
+std::vector<std::string> keys_of(const DeclaredSlot& slot, bool choices) {
+  std::vector<std::string> keys;
+  const auto add = [&](const std::string& key) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  };
+  for (const DeclaredModel& model : slot.models) {
+    if (choices)
+      for (const DeclaredChoice& c : model.choices) add(c.key);
+    else
+      for (const DeclaredNumber& n : model.numbers) add(n.key);
+  }
+  return keys;
+}
+
+/// Name of an attribute: "adhesion.force" is kept as adhesion_force.
+std::string attribute_name(const std::string& slot, const std::string& key) {
+  return slot + "_" + key;
+}
+
+void write_slot(Hdf5Writer& file, const DeclaredSlot& slot, LawParameters& law) {
+  const int present = slot.present(law);
+  file.attribute(kGroup, slot.key, present < 0 ? "none" : slot.models[present].keyword);
+  const std::vector<LawNumber> numbers = numbers_of(law);
+  for (const std::string& key : keys_of(slot, false)) {
+    const auto n = std::find_if(numbers.begin(), numbers.end(),
+                                [&](const LawNumber& number) { return number.key == slot.key + "." + key; });
+    file.attribute(kGroup, attribute_name(slot.key, key), n == numbers.end() ? 0.0 : *n->value);
+  }
+  const std::vector<LawChoice> choices = choices_of(law);
+  for (const std::string& key : keys_of(slot, true)) {
+    const auto c = std::find_if(choices.begin(), choices.end(),
+                                [&](const LawChoice& choice) { return choice.key == slot.key + "." + key; });
+    file.attribute(kGroup, attribute_name(slot.key, key),
+                   c == choices.end() ? std::string("none") : c->declared->words[c->chosen]);
+  }
+}
+
+void read_slot(const Hdf5Reader& file, const DeclaredSlot& slot, LawParameters& law) {
+  std::vector<std::string> known;
+  if (slot.optional) known.emplace_back("none");
+  for (const DeclaredModel& model : slot.models) known.push_back(model.keyword);
+  const int chosen = word(file, slot.key, known) - (slot.optional ? 1 : 0);
+  if (chosen < 0) return;
+  const DeclaredModel& model = slot.models[chosen];
+  model.choose(law);
+  for (const LawNumber& n : numbers_of(law)) {
+    const std::string prefix = slot.key + ".";
+    if (n.key.starts_with(prefix))
+      file.attribute(kGroup, attribute_name(slot.key, n.key.substr(prefix.size())), *n.value);
+  }
+  for (const DeclaredChoice& c : model.choices)
+    choose(law, slot.key, c.key, word(file, attribute_name(slot.key, c.key), c.words));
 }
 
 }  // namespace
 
 void write_law(Hdf5Writer& file, const LawParameters& law) {
-  const auto word = [&](const char* slot, const char* value) {
-    file.attribute(kGroup, slot, std::string(value));
-  };
-  const auto number = [&](const char* name, double value) { file.attribute(kGroup, name, value); };
   file.group(kGroup);
-  word("normal", "linear");
-  number("normal_stiffness", law.normal_stiffness);
-  word("adhesion", !law.adhesion ? "none" : law.adhesion->range > 0.0 ? "tail" : "constant");
-  number("adhesion_force", law.adhesion ? law.adhesion->force : 0.0);
-  number("adhesion_range", law.adhesion ? law.adhesion->range : 0.0);
-  word("damping", law.damping ? "viscous" : "none");
-  number("damping_restitution", law.damping ? law.damping->restitution : 0.0);
-  word("damping_mass", !law.damping ? "none" : law.damping->mass == DampingMass::grain ? "grain" : "effective");
-  word("friction", law.friction ? "coulomb" : "none");
-  number("friction_coefficient", law.friction ? law.friction->coefficient : 0.0);
-  number("friction_stiffness", law.friction ? law.friction->stiffness : 0.0);
-  word("rolling", law.rolling ? "spring" : "none");
-  number("rolling_coefficient", law.rolling ? law.rolling->coefficient : 0.0);
-  number("rolling_stiffness", law.rolling ? law.rolling->stiffness : 0.0);
+  LawParameters parameters = law;
+  for (const DeclaredSlot& slot : declared_slots()) write_slot(file, slot, parameters);
 }
 
 LawParameters read_law(const Hdf5Reader& file) {
   LawParameters law;
-  keyword(file, "normal", {"linear"});
-  law.normal_stiffness = parameter(file, "normal_stiffness");
-  if (keyword(file, "adhesion", {"none", "tail", "constant"}) != "none")
-    law.adhesion = {parameter(file, "adhesion_force"), parameter(file, "adhesion_range")};
-  if (keyword(file, "damping", {"none", "viscous"}) != "none") {
-    const bool grain = keyword(file, "damping_mass", {"effective", "grain"}) == "grain";
-    law.damping = {parameter(file, "damping_restitution"), grain ? DampingMass::grain : DampingMass::effective};
-  }
-  if (keyword(file, "friction", {"none", "coulomb"}) != "none")
-    law.friction = {parameter(file, "friction_coefficient"), parameter(file, "friction_stiffness")};
-  if (keyword(file, "rolling", {"none", "spring"}) != "none")
-    law.rolling = {parameter(file, "rolling_coefficient"), parameter(file, "rolling_stiffness")};
+  for (const DeclaredSlot& slot : declared_slots()) read_slot(file, slot, law);
   const std::vector<std::string> faults = law.validate();
   if (!faults.empty()) throw InputError(file.place(kGroup), fmt::format("{}", fmt::join(faults, "; ")));
   return law;

@@ -10,13 +10,52 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/contact/law_description.h"
 
 namespace floc {
 namespace {
 
-const std::vector<std::string> kKeys = {"normal.stiffness",    "adhesion.force",      "adhesion.range",
-                                        "damping.restitution", "damping.mass",        "friction.coefficient",
-                                        "friction.stiffness",  "rolling.coefficient", "rolling.stiffness"};
+/// The key that names the model of a slot; needed only where its numbers do not tell.
+constexpr const char* kLaw = "law";
+
+bool has_key(const DeclaredModel& model, const std::string& key) {
+  return model.number(key) != nullptr || std::any_of(model.choices.begin(), model.choices.end(),
+                                                     [&](const DeclaredChoice& c) { return c.key == key; });
+}
+
+/// Every key of every slot, each once.
+std::vector<std::string> all_keys() {
+  std::vector<std::string> keys;
+  const auto add = [&](const std::string& slot, const std::string& key) {
+    const std::string path = slot + "." + key;
+    if (std::find(keys.begin(), keys.end(), path) == keys.end()) keys.push_back(path);
+  };
+  for (const DeclaredSlot& slot : declared_slots())
+    for (const DeclaredModel& model : slot.models) {
+      for (const DeclaredNumber& n : model.numbers) add(slot.key, n.key);
+      for (const DeclaredChoice& c : model.choices) add(slot.key, c.key);
+      add(slot.key, kLaw);
+    }
+  return keys;
+}
+
+/// The model that the keys given for a slot describe: one that has all of them and lacks none of its numbers, else one
+/// that has all of them, so that what is missing can be said.
+const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given) {
+  const auto has_all = [&](const DeclaredModel& m) {
+    return std::all_of(given.begin(), given.end(), [&](const std::string& key) { return has_key(m, key); });
+  };
+  const auto lacks_none = [&](const DeclaredModel& m) {
+    return std::all_of(m.numbers.begin(), m.numbers.end(), [&](const DeclaredNumber& n) {
+      return std::find(given.begin(), given.end(), n.key) != given.end();
+    });
+  };
+  for (const DeclaredModel& m : slot.models)
+    if (has_all(m) && lacks_none(m)) return m;
+  for (const DeclaredModel& m : slot.models)
+    if (has_all(m)) return m;
+  return slot.models.front();
+}
 
 class LawText {
  public:
@@ -32,6 +71,14 @@ class LawText {
 
   std::string word(const std::string& key) const { return values_.at(key); }
 
+  /// Keys given for a slot, without its name and without that of its model.
+  std::vector<std::string> keys_of(const std::string& slot) const {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : values_)
+      if (key.starts_with(slot + ".") && key != slot + "." + kLaw) keys.push_back(key.substr(slot.size() + 1));
+    return keys;
+  }
+
   double number(const std::string& key) const {
     if (!has(key))
       throw InputError(place_, fmt::format("{} is missing; a law names all parameters of a part", key));
@@ -43,9 +90,10 @@ class LawText {
   void add(std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     const std::string key(trimmed(assignment.substr(0, equals)));
-    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
-      throw InputError(
-          place_, fmt::format("\"{}\" is no parameter of a law; they are {}", key, fmt::join(kKeys, ", ")));
+    const std::vector<std::string> keys = all_keys();
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      throw InputError(place_,
+                       fmt::format("\"{}\" is no parameter of a law; they are {}", key, fmt::join(keys, ", ")));
     if (equals == std::string_view::npos)
       throw InputError(place_, fmt::format("{} has no value, expected {}=...", key, key));
     if (!values_.emplace(key, trimmed(assignment.substr(equals + 1))).second)
@@ -56,11 +104,39 @@ class LawText {
   std::map<std::string, std::string> values_;
 };
 
-DampingMass damping_mass(const std::string& place, const LawText& given) {
-  if (!given.has("damping.mass") || given.word("damping.mass") == "effective") return DampingMass::effective;
-  if (given.word("damping.mass") == "grain") return DampingMass::grain;
-  throw InputError(
-      place, fmt::format("damping.mass = \"{}\", expected effective or grain", given.word("damping.mass")));
+int word_given(const std::string& place, const LawText& given, const std::string& key,
+               const std::vector<std::string>& words) {
+  const auto found = std::find(words.begin(), words.end(), given.word(key));
+  if (found != words.end()) return static_cast<int>(found - words.begin());
+  throw InputError(place,
+                   fmt::format("{} = \"{}\", expected {}", key, given.word(key), fmt::join(words, " or ")));
+}
+
+const DeclaredModel& model_given(const std::string& place, const LawText& given, const DeclaredSlot& slot,
+                                 const std::vector<std::string>& keys) {
+  const std::string name = slot.key + "." + kLaw;
+  if (!given.has(name)) return described_model(slot, keys);
+  std::vector<std::string> keywords;
+  for (const DeclaredModel& m : slot.models) keywords.push_back(m.keyword);
+  const DeclaredModel& model = slot.models[word_given(place, given, name, keywords)];
+  for (const std::string& key : keys)
+    if (!has_key(model, key))
+      throw InputError(place,
+                       fmt::format("{}.{}: {} = {} has no such number", slot.key, key, name, model.keyword));
+  return model;
+}
+
+void read_slot(const std::string& place, const LawText& given, const DeclaredSlot& slot, LawParameters& law) {
+  const std::vector<std::string> keys = given.keys_of(slot.key);
+  if (slot.optional && keys.empty() && !given.has(slot.key + "." + kLaw)) return;
+  const DeclaredModel& model = model_given(place, given, slot, keys);
+  model.choose(law);
+  for (const LawNumber& n : numbers_of(law))
+    if (n.key.starts_with(slot.key + ".")) *n.value = given.number(n.key);
+  for (const DeclaredChoice& c : model.choices) {
+    const std::string key = slot.key + "." + c.key;
+    if (given.has(key)) choose(law, slot.key, c.key, word_given(place, given, key, c.words));
+  }
 }
 
 }  // namespace
@@ -68,38 +144,29 @@ DampingMass damping_mass(const std::string& place, const LawText& given) {
 LawParameters parse_law(const std::string& place, const std::string& text) {
   const LawText given(place, text);
   LawParameters law;
-  law.normal_stiffness = given.number("normal.stiffness");
-  if (given.has("adhesion.range") || given.has("adhesion.force"))
-    law.adhesion = {given.number("adhesion.force"),
-                    given.has("adhesion.range") ? given.number("adhesion.range") : 0.0};
-  if (given.has("damping.restitution") || given.has("damping.mass"))
-    law.damping = {given.number("damping.restitution"), damping_mass(place, given)};
-  if (given.has("friction.coefficient") || given.has("friction.stiffness"))
-    law.friction = {given.number("friction.coefficient"), given.number("friction.stiffness")};
-  if (given.has("rolling.coefficient") || given.has("rolling.stiffness"))
-    law.rolling = {given.number("rolling.coefficient"), given.number("rolling.stiffness")};
+  for (const DeclaredSlot& slot : declared_slots()) read_slot(place, given, slot, law);
   const std::vector<std::string> faults = law.validate();
   if (!faults.empty()) throw InputError(place, fmt::format("{}", fmt::join(faults, "; ")));
   return law;
 }
 
 std::string law_text(const LawParameters& law) {
-  std::string text = fmt::format("normal.stiffness={}", law.normal_stiffness);
-  if (law.adhesion) {
-    text += fmt::format(", adhesion.force={}", law.adhesion->force);
-    if (law.adhesion->range > 0.0) text += fmt::format(", adhesion.range={}", law.adhesion->range);
+  LawParameters parameters = law;
+  std::vector<std::string> said;
+  for (const DeclaredSlot& slot : declared_slots()) {
+    const int present = slot.present(law);
+    if (present < 0) continue;
+    std::vector<std::string> keys;
+    for (const DeclaredNumber& n : slot.models[present].numbers) keys.push_back(n.key);
+    if (&described_model(slot, keys) != &slot.models[present])
+      said.push_back(fmt::format("{}.{}={}", slot.key, kLaw, slot.models[present].keyword));
+    for (const LawNumber& n : numbers_of(parameters))
+      if (n.key.starts_with(slot.key + ".")) said.push_back(fmt::format("{}={}", n.key, *n.value));
+    for (const LawChoice& c : choices_of(law))
+      if (c.key.starts_with(slot.key + ".") && c.chosen != 0)
+        said.push_back(fmt::format("{}={}", c.key, c.declared->words[c.chosen]));
   }
-  if (law.damping) {
-    text += fmt::format(", damping.restitution={}", law.damping->restitution);
-    if (law.damping->mass == DampingMass::grain) text += ", damping.mass=grain";
-  }
-  if (law.friction)
-    text += fmt::format(", friction.coefficient={}, friction.stiffness={}", law.friction->coefficient,
-                        law.friction->stiffness);
-  if (law.rolling)
-    text += fmt::format(", rolling.coefficient={}, rolling.stiffness={}", law.rolling->coefficient,
-                        law.rolling->stiffness);
-  return text;
+  return fmt::format("{}", fmt::join(said, ", "));
 }
 
 }  // namespace floc

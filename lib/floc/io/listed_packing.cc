@@ -15,7 +15,7 @@ namespace floc {
 namespace {
 
 /// A tangential force this close to its cap, relative, is at it: files print six digits or more.
-constexpr double kAtCap = 1.0 - 1e-6;
+constexpr double kCapTolerance = 1e-6;
 /// A tangential force below this fraction of the normal one is rounding.
 constexpr double kNoShear = 1e-9;
 /// Images farther away, in cells, do not fit an integer.
@@ -157,36 +157,20 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   return given;
 }
 
+/// Lays forces that were given over those of the law.
 template <int Dim>
-void set_normal(const LawParameters& law, const ListedContact& listed, double force, Contact<Dim>& c) {
-  c.normal_force = force;
-  // Programs whose grains are rigid leave small gaps where they transmit force.
-  c.distant = c.gap >= 0.0 && c.gap < law.range();
-  if (c.distant) return;
-  c.elastic_force = std::max(force + law.pull_off_force(), 0.0);
-  c.kn = listed.kn.value_or(law.normal_stiffness);
-  c.kt = law.friction ? listed.kt.value_or(law.friction->stiffness) : 0.0;
-  c.kr = law.rolling ? law.rolling->stiffness : 0.0;
-}
-
-template <int Dim>
-void set_shear(const LawParameters& law, const std::string& place, const Vec<Dim>& force, Contact<Dim>& c) {
-  if (!law.friction) {
-    if (force.norm() <= kNoShear * std::abs(c.normal_force)) return;
-    throw InputError(place,
-                     fmt::format("the tangential force is {:.6g}, but the law has no friction", force.norm()));
-  }
-  c.shear_force = force;
-  if (c.kt > 0.0) c.shear_spring = to_shear<double>(c.normal, force) / c.kt;
-  c.sliding = force.norm() >= kAtCap * law.friction->coefficient * c.elastic_force;
-}
-
-template <int Dim>
-void set_rolling(const LawParameters& law, const std::string& place, const Spin<Dim>& moment, Contact<Dim>& c) {
-  if (!law.rolling) throw InputError(place, "a rolling moment is given, but the law has no rolling");
-  c.rolling_moment = moment;
-  c.rolling_spring = -moment / law.rolling->stiffness;
-  c.rolling_yield = moment.norm() >= kAtCap * law.rolling->coefficient * c.elastic_force;
+void set_forces(const LawParameters& law, const ListedContact& listed, const GivenForces<Dim>& given,
+                Contact<Dim>& c) {
+  if (given.normal) c.normal_force = *given.normal;
+  if (given.shear && law.friction) c.shear_force = *given.shear;
+  if (given.shear && !law.friction && given.shear->norm() > kNoShear * std::abs(c.normal_force))
+    throw InputError(listed.place, fmt::format("the tangential force is {:.6g}, but the law has no friction",
+                                               given.shear->norm()));
+  if (given.rolling && !law.rolling)
+    throw InputError(listed.place, "a rolling moment is given, but the law has no rolling");
+  if (given.rolling) c.rolling_moment = *given.rolling;
+  if (given.normal || given.shear || given.rolling)
+    carry_given_forces(law, listed.kn, listed.kt, kCapTolerance, c);
 }
 
 /// Fills the contact from the law, then lays the forces that were given over it.
@@ -211,16 +195,13 @@ Contact<Dim> make_contact(const Packing<Dim>& packing, const Identifiers& identi
     throw InputError(listed.place, "the grains have the same centre: their contact has no direction");
   const LawParameters& law = packing.law;
   const GivenForces<Dim> given = given_forces<Dim>(listed, reversed, c.normal);
-  if (given.normal)
-    set_normal(law, listed, *given.normal, c);
-  else if (listed.kn || listed.kt)
+  if (!given.normal && (listed.kn || listed.kt))
     throw InputError(listed.place, "a stiffness is given without the normal force that goes with it");
-  else if (c.gap >= 0.0 && c.gap >= law.range())
+  if (!given.normal && c.gap >= 0.0 && c.gap >= law.range())
     throw InputError(
         listed.place,
         fmt::format("the gap is {}, where the law does not act, and no normal_force says otherwise", c.gap));
-  if (given.shear) set_shear(law, listed.place, *given.shear, c);
-  if (given.rolling) set_rolling(law, listed.place, *given.rolling, c);
+  set_forces(law, listed, given, c);
   return c;
 }
 

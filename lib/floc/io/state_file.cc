@@ -1,9 +1,12 @@
 #include "floc/io/state_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
@@ -256,6 +259,94 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   s.n_negative = archive.take<std::int32_t>(kNegative, {})[0];
 }
 
+/// Groups that a state may have beside those that every one has, so that physics to come needs no new version: the root
+/// attribute `features` names them, and a reader refuses one that it does not know.
+const std::string kContactMemory = "contacts/memory";
+const std::string kNoFeatures = "none";
+const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory};
+
+Quantity quantity_of(Unit unit) {
+  switch (unit) {
+    case Unit::length:
+      return Quantity::length;
+    case Unit::force:
+      return Quantity::force;
+    case Unit::stiffness:
+      return Quantity::stiffness;
+    case Unit::rolling_stiffness:
+      return Quantity::rolling_stiffness;
+    case Unit::angle:
+      return Quantity::angle;
+    case Unit::ratio:
+      break;
+  }
+  return Quantity::ratio;
+}
+
+/// One array of a quantity that contacts remember: a row a contact.
+template <int Dim>
+void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
+  for (const RememberedQuantity& q : remembered_quantities(packing.law, Dim)) {
+    const std::string path = kContactMemory + "/" + q.declared.name;
+    const std::string meaning = std::string("history: ") + q.declared.meaning;
+    std::vector<double> values;
+    values.reserve(packing.contacts.size() * q.size);
+    for (const Contact<Dim>& c : packing.contacts)
+      for (int k = 0; k < q.size; ++k) values.push_back(c.memory[q.begin + k]);
+    archive.put({path.c_str(), quantity_of(q.declared.unit), meaning.c_str()},
+                shape_of(packing.contacts.size(), q.size), values);
+  }
+}
+
+/// Arrays that files of version 1 have whatever the law; scripts find them under their names of then, zeros where the
+/// law remembers nothing of the kind.
+template <int Dim>
+void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
+  struct Known {
+    const char* name;
+    MemoryKind kind;
+    Quantity quantity;
+  };
+  const std::vector<RememberedQuantity> quantities = remembered_quantities(packing.law, Dim);
+  for (const Known& known : {Known{"shear_spring", MemoryKind::tangent, Quantity::length},
+                             Known{"rolling_spring", MemoryKind::rotation, Quantity::angle}}) {
+    const std::string path = std::string("contacts/") + known.name;
+    if (std::any_of(quantities.begin(), quantities.end(),
+                    [&](const RememberedQuantity& q) { return std::string(q.declared.name) == known.name; }))
+      file.link(kContactMemory + "/" + known.name, path);
+    else
+      archive.put({path.c_str(), known.quantity, "history: none"},
+                  shape_of(packing.contacts.size(), n_components(known.kind, Dim)),
+                  std::vector<double>(packing.contacts.size() * n_components(known.kind, Dim), 0.0));
+  }
+}
+
+/// @param version  files of version 1 have the arrays beside those of the contacts
+template <int Dim>
+void read_memory(ReadingArchive& archive, std::int64_t version, Packing<Dim>& packing) {
+  for (const RememberedQuantity& q : remembered_quantities(packing.law, Dim)) {
+    const std::string path = (version == 1 ? "contacts" : kContactMemory) + "/" + q.declared.name;
+    const auto values = archive.take<double>({path.c_str(), quantity_of(q.declared.unit), ""},
+                                             shape_of(packing.contacts.size(), q.size));
+    std::size_t next = 0;
+    for (Contact<Dim>& c : packing.contacts)
+      for (int k = 0; k < q.size; ++k) c.memory[q.begin + k] = values[next++];
+  }
+}
+
+void check_features(const Hdf5Reader& file) {
+  std::string features;
+  file.attribute("/", "features", features);
+  std::istringstream names(features);
+  for (std::string name; names >> name;)
+    if (std::find(kKnownFeatures.begin(), kKnownFeatures.end(), name) == kKnownFeatures.end())
+      throw InputError(
+          file.place("/"),
+          fmt::format("features = \"{}\": this floc does not know {}, so it would misread the state; "
+                      "it knows {}",
+                      features, name, fmt::join(kKnownFeatures, ", ")));
+}
+
 template <int Dim>
 std::string encode(const State<Dim>& s, const std::string& progress) {
   Hdf5Writer file;
@@ -264,8 +355,11 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
   file.attribute("/", "dimension", std::int64_t{Dim});
   file.attribute("/", "units", s.units);
   file.attribute("/", "sign_convention", kSignConvention);
+  const bool remembers = !remembered_quantities(s.packing.law, Dim).empty();
+  file.attribute("/", "features", remembers ? kContactMemory : kNoFeatures);
   for (const char* group : {"cell", "grains", "contacts", "equilibrium", "path", "provenance"})
     file.group(group);
+  if (remembers) file.group(kContactMemory);
   file.attribute("cell", "boundary", std::string("periodic"));
 
   WritingArchive archive(file, s.units, Dim);
@@ -275,6 +369,8 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
   archive.put(kId, {id.size()}, id);
   describe_grains<Dim>(archive, s.packing.grains);
   describe_contacts<Dim>(archive, s.packing.contacts);
+  write_memory(archive, s.packing);
+  write_version_1_names(file, archive, s.packing);
   write_law(file, s.packing.law);
   write_equilibrium(archive, s);
   describe_attributes(archive, s);
@@ -335,7 +431,7 @@ void check_contacts(const Hdf5Reader& file, const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-State<Dim> decode(const Hdf5Reader& file) {
+State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   State<Dim> s;
   Packing<Dim>& packing = s.packing;
   file.attribute("/", "units", s.units);
@@ -350,25 +446,33 @@ State<Dim> decode(const Hdf5Reader& file) {
   describe_contacts<Dim>(archive, packing.contacts);
   check_contacts(file, packing);
   packing.law = read_law(file);
+  read_memory(archive, version, packing);
   read_equilibrium(file, archive, s);
   describe_attributes(archive, s);
   s.scene = file.text("scene");
   return s;
 }
 
-/// Checks format and version, and returns the dimension.
-std::int64_t read_header(const Hdf5Reader& file) {
+struct Header {
+  std::int64_t version = 0;
+  std::int64_t dimension = 0;
+};
+
+/// Checks format, version and features.
+Header read_header(const Hdf5Reader& file) {
   std::string format;
   file.attribute("/", "format", format);
   if (format != kFormat)
     throw InputError(file.place("/"), fmt::format("format = \"{}\", expected \"{}\"", format, kFormat));
-  std::int64_t version = 0;
-  file.attribute("/", "version", version);
+  Header header;
+  file.attribute("/", "version", header.version);
+  const std::int64_t version = header.version;
   if (version > kStateVersion)
     throw InputError(
         file.place("/"),
         fmt::format("version = {}: written by a newer floc; this one reads up to {}", version, kStateVersion));
   if (version < 1) throw InputError(file.place("/"), fmt::format("version = {}, expected 1 or more", version));
+  if (version >= 2) check_features(file);
   std::string sign;
   file.attribute("/", "sign_convention", sign);
   if (sign != kSignConvention)
@@ -378,14 +482,13 @@ std::int64_t read_header(const Hdf5Reader& file) {
   file.attribute("/", "units", units);
   if (units != "reduced" && units != "SI")
     throw InputError(file.place("/"), fmt::format("units = \"{}\", expected \"reduced\" or \"SI\"", units));
-  std::int64_t dimension = 0;
-  file.attribute("/", "dimension", dimension);
-  if (dimension != 2 && dimension != 3)
-    throw InputError(file.place("/"), fmt::format("dimension = {}, expected 2 or 3", dimension));
-  return dimension;
+  file.attribute("/", "dimension", header.dimension);
+  if (header.dimension != 2 && header.dimension != 3)
+    throw InputError(file.place("/"), fmt::format("dimension = {}, expected 2 or 3", header.dimension));
+  return header;
 }
 
-/// What `read` makes of the content of a file, and of the dimension in its header.
+/// What `read` makes of the content of a file and of its header.
 template <class Read>
 auto read_sealed(const std::string& path, const Read& read) {
   const std::string bytes = read_file(path);
@@ -406,15 +509,23 @@ void write_state(const std::string& path, const State<Dim>& state, const std::st
 }
 
 AnyState read_state(const std::string& path) {
-  return read_sealed(path, [](const Hdf5Reader& file, std::int64_t dimension) -> AnyState {
-    if (dimension == 2) return decode<2>(file);
-    return decode<3>(file);
+  return read_sealed(path, [](const Hdf5Reader& file, const Header& header) -> AnyState {
+    if (header.dimension == 2) return decode<2>(file, header.version);
+    return decode<3>(file, header.version);
   });
 }
 
 std::string read_progress(const std::string& path) {
-  return read_sealed(path, [](const Hdf5Reader& file, std::int64_t) {
-    return file.has("progress") ? file.text("progress") : std::string();
+  return read_sealed(path, [](const Hdf5Reader& file, const Header& header) {
+    if (!file.has("progress")) return std::string();
+    if (header.version < 2)
+      throw InputError(
+          file.place("progress"),
+          fmt::format("is a checkpoint of version {} of the files, which tells less than this floc needs "
+                      "to go on from inside a step: let the floc that wrote it finish the step, or "
+                      "remove the checkpoint to go on from the last equilibrium saved",
+                      header.version));
+    return file.text("progress");
   });
 }
 

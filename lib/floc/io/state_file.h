@@ -10,7 +10,7 @@ namespace floc {
 using AnyState = std::variant<State<2>, State<3>>;
 
 /// Version of the layout of state files that is written, and the newest that is read.
-inline constexpr int kStateVersion = 1;
+inline constexpr int kStateVersion = 2;
 
 /// Writes a state by the layout of the README ("State files"), HDF5, to `path`: first under a temporary name in
 /// the same directory, synced, then renamed, so the file is whole or absent. Identical states give identical

@@ -104,14 +104,6 @@ void describe_contacts(Archive& archive, Contacts& contacts) {
       [](auto& c) -> auto& { return c.rolling_yield; });
   rows(
       {"contacts/distant", flag, "attraction across a gap"}, [](auto& c) -> auto& { return c.distant; });
-  rows(
-      {"contacts/shear_spring", length,
-       Dim == 2 ? "history: tangential spring, along the normal turned by +90 degrees"
-                : "history: tangential spring, a vector normal to the normal"},
-      [](auto& c) -> auto& { return c.shear_spring; });
-  rows(
-      {"contacts/rolling_spring", angle, "history: relative rotation of id1 against id2"},
-      [](auto& c) -> auto& { return c.rolling_spring; });
 }
 
 /// The attributes of a state file: `archive.value(group, name, variable)`.

@@ -112,8 +112,8 @@ LawParameters law_of(const CsvTable& table, const std::string& path) {
                        fmt::format("tan_phi = {}, but {} above: one law has one coefficient, give --law",
                                    table.text(row, friction), table.text(0, friction)));
   LawParameters law;
-  law.normal_stiffness = mean("kn");
-  law.friction = {table.number(0, friction), mean("ks")};
+  law.normal = LinearRepulsion{mean("kn")};
+  law.friction = CoulombFriction{table.number(0, friction), mean("ks")};
   if (const std::vector<std::string> faults = law.validate(); !faults.empty())
     throw InputError(path, faults.front());
   return law;

@@ -10,6 +10,7 @@
 #include "floc/base/version.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/relaxation/relaxer.h"
 
 namespace floc {
 namespace {
@@ -70,15 +71,15 @@ double Run<Dim>::agitation_speed() const {
 template <int Dim>
 const Packing<Dim>& Run<Dim>::packing() const {
   if (aggregation_) return aggregation_->packing();
-  return relaxer_ ? relaxer_->packing() : packing_;
+  return equilibrator_ ? equilibrator_->packing() : packing_;
 }
 
 template <int Dim>
 void Run<Dim>::take_packing_back() {
   if (aggregation_) packing_ = std::move(*aggregation_).packing();
-  if (relaxer_) packing_ = std::move(*relaxer_).packing();
+  if (equilibrator_) packing_ = equilibrator_->release_packing();
   aggregation_.reset();
-  relaxer_.reset();
+  equilibrator_.reset();
 }
 
 /// @pre the packing is here
@@ -95,8 +96,8 @@ void Run<Dim>::start_step() {
     packing_.law = target().law;
     refresh_contacts(packing_);
   }
-  relaxer_ = std::make_unique<Relaxer<Dim>>(options_.relaxation, std::move(packing_),
-                                            Vec<Dim>::Constant(target().pressure), point_.relaxation);
+  equilibrator_ = make_equilibrator<Dim>(options_.relaxation, std::move(packing_),
+                                         Vec<Dim>::Constant(target().pressure), point_.equilibration);
   pass_observer();
 }
 
@@ -115,7 +116,7 @@ void Run<Dim>::pass_observer() {
   if (point_.aggregating)
     aggregation_->observe(std::move(here));
   else
-    relaxer_->observe(std::move(here));
+    equilibrator_->observe(std::move(here));
 }
 
 template <int Dim>
@@ -134,30 +135,33 @@ RunEvent Run<Dim>::advance() {
     const double longest = options_.relaxation.max_time * inertial_time(packing(), Vec<Dim>(Vec<Dim>::Zero()));
     return point_.time > longest ? RunEvent::gave_up : RunEvent::stretch;
   }
-  const RelaxationStatus status = relaxer_->advance();
-  point_.relaxation = relaxer_->progress();
+  const RelaxationStatus status = equilibrator_->advance();
+  const RelaxationReport reached = equilibrator_->report();
+  point_.equilibration = equilibrator_->progress();
+  point_.equilibration_time = reached.time;
+  point_.equilibration_steps = reached.n_steps;
   if (status == RelaxationStatus::running) return RunEvent::stretch;
   return status == RelaxationStatus::converged ? RunEvent::equilibrium : RunEvent::gave_up;
 }
 
 template <int Dim>
 PathPosition Run<Dim>::path() const {
-  return {point_.step, target().branch, point_.time + point_.relaxation.time,
-          point_.n_steps + point_.relaxation.n_steps, relaxer_ ? relaxer_->report().ending : ""};
+  return {point_.step, target().branch, point_.time + point_.equilibration_time,
+          point_.n_steps + point_.equilibration_steps, equilibrator_ ? equilibrator_->report().ending : ""};
 }
 
 template <int Dim>
 State<Dim> Run<Dim>::state() const {
   State<Dim> state = state_without_packing();
   state.packing = packing();
-  if (!relaxer_) measure(state);
+  if (!equilibrator_) measure(state);
   return state;
 }
 
 template <int Dim>
 State<Dim> Run<Dim>::lend_state() {
   State<Dim> state = state_without_packing();
-  const bool measured = relaxer_ != nullptr;
+  const bool measured = equilibrator_ != nullptr;
   take_packing_back();
   state.packing = std::move(packing_);
   if (!measured) measure(state);
@@ -178,9 +182,9 @@ State<Dim> Run<Dim>::state_without_packing() const {
   state.units = options_.units;
   state.target_stress = Vec<Dim>::Constant(target().pressure);
   state.tolerance = options_.relaxation.tolerance;
-  if (relaxer_) {
-    const RelaxationReport reached = relaxer_->report();
-    state.stress = relaxer_->stress();
+  if (equilibrator_) {
+    const RelaxationReport reached = equilibrator_->report();
+    state.stress = equilibrator_->stress();
     state.residuals = reached.residuals;
     state.n_negative = reached.n_negative;
   }
@@ -197,7 +201,7 @@ State<Dim> Run<Dim>::state_without_packing() const {
 
 template <int Dim>
 RelaxationReport Run<Dim>::report() const {
-  if (!point_.aggregating) return relaxer_->report();
+  if (!point_.aggregating) return equilibrator_->report();
   RelaxationReport report;
   report.blocking = fmt::format("{} clusters, expected one", aggregation_->n_clusters());
   return report;

@@ -9,16 +9,18 @@
 #include "floc/loading/run_options.h"
 #include "floc/loading/run_plan.h"
 #include "floc/packing/state.h"
-#include "floc/relaxation/relaxer.h"
+#include "floc/relaxation/equilibrator.h"
 
 namespace floc {
 
 /// Where a run stands between two stretches: with the options and the packing, all that decides how it goes on. This is
 /// what a checkpoint holds.
 struct RunPoint {
-  int step = 0;              ///< number of the equilibrium being made
-  bool aggregating = false;  ///< grains still collide and stick
-  RelaxationProgress relaxation;
+  int step = 0;                          ///< number of the equilibrium being made
+  bool aggregating = false;              ///< grains still collide and stick
+  std::string equilibration;             ///< progress of the equilibrator, empty at the beginning of a step
+  double equilibration_time = 0.0;       ///< simulated time of this step so far
+  std::int64_t equilibration_steps = 0;  ///< time steps of this step so far
   std::uint64_t stream_state = 0;
   double time = 0.0;         ///< simulated time before this relaxation (time)
   std::int64_t n_steps = 0;  ///< time steps before it
@@ -86,7 +88,7 @@ class Run {
   RunPoint point_;
   Packing<Dim> packing_;  ///< while neither of those below has it: a large packing is held once
   std::unique_ptr<Aggregation<Dim>> aggregation_;
-  std::unique_ptr<Relaxer<Dim>> relaxer_;
+  std::unique_ptr<Equilibrator<Dim>> equilibrator_;
   MotionObserver<Dim> observer_;
 };
 

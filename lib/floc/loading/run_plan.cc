@@ -3,18 +3,13 @@
 #include <fmt/format.h>
 
 #include "floc/base/error.h"
+#include "floc/contact/law_description.h"
 
 namespace floc {
 
 double* law_number(LawParameters& law, const std::string& key) {
-  if (key == "normal.stiffness") return &law.normal_stiffness;
-  if (law.adhesion && key == "adhesion.force") return &law.adhesion->force;
-  if (law.adhesion && key == "adhesion.range") return &law.adhesion->range;
-  if (law.damping && key == "damping.restitution") return &law.damping->restitution;
-  if (law.friction && key == "friction.coefficient") return &law.friction->coefficient;
-  if (law.friction && key == "friction.stiffness") return &law.friction->stiffness;
-  if (law.rolling && key == "rolling.coefficient") return &law.rolling->coefficient;
-  if (law.rolling && key == "rolling.stiffness") return &law.rolling->stiffness;
+  for (const LawNumber& n : numbers_of(law))
+    if (n.key == key) return n.value;
   return nullptr;
 }
 

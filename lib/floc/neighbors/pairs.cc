@@ -154,12 +154,13 @@ template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {
   const auto [least, most] = std::minmax_element(grains.radius.begin(), grains.radius.end());
-  const double widest = 2.0 * *most + gap;
-  const bool one = widest <= kSimilarSizes * (2.0 * *least + gap);
+  // Half widths, so that a radius near the largest number there is does not overflow.
+  const double widest = *most + 0.5 * gap;
+  const bool one = widest <= kSimilarSizes * (*least + 0.5 * gap);
   std::vector<std::vector<int>> members(kMostLevels);
   for (int i = 0; i < grains.size(); ++i) {
-    const double width = std::max(0.0, 2.0 * grains.radius[i] + gap);
-    members[one ? 0 : std::min(kMostLevels - 1, std::ilogb(widest / width))].push_back(i);
+    const double width = std::max(0.0, grains.radius[i] + 0.5 * gap);
+    members[one ? 0 : std::clamp(std::ilogb(widest / width), 0, kMostLevels - 1)].push_back(i);
   }
   std::vector<SizeLevel<Dim>> levels;
   for (std::vector<int>& of_level : members) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "floc/base/vec.h"
+#include "floc/contact/memory_layout.h"
 #include "floc/geometry/frame.h"
 
 namespace floc {
@@ -25,8 +26,7 @@ struct Contact {
   bool sliding = false;                          ///< the tangential spring is at its cap
   bool rolling_yield = false;                    ///< the rolling spring is at its cap
   bool distant = false;                          ///< acts across a gap, gap >= 0
-  Shear<Dim> shear_spring = Shear<Dim>::Zero();  ///< history: tangential spring in the contact's frame (length)
-  Spin<Dim> rolling_spring = Spin<Dim>::Zero();  ///< history: relative rotation (radians)
+  ContactMemory<Dim> memory = ContactMemory<Dim>::Zero();  ///< history, at the places of the layout
 };
 
 }  // namespace floc

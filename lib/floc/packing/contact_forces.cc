@@ -1,49 +1,37 @@
 #include "floc/packing/contact_forces.h"
 
+#include <algorithm>
 #include <variant>
 
-#include "floc/contact/law_table.h"
+#include "floc/packing/law_response.h"
 
 namespace floc {
 namespace {
-
-/// Springs are at their cap when shortening by rounding could not be told from reaching it.
-constexpr double kAtCap = 1.0 - 1e-12;
 
 template <class Law, int Dim>
 void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
   const TwoPartVec<Dim> r = exact_branch(packing, c);
   c.gap = surface_gap<Dim>(r, packing.grains.radius[c.i], packing.grains.radius[c.j]);
   c.normal = rounded<Dim>(r).normalized();
+  respond_to_motion<Law, Dim>(law, packing.grains, Shear<Dim>::Zero(), Spin<Dim>::Zero(), c);
+}
 
-  ContactHistory<Law, Dim> history;
-  if constexpr (Law::kHasFriction) history.shear = c.shear_spring;
-  if constexpr (Law::kHasRolling) history.roll = c.rolling_spring;
-  const ContactMotion<Dim> still{c.gap, 0.0, 0.0, Shear<Dim>::Zero(), Spin<Dim>::Zero()};
-  const ContactForces<Dim> f = law.respond(still, history);
-
-  c.normal_force = f.normal.force();
-  c.elastic_force = f.normal.elastic;
-  c.shear_force = from_shear<double>(c.normal, f.shear);
-  c.rolling_moment = -f.rolling;
-  const ContactStiffness k = law.stiffness(c.gap);
-  c.kn = k.normal;
-  c.kt = k.tangential;
+/// What was read lies a little beside the law, and the pull of an adhesive contact is none of its elastic force.
+template <class Law, int Dim>
+void carry(const Law& law, double pull_off_force, std::optional<double> kn, std::optional<double> kt,
+           double tolerance, Contact<Dim>& c) {
+  c.distant = c.gap >= 0.0 && law.interacts(c.gap);
+  if (c.distant) return;
+  c.elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
+  const ContactStiffness k = law.stiffness_at_force(c.elastic_force);
+  c.kn = kn.value_or(k.normal);
+  c.kt = Law::kHasFriction ? kt.value_or(k.tangential) : 0.0;
   c.kr = k.rolling;
-  c.distant = c.gap >= 0.0;
-  c.sliding = c.rolling_yield = false;
-  if constexpr (Law::kHasFriction) {
-    c.shear_spring = history.shear;
-    c.sliding = !c.distant && history.shear.norm() >= kAtCap * law.friction.spring_limit(c.elastic_force);
-  } else {
-    c.shear_spring.setZero();
-  }
-  if constexpr (Law::kHasRolling) {
-    c.rolling_spring = history.roll;
-    c.rolling_yield = !c.distant && history.roll.norm() >= kAtCap * law.rolling.spring_limit(c.elastic_force);
-  } else {
-    c.rolling_spring.setZero();
-  }
+  auto memory = packed_memory<Law, Dim>(c.memory);
+  law.template carry<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, {c.kn, c.kt, c.kr},
+                          memory);
+  set_mobilised(law, memory, tolerance, c);
+  c.memory = unpacked_memory<Law, Dim>(memory);
 }
 
 }  // namespace
@@ -58,15 +46,37 @@ void refresh_contacts(Packing<Dim>& packing) {
   std::visit(
       [&](const auto& law) {
         for (Contact<Dim>& c : packing.contacts) refresh(law, packing, c);
+        std::erase_if(packing.contacts, [&](const Contact<Dim>& c) { return !law.interacts(c.gap); });
       },
       compose_law(packing.law));
-  const double range = packing.law.range();
-  std::erase_if(packing.contacts, [range](const Contact<Dim>& c) { return c.gap >= 0.0 && c.gap >= range; });
 }
 
-template void refresh_contact(const Packing<2>&, Contact<2>&);
-template void refresh_contact(const Packing<3>&, Contact<3>&);
-template void refresh_contacts(Packing<2>&);
-template void refresh_contacts(Packing<3>&);
+template <int Dim>
+Mobilised mobilised(const LawParameters& parameters, const Contact<Dim>& contact, double tolerance) {
+  if (contact.distant) return {};
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        return law.template mobilised<Dim>(contact.elastic_force, packed_memory<Law, Dim>(contact.memory),
+                                           tolerance);
+      },
+      compose_law(parameters));
+}
+
+template <int Dim>
+void carry_given_forces(const LawParameters& parameters, std::optional<double> kn, std::optional<double> kt,
+                        double tolerance, Contact<Dim>& contact) {
+  std::visit([&](const auto& law) { carry(law, parameters.pull_off_force(), kn, kt, tolerance, contact); },
+             compose_law(parameters));
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                                  \
+  template void refresh_contact(const Packing<Dim>&, Contact<Dim>&);                                           \
+  template void refresh_contacts(Packing<Dim>&);                                                               \
+  template Mobilised mobilised(const LawParameters&, const Contact<Dim>&, double tolerance);                   \
+  template void carry_given_forces(const LawParameters&, std::optional<double>, std::optional<double>, double, \
+                                   Contact<Dim>&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
 
 }  // namespace floc

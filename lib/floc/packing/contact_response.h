@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "floc/packing/packing.h"
 
@@ -16,17 +17,18 @@ struct SurfaceMotion {
 /// Carries what a contact remembers, and its motion since, from its normal to another, which it then has. Without a normal
 /// (zero) it takes the new one with its memory as it is.
 ///
+/// @param remembered  what the law remembers (remembered_quantities)
 /// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
 template <int Dim>
-void carry(const Vec<Dim>& normal, double twist, Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
+void carry(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
+           Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
 
-/// Static response of contacts by their law: from `gap`, `normal` and memory of each, which moves by `motion`, follow forces,
+/// Static response of contacts by the law of a packing, of whose grains they are: from `gap`, `normal` and memory of each, which moves by `motion`, follow forces,
 /// stiffnesses, flags and the memory after. The law is resolved once for all.
 ///
 /// @param motion   one entry a contact
-/// @param contacts i, j, image and key are not looked at
 template <int Dim>
-void respond(const LawParameters& law, std::span<const SurfaceMotion<Dim>> motion,
+void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> motion,
              std::span<Contact<Dim>> contacts);
 
 /// Derivatives of what one contact does, rows and columns in the order of `ContactRows`: normal force, tangential force on
@@ -43,7 +45,7 @@ using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 /// @param frame    of each: columns the normal, then the tangents
 /// @param tangent  written, one entry a contact
 template <int Dim>
-void contact_tangents(const LawParameters& law, std::span<const Contact<Dim>> start,
+void contact_tangents(const Packing<Dim>& packing, std::span<const Contact<Dim>> start,
                       std::span<const SurfaceMotion<Dim>> motion, std::span<const Mat<Dim>> frame,
                       std::span<ContactTangent<Dim>> tangent);
 

@@ -52,8 +52,7 @@ template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure) {
   const double a = force_scale(packing, Vec<Dim>(Vec<Dim>::Zero())).length;
   const double F0 = packing.law.pull_off_force();
-  return F0 > 0.0 ? std::pow(a, Dim - 1) * pressure / F0
-                  : std::pow(a, Dim - 2) * pressure / packing.law.normal_stiffness;
+  return F0 > 0.0 ? std::pow(a, Dim - 1) * pressure / F0 : pressure / packing.law.contact_modulus(Dim, a);
 }
 
 template <int Dim>

@@ -24,22 +24,21 @@ Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
   return place;
 }
 
-/// The same contact seen from the other grain. A 2D tangential spring, a number along a tangent that turns round with
-/// the normal, stays as it is.
+/// The same contact seen from the other grain. @param parity  of what its law remembers
 template <int Dim>
-void swap_sides(Contact<Dim>& c) {
+void swap_sides(const ContactMemory<Dim>& parity, Contact<Dim>& c) {
   std::swap(c.i, c.j);
   c.image = -c.image;
   c.normal = -c.normal;
   c.shear_force = -c.shear_force;
   c.rolling_moment = -c.rolling_moment;
-  if constexpr (Dim == 3) c.shear_spring = -c.shear_spring;
-  c.rolling_spring = -c.rolling_spring;
+  c.memory = c.memory.cwiseProduct(parity);
 }
 
 /// The contact of copy `tile`: where its second grain lies in another copy, and which image of that.
 template <int Dim>
-Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>& copies) {
+Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>& copies,
+                    const ContactMemory<Dim>& parity) {
   Vec<Dim, int> to = place_of<Dim>(tile, copies) + c.image;
   int other = 0;
   for (int a = Dim - 1; a >= 0; --a) {
@@ -48,7 +47,7 @@ Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>&
   }
   c.i += tile * n_grains;
   c.j += other * n_grains;
-  if (c.j < c.i) swap_sides(c);
+  if (c.j < c.i) swap_sides(parity, c);
   return c;
 }
 
@@ -77,12 +76,13 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
   repeat(out.grains.angular_velocity, n_tiles);
   out.contacts.clear();
   out.contacts.reserve(n_tiles * packing.contacts.size());
+  const ContactMemory<Dim> parity = swap_parity<Dim>(packing.law);
   std::vector<TwoPartVec<Dim>> centres;
   centres.reserve(n_tiles * packing.grains.position.size());
   for (int t = 0; t < n_tiles; ++t) {
     for (int i = 0; i < n; ++i)
       centres.push_back(displaced<Dim>(packing.grains.centre(i), packing.cell, place_of<Dim>(t, copies)));
-    for (const Contact<Dim>& c : packing.contacts) out.contacts.push_back(placed(c, t, n, copies));
+    for (const Contact<Dim>& c : packing.contacts) out.contacts.push_back(placed(c, t, n, copies, parity));
   }
   out.grains.set_centres(centres);
   std::sort(out.contacts.begin(), out.contacts.end(), precedes<Contact<Dim>>);

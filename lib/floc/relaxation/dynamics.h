@@ -1,9 +1,9 @@
 #pragma once
 
-#include <limits>
 #include <memory>
 
 #include "floc/packing/packing.h"
+#include "floc/relaxation/boundary_control.h"
 #include "floc/relaxation/instruction_set.h"
 
 namespace floc {
@@ -11,15 +11,6 @@ namespace floc {
 /// Time steps of one stretch, between which a run may be stopped. Packing and lists are rebuilt there, which costs about 20
 /// steps.
 inline constexpr int kStretch = 500;
-
-/// How the sides of a rectangular periodic cell move (PHYSICS section 1, "Cell").
-template <int Dim>
-struct CellControl {
-  bool fixed = false;                  ///< the sides do not move
-  Vec<Dim> target = Vec<Dim>::Zero();  ///< stress imposed on each axis, compression positive
-  double mass = 0.0;                   ///< inertia M of a side's length (mass)
-  double rate_cap = std::numeric_limits<double>::infinity();  ///< largest |L'/L| (1/time)
-};
 
 /// Numerical settings of a stretch of dynamics.
 struct DynamicsSettings {
@@ -36,7 +27,7 @@ enum class Motion {
 };
 
 /// Explicit time integration of a packing under its law: half kick, drift, forces, half kick (velocity Verlet), with
-/// the sides of the cell as degrees of freedom and peculiar velocities. Second order. The dashpots see the velocity of
+/// the lattice vectors as degrees of freedom and peculiar velocities. Second order. The dashpots see the velocity of
 /// the middle of the step, with a coefficient corrected for that lag: stable to twice the step that a predicted
 /// velocity allows, and the restitution is right all the same.
 ///
@@ -61,9 +52,9 @@ class Dynamics {
   virtual double skin() const = 0;
 };
 
-/// @pre the cell is rectangular, radii and masses are positive, settings.time_step > 0.
+/// @pre the cell matrix is lower triangular, radii and masses are positive, settings.time_step > 0.
 template <int Dim>
-std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const CellControl<Dim>& control,
+std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                              const DynamicsSettings& settings);
 
 /// Time step of RelaxationOptions::time_step in the scene's units: in sqrt(m_min/K_N), shortened where K_T is above K_N or

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "floc/contact/law_table.h"
+#include "floc/geometry/upper_triangular.h"
 #include "floc/neighbors/space_order.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
@@ -20,16 +21,30 @@ namespace {
 constexpr double kListCost = 23.0;
 constexpr double kThinnestSkin = 1e-3;  // of the largest diameter, or the smallest where they differ much
 
+template <int Dim>
+LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control) {
+  return cell.rectangular() && cell.velocity.isDiagonal(0.0) && control.keeps_rectangular()
+             ? LatticeShape::rectangular
+             : LatticeShape::triangular;
+}
+
+template <int Dim>
+void copy(const Mat<Dim>& from, double (&to)[Dim][Dim]) {
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) to[a][b] = from(a, b);
+}
+
 }  // namespace
 
 template <int Dim>
-ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const CellControl<Dim>& control,
+ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                         const DynamicsSettings& settings)
     : parameters_(packing.law),
       law_(compose_law(packing.law)),
       composed_law_(std::visit([](const auto& law) { return static_cast<const void*>(&law); }, law_)),
       range_(packing.law.range()),
-      kernels_(step_kernels(settings.instructions, law_.index())),
+      swap_parity_(swap_parity<Dim>(packing.law)),
+      kernels_(step_kernels(settings.instructions, shape_of(packing.cell, control), law_.index())),
       control_(control),
       dt_(settings.time_step),
       skin_(settings.skin),
@@ -37,27 +52,26 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const CellC
       largest_(largest_diameter(packing.grains)),
       thinnest_skin_(kThinnestSkin * size_of_skins(packing.grains.radius)),
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
-      side_(packing.cell.matrix.diagonal()),
-      side_rate_(packing.cell.velocity.diagonal()),
-      strain_rate_(side_rate_.cwiseQuotient(side_)) {
+      lattice_(packing.cell.matrix.transpose()),
+      lattice_rate_(packing.cell.velocity.transpose()),
+      strain_rate_(right_quotient<Dim>(lattice_rate_, lattice_)) {
   sums_.resize(n_blocks());
   rebuild_list();
-  load_histories(packing);
+  load_memory(packing);
   refresh_forces();
 }
 
 template <int Dim>
-void ExplicitDynamics<Dim>::load_histories(const Packing<Dim>& packing) {
+void ExplicitDynamics<Dim>::load_memory(const Packing<Dim>& packing) {
   std::vector<int> place(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) place[grains_.index[k]] = k;
   for (const Contact<Dim>& c : packing.contacts) {
     NeighborPair<Dim> key{place[c.i], place[c.j], c.image};
-    // In 2D the tangential spring looks the same from both grains, the relative rotation changes sign.
     const bool swap = key.j < key.i;
     const int p = pairs_.find(swap ? swapped(key) : key);
     if (p < 0) continue;
-    if (!pairs_.shear.empty()) pairs_.shear[p] = c.shear_spring[0];
-    if (!pairs_.roll.empty()) pairs_.roll[p] = swap ? -c.rolling_spring[0] : c.rolling_spring[0];
+    for (std::size_t k = 0; k < pairs_.memory.size(); ++k)
+      if (!pairs_.memory[k].empty()) pairs_.memory[k][p] = swap ? swap_parity_[k] * c.memory[k] : c.memory[k];
   }
 }
 
@@ -94,54 +108,97 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
   }
 }
 
-/// Half a step of acceleration of the sides: M L'' = (work - A Sigma)/L, the rate capped.
+/// Generalised forces on the components of the lattice under stress: their work in a small strain is that of W - V Sigma, W
+/// the sum of momentum fluxes and of forces times branches. Where all are, that is the upper part of (W - V Sigma) h^-T.
 template <int Dim>
-void ExplicitDynamics<Dim>::kick_cell() {
-  if (control_.fixed) return;
-  Vec<Dim> work = Vec<Dim>::Zero();
+Mat<Dim> ExplicitDynamics<Dim>::unbalanced_work() const {
+  Mat<Dim> work = Mat<Dim>::Zero();
   for (const BlockSums<Dim>& s : sums_)
-    for (int a = 0; a < Dim; ++a) work[a] += s.virial[a] + s.momentum_flux[a];
-  const Vec<Dim> pull = work - side_.prod() * control_.target;
-  side_rate_ += 0.5 * dt_ / control_.mass * pull.cwiseQuotient(side_);
-  const Vec<Dim> limit = control_.rate_cap * side_;
-  side_rate_ = side_rate_.cwiseMin(limit).cwiseMax(-limit);
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < Dim; ++b) work(a, b) += s.virial[a][b] + s.momentum_flux[a][b];
+  const double volume = lattice_.diagonal().prod();
+  Mat<Dim, bool> is_free = Mat<Dim, bool>::Constant(false);
+  for (int k = 0; k < kSymmetric<Dim>; ++k) {
+    const auto [a, b] = component_axes<Dim>(k);
+    is_free(a, b) = control_.imposed[k] == Imposed::stress;
+    if (is_free(a, b)) work(a, b) -= volume * control_.target[k];
+  }
+  Mat<Dim> force = Mat<Dim>::Zero();  // work = force h^T on the free components, from the last column on
+  for (int a = 0; a < Dim; ++a)
+    for (int b = Dim - 1; b >= a; --b) {
+      if (!is_free(a, b)) continue;
+      double rest = work(a, b);
+      for (int c = b + 1; c < Dim; ++c) rest -= force(a, c) * lattice_(b, c);
+      force(a, b) = rest / lattice_(b, b);
+    }
+  return force;
 }
 
-/// Half kick of the cell, and how this step's drift deforms it. In reduced coordinates s' = v/L with L at mid-step,
+/// Half a step of acceleration of the lattice: M h'' = (W - V Sigma) h^-T, the strain rates capped.
+template <int Dim>
+void ExplicitDynamics<Dim>::kick_lattice() {
+  if (control_.any_stress()) {
+    const Mat<Dim> force = unbalanced_work();
+    for (int k = 0; k < kSymmetric<Dim>; ++k) {
+      if (control_.imposed[k] != Imposed::stress) continue;
+      const auto [a, b] = component_axes<Dim>(k);
+      lattice_rate_(a, b) += 0.5 * dt_ / control_.mass * force(a, b);
+      const double limit = control_.rate_cap * lattice_(b, b);
+      lattice_rate_(a, b) = std::max(std::min(lattice_rate_(a, b), limit), -limit);
+    }
+  }
+  impose_rates();
+}
+
+/// Components of the velocity gradient h' h^-1 that are given. Shortening counts positive.
+template <int Dim>
+void ExplicitDynamics<Dim>::impose_rates() {
+  if (control_.is_fixed()) return;
+  Mat<Dim> gradient = right_quotient<Dim>(lattice_rate_, lattice_);
+  bool any = false;
+  for (int k = 0; k < kSymmetric<Dim>; ++k) {
+    const auto [a, b] = component_axes<Dim>(k);
+    if (control_.imposed[k] == Imposed::stress || (control_.target[k] == 0.0 && gradient(a, b) == 0.0))
+      continue;
+    gradient(a, b) = -control_.target[k];
+    any = true;
+  }
+  if (any) lattice_rate_ = upper_product<Dim>(gradient, lattice_);
+}
+
+/// Half kick of the lattice, and how this step's drift deforms it. In reduced coordinates s' = h^-1 v with h at mid-step,
 /// which keeps the scheme symmetric in time.
 template <int Dim>
 void ExplicitDynamics<Dim>::begin_step() {
-  kick_cell();
-  const Vec<Dim> middle = side_ + 0.5 * dt_ * side_rate_;
-  const Vec<Dim> next = side_ + dt_ * side_rate_;
-  strain_rate_ = side_rate_.cwiseQuotient(middle);
-  stretch_ = next.cwiseQuotient(side_);
-  drift_ = dt_ * next.cwiseQuotient(middle);
-  side_ = next;
-  list_stretch_ = side_.cwiseQuotient(side_list_);
+  kick_lattice();
+  const Mat<Dim> middle = lattice_ + 0.5 * dt_ * lattice_rate_;
+  const Mat<Dim> next = lattice_ + dt_ * lattice_rate_;
+  strain_rate_ = right_quotient<Dim>(lattice_rate_, middle);
+  stretch_ = right_quotient<Dim>(next, lattice_);
+  drift_ = dt_ * right_quotient<Dim>(next, middle);
+  lattice_ = next;
+  list_stretch_ = right_quotient<Dim>(lattice_, lattice_at_list_);
   ++steps_since_list_;
 }
 
 template <int Dim>
 Kick<Dim> ExplicitDynamics<Dim>::kick_over(double half_step) const {
-  // v' = F/m - (L'/L) v, the second term taken at the middle of the half step.
+  // v' = F/m - h' h^-1 v, the second term taken at the middle of the half step.
+  const Mat<Dim> drag = 0.5 * half_step * strain_rate_;
+  const Mat<Dim> one = Mat<Dim>::Identity();
+  const Mat<Dim> gain = right_quotient<Dim>(one, Mat<Dim>(one + drag));
   Kick<Dim> kick{half_step, {}, {}};
-  for (int a = 0; a < Dim; ++a) {
-    const double drag = 0.5 * half_step * strain_rate_[a];
-    kick.gain[a] = 1.0 / (1.0 + drag);
-    kick.keep[a] = (1.0 - drag) * kick.gain[a];
-  }
+  copy<Dim>(gain, kick.gain);
+  copy<Dim>(upper_product<Dim>(one - drag, gain), kick.keep);
   return kick;
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::kick_and_drift(int block) {
   Drift<Dim> drift{dt_, {}, {}, {}};
-  for (int a = 0; a < Dim; ++a) {
-    drift.stretch[a] = stretch_[a];
-    drift.drift[a] = drift_[a];
-    drift.list_stretch[a] = list_stretch_[a];
-  }
+  copy<Dim>(stretch_, drift.stretch);
+  copy<Dim>(drift_, drift.drift);
+  copy<Dim>(list_stretch_, drift.list_stretch);
   kernels_.kick_and_drift(grain_arrays_, block * kGrainBlock, kick_over(0.5 * dt_), drift, sums_[block]);
 }
 
@@ -158,8 +215,26 @@ template <int Dim>
 double ExplicitDynamics<Dim>::eaten_skin() const {
   double squared = 0.0;
   for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.displacement_squared);
-  const double shrink = std::max(0.0, 1.0 - list_stretch_.minCoeff());
-  return 2.0 * std::sqrt(squared) + shrink * (largest_ + range_ + skin_);
+  return 2.0 * std::sqrt(squared) + shrink_since_list() * (largest_ + range_ + skin_);
+}
+
+/// Largest share by which the deformation since the list was built has shortened any line.
+template <int Dim>
+double ExplicitDynamics<Dim>::shrink_since_list() const {
+  if (list_stretch_.isDiagonal(0.0)) return std::max(0.0, 1.0 - list_stretch_.diagonal().minCoeff());
+  // |F r| >= |r| - |(F - 1) r|: a bound by the Frobenius norm.
+  return (list_stretch_ - Mat<Dim>::Identity()).norm();
+}
+
+/// Displacement of an image.
+template <int Dim>
+Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const {
+  Vec<Dim> shift;
+  for (int a = 0; a < Dim; ++a) {
+    shift[a] = image[a] * lattice_(a, a);
+    for (int b = a + 1; b < Dim; ++b) shift[a] += image[b] * lattice_(a, b);
+  }
+  return shift;
 }
 
 /// The list carries too many idle pairs, or something outside it might interact.
@@ -191,9 +266,10 @@ template <int Dim>
 double ExplicitDynamics<Dim>::share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const {
   std::size_t idle = 0;
   for (const NeighborPair<Dim>& p : pairs) {
+    const Vec<Dim> shift = image_shift(p.image);
     double squared = 0.0;
     for (int a = 0; a < Dim; ++a) {
-      const double r = grains_.x[a][p.j] - grains_.x[a][p.i] + p.image[a] * side_[a];
+      const double r = grains_.x[a][p.j] - grains_.x[a][p.i] + shift[a];
       squared += r * r;
     }
     const double reach = grains_.radius[p.i] + grains_.radius[p.j] + range_;
@@ -211,7 +287,7 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   grains_.copy_positions_to(now);
   now.radius.assign(grains_.radius.begin(), grains_.radius.begin() + grains_.size());
   Cell<Dim> cell;
-  cell.matrix = side_.asDiagonal();
+  cell.matrix = lattice_.transpose();
   const std::vector<NeighborPair<Dim>> close = find_pairs(cell, now, range_ + skin_);
   idle_share_ = share_of_idle(close);
   HotPairs<Dim> pairs(close, now.radius, grains_.mass, law_, dt_);
@@ -220,18 +296,16 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   pair_arrays_ = pairs_.arrays();
   x_list_ = grains_.x;
   grain_arrays_ = grains_.arrays(x_list_);
-  side_list_ = side_;
-  list_stretch_.setOnes();
+  lattice_at_list_ = lattice_;
+  list_stretch_.setIdentity();
   steps_since_list_ = 0;
 }
 
 template <int Dim>
 PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
   PairCell<Dim> cell{{}, {}, slip_time};
-  for (int a = 0; a < Dim; ++a) {
-    cell.side[a] = side_[a];
-    cell.strain_rate[a] = strain_rate_[a];
-  }
+  copy<Dim>(lattice_, cell.lattice);
+  copy<Dim>(strain_rate_, cell.strain_rate);
   return cell;
 }
 
@@ -249,22 +323,23 @@ void ExplicitDynamics<Dim>::sum_and_kick(int block, double half_step) {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::end_step(Motion motion) {
-  kick_cell();
+  kick_lattice();
   if (motion != Motion::power_control) return;
   double twice_kinetic = 0.0;
   for (const BlockSums<Dim>& s : sums_) {
-    for (const double flux : s.momentum_flux) twice_kinetic += flux;
+    for (int a = 0; a < Dim; ++a) twice_kinetic += s.momentum_flux[a][a];
     twice_kinetic += s.rotation;
   }
-  if (!control_.fixed) twice_kinetic += control_.mass * side_rate_.squaredNorm();
+  if (control_.any_stress()) twice_kinetic += control_.mass * lattice_rate_.squaredNorm();
   if (twice_kinetic < kinetic_) {
     for (auto& component : grains_.v) std::fill(component.begin(), component.end(), 0.0);
     for (auto& component : grains_.spin) std::fill(component.begin(), component.end(), 0.0);
     for (BlockSums<Dim>& s : sums_) {
-      std::fill(std::begin(s.momentum_flux), std::end(s.momentum_flux), 0.0);
+      for (auto& row : s.momentum_flux) std::fill(std::begin(row), std::end(row), 0.0);
       s.rotation = 0.0;
     }
-    side_rate_.setZero();
+    lattice_rate_.setZero();
+    impose_rates();
     twice_kinetic = 0.0;
   }
   kinetic_ = twice_kinetic;
@@ -279,7 +354,7 @@ void ExplicitDynamics<Dim>::refresh_forces() {
 
 template <int Dim>
 bool ExplicitDynamics<Dim>::finite() const {
-  bool all = side_.allFinite() && side_rate_.allFinite();
+  bool all = lattice_.allFinite() && lattice_rate_.allFinite();
   for (const auto& component : grains_.x)
     for (const double x : component) all = all && std::isfinite(x);
   return all;
@@ -291,16 +366,21 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
   out.law = parameters_;
   out.grains =
       Grains<Dim>::with_size(grains_.size());  // centres in one part: motion ends at the rounding of that
-  out.cell.matrix = side_.asDiagonal();
-  out.cell.velocity = side_rate_.asDiagonal();
+  out.cell.matrix = lattice_.transpose();
+  out.cell.velocity = lattice_rate_.transpose();
   std::vector<Vec<Dim, int>> wrap(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) {
     const int i = grains_.index[k];
+    Vec<Dim>& x = out.grains.position[i];
     for (int a = 0; a < Dim; ++a) {
-      const double turns = std::floor(grains_.x[a][k] / side_[a]);
-      wrap[k][a] = -static_cast<int>(turns);
-      out.grains.position[i][a] = grains_.x[a][k] - turns * side_[a];
+      x[a] = grains_.x[a][k];
       out.grains.velocity[i][a] = grains_.v[a][k];
+    }
+    for (int b = Dim - 1; b >= 0; --b) {  // the last lattice vector alone reaches along the last axis
+      const double turns = std::floor(x[b] / lattice_(b, b));
+      wrap[k][b] = -static_cast<int>(turns);
+      for (int a = 0; a <= b; ++a)
+        if (lattice_(a, b) != 0.0) x[a] -= turns * lattice_(a, b);
     }
     for (int a = 0; a < kRotations<Dim>; ++a) out.grains.angular_velocity[i][a] = grains_.spin[a][k];
     out.grains.orientation[i] = grains_.angle[k];
@@ -312,7 +392,8 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
     if (pairs_.padding(p)) continue;
     NeighborPair<Dim> key = pairs_.key(p);
     Vec<Dim> r;
-    for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][key.j] - grains_.x[a][key.i] + key.image[a] * side_[a];
+    const Vec<Dim> shift = image_shift(key.image);
+    for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][key.j] - grains_.x[a][key.i] + shift[a];
     const double reach = pairs_.radii(p) + range_;
     if (r.squaredNorm() >= reach * reach) continue;
     key = {grains_.index[key.i], grains_.index[key.j], key.image + wrap[key.i] - wrap[key.j]};
@@ -322,8 +403,9 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
     c.i = key.i;
     c.j = key.j;
     c.image = key.image;
-    if (!pairs_.shear.empty()) c.shear_spring[0] = pairs_.shear[p];
-    if (!pairs_.roll.empty()) c.rolling_spring[0] = swap ? -pairs_.roll[p] : pairs_.roll[p];
+    for (std::size_t k = 0; k < pairs_.memory.size(); ++k)
+      if (!pairs_.memory[k].empty())
+        c.memory[k] = swap ? swap_parity_[k] * pairs_.memory[k][p] : pairs_.memory[k][p];
     out.contacts.push_back(c);
   }
   std::sort(out.contacts.begin(), out.contacts.end(), precedes<Contact<Dim>>);
@@ -332,7 +414,7 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
 }
 
 template <int Dim>
-std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const CellControl<Dim>& control,
+std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                              const DynamicsSettings& settings) {
   return std::make_unique<ExplicitDynamics<Dim>>(packing, control, settings);
 }
@@ -341,19 +423,19 @@ template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times) {
   const Grains<Dim>& g = packing.grains;
   double shortest = std::numeric_limits<double>::infinity();
+  const ContactStiffness bound =
+      std::visit([](const auto& law) { return law.stiffness_bound(); }, compose_law(packing.law));
   // Springs across the contact vibrate faster than those along it where they are stiffer.
-  const double stiffest =
-      std::max(packing.law.normal_stiffness, packing.law.friction ? packing.law.friction->stiffness : 0.0);
+  const double stiffest = std::max(bound.normal, bound.tangential);
   for (int i = 0; i < g.size(); ++i) {
     shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
     // Rolling is stable to 1.45 times the step in units of its own period that vibration allows (measured in crystals).
-    if (packing.law.rolling)
-      shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / packing.law.rolling->stiffness));
+    if (bound.rolling > 0.0) shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / bound.rolling));
   }
   return time_step_in_contact_times * shortest;
 }
 
-template std::unique_ptr<Dynamics<2>> make_dynamics(const Packing<2>&, const CellControl<2>&,
+template std::unique_ptr<Dynamics<2>> make_dynamics(const Packing<2>&, const BoundaryControl<2>&,
                                                     const DynamicsSettings&);
 template double time_step_of(const Packing<2>&, double);
 

@@ -15,7 +15,7 @@ namespace floc {
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:
-  ExplicitDynamics(const Packing<Dim>& packing, const CellControl<Dim>& control,
+  ExplicitDynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                    const DynamicsSettings& settings);
 
   void advance(int n_steps, Motion motion) override;
@@ -26,8 +26,10 @@ class ExplicitDynamics final : public Dynamics<Dim> {
  private:
   int n_blocks() const { return (grains_.size() + kGrainBlock - 1) / kGrainBlock; }
 
-  void load_histories(const Packing<Dim>& packing);
-  void kick_cell();
+  void load_memory(const Packing<Dim>& packing);
+  void kick_lattice();
+  void impose_rates();
+  Mat<Dim> unbalanced_work() const;
   void begin_step();
   PairCell<Dim> pair_cell(double slip_time) const;
   Kick<Dim> kick_over(double half_step) const;
@@ -38,6 +40,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void refresh_forces();
   double list_cost_share() const;
   double eaten_skin() const;
+  double shrink_since_list() const;
+  Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   bool list_is_stale() const;
   double share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const;
   void rebuild_list();
@@ -47,8 +51,9 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   AnyContactLaw law_;
   const void* composed_law_;  ///< the alternative in law_
   double range_;              ///< of the law
+  ContactMemory<Dim> swap_parity_;
   const StepKernels<Dim>& kernels_;
-  CellControl<Dim> control_;
+  BoundaryControl<Dim> control_;
   double dt_;
   double skin_;
   int threads_;
@@ -59,15 +64,16 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   HotPairs<Dim> pairs_;
   GrainArrays<Dim> grain_arrays_;
   PairArrays<Dim> pair_arrays_;
-  Vec<Dim> side_, side_rate_;  ///< L and L'
-  Vec<Dim> strain_rate_;       ///< L'/L at mid-step
-  Vec<Dim> stretch_, drift_;   ///< of this step: x <- stretch x + drift v
+  // The lattice vectors are columns here: upper triangular matrices, diagonal for a rectangular cell.
+  Mat<Dim> lattice_, lattice_rate_;  ///< h and h'
+  Mat<Dim> strain_rate_;             ///< velocity gradient h' h^-1 at mid-step
+  Mat<Dim> stretch_, drift_;         ///< of this step: x <- stretch x + drift v
   std::vector<BlockSums<Dim>> sums_;
   double kinetic_ = 0.0;  ///< total kinetic energy with the cell's, for the power control
 
   std::array<std::vector<double>, Dim> x_list_;  ///< positions when the list was built
-  Vec<Dim> side_list_;
-  Vec<Dim> list_stretch_;  ///< L / L when the list was built
+  Mat<Dim> lattice_at_list_;
+  Mat<Dim> list_stretch_;  ///< deformation since the list was built
   int steps_since_list_ = 0;
   bool on_first_list_ = true;
   double idle_share_ = 0.0;  ///< of a step, when the list was built

@@ -54,8 +54,9 @@ HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, const std::
         }
         pad_block();
         if constexpr (Law::kHasDamping) viscous.assign(size(), 0.0);
-        if constexpr (Law::kHasFriction) shear.assign(size(), 0.0);
-        if constexpr (Law::kHasRolling) roll.assign(size(), 0.0);
+        if constexpr (Law::kNeedsReducedRadius) reduced_radius_ = reduced(radius);
+        if constexpr (Law::kNeedsReducedMass) reduced_mass_ = reduced(mass);
+        for_each_memory<Law, Dim>([&](auto, auto place) { memory[place].assign(size(), 0.0); });
         row_.assign(static_cast<std::size_t>(row_size_) * (size() + 1), 0.0);
       },
       any_law);
@@ -70,6 +71,15 @@ void HotPairs<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double ra
   radii_.push_back(radius_i + radius_j);
   share_i_.push_back(radius_i / (radius_i + radius_j));
   damping_.push_back(damping);
+}
+
+/// p q/(p + q) of a quantity of the grains of each pair; of padding half of what its grain has.
+template <int Dim>
+typename HotPairs<Dim>::Component HotPairs<Dim>::reduced(const std::vector<double>& of_grain) const {
+  Component values(size());
+  for (int p = 0; p < size(); ++p)
+    values[p] = of_grain[i_[p]] * of_grain[j_[p]] / (of_grain[i_[p]] + of_grain[j_[p]]);
+  return values;
 }
 
 /// Completes the pack that was begun, if any.
@@ -114,8 +124,8 @@ void HotPairs<Dim>::inherit(const HotPairs& old) {
       if (q == old.end_of_i_[i]) break;
       if (!(old.key(q) == key(p))) continue;
       if (!viscous.empty()) viscous[p] = old.viscous[q];
-      if (!shear.empty()) shear[p] = old.shear[q];
-      if (!roll.empty()) roll[p] = old.roll[q];
+      for (std::size_t k = 0; k < memory.size(); ++k)
+        if (!memory[k].empty()) memory[k][p] = old.memory[k][q];
     }
   }
 }
@@ -129,9 +139,10 @@ PairArrays<Dim> HotPairs<Dim>::arrays() {
   out.radii = radii_.data();
   out.share_i = share_i_.data();
   out.damping = damping_.data();
+  out.reduced_radius = reduced_radius_.data();
+  out.reduced_mass = reduced_mass_.data();
   out.viscous = viscous.data();
-  out.shear = shear.data();
-  out.roll = roll.data();
+  for (std::size_t k = 0; k < memory.size(); ++k) out.memory[k] = memory[k].data();
   out.row = row_.data();
   return out;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "floc/contact/law_table.h"
+#include "floc/contact/memory_layout.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
@@ -33,8 +34,8 @@ class HotPairs {
   using Component = std::vector<double>;
 
   Component viscous;  ///< dashpot forces of the step before (force); empty where the law has none
-  Component shear;    ///< tangential springs (length); empty where the law has none
-  Component roll;     ///< rolling springs (radians); empty where the law has none
+  /// What the law remembers, at the places of MemoryLayout; empty at places of which it remembers nothing.
+  std::array<Component, MemoryLayout<Dim>::kSize> memory;
 
   HotPairs() = default;
   HotPairs(HotPairs&&) = default;  // no copies: the plans point into the arrays
@@ -53,7 +54,7 @@ class HotPairs {
   double radii(int p) const { return radii_[p]; }
   /// Where a pair stands, -1 where it is not in the list.
   int find(const NeighborPair<Dim>& key) const;
-  /// Takes over the springs of an older list of the same grains.
+  /// Takes over the memory of an older list of the same grains.
   void inherit(const HotPairs& old);
 
   PairArrays<Dim> arrays();
@@ -68,6 +69,7 @@ class HotPairs {
   };
 
   void add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping);
+  Component reduced(const std::vector<double>& of_grain) const;
   void pad_block();
   void fill_pack();
   RowsOfGrains rows_of(const std::vector<int>& grain_of_pair, int n_grains) const;
@@ -79,6 +81,7 @@ class HotPairs {
   std::vector<int> i_, j_;
   std::array<Component, Dim> image_;
   Component radii_, share_i_, damping_, row_;
+  Component reduced_radius_, reduced_mass_;  ///< empty where the law does not need them
   std::vector<int> first_of_block_;
   std::vector<int> first_of_i_, end_of_i_;  ///< pairs of a grain
 

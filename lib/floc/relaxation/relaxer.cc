@@ -9,6 +9,7 @@
 
 #include "floc/elasticity/stability.h"
 #include "floc/neighbors/find_contacts.h"
+#include "floc/packing/contact_forces.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/static_solver.h"
@@ -66,14 +67,11 @@ T overshot(const T& start, const T& end) {
 /// Whether a contact that touches stays below its caps.
 template <int Dim>
 bool sticks(const LawParameters& law, const Contact<Dim>& from, const Contact<Dim>& to) {
-  const double elastic = overshot(from.elastic_force, to.elastic_force);
-  const bool slides =
-      law.friction && law.friction->stiffness * overshot(from.shear_spring, to.shear_spring).norm() >=
-                          law.friction->coefficient * elastic;
-  const bool rolls =
-      law.rolling && law.rolling->stiffness * overshot(from.rolling_spring, to.rolling_spring).norm() >=
-                         law.rolling->coefficient * elastic;
-  return !slides && !rolls && !to.sliding && !to.rolling_yield;
+  Contact<Dim> beyond = to;
+  beyond.elastic_force = overshot(from.elastic_force, to.elastic_force);
+  beyond.memory = overshot(from.memory, to.memory);
+  const Mobilised there = mobilised(law, beyond, 0.0);
+  return !there.sliding && !there.rolling && !to.sliding && !to.rolling_yield;
 }
 
 /// Whether the way from one equilibrium to another, and as far again beyond it, opens and closes no contact and brings
@@ -149,11 +147,10 @@ RelaxationStatus Relaxer<Dim>::advance() {
   if (options_.finish != Finish::dynamic && progress_.n_steps == 0 && at_rest && !target_.isZero(0.0) &&
       solved_at_once())
     return RelaxationStatus::converged;
-  CellControl<Dim> control;
-  control.target = target_;
-  control.mass =
-      options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0);
-  control.rate_cap = strain_rate_cap(options_, packing_, target_);
+  const auto control = BoundaryControl<Dim>::normal_stress(
+      target_,
+      options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0),
+      strain_rate_cap(options_, packing_, target_));
   auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
   packing_.contacts = {};  // dynamics has them now: a large packing is held once
   const bool finishing = progress_.stage == RelaxationProgress::finishing;
@@ -327,6 +324,9 @@ RelaxationReport Relaxer<Dim>::report() const {
   report.residuals = residuals_;
   report.n_negative = n_negative_;
   report.ending = ending_;
+  report.stage = progress_.stage == RelaxationProgress::finishing ? "finishing" : "moving";
+  report.time = progress_.time;
+  report.n_steps = progress_.n_steps;
   struct Criterion {
     const char* name;
     double value, tolerance;
@@ -350,6 +350,17 @@ RelaxationReport Relaxer<Dim>::report() const {
   return report;
 }
 
+template <int Dim>
+std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
+                                                     const Vec<Dim>& target_stress,
+                                                     const std::string& progress) {
+  return std::make_unique<Relaxer<Dim>>(
+      options, std::move(packing), target_stress,
+      progress.empty() ? RelaxationProgress{} : relaxation_progress(progress));
+}
+
+template std::unique_ptr<Equilibrator<2>> make_equilibrator(const RelaxationOptions&, Packing<2>, const Vec<2>&,
+                                                            const std::string&);
 template double inertial_time(const Packing<2>&, const Vec<2>&);
 template double strain_rate_cap(const RelaxationOptions&, const Packing<2>&, const Vec<2>&);
 template class Relaxer<2>;

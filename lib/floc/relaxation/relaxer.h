@@ -7,61 +7,30 @@
 
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
-#include "floc/relaxation/motion_observer.h"
-#include "floc/relaxation/relaxation_options.h"
+#include "floc/relaxation/equilibrator.h"
+#include "floc/relaxation/relaxation_progress.h"
 #include "floc/relaxation/static_solver.h"
 
 namespace floc {
 
-/// Where a relaxation stands, beside the packing itself: all that decides how it goes on.
-struct RelaxationProgress {
-  enum Stage { moving, finishing };
-  int stage = moving;
-  std::int64_t n_steps = 0;            ///< time steps of this relaxation so far
-  double time = 0.0;                   ///< simulated time of this relaxation so far
-  double skin = 0.0;                   ///< of the Verlet list; 0 before the first stretch
-  std::vector<double> solid_fraction;  ///< at the end of each recent stretch, the oldest first
-  std::vector<double>
-      imbalance_sign;             ///< of each axis: sign of stress - target at the start; 0 once it has changed
-  std::uint64_t contact_set = 0;  ///< fingerprint of the contact list
-  int unchanged_stretches = 0;    ///< stretches since that last changed
-  double finishing_since_phi = 0.0;  ///< solid fraction when finishing began
-  int finishing_stretches = 0;
-  int next_polish = 0;                 ///< stretch of the finish at which the static polisher is tried next
-  std::vector<double> force_residual;  ///< at the end of each recent stretch, for the decay rate
-};
-
-enum class RelaxationStatus { running, converged, gave_up };
-
-/// How a relaxation ended or where it stands, in numbers and words.
-struct RelaxationReport {
-  Residuals residuals;
-  int n_negative = -1;      ///< negative eigenvalues of an equilibrium's stiffness matrix; -1 before
-  std::string ending;       ///< "polished", "dynamic", "static", "diverged"; empty while it runs
-  std::string blocking;     ///< criterion that is worst against its tolerance, with its grain
-  double decay_rate = 0.0;  ///< of the force residual (1/time); positive when it falls
-};
-
 /// Takes a packing to equilibrium under a diagonal stress: by Newton steps where nothing rearranges, else by dynamics
-/// until motion has stopped, power control, then Newton steps (see Finish). State to state in stretches of a fixed number of time steps; between two of them packing and
-/// progress are the whole truth, so a run that is stopped there and continued gives the same bits.
+/// until motion has stopped, power control, then Newton steps (see Finish). State to state in stretches of a fixed number of
+/// time steps: a run that is stopped between two of them and continued gives the same bits.
 template <int Dim>
-class Relaxer {
+class Relaxer final : public Equilibrator<Dim> {
  public:
   Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
           RelaxationProgress progress = {});
 
   /// One stretch. Where the motion diverges, the packing is the one it began with, its springs at rest.
-  RelaxationStatus advance();
-  /// Shows the packing to somebody as it moves.
-  void observe(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
+  RelaxationStatus advance() override;
+  void observe(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
-  const Packing<Dim>& packing() const& { return packing_; }
-  Packing<Dim> packing() && { return std::move(packing_); }
-  const RelaxationProgress& progress() const { return progress_; }
-  RelaxationReport report() const;
-  /// Static stress of the packing as it is now.
-  const Mat<Dim>& stress() const { return stress_; }
+  const Packing<Dim>& packing() const override { return packing_; }
+  Packing<Dim> release_packing() override { return std::move(packing_); }
+  const Mat<Dim>& stress() const override { return stress_; }
+  RelaxationReport report() const override;
+  std::string progress() const override { return as_text(progress_); }
 
  private:
   bool answered_to_load();

@@ -76,12 +76,16 @@ double twist_about(const Vec<3>& normal, const Spin<3>& turn_i, const Spin<3>& t
 template <int Dim>
 class StaticProblem {
  public:
-  StaticProblem(const Packing<Dim>& start, const StressControl<Dim>& control,
+  StaticProblem(const Packing<Dim>& start, const BoundaryControl<Dim>& control,
                 const StaticSolverOptions& options)
-      : start_(start), control_(control), scale_(force_scale(start, Vec<Dim>(control.stress.diagonal()))) {
-    for (int a = 0; a < Dim; ++a)
-      for (int b = a; b < Dim; ++b)
-        if (control.free[a][b]) strains_.push_back({a, b});
+      : start_(start),
+        scale_(force_scale(start, Vec<Dim>(Vec<Dim>::Constant(control.mean_stress())))),
+        quantities_(remembered_quantities(start.law, Dim)) {
+    for (int k = 0; k < kSymmetric<Dim>; ++k) {
+      if (control.imposed[k] != Imposed::stress) continue;
+      strains_.push_back(component_axes<Dim>(k));
+      wanted_stress_.push_back(control.target[k]);
+    }
     initial_ = start_from(2.0 * options.largest_displacement * scale_.length);
     stiffness_ = 0.0;
     for (const Contact<Dim>& c : initial_.contacts) stiffness_ = std::max(stiffness_, c.kn);
@@ -121,7 +125,7 @@ class StaticProblem {
       SurfaceMotion<Dim>& motion = to.motion[k];
       const Vec<Dim> normal = locate(to, k);
       const Spin<Dim> turn_i = turn_of(step, c.i), turn_j = turn_of(step, c.j);
-      carry(normal, twist_about(normal, turn_i, turn_j), c, motion);
+      carry(quantities_, normal, twist_about(normal, turn_i, turn_j), c, motion);
       const double share = share_i(c);
       const Spin<Dim> mean_turn = share * turn_i + (1.0 - share) * turn_j;
       motion.slip += to_shear<double>(
@@ -143,7 +147,7 @@ class StaticProblem {
     std::vector<Mat<Dim>> frames;
     for (const Contact<Dim>& c : at.contacts) frames.push_back(contact_frame(c.normal));
     std::vector<ContactTangent<Dim>> tangents(frames.size());
-    contact_tangents<Dim>(start_.law, at.remembered, at.motion, frames, tangents);
+    contact_tangents<Dim>(start_, at.remembered, at.motion, frames, tangents);
     matrix.reset(kHold * stiffness_);
     for (std::size_t k = 0; k < frames.size(); ++k)
       if (interacts(at.contacts[k]))
@@ -152,7 +156,7 @@ class StaticProblem {
     for (int p = 0; p < n_strains(); ++p)
       for (int q = 0; q < n_strains(); ++q)
         if (strains_[q][0] == strains_[q][1])
-          load(p, q) = at.cell.volume() * wanted_stress(p) / (scale_.length * scale_.length);
+          load(p, q) = at.cell.volume() * wanted_stress_[p] / (scale_.length * scale_.length);
     matrix.add_boundary(load);
   }
 
@@ -179,7 +183,6 @@ class StaticProblem {
   int n_grains() const { return start_.grains.size(); }
   int n_strains() const { return static_cast<int>(strains_.size()); }
   int order() const { return kDofs<Dim> * n_grains() + n_strains(); }
-  double wanted_stress(int strain) const { return control_.stress(strains_[strain][0], strains_[strain][1]); }
   double radii(const Contact<Dim>& c) const { return start_.grains.radius[c.i] + start_.grains.radius[c.j]; }
   double share_i(const Contact<Dim>& c) const { return start_.grains.radius[c.i] / radii(c); }
   bool interacts(const Contact<Dim>& c) const { return c.gap < start_.law.range(); }
@@ -193,7 +196,7 @@ class StaticProblem {
     c.motion.resize(c.remembered.size());
     c.branch.resize(c.remembered.size());
     for (std::size_t k = 0; k < c.remembered.size(); ++k)
-      carry(locate(c, k), 0.0, c.remembered[k], c.motion[k]);
+      carry(quantities_, locate(c, k), 0.0, c.remembered[k], c.motion[k]);
     evaluate(c);
     return c;
   }
@@ -262,12 +265,12 @@ class StaticProblem {
   void evaluate(Configuration<Dim>& at) const {
     constexpr int kTurn = kRotations<Dim>;
     at.contacts = at.remembered;
-    respond<Dim>(start_.law, at.motion, at.contacts);
+    respond<Dim>(start_, at.motion, at.contacts);
     at.residual = Eigen::VectorXd::Zero(order());
     at.n_contacts = at.n_yielding = 0;
     auto stress_balance = at.residual.tail(n_strains());
     for (int k = 0; k < n_strains(); ++k)
-      stress_balance[k] = -at.cell.volume() * wanted_stress(k) / scale_.length;
+      stress_balance[k] = -at.cell.volume() * wanted_stress_[k] / scale_.length;
     const std::vector<double>& radius = start_.grains.radius;
     for (std::size_t k = 0; k < at.contacts.size(); ++k) {
       const Contact<Dim>& c = at.contacts[k];
@@ -330,9 +333,10 @@ class StaticProblem {
   }
 
   const Packing<Dim>& start_;
-  StressControl<Dim> control_;
   ForceScale scale_;
-  std::vector<std::array<int, 2>> strains_;  // the free ones
+  std::vector<RememberedQuantity> quantities_;  // of contacts, by the law
+  std::vector<std::array<int, 2>> strains_;     // the free ones
+  std::vector<double> wanted_stress_;           // of them
   Configuration<Dim> initial_;
   double stiffness_;  // of the stiffest contact
 };
@@ -340,7 +344,7 @@ class StaticProblem {
 }  // namespace
 
 template <int Dim>
-StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const StressControl<Dim>& control,
+StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,
                                   const StaticSolverOptions& options) {
   assert(start.cell.matrix.isLowerTriangular(0.0));
   const StaticProblem<Dim> problem(start, control, options);
@@ -396,9 +400,9 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const StressControl
   return solution;
 }
 
-template StaticSolution<2> solve_statics(const Packing<2>&, const StressControl<2>&,
+template StaticSolution<2> solve_statics(const Packing<2>&, const BoundaryControl<2>&,
                                          const StaticSolverOptions&);
-template StaticSolution<3> solve_statics(const Packing<3>&, const StressControl<3>&,
+template StaticSolution<3> solve_statics(const Packing<3>&, const BoundaryControl<3>&,
                                          const StaticSolverOptions&);
 
 }  // namespace floc

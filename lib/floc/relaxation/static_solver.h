@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/packing.h"
+#include "floc/relaxation/boundary_control.h"
 
 namespace floc {
 
@@ -16,22 +16,6 @@ struct StaticSolverOptions {
   double largest_step = 2e-3;            ///< relative displacement of two grains in contact, an iteration / a
   double largest_displacement = 2e-2;    ///< the same in total / a
   double largest_yielding_share = 0.15;  ///< of the contacts; beyond it sliding rules and Newton stalls
-};
-
-/// Which components of the cell's strain are free, under a stress, and which are held fixed: by row and column, row <= column.
-template <int Dim>
-struct StressControl {
-  /// Wanted of the free components, compression positive; the diagonal also sets the force scale.
-  Mat<Dim> stress = Mat<Dim>::Zero();
-  std::array<std::array<bool, Dim>, Dim> free{};
-
-  /// Every axis under its stress, shear strains fixed.
-  static StressControl axes(const Vec<Dim>& stress) {
-    StressControl control;
-    control.stress = stress.asDiagonal();
-    for (int a = 0; a < Dim; ++a) control.free[a][a] = true;
-    return control;
-  }
 };
 
 /// Outcome of a static solution.
@@ -49,16 +33,18 @@ struct StaticSolution {
 /// all geometric terms, unsymmetric where contacts slide. Free motions without stiffness (translations, rattlers, free
 /// rollers) carry no load and are held by a vanishing stiffness.
 ///
+/// @param control  components under a stress are unknowns, the others stay as they are; the mean of the normal stresses sets
+///                 the scale of forces
 /// @pre the cell is lower triangular (the first lattice vector along x, ...); it stays so
 template <int Dim>
-[[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const StressControl<Dim>& control,
+[[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,
                                                 const StaticSolverOptions& options);
 
 /// @param target_stress  stress on each axis, compression positive
 template <int Dim>
 [[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const Vec<Dim>& target_stress,
                                                 const StaticSolverOptions& options) {
-  return solve_statics(start, StressControl<Dim>::axes(target_stress), options);
+  return solve_statics(start, BoundaryControl<Dim>::normal_stress(target_stress, 0.0), options);
 }
 
 }  // namespace floc

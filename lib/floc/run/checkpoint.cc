@@ -19,19 +19,9 @@ void for_each_member(Point& point, const Visit& visit) {
   visit("n_steps", point.n_steps);
   visit("aggregation_skin", point.aggregation_skin);
   visit("parent_sha256", point.parent_sha256);
-  auto& relaxation = point.relaxation;
-  visit("stage", relaxation.stage);
-  visit("relaxation_steps", relaxation.n_steps);
-  visit("relaxation_time", relaxation.time);
-  visit("skin", relaxation.skin);
-  visit("solid_fraction", relaxation.solid_fraction);
-  visit("imbalance_sign", relaxation.imbalance_sign);
-  visit("contact_set", relaxation.contact_set);
-  visit("unchanged_stretches", relaxation.unchanged_stretches);
-  visit("finishing_since_phi", relaxation.finishing_since_phi);
-  visit("finishing_stretches", relaxation.finishing_stretches);
-  visit("next_polish", relaxation.next_polish);
-  visit("force_residual", relaxation.force_residual);
+  visit("equilibration", point.equilibration);
+  visit("equilibration_time", point.equilibration_time);
+  visit("equilibration_steps", point.equilibration_steps);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void ContactTracker::read_rows(const RunPoint& point) {
   std::string line;
   if (!std::getline(in, line)) return;
   if (line != kHeader) throw InputError(file_ + ":1", "columns are not those of this version of floc: " + line);
-  const double reached = (point.time + point.relaxation.time) * (1.0 + 1e-12);
+  const double reached = (point.time + point.equilibration_time) * (1.0 + 1e-12);
   for (int number = 2; std::getline(in, line); ++number) {
     std::istringstream fields(line);
     std::string step, branch, pressure, time;
@@ -50,7 +50,7 @@ void ContactTracker::see(const Run<2>& run, const Packing<2>& packing, double ti
 }
 
 void ContactTracker::finish_step(const Run<2>& run) {
-  see(run, run.packing(), run.point().time + run.point().relaxation.time);
+  see(run, run.packing(), run.point().time + run.point().equilibration_time);
   start_ = previous_;
 }
 

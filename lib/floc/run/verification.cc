@@ -111,7 +111,7 @@ Criterion check_list(const Packing<Dim>& recomputed) {
 template <int Dim>
 double force_error(const Packing<Dim>& packing) {
   double largest = 0.0;
-  double stiffest = packing.law.normal_stiffness;
+  double stiffest = 0.0;
   for (const Contact<Dim>& c : packing.contacts) {
     largest = std::max(largest, c.elastic_force);
     stiffest = std::max(stiffest, std::abs(c.kn));
@@ -217,13 +217,12 @@ template <int Dim>
 Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress) {
   const Grains<Dim>& g = recomputed.grains;
   const Balance<Dim> net = net_forces(recomputed);
-  const GrainScales<Dim> scales(recomputed, state.target_stress);
+  const double largest = state.tolerance.force * force_scale(recomputed, state.target_stress).force;
   Vec<Dim> centre = Vec<Dim>::Zero();
   for (const Vec<Dim>& x : g.position) centre += x / g.size();
   double open = 0.0;  // force * length
   for (int i = 0; i < g.size(); ++i)
-    open += std::min(net.force[i].norm(), state.tolerance.force * scales.of(i).force) *
-            (g.position[i] - centre).norm();
+    open += std::min(net.force[i].norm(), largest) * (g.position[i] - centre).norm();
   double rounded = 0.0;
   for (const Contact<Dim>& c : recomputed.contacts) {
     const double force = std::abs(c.normal_force) + c.shear_force.norm();

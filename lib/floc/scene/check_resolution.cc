@@ -16,7 +16,7 @@ using Need = TableReader::Need;
 void check_pressures(TableReader& root, const Scene& scene) {
   if (!scene.law.adhesion || !(scene.grains.diameter.max > 0)) return;
   const double least =
-      scene.relaxation.tolerance.stress * scene.law.adhesion->force / scene.grains.diameter.max;
+      scene.relaxation.tolerance.stress * scene.law.pull_off_force() / scene.grains.diameter.max;
   const auto check = [&](TableReader& t, const char* key, double pressure) {
     if (pressure > 0 && pressure <= least)
       t.fault(key,
@@ -46,14 +46,15 @@ void check_stiffness(TableReader& root, const Scene& scene) {
   TableReader equilibrium = root.table("equilibrium", "", Need::optional);
   TableReader contact = root.table("contact", "", Need::optional);
   if (!contact || !(a > 0) || !(F1 > 0)) return;
-  const double kappa = scene.law.normal_stiffness * a / F1;
+  const double stiffness = a * scene.law.contact_modulus(scene.dimension, a);
+  const double kappa = stiffness / F1;
   // Sides of the cell are one double each: see solve_statics().
   if (4 * kHalfUnit * kappa >= scene.relaxation.tolerance.stress)
     contact.fault(
         "normal",
         fmt::format("contact.normal.stiffness = {}: rounding leaves a stress of {:.1e} F1/a, expected "
                     "less than equilibrium.stress = {:.1e}",
-                    scene.law.normal_stiffness, 4 * kHalfUnit * kappa, scene.relaxation.tolerance.stress));
+                    stiffness / a, 4 * kHalfUnit * kappa, scene.relaxation.tolerance.stress));
   // Motion knows a coordinate as one double; about four contacts hold a grain.
   const double side = std::sqrt(scene.grains.count / std::max(scene.assembly.solid_fraction, 0.1));
   const double force = 4 * kHalfUnit * kappa * side;

@@ -4,8 +4,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
-#include "floc/contact/damping/viscous_damping.h"
+#include "floc/contact/law_description.h"
 #include "floc/relaxation/dynamics.h"
 
 namespace floc {
@@ -55,29 +56,46 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
 }
 
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
-  const LawParameters& law = scene.law;
-  const double F0 = law.adhesion->force;
-  groups.push_back(
-      {"kappa", a * law.normal_stiffness / F0, "a K_N/F0, stiffness of a contact against adhesion"});
+  const double F0 = scene.law.pull_off_force();
+  const double K_N = a * scene.law.contact_modulus(scene.dimension, a);
+  groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact against adhesion"});
   add_pressures(scene, F0 / a, "P_star", "a P/F0", groups);
-  groups.push_back({"h0/a", F0 / (law.normal_stiffness * a), "overlap of a free pair"});
-  if (law.adhesion->range > 0) groups.push_back({"D0/a", law.adhesion->range / a, "range of the attraction"});
+  groups.push_back({"h0/a", F0 / K_N, "overlap of a free pair"});
 }
 
-void add_springs(const LawParameters& law, double a, Groups& groups) {
-  const double K_N = law.normal_stiffness;
-  if (law.friction) {
-    groups.push_back({"mu", law.friction->coefficient, "friction coefficient"});
-    groups.push_back({"K_T/K_N", law.friction->stiffness / K_N, "tangential stiffness"});
+/// A number of the law over what makes it dimensionless, named after its symbol; nothing of those that scale others.
+std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
+  const std::string& symbol = n.declared->symbol;
+  switch (n.declared->unit) {
+    case Unit::ratio:
+    case Unit::angle:
+      return DerivedGroup{symbol, *n.value, n.declared->meaning};
+    case Unit::length:
+      return DerivedGroup{symbol + "/a", *n.value / a, n.declared->meaning};
+    case Unit::stiffness:
+      return DerivedGroup{symbol + "/K_N", *n.value / K_N, n.declared->meaning};
+    case Unit::rolling_stiffness:
+      return DerivedGroup{symbol + "/(K_N a^2)", *n.value / (K_N * a * a), n.declared->meaning};
+    case Unit::force:
+      break;
   }
-  if (law.rolling) {
-    groups.push_back({"mu_R/a", law.rolling->coefficient / a, "rolling friction"});
-    groups.push_back({"K_R/(K_N a^2)", law.rolling->stiffness / (K_N * a * a), "rolling stiffness"});
-  }
-  if (law.damping) {
-    groups.push_back({"e_N", law.damping->restitution, "restitution coefficient"});
-    groups.push_back({"zeta", damping_ratio(law.damping->restitution), "fraction of critical damping"});
-  }
+  return std::nullopt;
+}
+
+/// The numbers of one slot.
+void add_slot(const std::string& slot, const Scene& scene, double a, Groups& groups) {
+  LawParameters law = scene.law;
+  const double K_N = law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
+  for (const LawNumber& n : numbers_of(law))
+    if (n.key.starts_with(slot + "."))
+      if (auto group = group_of(n, K_N, a)) groups.push_back(std::move(*group));
+}
+
+void add_law(const Scene& scene, double a, Groups& groups) {
+  for (const char* slot : {"friction", "rolling", "damping"}) add_slot(slot, scene, a, groups);
+  if (scene.law.damping.holds<ViscousDamping>())
+    groups.push_back({"zeta", damping_ratio(scene.law.damping.get<ViscousDamping>().restitution),
+                      "fraction of critical damping"});
 }
 
 void add_rates(const Scene& scene, double a, double m, Groups& groups) {
@@ -92,7 +110,7 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
                                               : "agitation at the start, V* = sqrt(P a^2/m)"});
   if (scene.law.adhesion)
     groups.push_back(
-        {"T0", std::sqrt(a * m / scene.law.adhesion->force), "sqrt(a m/F0), unit of time of the scene"});
+        {"T0", std::sqrt(a * m / scene.law.pull_off_force()), "sqrt(a m/F0), unit of time of the scene"});
 }
 
 }  // namespace
@@ -105,7 +123,8 @@ double expected_cost(const Scene& scene) {
   // The step of the scene that was timed, in sqrt(m/K_N).
   constexpr double kTimedStep = 0.1;
   const double step =
-      time_step(scene) / std::sqrt(mass_of(scene, scene.grains.diameter.max) / scene.law.normal_stiffness);
+      time_step(scene) / std::sqrt(mass_of(scene, scene.grains.diameter.max) /
+                                   scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max));
   const Steps steps = count_steps(scene);
   const double start = scene.starts_from_state() ? 1.0 : kAssembly;
   return kSecondsPerGrainAndStep * scene.grains.count * (start + steps.up + kUnloading * steps.down) *
@@ -120,12 +139,13 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   groups.push_back({"d_min/a", scene.grains.diameter.min / a, "smallest diameter over the largest, a"});
   if (scene.law.adhesion) {
     add_cohesion(scene, a, groups);
+    add_slot("adhesion", scene, a, groups);
   } else {
-    groups.push_back(
-        {"kappa", scene.law.normal_stiffness / scene.assembly.pressure, "K_N/P at the first pressure"});
-    add_pressures(scene, scene.law.normal_stiffness, "P/K_N", "P/K_N", groups);
+    const double K_N = scene.law.contact_modulus(scene.dimension, a);
+    groups.push_back({"kappa", K_N / scene.assembly.pressure, "K_N/P at the first pressure"});
+    add_pressures(scene, K_N, "P/K_N", "P/K_N", groups);
   }
-  add_springs(scene.law, a, groups);
+  add_law(scene, a, groups);
   add_rates(scene, a, m, groups);
   groups.push_back({"time_step", time_step(scene), "step of the dynamics (time unit of the scene)"});
   const Steps steps = count_steps(scene);

@@ -15,7 +15,8 @@ constexpr NumberRule kRelativeError{[](double x) { return x > 0; }, "a positive 
 /// a K_N/F0; nothing without adhesion.
 std::optional<double> stiffness_number(const Scene& scene) {
   if (!scene.law.adhesion) return std::nullopt;
-  return scene.grains.diameter.max * scene.law.normal_stiffness / scene.law.adhesion->force;
+  const double a = scene.grains.diameter.max;
+  return a * scene.law.contact_modulus(scene.dimension, a) / scene.law.pull_off_force();
 }
 
 /// Settings that [accuracy] chooses: a scene says either the accuracy or these.

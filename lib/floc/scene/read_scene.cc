@@ -12,10 +12,12 @@
 #include <sstream>
 
 #include "floc/base/error.h"
+#include "floc/contact/law_description.h"
 #include "floc/loading/run_plan.h"
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/numerical_settings.h"
 #include "floc/scene/read_accuracy.h"
+#include "floc/scene/read_law.h"
 #include "floc/scene/read_saved_start.h"
 #include "floc/scene/table_reader.h"
 
@@ -32,9 +34,6 @@ constexpr bool not_negative(double x) {
 }
 constexpr bool in_unit_interval(double x) {
   return x >= 0 && x <= 1;
-}
-constexpr bool is_restitution(double x) {
-  return x > 0 && x <= 1;
 }
 /// Beyond this a fluid of disks is too dense for grains to be placed at random without overlap.
 constexpr double kDensestGas = 0.6;
@@ -151,63 +150,6 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
   t.refuse_other_keys();
 }
 
-std::optional<LawParameters::Adhesion> read_adhesion(TableReader t) {
-  if (!t) return std::nullopt;
-  const auto law = t.choice("law", {"tail", "constant"});
-  if (!law) return std::nullopt;
-  const auto force = t.number("force", {positive,
-                                        "a positive number (F0, the pull-off force); "
-                                        "leave the table out for grains without adhesion"});
-  LawParameters::Adhesion adhesion{force.value_or(1), 0};
-  if (*law == 0) adhesion.range = t.number("range", {positive, "a positive number (D0, length)"}).value_or(1);
-  if (*law == 1)
-    t.refuse("range",
-             "contact.adhesion.range: a constant adhesion has no range; expected law = \"tail\", or no range");
-  t.refuse_other_keys();
-  return adhesion;
-}
-
-std::optional<LawParameters::Damping> read_damping(TableReader t) {
-  if (!t) return std::nullopt;
-  const auto e = t.number("restitution", {is_restitution, "a restitution coefficient e_N in (0, 1]"});
-  const auto mass = t.choice("mass", {"effective", "grain"}, Need::optional);
-  t.refuse_other_keys();
-  return LawParameters::Damping{e.value_or(1),
-                                mass.value_or(0) == 0 ? DampingMass::effective : DampingMass::grain};
-}
-
-template <class Slot>
-std::optional<Slot> read_spring(TableReader t, NumberRule coefficient, NumberRule stiffness) {
-  if (!t) return std::nullopt;
-  const auto c = t.number("coefficient", coefficient);
-  const auto k = t.number("stiffness", stiffness);
-  t.refuse_other_keys();
-  return Slot{c.value_or(0), k.value_or(1)};
-}
-
-void read_contact(TableReader& root, Scene& scene) {
-  TableReader t = root.table("contact", "a table [contact]");
-  LawParameters& law = scene.law;
-  TableReader normal = t.table("normal", "a table {law = \"linear\", stiffness}");
-  normal.choice("law", {"linear"});
-  law.normal_stiffness =
-      normal.number("stiffness", {positive, "a positive number (K_N, force per length)"}).value_or(1);
-  normal.refuse_other_keys();
-  law.adhesion = read_adhesion(t.table(
-      "adhesion", "a table {law = \"tail\", force, range} or {law = \"constant\", force}", Need::optional));
-  law.damping = read_damping(t.table("damping", "a table {restitution, mass}", Need::optional));
-  law.friction = read_spring<LawParameters::Friction>(
-      t.table("friction", "a table {coefficient, stiffness}", Need::optional),
-      {not_negative, "a number >= 0 (mu)"}, {positive, "a positive number (K_T, force per length)"});
-  law.rolling = read_spring<LawParameters::Rolling>(
-      t.table("rolling", "a table {coefficient, stiffness}", Need::optional),
-      {not_negative, "a number >= 0 (mu_R, a length)"},
-      {positive, "a positive number (K_R, force times length)"});
-  if (law.rolling && !law.friction)
-    t.fault("rolling", "contact.rolling: needs contact.friction; grains that slide freely need not roll");
-  t.refuse_other_keys();
-}
-
 void read_cell(TableReader& root, Scene& scene) {
   TableReader t = root.table("cell", "a table [cell]");
   if (scene.starts_from_state())
@@ -264,10 +206,8 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
 }
 
 std::vector<std::string> law_keys(LawParameters law) {
-  std::vector<std::string> keys = {"normal.stiffness",    "adhesion.force",       "adhesion.range",
-                                   "damping.restitution", "friction.coefficient", "friction.stiffness",
-                                   "rolling.coefficient", "rolling.stiffness"};
-  std::erase_if(keys, [&](const std::string& key) { return !law_number(law, key); });
+  std::vector<std::string> keys;
+  for (const LawNumber& n : numbers_of(law)) keys.push_back(n.key);
   return keys;
 }
 
@@ -371,7 +311,7 @@ void read_run(TableReader& root, Scene& scene) {
 
 /// What tables must agree on.
 void check_together(TableReader& root, SceneSource& source, const Scene& scene) {
-  const bool cohesive = scene.law.adhesion.has_value() || source.is_faulty("contact.adhesion.law");
+  const bool cohesive = scene.law.adhesion || source.is_faulty("contact.adhesion.law");
   TableReader contact = root.table("contact", "", Need::optional);
   TableReader cell = root.table("cell", "", Need::optional);
   TableReader assembly = root.table("assembly", "", Need::optional);
@@ -381,7 +321,7 @@ void check_together(TableReader& root, SceneSource& source, const Scene& scene) 
                "cell.strain_rate_cap: counts in T0 = sqrt(a m/F0), and the scene has no adhesion; "
                "expected inertial_number_cap");
   if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation) return;
-  if (!cohesive || (scene.law.adhesion && scene.law.adhesion->range == 0))
+  if (!cohesive || (scene.law.adhesion && scene.law.range() == 0))
     assembly.fault("protocol",
                    "assembly.protocol = \"aggregation\": grains stick by an adhesion with a tail; expected "
                    "contact.adhesion = {law = \"tail\", force, range}, or protocol = \"direct\"");
@@ -424,7 +364,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   Scene scene;
   scene.name = std::filesystem::path(place).stem().string();
   read_scene_table(root, scene);
-  read_contact(root, scene);
+  scene.law = read_law(root);
   read_assembly(root, directory, scene);
   read_grains(root, source, directory, scene);
   read_cell(root, scene);

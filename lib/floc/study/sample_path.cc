@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "floc/packing/equilibrium.h"
+#include "floc/relaxation/equilibrator.h"
 
 namespace floc {
 namespace {
@@ -91,18 +92,18 @@ void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePat
   for (ObservedState& s : path.states) {
     s.settled = s.seen;
     if (s.state.residuals.within(strict.tolerance)) continue;
-    Relaxer<2> relaxer(options, s.state.packing, s.state.target_stress);
+    const auto relaxer = make_equilibrator<2>(options, s.state.packing, s.state.target_stress);
     RelaxationStatus status = RelaxationStatus::running;
-    while (status == RelaxationStatus::running && !deadline.passed()) status = relaxer.advance();
+    while (status == RelaxationStatus::running && !deadline.passed()) status = relaxer->advance();
     if (status != RelaxationStatus::converged) {
       path.out_of_time = status == RelaxationStatus::running;
       if (!path.out_of_time)
         path.failure = fmt::format("state {} finds no strict equilibrium: {}", s.state.path.step,
-                                   relaxer.report().blocking);
+                                   relaxer->report().blocking);
       return;
     }
     State<2> settled = s.state;
-    settled.packing = relaxer.packing();
+    settled.packing = relaxer->packing();
     ModuliSequence<2> moduli{ModuliOptions{}};
     s.settled = observe(settled, moduli);
   }

@@ -45,8 +45,7 @@ TEST(ClusterFlight, MovesAClusterAsItsDynamicsDo) {
   EXPECT_EQ(flight.fly(flown, 0.01, 20.0), 20.0);
 
   const double dt = time_step_of(start, RelaxationOptions{}.time_step);
-  CellControl<2> fixed;
-  fixed.fixed = true;
+  const auto fixed = BoundaryControl<2>::fixed();
   const auto dynamics = make_dynamics(start, fixed, {dt, 0.1});
   dynamics->advance(static_cast<int>(20.0 / dt), Motion::free);
   const Packing<2> moved = dynamics->packing();

@@ -8,6 +8,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
 #include "support/dynamics.h"
+#include "support/springs.h"
 
 namespace floc {
 namespace {
@@ -27,15 +28,15 @@ Packing<2> pressed_disks() {
   }
   find_contacts(packing);
   for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
-    packing.contacts[c].shear_spring.setConstant(1e-8 * (1.0 + static_cast<double>(c)));
-    packing.contacts[c].rolling_spring.setConstant(-1e-8 * (1.0 + static_cast<double>(c)));
+    test::shear_spring(packing.contacts[c]).setConstant(1e-8 * (1.0 + static_cast<double>(c)));
+    test::rolling_spring(packing.contacts[c]).setConstant(-1e-8 * (1.0 + static_cast<double>(c)));
   }
   refresh_contacts(packing);
   return packing;
 }
 
 bool remembers(const Contact<2>& c) {
-  return c.shear_spring[0] != 0.0 || c.rolling_spring[0] != 0.0;
+  return test::shear_spring(c)[0] != 0.0 || test::rolling_spring(c)[0] != 0.0;
 }
 
 TEST(SavedStart, UnderItsOwnLawIsThePackingAtRest) {
@@ -69,7 +70,8 @@ TEST(SavedStart, LosesTheSpringsOfSlotsThatTheLawHasNot) {
   const Packing<2> saved = pressed_disks();
   LawParameters law = saved.law;
   law.rolling.reset();
-  for (const Contact<2>& c : start_from<2>(saved, law, kAlone).contacts) EXPECT_EQ(c.rolling_spring[0], 0.0);
+  for (const Contact<2>& c : start_from<2>(saved, law, kAlone).contacts)
+    EXPECT_EQ(test::rolling_spring(c)[0], 0.0);
   law.friction.reset();
   for (const Contact<2>& c : start_from<2>(saved, law, kAlone).contacts) EXPECT_FALSE(remembers(c));
 }
@@ -77,12 +79,12 @@ TEST(SavedStart, LosesTheSpringsOfSlotsThatTheLawHasNot) {
 TEST(SavedStart, KeepsSpringsAndNotForcesUpToTheNewCaps) {
   const Packing<2> saved = pressed_disks();
   LawParameters law = saved.law;
-  law.friction->stiffness *= 0.5;
-  law.rolling->coefficient = 0.0;  // no rolling resistance
+  law.friction.get<CoulombFriction>().tangential_stiffness *= 0.5;
+  law.rolling.get<RollingSpring>().coefficient = 0.0;  // no rolling resistance
   const Packing<2> start = start_from<2>(saved, law, kAlone);
   ASSERT_EQ(start.contacts.size(), saved.contacts.size());
   for (std::size_t k = 0; k < saved.contacts.size(); ++k) {
-    EXPECT_EQ(start.contacts[k].shear_spring, saved.contacts[k].shear_spring);
+    EXPECT_EQ(test::shear_spring(start.contacts[k]), test::shear_spring(saved.contacts[k]));
     EXPECT_EQ(start.contacts[k].shear_force, 0.5 * saved.contacts[k].shear_force);
     EXPECT_EQ(start.contacts[k].rolling_moment[0], 0.0);
   }
@@ -91,7 +93,7 @@ TEST(SavedStart, KeepsSpringsAndNotForcesUpToTheNewCaps) {
 TEST(SavedStart, FindsTheContactsOfALongerRange) {
   const Packing<2> saved = pressed_disks();
   LawParameters law = saved.law;
-  law.adhesion->range = 0.2;
+  law.adhesion.get<TailAdhesion>().tail_range = 0.2;
   Packing<2> found = saved;
   found.law = law;
   find_contacts(found);

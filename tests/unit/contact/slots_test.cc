@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "floc/base/vec.h"
 #include "floc/contact/adhesion/constant_adhesion.h"
 #include "floc/contact/adhesion/tail_adhesion.h"
 #include "floc/contact/capped_spring.h"
@@ -12,40 +13,51 @@ namespace {
 
 TEST(LinearRepulsion, IsKNTimesTheOverlap) {
   const LinearRepulsion repulsion{200.0};
-  EXPECT_DOUBLE_EQ(repulsion.force(-0.25), 50.0);
-  EXPECT_DOUBLE_EQ(repulsion.energy(-0.25), 6.25);
-  EXPECT_EQ(repulsion.force(0.25), 0.0);
+  EXPECT_DOUBLE_EQ(repulsion.force(PairGeometry<>(-0.25)), 50.0);
+  EXPECT_DOUBLE_EQ(repulsion.energy(PairGeometry<>(-0.25)), 6.25);
+  EXPECT_EQ(repulsion.force(PairGeometry<>(0.25)), 0.0);
 }
 
 TEST(TailAdhesion, FallsLinearlyFromF0ToZeroOverItsRange) {
   const TailAdhesion tail{8.0, 0.5};
-  EXPECT_EQ(tail.force(-0.1), -8.0);
-  EXPECT_EQ(tail.force(0.0), -8.0);
-  EXPECT_DOUBLE_EQ(tail.force(0.125), -6.0);
-  EXPECT_DOUBLE_EQ(tail.force(0.25), -4.0);
-  EXPECT_EQ(tail.force(0.5), 0.0);
-  EXPECT_EQ(tail.force(0.7), 0.0);
-  EXPECT_EQ(tail.stiffness(0.25), -16.0);
-  EXPECT_EQ(tail.energy(0.0), -2.0);
-  EXPECT_DOUBLE_EQ(tail.energy(0.25), -0.5);
+  EXPECT_EQ(tail.force(PairGeometry<>(-0.1)), -8.0);
+  EXPECT_EQ(tail.force(PairGeometry<>(0.0)), -8.0);
+  EXPECT_DOUBLE_EQ(tail.force(PairGeometry<>(0.125)), -6.0);
+  EXPECT_DOUBLE_EQ(tail.force(PairGeometry<>(0.25)), -4.0);
+  EXPECT_EQ(tail.force(PairGeometry<>(0.5)), 0.0);
+  EXPECT_EQ(tail.force(PairGeometry<>(0.7)), 0.0);
+  EXPECT_EQ(tail.stiffness(PairGeometry<>(0.25)), -16.0);
+  EXPECT_EQ(tail.energy(PairGeometry<>(0.0)), -2.0);
+  EXPECT_DOUBLE_EQ(tail.energy(PairGeometry<>(0.25)), -0.5);
 }
 
 TEST(ConstantAdhesion, ActsInContactOnly) {
   const ConstantAdhesion constant{8.0};
-  EXPECT_EQ(constant.force(-1e-12), -8.0);
-  EXPECT_EQ(constant.force(0.0), 0.0);
+  EXPECT_EQ(constant.force(PairGeometry<>(-1e-12)), -8.0);
+  EXPECT_EQ(constant.force(PairGeometry<>(0.0)), 0.0);
   EXPECT_EQ(constant.range(), 0.0);
 }
 
 TEST(CoulombFriction, LongestSpringTimesStiffnessIsTheCap) {
   const CoulombFriction friction{0.5, 40.0};
-  EXPECT_DOUBLE_EQ(40.0 * friction.spring_limit(6.0), 3.0);
-  EXPECT_EQ(friction.spring_limit(0.0), 0.0);
+  double spring = 0.0;
+  EXPECT_DOUBLE_EQ(
+      friction.respond(PairGeometry<>(-0.1), NormalResponse<double>{6.0, 0.0, 1.0}, Vec<1>(9.0), &spring)[0],
+      3.0);
+  EXPECT_DOUBLE_EQ(40.0 * spring, 3.0);
+  EXPECT_TRUE(friction.is_mobilised<Vec<1>>(6.0, &spring, 0.0));
+  EXPECT_FALSE(friction.is_mobilised<Vec<1>>(6.1, &spring, 0.0));
+  EXPECT_EQ(
+      friction.respond(PairGeometry<>(0.1), NormalResponse<double>{0.0, 0.0, 0.0}, Vec<1>(9.0), &spring)[0],
+      0.0);
 }
 
 TEST(RollingSpring, LargestTurnTimesStiffnessIsTheCap) {
   const RollingSpring rolling{0.05, 10.0};
-  EXPECT_DOUBLE_EQ(10.0 * rolling.spring_limit(6.0), 0.3);
+  double spring = 0.0;
+  EXPECT_DOUBLE_EQ(
+      rolling.respond(PairGeometry<>(-0.1), NormalResponse<double>{6.0, 0.0, 1.0}, Vec<1>(-9.0), &spring)[0],
+      -0.3);
 }
 
 TEST(CappedSpring, OfOneComponentIsClamped) {

@@ -59,7 +59,7 @@ TEST(SoftModes, OfALatticeLackNoCopy) {
 
 TEST(SoftModes, IncludeUnstableOnes) {
   LawParameters law = test::elastic_law(1.0, 0.6, 0.1);
-  law.adhesion = LawParameters::Adhesion{0.05, 0.1};
+  law.adhesion = TailAdhesion{0.05, 0.1};
   int n_unstable = 0;
   for (unsigned seed = 0; seed < 5; ++seed) {
     const auto network = contact_network(test::random_packing<2>(80, seed, law, 1.2));

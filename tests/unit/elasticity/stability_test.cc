@@ -13,7 +13,7 @@ namespace {
 /// Strong tails over a wide range: some of these packings are unstable, some in many ways.
 LawParameters tail_law(double force) {
   LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
-  law.adhesion = LawParameters::Adhesion{force, 0.08};
+  law.adhesion = TailAdhesion{force, 0.08};
   return law;
 }
 

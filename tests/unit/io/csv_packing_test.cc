@@ -8,6 +8,7 @@
 #include "floc/base/error.h"
 #include "floc/io/law_text.h"
 #include "support/scratch_directory.h"
+#include "support/springs.h"
 
 namespace floc {
 namespace {
@@ -96,9 +97,9 @@ TEST_F(CsvPacking, KeepsForcesOfTheListAndStretchesTheSpringsToThem) {
   EXPECT_EQ(c.normal_force, 2.5);
   EXPECT_NEAR(c.shear_force[1], -0.3, 1e-15);
   // The tangent of a normal along -x points along -y: a spring of F/K_T = 0.3/4 along it.
-  EXPECT_NEAR(c.shear_spring[0], 0.075, 1e-15);
+  EXPECT_NEAR(test::shear_spring(c)[0], 0.075, 1e-15);
   EXPECT_NEAR(c.rolling_moment[0], -0.04, 1e-15);
-  EXPECT_NEAR(c.rolling_spring[0], 0.02, 1e-15);
+  EXPECT_NEAR(test::rolling_spring(c)[0], 0.02, 1e-15);
   EXPECT_FALSE(c.sliding);
   EXPECT_EQ(std::tie(c.kn, c.kt, c.kr), std::make_tuple(10.0, 4.0, 2.0));
 }

@@ -152,7 +152,7 @@ class VtuEncodings : public testing::Test {
   void expect_read(const std::string& text) {
     test::write_text(scratch_.file("p.vtu"), text);
     ImportOptions options;
-    options.law.emplace().normal_stiffness = 1.0;
+    options.law.emplace().normal = LinearRepulsion{1.0};
     options.cell = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
     const Imported read = read_vtu(scratch_.file("p.vtu"), options);
     const Packing<3>& p = std::get<State<3>>(read.state).packing;
@@ -162,7 +162,7 @@ class VtuEncodings : public testing::Test {
   void expect_refusal(const std::string& text, const std::string& words) {
     test::write_text(scratch_.file("p.vtu"), text);
     ImportOptions options;
-    options.law.emplace().normal_stiffness = 1.0;
+    options.law.emplace().normal = LinearRepulsion{1.0};
     options.cell = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
     EXPECT_THAT([&] { read_vtu(scratch_.file("p.vtu"), options); },
                 ThrowsMessage<InputError>(HasSubstr(words)));
@@ -226,7 +226,7 @@ void expect_refusal(Imported (*read)(const std::string&, const ImportOptions&), 
   const test::ScratchDirectory scratch;
   test::write_text(scratch.file("p"), text);
   ImportOptions options;
-  options.law.emplace().normal_stiffness = 1.0;
+  options.law.emplace().normal = LinearRepulsion{1.0};
   EXPECT_THAT([&] { read(scratch.file("p"), options); }, ThrowsMessage<InputError>(HasSubstr(words)));
 }
 

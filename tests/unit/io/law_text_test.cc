@@ -13,14 +13,14 @@ using testing::ThrowsMessage;
 
 TEST(LawText, GivesBackEveryLawItWrites) {
   LawParameters law;
-  law.normal_stiffness = 1e5 / 3.0;
+  law.normal = LinearRepulsion{1e5 / 3.0};
   EXPECT_EQ(parse_law("", law_text(law)), law);
-  law.adhesion = {1.0, 0.0};
-  law.friction = {0.5, 1e5};
+  law.adhesion = ConstantAdhesion{1.0};
+  law.friction = CoulombFriction{0.5, 1e5};
   EXPECT_EQ(parse_law("", law_text(law)), law);
-  law.adhesion = {1.0, 1e-3};
-  law.damping = {0.015, DampingMass::grain};
-  law.rolling = {0.005, 10.0};
+  law.adhesion = TailAdhesion{1.0, 1e-3};
+  law.damping = ViscousDamping{0.015, DampingMass::grain};
+  law.rolling = RollingSpring{0.005, 10.0};
   EXPECT_EQ(parse_law("", law_text(law)), law);
 }
 

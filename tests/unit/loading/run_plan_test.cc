@@ -85,7 +85,7 @@ TEST(LawNumber, IsFoundForEveryKeyOfAFullLaw) {
     EXPECT_NE(law, before) << key;
   }
   EXPECT_EQ(law_number(law, "friction"), nullptr);
-  EXPECT_EQ(law.rolling->stiffness, 0.5 * test::cohesive_law().rolling->stiffness);
+  EXPECT_EQ(law.rolling.get<RollingSpring>().rolling_stiffness, 5.0);
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(Run, AgitatesASavedPackingByItsAdhesionOrElseByItsLoad) {
   LawParameters law = test::cohesive_law();
   EXPECT_EQ(starting_speed(law, 0.0, 0.5), 0.0);
   EXPECT_NEAR(starting_speed(law, 0.3, 0.5), 0.3 * std::sqrt(1.0 * 1e-3), 1e-14);  // sqrt(F0 D0/m)
-  law.adhesion->range = 0.0;
+  law.adhesion.get<TailAdhesion>().tail_range = 0.0;
   EXPECT_NEAR(starting_speed(law, 0.3, 0.5), 0.3 * std::sqrt(0.5), 1e-14);  // sqrt(P a^2/m)
   law.adhesion.reset();
   EXPECT_NEAR(starting_speed(law, 0.3, 0.5), 0.3 * std::sqrt(0.5), 1e-14);

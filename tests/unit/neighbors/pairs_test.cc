@@ -179,5 +179,12 @@ TEST(SpaceOrder, IsAPermutationThatKeepsNeighboursClose) {
   for (int k = 0; k < grains.size(); ++k) ASSERT_EQ(order[k], k);
 }
 
+TEST(FindPairs, RefusesARadiusNearTheLargestNumberInWords) {
+  Grains<2> grains = Grains<2>::with_size(2);
+  grains.radius = {1e308, 0.5};
+  grains.position[1] = Vec<2>(0.5, 0.5);
+  EXPECT_THROW(find_pairs(Cell<2>{}, grains, 0.0), InputError);
+}
+
 }  // namespace
 }  // namespace floc

@@ -7,6 +7,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
 #include "support/network_packings.h"
+#include "support/springs.h"
 
 namespace floc {
 namespace {
@@ -34,8 +35,8 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
     const Vec<Dim> arms = ratio * (packing.grains.radius[c.i] * cross<double>(turn(c.i), n_ij) +
                                    packing.grains.radius[c.j] * cross<double>(turn(c.j), n_ij));
     const Vec<Dim> approach = branch(out, c) - r;
-    c.shear_spring = to_shear<double>(n_ij, Vec<Dim>(approach - arms));
-    c.rolling_spring = turn(c.i) - turn(c.j);
+    test::shear_spring(c) = to_shear<double>(n_ij, Vec<Dim>(approach - arms));
+    test::rolling_spring(c) = turn(c.i) - turn(c.j);
   }
   refresh_contacts(out);
   return out;
@@ -80,7 +81,7 @@ constexpr double kDifferenceTolerance = 1e-8;
 
 LawParameters cohesive_law() {
   LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
-  law.adhesion = LawParameters::Adhesion{0.02, 0.08};
+  law.adhesion = TailAdhesion{0.02, 0.08};
   return law;
 }
 
@@ -117,7 +118,7 @@ TEST(Stiffness, HoldsForGrainsThatTouchTheirOwnImages) {
 /// A law one term of which outweighs the others, so that the largest entries of K are its own.
 std::vector<LawParameters> laws_by_term() {
   LawParameters tails = test::elastic_law(1.0, 0.7, 0.05);
-  tails.adhesion = LawParameters::Adhesion{8.0, 0.08};  // F0/D0 = 100
+  tails.adhesion = TailAdhesion{8.0, 0.08};  // F0/D0 = 100
   return {test::elastic_law(1.0, 0.0, 0.0), test::elastic_law(0.01, 1.0, 0.01),
           test::elastic_law(0.01, 0.01, 1.0), tails};
 }
@@ -183,8 +184,8 @@ TEST(Rigidity, ScaledByTheRootsOfTheStiffnessesIsARootOfK) {
 TEST(Rigidity, BalancesForcesWithLoads) {
   auto packing = test::random_packing<2>(12, 3, cohesive_law());
   for (Contact<2>& c : packing.contacts) {
-    c.shear_spring[0] = 0.01 * c.gap;
-    c.rolling_spring[0] = 0.02 * c.gap;
+    test::shear_spring(c)[0] = 0.01 * c.gap;
+    test::rolling_spring(c)[0] = 0.02 * c.gap;
   }
   refresh_contacts(packing);
   const auto network = contact_network(packing);

@@ -8,6 +8,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_response.h"
 #include "support/network_packings.h"
+#include "support/springs.h"
 
 namespace floc {
 namespace {
@@ -15,9 +16,9 @@ namespace {
 /// Tangential forces and rolling moments up to half as large again as their caps, so that a third of the contacts slide.
 LawParameters sliding_law() {
   LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
-  law.adhesion = LawParameters::Adhesion{0.02, 0.08};
-  law.friction->coefficient = 0.4;
-  law.rolling->coefficient = 0.2;
+  law.adhesion = TailAdhesion{0.02, 0.08};
+  law.friction.get<CoulombFriction>().coefficient = 0.4;
+  law.rolling.get<RollingSpring>().coefficient = 0.2;
   return law;
 }
 
@@ -26,15 +27,17 @@ template <int Dim>
 void stretch(Packing<Dim>& packing, double reach, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const LawParameters& law = packing.law;
+  const auto& friction = packing.law.friction.template get<CoulombFriction>();
+  const auto& rolling = packing.law.rolling.template get<RollingSpring>();
   for (Contact<Dim>& c : packing.contacts) {
     if (c.distant) continue;
     Vec<Dim> direction;
     for (int a = 0; a < Dim; ++a) direction[a] = uniform(engine);
-    const double shear_cap = law.friction->coefficient * c.elastic_force / law.friction->stiffness;
-    const double turn_cap = law.rolling->coefficient * c.elastic_force / law.rolling->stiffness;
-    c.shear_spring = reach * uniform(engine) * shear_cap * to_shear<double>(c.normal, direction).normalized();
-    for (int a = 0; a < kRotations<Dim>; ++a) c.rolling_spring[a] = reach * uniform(engine) * turn_cap;
+    const double shear_cap = friction.coefficient * c.elastic_force / friction.tangential_stiffness;
+    const double turn_cap = rolling.coefficient * c.elastic_force / rolling.rolling_stiffness;
+    test::shear_spring(c) =
+        reach * uniform(engine) * shear_cap * to_shear<double>(c.normal, direction).normalized();
+    for (int a = 0; a < kRotations<Dim>; ++a) test::rolling_spring(c)[a] = reach * uniform(engine) * turn_cap;
   }
 }
 
@@ -62,6 +65,7 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   for (int i = 0; i < n; ++i)
     out.grains.position[i] = deformation * packing.grains.position[i] + u.segment<Dim>(kDofs<Dim> * i);
   std::vector<SurfaceMotion<Dim>> motion(out.contacts.size());
+  const auto remembered = remembered_quantities(packing.law, Dim);
   for (std::size_t k = 0; k < out.contacts.size(); ++k) {
     Contact<Dim>& c = out.contacts[k];
     const double radii = packing.grains.radius[c.i] + packing.grains.radius[c.j];
@@ -70,11 +74,11 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
     const Vec<Dim> normal = r.normalized();
     const Spin<Dim> mean = (packing.grains.radius[c.i] * turn_i + packing.grains.radius[c.j] * turn_j) / radii;
     c.gap = r.norm() - radii;
-    carry<Dim>(normal, twist_about(normal, Spin<Dim>(0.5 * (turn_i + turn_j))), c, motion[k]);
+    carry<Dim>(remembered, normal, twist_about(normal, Spin<Dim>(0.5 * (turn_i + turn_j))), c, motion[k]);
     motion[k].slip = to_shear<double>(normal, Vec<Dim>(r - branch(packing, c) - cross<double>(mean, r)));
     motion[k].relative_turn = turn_i - turn_j;
   }
-  respond<Dim>(out.law, motion, out.contacts);
+  respond<Dim>(out, motion, out.contacts);
   return out;
 }
 
@@ -113,9 +117,9 @@ Eigen::MatrixXd tangent_of(const Packing<Dim>& packing) {
   std::vector<ContactTangent<Dim>> tangents(packing.contacts.size());
   for (const Contact<Dim>& c : packing.contacts) frames.push_back(contact_frame(c.normal));
   const std::vector<SurfaceMotion<Dim>> still(packing.contacts.size());
-  contact_tangents<Dim>(packing.law, packing.contacts, still, frames, tangents);
+  contact_tangents<Dim>(packing, packing.contacts, still, frames, tangents);
   Packing<Dim> at = packing;
-  respond<Dim>(at.law, still, at.contacts);
+  respond<Dim>(at, still, at.contacts);
   const ContactNetwork<Dim> network = contact_network(at);
   TangentMatrix<Dim> matrix(packing.grains.radius, contact_graph(network.n_grains, network.contacts),
                             kSymmetric<Dim>);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/springs.h"
+
 namespace floc {
 namespace {
 
@@ -10,11 +12,11 @@ namespace {
 Packing<2> pair_at(double distance) {
   Packing<2> packing;
   packing.cell.matrix *= 10.0;
-  packing.law.normal_stiffness = 100.0;
-  packing.law.adhesion = {2.0, 0.05};
-  packing.law.damping = {0.1, DampingMass::effective};
-  packing.law.friction = {0.5, 80.0};
-  packing.law.rolling = {0.1, 3.0};
+  packing.law.normal = LinearRepulsion{100.0};
+  packing.law.adhesion = TailAdhesion{2.0, 0.05};
+  packing.law.damping = ViscousDamping{0.1, DampingMass::effective};
+  packing.law.friction = CoulombFriction{0.5, 80.0};
+  packing.law.rolling = RollingSpring{0.1, 3.0};
   packing.grains = Grains<2>::with_size(2);
   packing.grains.radius = {1.0, 0.5};
   packing.grains.mass = {1.0, 0.25};
@@ -24,8 +26,8 @@ Packing<2> pair_at(double distance) {
   Contact<2> c;
   c.j = 1;
   c.image = {1, 0};
-  c.shear_spring[0] = 0.01;
-  c.rolling_spring[0] = -0.02;
+  test::shear_spring(c)[0] = 0.01;
+  test::rolling_spring(c)[0] = -0.02;
   packing.contacts = {c};
   return packing;
 }
@@ -52,12 +54,12 @@ TEST(RefreshContact, RecomputesForcesFromPositionsAndSprings) {
 
 TEST(RefreshContact, CutsSpringsBackToTheirCapsAndSaysSo) {
   Packing<2> packing = pair_at(1.4);
-  packing.contacts[0].shear_spring[0] = -1.0;
-  packing.contacts[0].rolling_spring[0] = 1.0;
+  test::shear_spring(packing.contacts[0])[0] = -1.0;
+  test::rolling_spring(packing.contacts[0])[0] = 1.0;
   refresh_contacts(packing);
   const Contact<2>& c = packing.contacts[0];
-  EXPECT_NEAR(c.shear_spring[0], -0.5 * 10.0 / 80.0, 1e-14);
-  EXPECT_NEAR(c.rolling_spring[0], 0.1 * 10.0 / 3.0, 1e-13);
+  EXPECT_NEAR(test::shear_spring(c)[0], -0.5 * 10.0 / 80.0, 1e-14);
+  EXPECT_NEAR(test::rolling_spring(c)[0], 0.1 * 10.0 / 3.0, 1e-13);
   EXPECT_NEAR(c.shear_force.norm(), 5.0, 1e-12);
   EXPECT_TRUE(c.sliding);
   EXPECT_TRUE(c.rolling_yield);
@@ -65,11 +67,11 @@ TEST(RefreshContact, CutsSpringsBackToTheirCapsAndSaysSo) {
 
 TEST(RefreshContact, AContactAtItsCapStaysAtItsCap) {
   Packing<2> packing = pair_at(1.4);
-  packing.contacts[0].shear_spring[0] = 1.0;
+  test::shear_spring(packing.contacts[0])[0] = 1.0;
   refresh_contacts(packing);
-  const double spring = packing.contacts[0].shear_spring[0];
+  const double spring = test::shear_spring(packing.contacts[0])[0];
   refresh_contacts(packing);
-  EXPECT_EQ(packing.contacts[0].shear_spring[0], spring);
+  EXPECT_EQ(test::shear_spring(packing.contacts[0])[0], spring);
   EXPECT_TRUE(packing.contacts[0].sliding);
 }
 
@@ -85,8 +87,8 @@ TEST(RefreshContact, AcrossTheTailOnlyAttracts) {
   EXPECT_EQ(c.kr, 0.0);
   EXPECT_TRUE(c.distant);
   EXPECT_FALSE(c.sliding);
-  EXPECT_EQ(c.shear_spring[0], 0.0);
-  EXPECT_EQ(c.rolling_spring[0], 0.0);
+  EXPECT_EQ(test::shear_spring(c)[0], 0.0);
+  EXPECT_EQ(test::rolling_spring(c)[0], 0.0);
 }
 
 TEST(RefreshContacts, DropsContactsBeyondTheRange) {

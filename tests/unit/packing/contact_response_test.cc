@@ -6,6 +6,7 @@
 #include <random>
 
 #include "floc/packing/contact_forces.h"
+#include "support/springs.h"
 
 namespace floc {
 namespace {
@@ -14,11 +15,22 @@ constexpr double kOverlap = 0.1;
 
 LawParameters full_law() {
   LawParameters law;
-  law.normal_stiffness = 100.0;
-  law.adhesion = {2.0, 0.05};
-  law.friction = {0.5, 80.0};
-  law.rolling = {0.1, 3.0};
+  law.normal = LinearRepulsion{100.0};
+  law.adhesion = TailAdhesion{2.0, 0.05};
+  law.friction = CoulombFriction{0.5, 80.0};
+  law.rolling = RollingSpring{0.1, 3.0};
   return law;
+}
+
+template <int Dim>
+Packing<Dim> two_grains(const LawParameters& law) {
+  Packing<Dim> packing;
+  packing.cell.matrix *= 10.0;
+  packing.law = law;
+  packing.grains = Grains<Dim>::with_size(2);
+  packing.grains.radius = {1.0, 0.5};
+  packing.grains.mass = {1.0, 0.25};
+  return packing;
 }
 
 template <int Dim>
@@ -33,8 +45,7 @@ template <int Dim>
 Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
-  const LawParameters law = full_law();
-  const double elastic = law.normal_stiffness * kOverlap;
+  const double elastic = 100.0 * kOverlap;
   Touching<Dim> t;
   Vec<Dim> other;
   for (int a = 0; a < Dim; ++a) t.contact.normal[a] = normal(engine), other[a] = normal(engine);
@@ -44,11 +55,11 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   Spin<Dim> axis;
   for (int a = 0; a < kRotations<Dim>; ++a) axis[a] = normal(engine);
   axis.normalize();
-  const double longest = law.friction->coefficient * elastic / law.friction->stiffness;
-  const double furthest = law.rolling->coefficient * elastic / law.rolling->stiffness;
-  t.contact.shear_spring = 0.3 * tangential * longest * along;
+  const double longest = 0.5 * elastic / 80.0;
+  const double furthest = 0.1 * elastic / 3.0;
+  test::shear_spring(t.contact) = 0.3 * tangential * longest * along;
   t.motion.slip = 0.7 * tangential * longest * along;
-  t.contact.rolling_spring = 0.6 * rolling * furthest * axis;
+  test::rolling_spring(t.contact) = 0.6 * rolling * furthest * axis;
   t.motion.relative_turn = 0.4 * rolling * furthest * axis;
   t.frame.col(0) = t.contact.normal;
   if constexpr (Dim == 2) {
@@ -63,14 +74,14 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
 template <int Dim>
 Contact<Dim> after(const Touching<Dim>& t) {
   Contact<Dim> c = t.contact;
-  respond<Dim>(full_law(), {&t.motion, 1}, {&c, 1});
+  respond<Dim>(two_grains<Dim>(full_law()), {&t.motion, 1}, {&c, 1});
   return c;
 }
 
 template <int Dim>
 ContactTangent<Dim> tangent_at(const Touching<Dim>& t, const LawParameters& law = full_law()) {
   ContactTangent<Dim> k;
-  contact_tangents<Dim>(law, {&t.contact, 1}, {&t.motion, 1}, {&t.frame, 1}, {&k, 1});
+  contact_tangents<Dim>(two_grains<Dim>(law), {&t.contact, 1}, {&t.motion, 1}, {&t.frame, 1}, {&k, 1});
   return k;
 }
 
@@ -159,27 +170,23 @@ TEST(ContactResponse, AcrossAGapIsNormalAlone) {
 }
 
 TEST(ContactResponse, WithoutMotionIsThatOfARefreshedContact) {
-  Packing<2> packing;
-  packing.cell.matrix *= 10.0;
-  packing.law = full_law();
-  packing.grains = Grains<2>::with_size(2);
-  packing.grains.radius = {1.0, 0.5};
+  Packing<2> packing = two_grains<2>(full_law());
   packing.grains.position[1] = 1.4 * Vec<2>(0.6, 0.8);
   Contact<2> c;
   c.j = 1;
-  c.shear_spring[0] = 1.0;
-  c.rolling_spring[0] = -0.02;
+  test::shear_spring(c)[0] = 1.0;
+  test::rolling_spring(c)[0] = -0.02;
   packing.contacts = {c};
   refresh_contacts(packing);
   const Contact<2>& expected = packing.contacts[0];
   Contact<2> responded = expected;
-  responded.shear_spring[0] = 1.0;
+  test::shear_spring(responded)[0] = 1.0;
   const SurfaceMotion<2> still;
-  respond<2>(packing.law, {&still, 1}, {&responded, 1});
+  respond<2>(packing, {&still, 1}, {&responded, 1});
   EXPECT_EQ(responded.shear_force, expected.shear_force);
   EXPECT_EQ(responded.rolling_moment, expected.rolling_moment);
   EXPECT_EQ(responded.normal_force, expected.normal_force);
-  EXPECT_EQ(responded.shear_spring, expected.shear_spring);
+  EXPECT_EQ(test::shear_spring(responded), test::shear_spring(expected));
   EXPECT_TRUE(responded.sliding);
 }
 
@@ -189,12 +196,13 @@ TEST(ContactResponse, IsCarriedWithTheNormalIn3D) {
   const Vec<3> n1 = (n0 + 0.1 * t.frame.col(1)).normalized();
   const auto start = t.contact;
   const auto moved = t.motion;
-  carry<3>(n1, 0.2, t.contact, t.motion);
+  carry<3>(remembered_quantities(full_law(), 3), n1, 0.2, t.contact, t.motion);
   EXPECT_EQ(t.contact.normal, n1);
-  EXPECT_LT(std::abs(t.contact.shear_spring.dot(n1)), 1e-15);
-  EXPECT_NEAR(t.contact.shear_spring.norm(), start.shear_spring.norm(), 1e-15);
+  EXPECT_LT(std::abs(test::shear_spring(t.contact).dot(n1)), 1e-15);
+  EXPECT_NEAR(test::shear_spring(t.contact).norm(), test::shear_spring(start).norm(), 1e-15);
   EXPECT_EQ(t.motion.slip, Vec<3>(transport<double>(moved.slip, n0, n1, 0.2)));
-  EXPECT_EQ(t.contact.rolling_spring, Vec<3>(transport<double>(start.rolling_spring, n0, n1, 0.2)));
+  EXPECT_EQ(test::rolling_spring(t.contact),
+            Vec<3>(transport<double>(test::rolling_spring(start), n0, n1, 0.2)));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 /// A square crystal of 30 x 30 disks in which every net force vanishes but for rounding.
 Packing<2> crystal(double stiffness) {
   Packing<2> packing;
-  packing.law.normal_stiffness = stiffness;
+  packing.law.normal = LinearRepulsion{stiffness};
   packing.grains = Grains<2>::with_size(1);
   packing.grains.position[0] = {0.123, 0.456};
   packing.grains.radius[0] = 0.5 * (1.0 + 1.0 / stiffness);

@@ -5,6 +5,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
 #include "support/network_packings.h"
+#include "support/springs.h"
 
 namespace floc {
 namespace {
@@ -16,9 +17,10 @@ Packing<Dim> loaded_packing() {
   std::mt19937 engine(4);
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
   for (Contact<Dim>& c : packing.contacts) {
-    for (double& s : c.shear_spring) s = uniform(engine);
-    if constexpr (Dim == 3) c.shear_spring -= c.normal * c.normal.dot(c.shear_spring);
-    for (double& s : c.rolling_spring) s = uniform(engine);
+    for (double& s : c.memory.template segment<kShearComponents<Dim>>(MemoryLayout<Dim>::kFriction))
+      s = uniform(engine);
+    if constexpr (Dim == 3) test::shear_spring(c) -= c.normal * c.normal.dot(test::shear_spring(c));
+    for (double& s : test::rolling_spring(c)) s = uniform(engine);
   }
   return packing;
 }

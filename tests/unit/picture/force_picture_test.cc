@@ -14,7 +14,7 @@ using test::elastic_law;
 Packing<2> four_contacts() {
   Packing<2> packing;
   packing.law = elastic_law(100.0, 50.0, 0.0);
-  packing.law.adhesion = LawParameters::Adhesion{2.0, 0.1};
+  packing.law.adhesion = TailAdhesion{2.0, 0.1};
   packing.cell.matrix *= 4.0;
   packing.grains = Grains<2>::with_size(3);
   packing.grains.position = {{0.5, 0.5}, {1.5, 0.5}, {3.5, 0.5}};

@@ -12,6 +12,7 @@
 #include "floc/relaxation/relaxer.h"
 #include "support/dynamics.h"
 #include "support/lattices.h"
+#include "support/springs.h"
 
 namespace floc {
 namespace {
@@ -22,10 +23,10 @@ const Vec<2> kTarget(0.5, 0.5);
 /// the order of force over branch weigh as much as those of stiffness.
 Packing<2> soft_equilibrium() {
   LawParameters law = test::cohesive_law();
-  law.normal_stiffness = 10.0;
-  law.adhesion = {1.0, 0.05};
-  law.friction = {0.5, 8.0};
-  law.rolling = {0.05, 0.3};
+  law.normal = LinearRepulsion{10.0};
+  law.adhesion = TailAdhesion{1.0, 0.05};
+  law.friction = CoulombFriction{0.5, 8.0};
+  law.rolling = RollingSpring{0.05, 0.3};
   RelaxationOptions options;
   options.strain_rate_cap = 0.05;
   Relaxer<2> relaxer(options, test::gas_of(20, law, 0.5), kTarget);
@@ -50,10 +51,10 @@ Packing<2> with_yielding_contacts(Packing<2> packing) {
   });
   const auto roller = std::max_element(contacts.begin(), contacts.end(),
                                        [&](const auto& p, const auto& q) { return rolled(p) < rolled(q); });
-  packing.law.friction->coefficient = mobilised(*slider);
-  packing.law.rolling->coefficient = rolled(*roller);
-  slider->shear_spring *= 2.0;
-  roller->rolling_spring *= 2.0;
+  packing.law.friction.get<CoulombFriction>().coefficient = mobilised(*slider);
+  packing.law.rolling.get<RollingSpring>().coefficient = rolled(*roller);
+  test::shear_spring(*slider) *= 2.0;
+  test::rolling_spring(*roller) *= 2.0;
   return packing;
 }
 
@@ -70,7 +71,7 @@ Packing<Dim> disturbed(Packing<Dim> packing, double size) {
 
 /// Residual that one Newton step leaves of it.
 template <int Dim>
-double residual_after_one_step(const Packing<Dim>& equilibrium, const StressControl<Dim>& control,
+double residual_after_one_step(const Packing<Dim>& equilibrium, const BoundaryControl<Dim>& control,
                                double size) {
   StaticSolverOptions one_step;
   one_step.target = 0.0;
@@ -82,14 +83,14 @@ double residual_after_one_step(const Packing<Dim>& equilibrium, const StressCont
 /// A step with the exact tangent leaves what is quadratic in the disturbance: a hundredth for a tenth. Any error of the
 /// tangent would leave a tenth.
 template <int Dim>
-void expect_quadratic(const Packing<Dim>& equilibrium, const StressControl<Dim>& control) {
+void expect_quadratic(const Packing<Dim>& equilibrium, const BoundaryControl<Dim>& control) {
   const double after_large = residual_after_one_step(equilibrium, control, 1e-4);
   const double after_small = residual_after_one_step(equilibrium, control, 1e-5);
   EXPECT_GT(after_large, 1e-10);  // well above rounding
   EXPECT_NEAR(after_large / after_small, 100.0, 10.0);
 }
 void expect_quadratic(const Packing<2>& equilibrium) {
-  expect_quadratic(equilibrium, StressControl<2>::axes(kTarget));
+  expect_quadratic(equilibrium, BoundaryControl<2>::normal_stress(kTarget, 0.0));
 }
 
 TEST(StaticSolver, StepsWithTheExactTangent) {
@@ -115,9 +116,9 @@ TEST(StaticSolver, StepsWithTheExactTangentWhereContactsSlideAndYield) {
 
 LawParameters sphere_law() {
   LawParameters law;
-  law.normal_stiffness = 10.0;
-  law.friction = {0.5, 8.0};
-  law.rolling = {0.1, 0.3};
+  law.normal = LinearRepulsion{10.0};
+  law.friction = CoulombFriction{0.5, 8.0};
+  law.rolling = RollingSpring{0.1, 0.3};
   return law;
 }
 
@@ -149,9 +150,9 @@ Packing<3> strained_crystal() {
     Vec<3> direction;
     for (int a = 0; a < 3; ++a) {
       direction[a] = random.normal();
-      c.rolling_spring[a] = 0.005 * random.normal();
+      test::rolling_spring(c)[a] = 0.005 * random.normal();
     }
-    c.shear_spring = 0.02 * to_shear<double>(c.normal, direction).normalized();
+    test::shear_spring(c) = 0.02 * to_shear<double>(c.normal, direction).normalized();
   }
   StaticSolverOptions options;
   options.largest_displacement = 0.2;
@@ -179,20 +180,20 @@ TEST(StaticSolver, StepsWithTheExactTangentAmongSpheresUnderFriction) {
   }
   EXPECT_GT(shear, 0.05);
   EXPECT_GT(rolling, 0.001);
-  expect_quadratic(equilibrium, StressControl<3>::axes(load_on(crystal())));
+  expect_quadratic(equilibrium, BoundaryControl<3>::normal_stress(load_on(crystal()), 0.0));
 }
 
 TEST(StaticSolver, AnswersAsTheModuliSayInASkewedCell) {
   const Packing<2> start = tiled<2>(test::triangular(1.0, test::elastic_law(10.0, 8.0, 0.3)), {4, 4});
-  StressControl<2> control;
-  control.stress = static_stress(start);
-  control.free = {{{true, true}, {false, true}}};
+  const Mat<2> carried = static_stress(start);
+  auto control = BoundaryControl<2>::normal_stress(carried.diagonal(), 0.0);
   constexpr double kShear = 1e-5;
-  control.stress(0, 1) += kShear;
+  control.imposed[2] = Imposed::stress;
+  control.target[2] = carried(0, 1) + kShear;
   const StaticSolution<2> solution = solve_statics(start, control, StaticSolverOptions{});
   ASSERT_TRUE(solution.converged) << solution.reason;
   const Mat<2> stress = static_stress(solution.packing);
-  EXPECT_LT((stress - control.stress).template triangularView<Eigen::Upper>().toDenseMatrix().norm(), 1e-8);
+  EXPECT_LT((Vec<3>(stress(0, 0), stress(1, 1), stress(0, 1)) - control.target).norm(), 1e-8);
 
   ModuliOptions options;
   options.strains = StrainSet::full;
@@ -205,15 +206,14 @@ TEST(StaticSolver, AnswersAsTheModuliSayInASkewedCell) {
 
 TEST(StaticSolver, HoldsTheStrainsThatAreFixed) {
   const Packing<2> start = tiled<2>(test::triangular(1.0, test::elastic_law(10.0, 8.0, 0.3)), {4, 4});
-  StressControl<2> control;
-  control.stress = static_stress(start);
-  control.free = {{{true, false}, {false, false}}};
-  control.stress(0, 0) *= 1.001;
+  auto control = BoundaryControl<2>::fixed();
+  control.imposed[0] = Imposed::stress;
+  control.target[0] = 1.001 * static_stress(start)(0, 0);
   const StaticSolution<2> solution = solve_statics(start, control, StaticSolverOptions{});
   ASSERT_TRUE(solution.converged) << solution.reason;
   EXPECT_LT(solution.packing.cell.matrix(0, 0), start.cell.matrix(0, 0));
   EXPECT_EQ(solution.packing.cell.matrix(1, 1), start.cell.matrix(1, 1));
-  EXPECT_NEAR(static_stress(solution.packing)(0, 0), control.stress(0, 0), 1e-8);
+  EXPECT_NEAR(static_stress(solution.packing)(0, 0), control.target[0], 1e-8);
 }
 
 }  // namespace

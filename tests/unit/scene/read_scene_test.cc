@@ -79,11 +79,13 @@ checkpoint_every = 5
   EXPECT_EQ(s.grains.count, 40);
   EXPECT_EQ(s.grains.diameter.min, 0.5);
   EXPECT_EQ(s.grains.diameter.max, 1.0);
-  EXPECT_EQ(s.law.normal_stiffness, 1e5);
-  EXPECT_EQ(s.law.adhesion, (LawParameters::Adhesion{1.0, 1e-3}));
-  EXPECT_EQ(s.law.damping, (LawParameters::Damping{0.015, DampingMass::effective}));
-  EXPECT_EQ(s.law.friction, (LawParameters::Friction{0.5, 1e5}));
-  EXPECT_EQ(s.law.rolling, (LawParameters::Rolling{0.005, 10}));
+  LawParameters law;
+  law.normal = LinearRepulsion{1e5};
+  law.adhesion = TailAdhesion{1.0, 1e-3};
+  law.damping = ViscousDamping{0.015, DampingMass::effective};
+  law.friction = CoulombFriction{0.5, 1e5};
+  law.rolling = RollingSpring{0.005, 10};
+  EXPECT_EQ(s.law, law);
   EXPECT_EQ(s.assembly.protocol, AssemblyOptions::Protocol::aggregation);
   EXPECT_EQ(s.assembly.solid_fraction, 0.36);
   EXPECT_EQ(s.assembly.agitation, 9.5);
@@ -117,7 +119,7 @@ TEST(ReadScene, WithoutOverridesTheTextIsTheFile) {
 TEST(ReadScene, OverridesChangeTheSceneAndItsText) {
   const Scene s = read(kScene, {"contact.rolling.coefficient=0.1234567890123456789", "run.seed=9",
                                 "load.0.to=3", "assembly.protocol = aggregation", "run.seed=11"});
-  EXPECT_EQ(s.law.rolling->coefficient, 0.1234567890123456789);
+  EXPECT_EQ(s.law.rolling.get<RollingSpring>().coefficient, 0.1234567890123456789);
   EXPECT_EQ(s.seed, 11u);
   EXPECT_EQ(s.load[0].to, 3.0);
   // The stored text alone makes the same scene, to the last bit.

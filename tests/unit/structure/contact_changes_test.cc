@@ -109,7 +109,7 @@ TEST(ContactChanges, TellContactsOfOnePairThroughDifferentSidesApart) {
 
 TEST(ContactChanges, CountContactsThatBecameAttractionsAsLost) {
   Packing<2> before = block(3, 1);
-  before.law.adhesion = {1.0, 0.2};
+  before.law.adhesion = TailAdhesion{1.0, 0.2};
   find_contacts(before);
   Packing<2> after = before;
   after.grains.position[2][0] += 0.1;

@@ -7,8 +7,8 @@ namespace {
 
 TEST(Coordination, CountsContactsBySignAndDistantOnesApart) {
   Packing<2> packing;
-  packing.law.normal_stiffness = 1.0;
-  packing.law.adhesion = {1.0, 0.1};
+  packing.law.normal = LinearRepulsion{1.0};
+  packing.law.adhesion = TailAdhesion{1.0, 0.1};
   packing.grains = Grains<2>::with_size(5);
   const auto contact = [](int i, int j, double force, bool distant) {
     Contact<2> c;
@@ -30,8 +30,8 @@ TEST(Coordination, CountsContactsBySignAndDistantOnesApart) {
 TEST(Coordination, LeavesRattlersOutAndCountsPairsOfTwo) {
   // A ring of four with a tail of one on grain 0, and a lone grain: contacts 01 12 23 30 04.
   Packing<2> packing;
-  packing.law.normal_stiffness = 1.0;
-  packing.law.adhesion = {1.0, 0.1};
+  packing.law.normal = LinearRepulsion{1.0};
+  packing.law.adhesion = TailAdhesion{1.0, 0.1};
   packing.grains = Grains<2>::with_size(6);
   for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 4}}) {
     Contact<2> c;

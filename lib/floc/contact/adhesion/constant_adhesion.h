@@ -1,6 +1,8 @@
 #pragma once
 
 #include "floc/base/lanes.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/pair_geometry.h"
 
 namespace floc {
 
@@ -8,19 +10,29 @@ namespace floc {
 struct ConstantAdhesion {
   double pull_off_force;  ///< F0 (force), > 0
 
+  static constexpr const char* kKeyword = "constant";
+  static constexpr Number<ConstantAdhesion> kNumbers[] = {
+      {"force", &ConstantAdhesion::pull_off_force, Unit::force, "F0", Requirement::not_negative,
+       "a positive number (F0, the pull-off force); leave the table out for grains without adhesion",
+       "pull-off force", Requirement::positive}};
+
   template <class T>
-  T force(const T& gap) const {
-    return lanes::select(gap < T(0), T(-pull_off_force), T(0));
+  T force(const PairGeometry<T>& pair) const {
+    return lanes::select(pair.gap < T(0), T(-pull_off_force), T(0));
   }
   template <class T>
-  T stiffness(const T&) const {
+  T stiffness(const PairGeometry<T>&) const {
     return T(0);
   }
   template <class T>
-  T energy(const T& gap) const {
-    return lanes::select(gap < T(0), T(pull_off_force * gap), T(0));
+  T energy(const PairGeometry<T>& pair) const {
+    return lanes::select(pair.gap < T(0), T(pull_off_force * pair.gap), T(0));
   }
   double range() const { return 0.0; }
+  /// An attraction of no force is none.
+  bool acts() const { return pull_off_force != 0.0; }
+
+  bool operator==(const ConstantAdhesion&) const = default;
 };
 
 }  // namespace floc

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "floc/base/lanes.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/pair_geometry.h"
 
 namespace floc {
 
@@ -10,25 +12,38 @@ struct TailAdhesion {
   double pull_off_force;  ///< F0 (force), > 0
   double tail_range;      ///< D0 (length), > 0
 
+  static constexpr const char* kKeyword = "tail";
+  static constexpr Number<TailAdhesion> kNumbers[] = {
+      {"force", &TailAdhesion::pull_off_force, Unit::force, "F0", Requirement::not_negative,
+       "a positive number (F0, the pull-off force); leave the table out for grains without adhesion",
+       "pull-off force", Requirement::positive},
+      {"range", &TailAdhesion::tail_range, Unit::length, "D0", Requirement::not_negative,
+       "a positive number (D0, length)", "range of the attraction", Requirement::positive}};
+
   template <class T>
-  T force(const T& gap) const {
-    const T tail = lanes::min(T(0), T((pull_off_force / tail_range) * gap - pull_off_force));
-    return lanes::select(gap < T(0), T(-pull_off_force), tail);
+  T force(const PairGeometry<T>& pair) const {
+    const T tail = lanes::min(T(0), T((pull_off_force / tail_range) * pair.gap - pull_off_force));
+    return lanes::select(pair.gap < T(0), T(-pull_off_force), tail);
   }
   /// -dF/dh: negative across the gap, where parting weakens the attraction.
   template <class T>
-  T stiffness(const T& gap) const {
-    const T tail = lanes::select(gap < T(tail_range), T(-pull_off_force / tail_range), T(0));
-    return lanes::select(gap < T(0), T(0), tail);
+  T stiffness(const PairGeometry<T>& pair) const {
+    const T tail = lanes::select(pair.gap < T(tail_range), T(-pull_off_force / tail_range), T(0));
+    return lanes::select(pair.gap < T(0), T(0), tail);
   }
   /// Zero at and beyond the range; -F0 D0/2 at contact.
   template <class T>
-  T energy(const T& gap) const {
-    const T missing = lanes::max(T(0), T(tail_range - gap));
+  T energy(const PairGeometry<T>& pair) const {
+    const T missing = lanes::max(T(0), T(tail_range - pair.gap));
     const T tail = T(-0.5 * pull_off_force / tail_range) * missing * missing;
-    return lanes::select(gap < T(0), T(pull_off_force * gap - 0.5 * pull_off_force * tail_range), tail);
+    return lanes::select(pair.gap < T(0), T(pull_off_force * pair.gap - 0.5 * pull_off_force * tail_range),
+                         tail);
   }
   double range() const { return tail_range; }
+  /// An attraction of no force is none.
+  bool acts() const { return pull_off_force != 0.0; }
+
+  bool operator==(const TailAdhesion&) const = default;
 };
 
 }  // namespace floc

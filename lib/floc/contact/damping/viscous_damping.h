@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/contact/declaration.h"
+
 namespace floc {
 
 /// Which mass m the critical damping of a contact is taken with. Either is the same for i against j as for j against i, and
@@ -25,12 +27,23 @@ struct ViscousDamping {
   double restitution;  ///< of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;
 
+  static constexpr const char* kKeyword = "viscous";
+  static constexpr Number<ViscousDamping> kNumbers[] = {
+      {"restitution", &ViscousDamping::restitution, Unit::ratio, "e_N", Requirement::at_most_one,
+       "a restitution coefficient e_N in (0, 1]", "restitution coefficient"}};
+  static constexpr const char* kMassRules[] = {"effective", "grain", nullptr};
+  static constexpr Choice<ViscousDamping> kChoices[] = {
+      {"mass", kMassRules, [](const ViscousDamping& d) { return static_cast<int>(d.mass_rule); },
+       [](ViscousDamping& d, int rule) { d.mass_rule = static_cast<DampingMass>(rule); }}};
+
   /// Damping coefficient c of a pair (force * time/length).
   double coefficient(double mass_i, double mass_j, double normal_stiffness) const {
     const double effective = mass_i * mass_j / (mass_i + mass_j);
     const double m = mass_rule == DampingMass::effective ? effective : 2.0 * effective;
     return 2.0 * damping_ratio(restitution) * std::sqrt(m * normal_stiffness);
   }
+
+  bool operator==(const ViscousDamping&) const = default;
 };
 
 }  // namespace floc

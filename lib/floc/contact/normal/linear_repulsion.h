@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cmath>
+
 #include "floc/base/lanes.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/pair_geometry.h"
 
 namespace floc {
 
@@ -8,18 +12,31 @@ namespace floc {
 struct LinearRepulsion {
   double normal_stiffness;  ///< K_N (force/length)
 
+  static constexpr const char* kKeyword = "linear";
+  static constexpr Number<LinearRepulsion> kNumbers[] = {
+      {"stiffness", &LinearRepulsion::normal_stiffness, Unit::stiffness, "K_N", Requirement::positive,
+       "a positive number (K_N, force per length)", "normal stiffness"}};
+
   template <class T>
-  T force(const T& gap) const {
-    return lanes::select(gap < T(0), T(-normal_stiffness * gap), T(0));
+  T force(const PairGeometry<T>& pair) const {
+    return lanes::select(pair.gap < T(0), T(-normal_stiffness * pair.gap), T(0));
   }
   template <class T>
-  T stiffness(const T& gap) const {
-    return lanes::select(gap < T(0), T(normal_stiffness), T(0));
+  T stiffness(const PairGeometry<T>& pair) const {
+    return lanes::select(pair.gap < T(0), T(normal_stiffness), T(0));
   }
   template <class T>
-  T energy(const T& gap) const {
-    return lanes::select(gap < T(0), T(0.5 * normal_stiffness * gap * gap), T(0));
+  T energy(const PairGeometry<T>& pair) const {
+    return lanes::select(pair.gap < T(0), T(0.5 * normal_stiffness * pair.gap * pair.gap), T(0));
   }
+  /// Stiffness where the elastic force is FNe > 0: that of a contact of which only the force is known.
+  double stiffness_at_force(double) const { return normal_stiffness; }
+  /// Modulus of a packing of grains of diameter a that a pressure is measured against: K_N/a^(Dim-2).
+  double modulus(int dim, double diameter) const { return normal_stiffness / std::pow(diameter, dim - 2); }
+  /// No contact is stiffer.
+  double stiffness_bound() const { return normal_stiffness; }
+
+  bool operator==(const LinearRepulsion&) const = default;
 };
 
 }  // namespace floc

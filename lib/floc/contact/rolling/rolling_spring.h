@@ -1,6 +1,9 @@
 #pragma once
 
-#include "floc/base/lanes.h"
+#include "floc/contact/capped_spring.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/normal_response.h"
+#include "floc/contact/pair_geometry.h"
 
 namespace floc {
 
@@ -10,11 +13,37 @@ struct RollingSpring {
   double coefficient;        ///< mu_R, a length
   double rolling_stiffness;  ///< K_R (force * length)
 
-  /// Largest relative rotation (radians) the cap allows at elastic normal force FNe.
-  template <class T>
-  T spring_limit(const T& elastic) const {
-    return (coefficient / rolling_stiffness) * elastic;
+  static constexpr const char* kKeyword = "spring";
+  static constexpr Number<RollingSpring> kNumbers[] = {
+      {"coefficient", &RollingSpring::coefficient, Unit::length, "mu_R", Requirement::not_negative,
+       "a number >= 0 (mu_R, a length)", "rolling friction"},
+      {"stiffness", &RollingSpring::rolling_stiffness, Unit::rolling_stiffness, "K_R", Requirement::positive,
+       "a positive number (K_R, force times length)", "rolling stiffness"}};
+  static constexpr Memory kMemory[] = {
+      {"rolling_spring", MemoryKind::rotation, Unit::angle, "relative rotation of id1 against id2"}};
+
+  /// Takes up the relative rotation of one motion. @param memory  as declared. @return moment on j
+  template <class T, class V>
+  V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& relative_turn, T* memory) const {
+    return respond_capped(coefficient, rolling_stiffness, normal.elastic, relative_turn, memory);
   }
+  template <class V>
+  bool is_mobilised(double elastic, const double* memory, double tolerance) const {
+    return capped_is_mobilised<V>(coefficient, rolling_stiffness, elastic, memory, tolerance);
+  }
+  /// Sets the memory to what carries a moment on j. @param stiffness  of the contact, > 0
+  template <class V>
+  void carry(const V& force, double stiffness, double* memory) const {
+    Eigen::Map<V>{memory} = force / stiffness;
+  }
+  /// K_R while nothing yields, of a contact whose surfaces touch.
+  double stiffness(const NormalResponse<double>&) const { return rolling_stiffness; }
+  /// No contact is stiffer.
+  double stiffness_bound() const { return rolling_stiffness; }
+  /// Resistance that can carry nothing is none, and must not stiffen the network either.
+  bool acts() const { return coefficient != 0.0; }
+
+  bool operator==(const RollingSpring&) const = default;
 };
 
 }  // namespace floc

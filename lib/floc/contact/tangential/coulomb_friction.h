@@ -1,7 +1,9 @@
 #pragma once
 
-#include "floc/base/lanes.h"
-#include "floc/geometry/frame.h"
+#include "floc/contact/capped_spring.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/normal_response.h"
+#include "floc/contact/pair_geometry.h"
 
 namespace floc {
 
@@ -12,11 +14,38 @@ struct CoulombFriction {
   double coefficient;           ///< mu
   double tangential_stiffness;  ///< K_T (force/length)
 
-  /// Longest spring (length) the cap allows at elastic normal force FNe.
-  template <class T>
-  T spring_limit(const T& elastic) const {
-    return (coefficient / tangential_stiffness) * elastic;
+  static constexpr const char* kKeyword = "coulomb";
+  static constexpr Number<CoulombFriction> kNumbers[] = {
+      {"coefficient", &CoulombFriction::coefficient, Unit::ratio, "mu", Requirement::not_negative,
+       "a number >= 0 (mu)", "friction coefficient"},
+      {"stiffness", &CoulombFriction::tangential_stiffness, Unit::stiffness, "K_T", Requirement::positive,
+       "a positive number (K_T, force per length)", "tangential stiffness"}};
+  static constexpr Memory kMemory[] = {
+      {"shear_spring", MemoryKind::tangent, Unit::length,
+       "tangential spring; in 2D along the normal turned by +90 degrees, in 3D a vector normal to the normal"}};
+
+  /// Takes up the slip of one motion. @param memory  as declared. @return tangential force on i
+  template <class T, class V>
+  V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* memory) const {
+    return respond_capped(coefficient, tangential_stiffness, normal.elastic, slip, memory);
   }
+  template <class V>
+  bool is_mobilised(double elastic, const double* memory, double tolerance) const {
+    return capped_is_mobilised<V>(coefficient, tangential_stiffness, elastic, memory, tolerance);
+  }
+  /// Sets the memory to what carries a force. @param stiffness  of the contact, > 0
+  template <class V>
+  void carry(const V& force, double stiffness, double* memory) const {
+    Eigen::Map<V>{memory} = force / stiffness;
+  }
+  /// K_T while nothing slides, of a contact whose surfaces touch.
+  double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }
+  /// No contact is stiffer.
+  double stiffness_bound() const { return tangential_stiffness; }
+  /// Friction that can carry nothing is none, and must not stiffen the network either.
+  bool acts() const { return coefficient != 0.0; }
+
+  bool operator==(const CoulombFriction&) const = default;
 };
 
 }  // namespace floc

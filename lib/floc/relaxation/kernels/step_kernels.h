@@ -4,6 +4,7 @@
 
 #include "floc/base/vec.h"
 #include "floc/contact/law_table.h"
+#include "floc/contact/memory_layout.h"
 #include "floc/relaxation/instruction_set.h"
 
 /// What the parts of a time step that visit every grain or pair work on, as plain arrays: code compiled for one
@@ -44,9 +45,11 @@ struct PairArrays {
   const double* radii;       ///< Ri + Rj
   const double* share_i;     ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
   const double* damping;
-  double* viscous;       ///< dashpot forces of the step before, null where the law has none
-  double *shear, *roll;  ///< springs, null where the law has none
-  double* row;           ///< one more than there are pairs: the last stays zero
+  /// Ri Rj/(Ri + Rj) and mi mj/(mi + mj), null where the law does not need them.
+  const double *reduced_radius, *reduced_mass;
+  double* viscous;                           ///< dashpot forces of the step before, null where the law has none
+  double* memory[MemoryLayout<Dim>::kSize];  ///< what the law remembers; null at places of which it does not
+  double* row;                               ///< one more than there are pairs: the last stays zero
 };
 
 /// Where the rows begin that a group of grains sums: depth x kSumGroup places in PairArrays::row, in ascending order of
@@ -69,33 +72,35 @@ struct BlockSumsPlan {
 /// What one block of grains adds to the sums over the packing.
 template <int Dim>
 struct alignas(64) BlockSums {
-  double virial[Dim] = {};            ///< sum of force on j times branch, axis by axis
-  double momentum_flux[Dim] = {};     ///< sum m v_a^2
-  double rotation = 0.0;              ///< sum I w^2
-  double displacement_squared = 0.0;  ///< largest, since the list was built
+  double virial[Dim][Dim] = {};  ///< sum of force on j times branch; a triangular lattice has its upper part,
+                                 ///< a rectangular one its diagonal
+  double momentum_flux[Dim][Dim] = {};  ///< sum m v_a v_b, likewise
+  double rotation = 0.0;                ///< sum I w^2
+  double displacement_squared = 0.0;    ///< largest, since the list was built
 };
 
-/// Half a step of acceleration: v <- keep v + gain (half_step/m) F, axis by axis.
+/// Half a step of acceleration: v <- keep v + gain (half_step/m) F. The matrices here are upper triangular (row, column),
+/// and diagonal for a rectangular lattice, whose kernels read their diagonals alone.
 template <int Dim>
 struct Kick {
   double half_step;
-  double keep[Dim], gain[Dim];
+  double keep[Dim][Dim], gain[Dim][Dim];
 };
 
 /// A drift x <- stretch x + drift v of the whole step after the kick.
 template <int Dim>
 struct Drift {
   double time_step;
-  double stretch[Dim], drift[Dim];
-  double list_stretch[Dim];  ///< L / L when the list was built
+  double stretch[Dim][Dim], drift[Dim][Dim];
+  double list_stretch[Dim][Dim];  ///< deformation since the list was built
 };
 
-/// The cell as pairs see it.
+/// The lattice as pairs see it.
 template <int Dim>
 struct PairCell {
-  double side[Dim];
-  double strain_rate[Dim];
-  double slip_time;  ///< time over which the springs take up the present velocities
+  double lattice[Dim][Dim];      ///< columns are the lattice vectors
+  double strain_rate[Dim][Dim];  ///< velocity gradient
+  double slip_time;              ///< time over which the springs take up the present velocities
 };
 
 /// The three passes of a time step, for one law and one instruction set.
@@ -110,13 +115,16 @@ struct StepKernels {
                        const PairCell<Dim>&, const Kick<Dim>&, BlockSums<Dim>&);
 };
 
+/// Which lattices a kernel is for; chosen once a run, since the full one costs laws without friction a tenth.
+enum class LatticeShape { rectangular, triangular };
+
 /// The kernels of alternative `law_index` of AnyContactLaw.
 /// @pre supported(set)
-const StepKernels<2>& step_kernels(InstructionSet set, std::size_t law_index);
+const StepKernels<2>& step_kernels(InstructionSet set, LatticeShape shape, std::size_t law_index);
 
 /// The tables behind it, one for each translation unit of an instruction set. Null where it was not compiled.
-const StepKernels<2>* step_kernels_portable();
-const StepKernels<2>* step_kernels_avx2();
-const StepKernels<2>* step_kernels_avx512();
+const StepKernels<2>* step_kernels_portable(LatticeShape shape);
+const StepKernels<2>* step_kernels_avx2(LatticeShape shape);
+const StepKernels<2>* step_kernels_avx512(LatticeShape shape);
 
 }  // namespace floc

@@ -2,8 +2,8 @@
 
 namespace floc {
 
-const StepKernels<2>* step_kernels_avx2() {
-  return StepKernelTable<Avx2, AnyContactLaw>::kTable;
+const StepKernels<2>* step_kernels_avx2(LatticeShape shape) {
+  return step_kernel_table<Avx2>(shape);
 }
 
 }  // namespace floc

@@ -2,8 +2,8 @@
 
 namespace floc {
 
-const StepKernels<2>* step_kernels_avx512() {
-  return StepKernelTable<Avx512, AnyContactLaw>::kTable;
+const StepKernels<2>* step_kernels_avx512(LatticeShape shape) {
+  return step_kernel_table<Avx512>(shape);
 }
 
 }  // namespace floc

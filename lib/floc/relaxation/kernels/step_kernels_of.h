@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <variant>
 
 #include "floc/contact/contact_law.h"
@@ -10,28 +11,23 @@
 /// The kernels' text. Everything here is a template on the instruction set, and calls nothing inline that is not.
 namespace floc {
 
-template <class Isa, int Dim, bool kTurns>
+template <class Isa, int Dim, LatticeShape kShape, bool kTurns>
 struct GrainKernels {
   static_assert(Dim == 2, "orientations in 3D are not integrated yet");
   static constexpr int kRow = row_size(kTurns);
+  static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   using P = Pack<Isa>;
   using Row = typename VectorOf<kRow>::Type;
 
   [[gnu::flatten]] static void kick_and_drift(const GrainArrays<Dim>& grains, int begin, const Kick<Dim>& kick,
                                               const Drift<Dim>& drift, BlockSums<Dim>& sums) {
     double moved_squared[kGrainBlock] = {};
+    // In a triangular lattice an axis drifts with the velocities along those after it, kicked already.
+    if constexpr (kTriangular)
+      for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
     for (int a = 0; a < Dim; ++a) {
-      double* const v = grains.v[a] + begin;
-      double* const x = grains.x[a] + begin;
-      const double* const x_list = grains.x_list[a] + begin;
-      accelerate(v, grains.force[a] + begin, grains.inverse_mass + begin, kick, a);
-      const double stretch = drift.stretch[a], step = drift.drift[a], list_stretch = drift.list_stretch[a];
-#pragma GCC ivdep
-      for (int k = 0; k < kGrainBlock; ++k) {
-        x[k] = stretch * x[k] + step * v[k];
-        const double moved = x[k] - list_stretch * x_list[k];
-        moved_squared[k] += moved * moved;
-      }
+      if constexpr (!kTriangular) accelerate(grains, begin, kick, a);
+      move(grains, begin, drift, a, moved_squared);
     }
     if constexpr (kTurns) {
       turn(grains, begin, kick.half_step);
@@ -54,21 +50,15 @@ struct GrainKernels {
                                             const BlockSumsPlan& plan, int begin, const PairCell<Dim>& cell,
                                             const Kick<Dim>& kick, BlockSums<Dim>& sums) {
     for (int g = 0; g < BlockSumsPlan::kGroups; ++g) sum_group(grains, pairs, plan, g, begin);
-    for (int a = 0; a < Dim; ++a) {
-      double* const v = grains.v[a] + begin;
-      const double* const force = grains.force[a] + begin;
-      const double* const x = grains.x[a] + begin;
-      const double* const mass = grains.mass + begin;
-      // Sum over pairs of f r = sum over grains of F x + what the pairs across the boundary add.
-      double virial = 0.0;
-      for (int c = 0; c < plan.n_crossing; ++c) {
-        const int p = plan.crossing[c];
-        virial += pairs.row[static_cast<std::ptrdiff_t>(kRow) * p + a] * (pairs.image[a][p] * cell.side[a]);
-      }
-      sums.virial[a] = virial + block_sum(force, x, nullptr);
-      accelerate(v, force, grains.inverse_mass + begin, kick, a);
-      sums.momentum_flux[a] = block_sum(v, v, mass);
-    }
+    // Sum over pairs of f r = sum over grains of F x + what the pairs across the boundary add.
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
+        sums.virial[a][b] = crossing_virial(pairs, plan, cell, a, b) +
+                            block_sum(grains.force[a] + begin, grains.x[b] + begin, nullptr);
+    for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
+        sums.momentum_flux[a][b] = block_sum(grains.v[a] + begin, grains.v[b] + begin, grains.mass + begin);
     if constexpr (kTurns) {
       turn(grains, begin, kick.half_step);
       const double* const spin = grains.spin + begin;
@@ -77,11 +67,77 @@ struct GrainKernels {
   }
 
  private:
-  static void accelerate(double* v, const double* force, const double* inverse_mass, const Kick<Dim>& kick,
-                         int a) {
-    const double half_step = kick.half_step, keep = kick.keep[a], gain = kick.gain[a];
+  /// Axes in ascending order: each reads the velocities, not yet changed, along those after it.
+  static void accelerate(const GrainArrays<Dim>& grains, int begin, const Kick<Dim>& kick, int a) {
+    double* const v = grains.v[a] + begin;
+    const double* const force = grains.force[a] + begin;
+    const double* const inverse_mass = grains.inverse_mass + begin;
+    const double half_step = kick.half_step, keep = kick.keep[a][a], gain = kick.gain[a][a];
 #pragma GCC ivdep
     for (int k = 0; k < kGrainBlock; ++k) v[k] = v[k] * keep + half_step * inverse_mass[k] * force[k] * gain;
+    if constexpr (kTriangular) {
+      for (int b = a + 1; b < Dim; ++b) {
+        const double* const v_b = grains.v[b] + begin;
+        const double* const force_b = grains.force[b] + begin;
+        const double keep_b = kick.keep[a][b], gain_b = kick.gain[a][b];
+#pragma GCC ivdep
+        for (int k = 0; k < kGrainBlock; ++k)
+          v[k] += v_b[k] * keep_b + half_step * inverse_mass[k] * force_b[k] * gain_b;
+      }
+    }
+  }
+
+  /// Moves the grains along one axis, and adds to the squares of their displacements since the list was built.
+  static void move(const GrainArrays<Dim>& grains, int begin, const Drift<Dim>& drift, int a,
+                   double (&moved_squared)[kGrainBlock]) {
+    const double* const v = grains.v[a] + begin;
+    double* const x = grains.x[a] + begin;
+    const double* const x_list = grains.x_list[a] + begin;
+    const double stretch = drift.stretch[a][a], step = drift.drift[a][a],
+                 list_stretch = drift.list_stretch[a][a];
+    if constexpr (!kTriangular) {
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) {
+        x[k] = stretch * x[k] + step * v[k];
+        const double moved = x[k] - list_stretch * x_list[k];
+        moved_squared[k] += moved * moved;
+      }
+    } else {
+      double moved[kGrainBlock];
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) {
+        x[k] = stretch * x[k] + step * v[k];
+        moved[k] = -list_stretch * x_list[k];
+      }
+      for (int b = a + 1; b < Dim; ++b) {
+        const double* const v_b = grains.v[b] + begin;
+        const double* const x_b = grains.x[b] + begin;
+        const double* const x_list_b = grains.x_list[b] + begin;
+        const double stretch_b = drift.stretch[a][b], step_b = drift.drift[a][b],
+                     list_b = drift.list_stretch[a][b];
+#pragma GCC ivdep
+        for (int k = 0; k < kGrainBlock; ++k) {
+          x[k] += stretch_b * x_b[k] + step_b * v_b[k];
+          moved[k] -= list_b * x_list_b[k];
+        }
+      }
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) moved_squared[k] += (x[k] + moved[k]) * (x[k] + moved[k]);
+    }
+  }
+
+  /// Force along a on the grains j of pairs across the boundary, times the component b of their image's displacement.
+  static double crossing_virial(const PairArrays<Dim>& pairs, const BlockSumsPlan& plan,
+                                const PairCell<Dim>& cell, int a, int b) {
+    double virial = 0.0;
+    for (int c = 0; c < plan.n_crossing; ++c) {
+      const int p = plan.crossing[c];
+      double shift = pairs.image[b][p] * cell.lattice[b][b];
+      if constexpr (kTriangular)
+        for (int e = b + 1; e < Dim; ++e) shift += pairs.image[e][p] * cell.lattice[b][e];
+      virial += pairs.row[static_cast<std::ptrdiff_t>(kRow) * p + a] * shift;
+    }
+    return virial;
   }
 
   static void turn(const GrainArrays<Dim>& grains, int begin, double half_step) {
@@ -136,7 +192,7 @@ struct GrainKernels {
   }
 };
 
-template <class Isa, int Dim, class Law>
+template <class Isa, int Dim, LatticeShape kShape, class Law>
 struct PairKernel {
   static constexpr bool kTurns = Law::kHasFriction;
   static constexpr int kRow = row_size(kTurns);
@@ -188,8 +244,14 @@ struct PairKernel {
     const Seen j = see(grains, pairs.j + p, Records<Isa>::gather);
     V r, affine;
     for (int a = 0; a < Dim; ++a) {
-      r[a] = (j.x[a] - i.x[a]) + P::load(pairs.image[a] + p) * P(cell.side[a]);
-      affine[a] = P(cell.strain_rate[a]) * r[a];
+      r[a] = (j.x[a] - i.x[a]) + P::load(pairs.image[a] + p) * P(cell.lattice[a][a]);
+      if constexpr (kShape == LatticeShape::triangular)
+        for (int b = a + 1; b < Dim; ++b) r[a] += P::load(pairs.image[b] + p) * P(cell.lattice[a][b]);
+    }
+    for (int a = 0; a < Dim; ++a) {
+      affine[a] = P(cell.strain_rate[a][a]) * r[a];
+      if constexpr (kShape == LatticeShape::triangular)
+        for (int b = a + 1; b < Dim; ++b) affine[a] += P(cell.strain_rate[a][b]) * r[b];
     }
     const P distance = sqrt(r.squaredNorm());
     const V n = r * (P(1.0) / distance);
@@ -201,6 +263,8 @@ struct PairKernel {
     a.arm_j = distance - a.arm_i;
     a.motion = {distance - P::load(pairs.radii + p), n.dot(centres), P(0.0), Shear<Dim, P>::Zero(),
                 Spin<Dim, P>::Zero()};
+    if constexpr (Law::kNeedsReducedRadius) a.motion.pair.reduced_radius = P::load(pairs.reduced_radius + p);
+    if constexpr (Law::kNeedsReducedMass) a.motion.pair.reduced_mass = P::load(pairs.reduced_mass + p);
     if constexpr (kTurns) {
       // Velocity of j's surface point against i's: both turn their surfaces the same way round.
       const V surfaces = centres - cross<P>(Spin<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), n);
@@ -213,12 +277,10 @@ struct PairKernel {
   static void respond(const Law& law, const Approach& a, const PairArrays<Dim>& pairs, int p) {
     ContactMotion<Dim, P> motion = a.motion;
     if constexpr (Law::kHasDamping) motion.damping = P::load(pairs.damping + p);
-    ContactHistory<Law, Dim, P> history;
-    if constexpr (Law::kHasFriction) history.shear[0] = P::load(pairs.shear + p);
-    if constexpr (Law::kHasRolling) history.roll[0] = P::load(pairs.roll + p);
-    const ContactForces<Dim, P> f = law.respond(motion, history);
-    if constexpr (Law::kHasFriction) history.shear[0].store(pairs.shear + p);
-    if constexpr (Law::kHasRolling) history.roll[0].store(pairs.roll + p);
+    PackedMemory<Law::template kMemorySize<Dim>, P> memory;
+    load(pairs, p, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
+    const ContactForces<Dim, P> f = law.respond(motion, memory);
+    store(memory, pairs, p, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
 
     V on_j = f.normal.force() * a.n;
     if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous + p) * a.n;
@@ -232,6 +294,17 @@ struct PairKernel {
     Records<Isa>::store_two(row, kRow, on_j[0], on_j[1]);
   }
 
+  template <class Memory, int... k>
+  static void load(const PairArrays<Dim>& pairs, [[maybe_unused]] int p, Memory& memory,
+                   std::integer_sequence<int, k...>) {
+    ((memory.value[k] = P::load(pairs.memory[memory_place<Law, Dim>(k)] + p)), ...);
+  }
+  template <class Memory, int... k>
+  static void store(const Memory& memory, const PairArrays<Dim>& pairs, [[maybe_unused]] int p,
+                    std::integer_sequence<int, k...>) {
+    (memory.value[k].store(pairs.memory[memory_place<Law, Dim>(k)] + p), ...);
+  }
+
   /// What dashpots do in this step, given their present force and that of the step before, which it replaces. Nothing
   /// where the surfaces do not touch; a contact that is new has no step before.
   static P viscous(const P& now, double* last) {
@@ -243,13 +316,21 @@ struct PairKernel {
 };
 
 /// The kernels of every alternative of the law table, in its order.
-template <class Isa, class Laws>
+template <class Isa, LatticeShape kShape, class Laws>
 struct StepKernelTable;
-template <class Isa, class... Law>
-struct StepKernelTable<Isa, std::variant<Law...>> {
-  static constexpr StepKernels<2> kTable[] = {{&GrainKernels<Isa, 2, Law::kHasFriction>::kick_and_drift,
-                                               &PairKernel<Isa, 2, Law>::compute,
-                                               &GrainKernels<Isa, 2, Law::kHasFriction>::sum_and_kick}...};
+template <class Isa, LatticeShape kShape, class... Law>
+struct StepKernelTable<Isa, kShape, std::variant<Law...>> {
+  static constexpr StepKernels<2> kTable[] = {
+      {&GrainKernels<Isa, 2, kShape, Law::kHasFriction>::kick_and_drift,
+       &PairKernel<Isa, 2, kShape, Law>::compute,
+       &GrainKernels<Isa, 2, kShape, Law::kHasFriction>::sum_and_kick}...};
 };
+
+template <class Isa>
+const StepKernels<2>* step_kernel_table(LatticeShape shape) {
+  return shape == LatticeShape::rectangular
+             ? StepKernelTable<Isa, LatticeShape::rectangular, AnyContactLaw>::kTable
+             : StepKernelTable<Isa, LatticeShape::triangular, AnyContactLaw>::kTable;
+}
 
 }  // namespace floc

@@ -2,8 +2,8 @@
 
 namespace floc {
 
-const StepKernels<2>* step_kernels_portable() {
-  return StepKernelTable<Portable, AnyContactLaw>::kTable;
+const StepKernels<2>* step_kernels_portable(LatticeShape shape) {
+  return step_kernel_table<Portable>(shape);
 }
 
 }  // namespace floc

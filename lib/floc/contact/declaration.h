@@ -1,0 +1,87 @@
+#pragma once
+
+/// What a slot of a contact law says of itself, once: its keyword, its numbers and choices, and what a contact remembers
+/// for it. Validation, scenes, changes along a load path, law texts, state files, kernels and dimensionless groups all
+/// iterate over these declarations.
+namespace floc {
+
+/// What a number of a contact law measures.
+enum class Unit {
+  ratio,              ///< dimensionless
+  length,             ///< (length)
+  force,              ///< (force)
+  stiffness,          ///< (force/length)
+  rolling_stiffness,  ///< (force * length)
+  angle,              ///< (radians)
+};
+
+/// Which values a number may have; all are finite besides.
+enum class Requirement {
+  positive,
+  not_negative,
+  at_most_one,  ///< in (0, 1]
+};
+
+constexpr bool holds(Requirement requirement, double x) {
+  switch (requirement) {
+    case Requirement::positive:
+      return x > 0;
+    case Requirement::not_negative:
+      return x >= 0;
+    case Requirement::at_most_one:
+      return x > 0 && x <= 1;
+  }
+  return false;
+}
+
+/// One number of a model.
+template <class Model>
+struct Number {
+  const char* key;  ///< in scenes: contact.SLOT.KEY
+  double Model::*member;
+  Unit unit;
+  const char* symbol;       ///< of the papers, "K_N"
+  Requirement requirement;  ///< of any value it ever has
+  const char* expectation;  ///< what a scene has to give, in words
+  const char* meaning;      ///< in a line
+  /// What a scene has to begin with, where that is stricter: zero may switch a slot off later.
+  Requirement at_first = requirement;
+};
+
+/// One choice among words, optional in a scene: the first word where nothing is said.
+template <class Model>
+struct Choice {
+  const char* key;
+  const char* const* words;  ///< ended by a null pointer
+  int (*get)(const Model&);
+  void (*set)(Model&, int);
+};
+
+/// How a remembered quantity transforms.
+enum class MemoryKind {
+  scalar,    ///< a number: the same whichever way round the pair is read
+  tangent,   ///< a displacement of j against i in the tangent plane, in the contact's frame
+  rotation,  ///< a rotation of i against j
+};
+
+/// One quantity that a contact remembers under a model.
+struct Memory {
+  const char* name;  ///< of its array in a state file
+  MemoryKind kind;
+  Unit unit;
+  const char* meaning;  ///< in words
+};
+
+/// Numbers it takes: a 2D tangent and a 2D rotation are numbers, their 3D counterparts vectors of space.
+constexpr int n_components(MemoryKind kind, int dim) {
+  return kind == MemoryKind::scalar || dim == 2 ? 1 : 3;
+}
+
+/// What each component is multiplied by when i and j are exchanged. A 2D tangent displacement changes its sign and so
+/// does the tangent it is measured along, which turns round with the normal.
+constexpr double parity(MemoryKind kind, int dim) {
+  if (kind == MemoryKind::scalar) return 1.0;
+  return kind == MemoryKind::tangent && dim == 2 ? 1.0 : -1.0;
+}
+
+}  // namespace floc

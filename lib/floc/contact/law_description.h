@@ -1,0 +1,72 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/contact/law_parameters.h"
+
+/// The declarations of all slots without their types, for whoever reads or writes laws by name.
+namespace floc {
+
+struct DeclaredNumber {
+  std::string key;
+  Unit unit;
+  std::string symbol;
+  Requirement requirement;
+  Requirement at_first;
+  std::string expectation;
+  std::string meaning;
+};
+
+struct DeclaredChoice {
+  std::string key;
+  std::vector<std::string> words;  ///< the first is taken where nothing is said
+};
+
+/// A model that can stand in a slot.
+struct DeclaredModel {
+  std::string keyword;
+  std::vector<DeclaredNumber> numbers;
+  std::vector<DeclaredChoice> choices;
+  std::vector<Memory> memory;
+  /// Puts the model into the slot of a law, its numbers zero, its choices the first.
+  void (*choose)(LawParameters&);
+
+  const DeclaredNumber* number(const std::string& number_key) const;
+};
+
+struct DeclaredSlot {
+  std::string key;                    ///< of its table in a scene
+  bool optional;                      ///< a law may leave it empty
+  std::vector<DeclaredModel> models;  ///< without its absence
+
+  /// Which of `models` stands in this slot of a law, -1 if none.
+  int present(const LawParameters& law) const;
+};
+
+/// All slots, in the order of LawParameters.
+const std::vector<DeclaredSlot>& declared_slots();
+
+/// A number that a law has.
+struct LawNumber {
+  std::string key;  ///< path below [contact]: "adhesion.force"
+  double* value;
+  const DeclaredNumber* declared;
+};
+
+/// The numbers of the models that a law has, in the order of the slots.
+std::vector<LawNumber> numbers_of(LawParameters& law);
+
+/// A choice that a law has made.
+struct LawChoice {
+  std::string key;  ///< path below [contact]: "damping.mass"
+  int chosen;       ///< of the words
+  const DeclaredChoice* declared;
+};
+
+std::vector<LawChoice> choices_of(const LawParameters& law);
+
+/// Makes a choice of the model that stands in a slot. @pre it has a choice of that key with so many words
+void choose(LawParameters& law, const std::string& slot, const std::string& key, int word);
+
+}  // namespace floc

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "floc/contact/absent.h"
+
+namespace floc {
+
+/// One slot of a contact law as a scene or a saved state names it: one of the models that can stand in it, with its
+/// numbers. An optional slot lists its absence first.
+template <class... Models>
+class LawSlot {
+ public:
+  using Variant = std::variant<Models...>;
+
+  LawSlot() = default;
+  template <class Model>
+  requires(std::is_same_v<Model, Models> || ...) LawSlot(const Model& model)
+      : model_(model) {}  // NOLINT(google-explicit-constructor)
+
+  /// Whether something stands in it.
+  explicit operator bool() const {
+    return visit([]<class Model>(const Model&) { return !kIsAbsent<Model>; });
+  }
+  void reset() { model_ = {}; }
+
+  template <class Model>
+  bool holds() const {
+    return std::holds_alternative<Model>(model_);
+  }
+  /// @pre holds<Model>()
+  template <class Model>
+  Model& get() {
+    return std::get<Model>(model_);
+  }
+  template <class Model>
+  const Model& get() const {
+    return std::get<Model>(model_);
+  }
+
+  template <class Visitor>
+  decltype(auto) visit(Visitor&& visitor) {
+    return std::visit(std::forward<Visitor>(visitor), model_);
+  }
+  template <class Visitor>
+  decltype(auto) visit(Visitor&& visitor) const {
+    return std::visit(std::forward<Visitor>(visitor), model_);
+  }
+
+  const Variant& variant() const { return model_; }
+
+  bool operator==(const LawSlot&) const = default;
+
+ private:
+  Variant model_;
+};
+
+}  // namespace floc

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "floc/base/vec.h"
+#include "floc/contact/contact_memory.h"
+#include "floc/contact/law_parameters.h"
+
+/// Where the quantities that contacts remember stand in a contact, and in the arrays of pairs in motion: each slot has a
+/// place of its own, wide enough for any of its models, so that a change of the law moves nothing. A law evaluates,
+/// loads and stores the numbers of its own models alone.
+namespace floc {
+
+/// The most that any model of a slot remembers.
+template <class... Models>
+consteval int widest_memory(const LawSlot<Models...>*, int dim) {
+  int widest = 0;
+  ((widest = memory_size<Models>(dim) > widest ? memory_size<Models>(dim) : widest), ...);
+  return widest;
+}
+
+template <int Dim>
+struct MemoryLayout {
+  static constexpr int kNormal = 0;
+  static constexpr int kFriction =
+      kNormal + widest_memory(static_cast<const decltype(LawParameters::normal)*>(nullptr), Dim);
+  static constexpr int kRolling =
+      kFriction + widest_memory(static_cast<const decltype(LawParameters::friction)*>(nullptr), Dim);
+  static constexpr int kSize =
+      kRolling + widest_memory(static_cast<const decltype(LawParameters::rolling)*>(nullptr), Dim);
+};
+
+/// Everything a contact remembers, at the places of the layout; zero where its law remembers nothing.
+template <int Dim>
+using ContactMemory = Eigen::Matrix<double, MemoryLayout<Dim>::kSize, 1>;
+
+/// Place in the layout of number k of a law's packed memory.
+template <class Law, int Dim>
+consteval int memory_place(int k) {
+  constexpr int n_normal = memory_size<typename Law::NormalModel>(Dim);
+  constexpr int n_friction = memory_size<typename Law::TangentialModel>(Dim);
+  if (k < n_normal) return MemoryLayout<Dim>::kNormal + k;
+  if (k < n_normal + n_friction) return MemoryLayout<Dim>::kFriction + k - n_normal;
+  return MemoryLayout<Dim>::kRolling + k - n_normal - n_friction;
+}
+
+/// Calls visit(k, place) for each number of a law's packed memory, unrolled, k and place being integral constants.
+template <class Law, int Dim, class Visit>
+[[gnu::always_inline]] inline void for_each_memory(const Visit& visit) {
+  [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
+    (visit(std::integral_constant<int, k>{}, std::integral_constant<int, memory_place<Law, Dim>(k)>{}), ...);
+  }
+  (std::make_integer_sequence<int, Law::template kMemorySize<Dim>>{});
+}
+
+/// What a contact remembers for a law.
+template <class Law, int Dim>
+PackedMemory<Law::template kMemorySize<Dim>> packed_memory(const ContactMemory<Dim>& all) {
+  PackedMemory<Law::template kMemorySize<Dim>> packed;
+  if constexpr (Law::template kMemorySize < Dim >> 0)
+    for_each_memory<Law, Dim>([&](auto k, auto place) { packed.value[k] = all[place]; });
+  return packed;
+}
+
+/// The reverse; what the law does not remember is forgotten.
+template <class Law, int Dim>
+ContactMemory<Dim> unpacked_memory(const PackedMemory<Law::template kMemorySize<Dim>>& packed) {
+  ContactMemory<Dim> all = ContactMemory<Dim>::Zero();
+  if constexpr (Law::template kMemorySize < Dim >> 0)
+    for_each_memory<Law, Dim>([&](auto k, auto place) { all[place] = packed.value[k]; });
+  return all;
+}
+
+/// One quantity of a law's memory.
+struct RememberedQuantity {
+  Memory declared;
+  int begin;  ///< place of its first number
+  int size;   ///< numbers
+};
+
+/// What contacts remember under a law, in the order of the layout.
+std::vector<RememberedQuantity> remembered_quantities(const LawParameters& law, int dim);
+
+/// Factor of each number of the layout when the two grains of a contact are exchanged.
+template <int Dim>
+ContactMemory<Dim> swap_parity(const LawParameters& law);
+
+}  // namespace floc

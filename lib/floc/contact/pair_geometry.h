@@ -1,0 +1,19 @@
+#pragma once
+
+namespace floc {
+
+/// What a law may ask of two surfaces. Reduced radius and mass are there for laws that need them (`kNeedsReducedRadius`,
+/// `kNeedsReducedMass` of a model), zero for others.
+template <class T = double>
+struct PairGeometry {
+  T gap;             ///< h (length), negative when the grains overlap
+  T reduced_radius;  ///< Ri Rj/(Ri + Rj) (length)
+  T reduced_mass;    ///< mi mj/(mi + mj) (mass)
+
+  PairGeometry() = default;
+  /// Implicit: for most laws the gap is all there is.
+  PairGeometry(const T& h, const T& radius = T(0), const T& mass = T(0))  // NOLINT(google-explicit-constructor)
+      : gap(h), reduced_radius(radius), reduced_mass(mass) {}
+};
+
+}  // namespace floc

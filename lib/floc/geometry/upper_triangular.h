@@ -1,0 +1,30 @@
+#pragma once
+
+#include "floc/base/vec.h"
+
+namespace floc {
+
+/// p q^-1 of two upper triangular matrices, by substitution: entries of diagonal matrices are plain quotients.
+template <int Dim>
+Mat<Dim> right_quotient(const Mat<Dim>& p, const Mat<Dim>& q) {
+  Mat<Dim> x = Mat<Dim>::Zero();
+  for (int a = 0; a < Dim; ++a)
+    for (int b = a; b < Dim; ++b) {
+      double rest = p(a, b);
+      for (int c = a; c < b; ++c) rest -= x(a, c) * q(c, b);
+      x(a, b) = rest / q(b, b);
+    }
+  return x;
+}
+
+/// p q of two upper triangular matrices.
+template <int Dim>
+Mat<Dim> upper_product(const Mat<Dim>& p, const Mat<Dim>& q) {
+  Mat<Dim> x = Mat<Dim>::Zero();
+  for (int a = 0; a < Dim; ++a)
+    for (int b = a; b < Dim; ++b)
+      for (int c = a; c <= b; ++c) x(a, b) += p(a, c) * q(c, b);
+  return x;
+}
+
+}  // namespace floc

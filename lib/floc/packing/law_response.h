@@ -1,0 +1,50 @@
+#pragma once
+
+#include "floc/contact/law_table.h"
+#include "floc/packing/packing.h"
+
+/// How one contact answers by a composed law: what all evaluations outside of the force loop share.
+namespace floc {
+
+/// Springs are at their cap when shortening by rounding could not be told from reaching it.
+inline constexpr double kCapTolerance = 1e-12;
+
+/// What the law may ask of the pair, at the gap that the contact has.
+template <int Dim>
+PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
+  const auto reduced = [](double p, double q) { return p * q / (p + q); };
+  return {c.gap, reduced(grains.radius[c.i], grains.radius[c.j]), reduced(grains.mass[c.i], grains.mass[c.j])};
+}
+
+/// Flags of the springs that are at their caps; none of a distant attraction.
+template <class Law, int Dim>
+void set_mobilised(const Law& law, const PackedMemory<Law::template kMemorySize<Dim>>& memory, double tolerance,
+                   Contact<Dim>& c) {
+  Mobilised m;
+  if (!c.distant) m = law.template mobilised<Dim>(c.elastic_force, memory, tolerance);
+  c.sliding = m.sliding;
+  c.rolling_yield = m.rolling;
+}
+
+/// Static forces, stiffnesses, flags and memory of a contact whose surfaces have moved since its memory was updated; its
+/// gap and normal are those after the motion.
+template <class Law, int Dim>
+void respond_to_motion(const Law& law, const Grains<Dim>& grains, const Shear<Dim>& slip,
+                       const Spin<Dim>& relative_turn, Contact<Dim>& c) {
+  auto memory = packed_memory<Law, Dim>(c.memory);
+  const ContactMotion<Dim> motion{pair_geometry(grains, c), 0.0, 0.0, slip, relative_turn};
+  const ContactForces<Dim> f = law.respond(motion, memory);
+  c.normal_force = f.normal.force();
+  c.elastic_force = f.normal.elastic;
+  c.shear_force = from_shear<double>(c.normal, f.shear);
+  c.rolling_moment = -f.rolling;
+  const ContactStiffness k = law.template stiffness<Dim>(motion.pair, memory);
+  c.kn = k.normal;
+  c.kt = k.tangential;
+  c.kr = k.rolling;
+  c.distant = c.gap >= 0.0;
+  set_mobilised(law, memory, kCapTolerance, c);
+  c.memory = unpacked_memory<Law, Dim>(memory);
+}
+
+}  // namespace floc

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "floc/base/vec.h"
+
+namespace floc {
+
+/// What is imposed on one component of the boundary.
+enum class Imposed {
+  stress,  ///< the component follows the stress that acts on it
+  rate,    ///< it moves at a given strain rate; at rate zero it is fixed
+};
+
+/// How the boundary of a packing moves (PHYSICS section 1, "Cell"): each component of stress and strain is under a stress or
+/// moves at a rate. The lattice is kept lower triangular (its first vector along the first axis), so that it shears but does
+/// not turn. Components in the order of StrainSet::full: 11, 22 (, 33), then 12 (2D), or 23, 13, 12 (3D).
+template <int Dim>
+struct BoundaryControl {
+  std::array<Imposed, kSymmetric<Dim>> imposed;
+  /// Stress, compression positive (force/length^(Dim-1)), or strain rate, shortening positive, gamma for shear (1/time).
+  Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
+  double mass = 0.0;  ///< inertia M of a component of the lattice (mass)
+  double rate_cap = std::numeric_limits<double>::infinity();  ///< largest strain rate under stress (1/time)
+
+  /// Nothing moves.
+  static BoundaryControl fixed() {
+    BoundaryControl control;
+    control.imposed.fill(Imposed::rate);
+    return control;
+  }
+  /// A stress on each axis, shear fixed.
+  static BoundaryControl normal_stress(const Vec<Dim>& stress, double mass,
+                                       double rate_cap = std::numeric_limits<double>::infinity()) {
+    BoundaryControl control = fixed();
+    for (int a = 0; a < Dim; ++a) control.imposed[a] = Imposed::stress;
+    control.target.template head<Dim>() = stress;
+    control.mass = mass;
+    control.rate_cap = rate_cap;
+    return control;
+  }
+
+  bool is_fixed() const {
+    for (int k = 0; k < kSymmetric<Dim>; ++k)
+      if (imposed[k] == Imposed::stress || target[k] != 0.0) return false;
+    return true;
+  }
+  /// Whether a rectangular lattice stays so.
+  bool keeps_rectangular() const {
+    for (int k = Dim; k < kSymmetric<Dim>; ++k)
+      if (imposed[k] == Imposed::stress || target[k] != 0.0) return false;
+    return true;
+  }
+  bool any_stress() const {
+    for (const Imposed what : imposed)
+      if (what == Imposed::stress) return true;
+    return false;
+  }
+  /// Mean of the stresses imposed on axes; zero where there is none.
+  double mean_stress() const {
+    double sum = 0.0;
+    int n = 0;
+    for (int a = 0; a < Dim; ++a)
+      if (imposed[a] == Imposed::stress) sum += target[a], ++n;
+    return n == 0 ? 0.0 : sum / n;
+  }
+};
+
+/// Axes of component k: (a, b), a <= b.
+template <int Dim>
+constexpr std::array<int, 2> component_axes(int k) {
+  if (k < Dim) return {k, k};
+  if (Dim == 2) return {0, 1};
+  return k == 3 ? std::array{1, 2} : k == 4 ? std::array{0, 2} : std::array{0, 1};
+}
+
+}  // namespace floc

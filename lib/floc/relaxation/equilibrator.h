@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "floc/packing/equilibrium.h"
+#include "floc/relaxation/motion_observer.h"
+#include "floc/relaxation/relaxation_options.h"
+
+namespace floc {
+
+enum class RelaxationStatus { running, converged, gave_up };
+
+/// How a relaxation ended or where it stands, in numbers and words.
+struct RelaxationReport {
+  Residuals residuals;
+  int n_negative = -1;       ///< negative eigenvalues of an equilibrium's stiffness matrix; -1 before
+  std::string ending;        ///< "polished", "dynamic", "static", "diverged"; empty while it runs
+  std::string blocking;      ///< criterion that is worst against its tolerance, with its grain
+  double decay_rate = 0.0;   ///< of the force residual (1/time); positive when it falls
+  std::string stage;         ///< what it is doing: "moving", "finishing", ...
+  double time = 0.0;         ///< simulated time of this relaxation so far
+  std::int64_t n_steps = 0;  ///< time steps of this relaxation so far
+};
+
+/// Takes a packing to equilibrium under a load, part by part. Between two parts the packing and the progress are the whole
+/// truth: an equilibrator made from them goes on as if it had never been stopped.
+template <int Dim>
+class Equilibrator {
+ public:
+  virtual ~Equilibrator() = default;
+
+  /// One part of the way.
+  virtual RelaxationStatus advance() = 0;
+  /// Shows the packing to somebody as it moves.
+  virtual void observe(MotionObserver<Dim> observer) = 0;
+
+  virtual const Packing<Dim>& packing() const = 0;
+  /// Gives the packing away: a large one is held once. Nothing else may be asked afterwards.
+  virtual Packing<Dim> release_packing() = 0;
+  /// Static stress of the packing as it is now.
+  virtual const Mat<Dim>& stress() const = 0;
+  virtual RelaxationReport report() const = 0;
+  /// Where it stands, as text that means something to equilibrators of the same kind alone.
+  virtual std::string progress() const = 0;
+};
+
+/// The equilibrator that the options ask for; today always the explicit relaxer (relaxer.h).
+/// @param target_stress  stress on each axis, compression positive
+/// @param progress       of an equilibrator that was stopped; empty: from the beginning
+/// @throws InputError if `progress` is not one of this kind of equilibrator
+template <int Dim>
+std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
+                                                     const Vec<Dim>& target_stress,
+                                                     const std::string& progress = "");
+
+}  // namespace floc

@@ -68,8 +68,9 @@ TEST(EmptySlots, CostNoByteOfTheContactRecord) {
   for_each_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    const std::size_t components =
-        (Law::kHasFriction ? kShearComponents<Dim> : 0) + (Law::kHasRolling ? kRotations<Dim> : 0);
+    const std::size_t components = memory_size<typename Law::NormalModel>(Dim) +
+                                   (Law::kHasFriction ? kShearComponents<Dim> : 0) +
+                                   (Law::kHasRolling ? kRotations<Dim> : 0);
     using History = testing::Remembered<Law, Dim>;
     // The language gives an object without members one byte.
     EXPECT_EQ(sizeof(History), components > 0 ? components * sizeof(double) : 1u);

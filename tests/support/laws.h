@@ -31,11 +31,6 @@ struct Sample<LinearRepulsion> {
   static std::string name() { return "linear"; }
 };
 template <>
-struct Sample<SofteningRepulsion> {
-  static constexpr SofteningRepulsion value{1e5, 1e-2};
-  static std::string name() { return "softening"; }
-};
-template <>
 struct Sample<TailAdhesion> {
   static constexpr TailAdhesion value{1.25, 1e-3};
   static std::string name() { return " tail"; }

@@ -9,7 +9,6 @@
 #include "floc/contact/damping/viscous_damping.h"
 #include "floc/contact/law_slot.h"
 #include "floc/contact/normal/linear_repulsion.h"
-#include "floc/contact/normal/softening_repulsion.h"
 #include "floc/contact/rolling/rolling_spring.h"
 #include "floc/contact/tangential/coulomb_friction.h"
 
@@ -19,7 +18,7 @@ namespace floc {
 /// said. THE lists of models: what stands here is known to scenes, law texts, state files and the law table
 /// (law_table.h), which turns a LawParameters into the composed type.
 struct LawParameters {
-  LawSlot<LinearRepulsion, SofteningRepulsion> normal;
+  LawSlot<LinearRepulsion> normal;
   LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion> adhesion;
   LawSlot<NoDamping, ViscousDamping> damping;
   LawSlot<NoFriction, CoulombFriction> friction;

@@ -15,19 +15,28 @@ constexpr double kBeyondCap = 1.0 + 2e-12;
 /// (surfaces that have parted) is beyond its cap then. The square of it is no underflow.
 constexpr double kHardlyMoved = 1e-150;
 
-/// What a contact remembers, as dual numbers, springs made longer.
+/// Factor of each number that contacts remember: springs are made longer, anything else is left as it is.
+template <int Dim>
+ContactMemory<Dim> spring_factors(const LawParameters& law) {
+  ContactMemory<Dim> factor = ContactMemory<Dim>::Ones();
+  for (const RememberedQuantity& q : remembered_quantities(law, Dim))
+    if (q.declared.kind != MemoryKind::scalar) factor.segment(q.begin, q.size).setConstant(kBeyondCap);
+  return factor;
+}
+
+/// What a contact remembers, as dual numbers.
 template <class Law, int Dim>
-PackedMemory<Law::template kMemorySize<Dim>, Dual<kDofs<Dim>>> stretched_memory(const Contact<Dim>& c) {
+PackedMemory<Law::template kMemorySize<Dim>, Dual<kDofs<Dim>>> dual_memory(const ContactMemory<Dim>& all) {
   PackedMemory<Law::template kMemorySize<Dim>, Dual<kDofs<Dim>>> memory;
-  if constexpr (Law::template kMemorySize < Dim >> 0)
-    for_each_memory<Law, Dim>(
-        [&](auto k, auto place) { memory.value[k] = Dual<kDofs<Dim>>(kBeyondCap * c.memory[place]); });
+  if constexpr (Law::template kMemorySize<Dim> != 0)
+    for_each_memory<Law, Dim>([&](auto k, auto place) { memory.value[k] = Dual<kDofs<Dim>>(all[place]); });
   return memory;
 }
 
 template <class Law, int Dim>
 ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& start,
-                               const SurfaceMotion<Dim>& surface, const Mat<Dim>& frame) {
+                               const ContactMemory<Dim>& factor, const SurfaceMotion<Dim>& surface,
+                               const Mat<Dim>& frame) {
   constexpr int n = kDofs<Dim>;
   using T = Dual<n>;
   Eigen::Matrix<double, kShearComponents<Dim>, Dim - 1> tangents;
@@ -49,7 +58,7 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
     motion.relative_turn[a] = T(kBeyondCap * surface.relative_turn[a] + kHardlyMoved);
     motion.relative_turn[a].derivative[Dim + a] = -1.0;  // of i against j
   }
-  auto memory = stretched_memory<Law, Dim>(start);
+  auto memory = dual_memory<Law, Dim>(factor.cwiseProduct(start.memory));
   const ContactForces<Dim, T> f = law.respond(motion, memory);
 
   ContactTangent<Dim> k = ContactTangent<Dim>::Zero();
@@ -101,10 +110,11 @@ void contact_tangents(const Packing<Dim>& packing, std::span<const Contact<Dim>>
                       std::span<const SurfaceMotion<Dim>> motion, std::span<const Mat<Dim>> frame,
                       std::span<ContactTangent<Dim>> tangent) {
   assert(motion.size() == start.size() && frame.size() == start.size() && tangent.size() == start.size());
+  const ContactMemory<Dim> factor = spring_factors<Dim>(packing.law);
   std::visit(
       [&](const auto& composed) {
         for (std::size_t k = 0; k < start.size(); ++k)
-          tangent[k] = tangent_of(composed, packing.grains, start[k], motion[k], frame[k]);
+          tangent[k] = tangent_of(composed, packing.grains, start[k], factor, motion[k], frame[k]);
       },
       compose_law(packing.law));
 }

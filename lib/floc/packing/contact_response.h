@@ -23,8 +23,9 @@ template <int Dim>
 void carry(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
            Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
 
-/// Static response of contacts by the law of a packing, of whose grains they are: from `gap`, `normal` and memory of each, which moves by `motion`, follow forces,
-/// stiffnesses, flags and the memory after. The law is resolved once for all.
+/// Static response of contacts by the law of a packing, of whose grains they are: from `gap`, `normal` and memory of
+/// each, which moves by `motion`, follow forces, stiffnesses, flags and the memory after. The law is resolved once for
+/// all.
 ///
 /// @param motion   one entry a contact
 template <int Dim>

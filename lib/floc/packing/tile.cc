@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include "floc/packing/contact_order.h"
 
@@ -27,8 +26,7 @@ Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
 /// The same contact seen from the other grain. @param parity  of what its law remembers
 template <int Dim>
 void swap_sides(const ContactMemory<Dim>& parity, Contact<Dim>& c) {
-  std::swap(c.i, c.j);
-  c.image = -c.image;
+  c = swapped(c);
   c.normal = -c.normal;
   c.shear_force = -c.shear_force;
   c.rolling_moment = -c.rolling_moment;

@@ -54,7 +54,8 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
       lattice_(packing.cell.matrix.transpose()),
       lattice_rate_(packing.cell.velocity.transpose()),
-      strain_rate_(right_quotient<Dim>(lattice_rate_, lattice_)) {
+      strain_rate_(right_quotient<Dim>(lattice_rate_, lattice_)),
+      drift_{settings.time_step, {}, {}, {}} {
   sums_.resize(n_blocks());
   rebuild_list();
   load_memory(packing);
@@ -96,11 +97,11 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
       }
       if (threads == 1) {
         // Pairs belong to their lower grain: a block's rows stand in it and in those before it, still in the cache.
-        for (int b = first; b < last; ++b) compute_pairs(b, dt_), sum_and_kick(b, 0.5 * dt_);
+        for (int b = first; b < last; ++b) compute_pairs(b, dt_), sum_and_kick(b);
       } else {
         for (int b = first; b < last; ++b) compute_pairs(b, dt_);
         barrier.wait();
-        for (int b = first; b < last; ++b) sum_and_kick(b, 0.5 * dt_);
+        for (int b = first; b < last; ++b) sum_and_kick(b);
         barrier.wait();
       }
       if (thread == 0) end_step(motion);
@@ -174,10 +175,12 @@ void ExplicitDynamics<Dim>::begin_step() {
   const Mat<Dim> middle = lattice_ + 0.5 * dt_ * lattice_rate_;
   const Mat<Dim> next = lattice_ + dt_ * lattice_rate_;
   strain_rate_ = right_quotient<Dim>(lattice_rate_, middle);
-  stretch_ = right_quotient<Dim>(next, lattice_);
-  drift_ = dt_ * right_quotient<Dim>(next, middle);
+  copy<Dim>(right_quotient<Dim>(next, lattice_), drift_.stretch);
+  copy<Dim>(dt_ * right_quotient<Dim>(next, middle), drift_.drift);
   lattice_ = next;
   list_stretch_ = right_quotient<Dim>(lattice_, lattice_at_list_);
+  copy<Dim>(list_stretch_, drift_.list_stretch);
+  kick_ = kick_over(0.5 * dt_);
   ++steps_since_list_;
 }
 
@@ -195,11 +198,7 @@ Kick<Dim> ExplicitDynamics<Dim>::kick_over(double half_step) const {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::kick_and_drift(int block) {
-  Drift<Dim> drift{dt_, {}, {}, {}};
-  copy<Dim>(stretch_, drift.stretch);
-  copy<Dim>(drift_, drift.drift);
-  copy<Dim>(list_stretch_, drift.list_stretch);
-  kernels_.kick_and_drift(grain_arrays_, block * kGrainBlock, kick_over(0.5 * dt_), drift, sums_[block]);
+  kernels_.kick_and_drift(grain_arrays_, block * kGrainBlock, kick_, drift_, sums_[block]);
 }
 
 /// The share of the time that the list has cost so far, against that of the pairs which it carries for nothing: the skin
@@ -316,9 +315,9 @@ void ExplicitDynamics<Dim>::compute_pairs(int block, double slip_time) {
 }
 
 template <int Dim>
-void ExplicitDynamics<Dim>::sum_and_kick(int block, double half_step) {
+void ExplicitDynamics<Dim>::sum_and_kick(int block) {
   kernels_.sum_and_kick(grain_arrays_, pair_arrays_, pairs_.plan(block), block * kGrainBlock, pair_cell(0.0),
-                        kick_over(half_step), sums_[block]);
+                        kick_, sums_[block]);
 }
 
 template <int Dim>
@@ -349,7 +348,8 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
   for (int b = 0; b < n_blocks(); ++b) compute_pairs(b, 0.0);
-  for (int b = 0; b < n_blocks(); ++b) sum_and_kick(b, 0.0);
+  kick_ = kick_over(0.0);
+  for (int b = 0; b < n_blocks(); ++b) sum_and_kick(b);
 }
 
 template <int Dim>

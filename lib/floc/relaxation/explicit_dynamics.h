@@ -35,7 +35,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Kick<Dim> kick_over(double half_step) const;
   void kick_and_drift(int block);
   void compute_pairs(int block, double slip_time);
-  void sum_and_kick(int block, double half_step);
+  void sum_and_kick(int block);
   void end_step(Motion motion);
   void refresh_forces();
   double list_cost_share() const;
@@ -67,7 +67,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   // The lattice vectors are columns here: upper triangular matrices, diagonal for a rectangular cell.
   Mat<Dim> lattice_, lattice_rate_;  ///< h and h'
   Mat<Dim> strain_rate_;             ///< velocity gradient h' h^-1 at mid-step
-  Mat<Dim> stretch_, drift_;         ///< of this step: x <- stretch x + drift v
+  Kick<Dim> kick_;                   ///< of each half of this step
+  Drift<Dim> drift_;                 ///< of this step
   std::vector<BlockSums<Dim>> sums_;
   double kinetic_ = 0.0;  ///< total kinetic energy with the cell's, for the power control
 

@@ -6,7 +6,6 @@ namespace floc {
 /// share an address, and would cost bytes.
 template <int Tag>
 struct Absent {
-  static constexpr const char* kKeyword = "none";
   bool operator==(const Absent&) const = default;
 };
 

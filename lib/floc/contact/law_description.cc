@@ -1,7 +1,5 @@
 #include "floc/contact/law_description.h"
 
-#include <cassert>
-
 namespace floc {
 namespace {
 
@@ -16,8 +14,6 @@ void describe_fields(DeclaredModel& model) {
       for (const char* const* word = c.words; *word != nullptr; ++word) choice.words.emplace_back(*word);
       model.choices.push_back(choice);
     }
-  if constexpr (requires { Model::kMemory; })
-    model.memory.assign(std::begin(Model::kMemory), std::end(Model::kMemory));
 }
 
 /// Puts a Model into the one slot of a law that can hold it.
@@ -33,7 +29,7 @@ DeclaredSlot describe(const char* key, const LawSlot<Models...>&) {
   DeclaredSlot slot{key, (kIsAbsent<Models> || ...), {}};
   const auto add = [&]<class Model>(std::type_identity<Model>) {
     if constexpr (!kIsAbsent<Model>) {
-      DeclaredModel model{Model::kKeyword, {}, {}, {}, &put<Model>};
+      DeclaredModel model{Model::kKeyword, {}, {}, &put<Model>};
       describe_fields<Model>(model);
       slot.models.push_back(std::move(model));
     }

@@ -28,7 +28,6 @@ struct DeclaredModel {
   std::string keyword;
   std::vector<DeclaredNumber> numbers;
   std::vector<DeclaredChoice> choices;
-  std::vector<Memory> memory;
   /// Puts the model into the slot of a law, its numbers zero, its choices the first.
   void (*choose)(LawParameters&);
 

@@ -59,7 +59,7 @@ template <class Law, int Dim, class Visit>
 template <class Law, int Dim>
 PackedMemory<Law::template kMemorySize<Dim>> packed_memory(const ContactMemory<Dim>& all) {
   PackedMemory<Law::template kMemorySize<Dim>> packed;
-  if constexpr (Law::template kMemorySize < Dim >> 0)
+  if constexpr (Law::template kMemorySize<Dim> != 0)
     for_each_memory<Law, Dim>([&](auto k, auto place) { packed.value[k] = all[place]; });
   return packed;
 }
@@ -68,7 +68,7 @@ PackedMemory<Law::template kMemorySize<Dim>> packed_memory(const ContactMemory<D
 template <class Law, int Dim>
 ContactMemory<Dim> unpacked_memory(const PackedMemory<Law::template kMemorySize<Dim>>& packed) {
   ContactMemory<Dim> all = ContactMemory<Dim>::Zero();
-  if constexpr (Law::template kMemorySize < Dim >> 0)
+  if constexpr (Law::template kMemorySize<Dim> != 0)
     for_each_memory<Law, Dim>([&](auto k, auto place) { all[place] = packed.value[k]; });
   return all;
 }

@@ -2,6 +2,11 @@
 
 namespace floc {
 
+/// Reduced radius or mass of two grains: p q/(p + q).
+inline double reduced(double p, double q) {
+  return p * q / (p + q);
+}
+
 /// What a law may ask of two surfaces. Reduced radius and mass are there for laws that need them (`kNeedsReducedRadius`,
 /// `kNeedsReducedMass` of a model), zero for others.
 template <class T = double>

@@ -12,7 +12,6 @@ inline constexpr double kCapTolerance = 1e-12;
 /// What the law may ask of the pair, at the gap that the contact has.
 template <int Dim>
 PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
-  const auto reduced = [](double p, double q) { return p * q / (p + q); };
   return {c.gap, reduced(grains.radius[c.i], grains.radius[c.j]), reduced(grains.mass[c.i], grains.mass[c.j])};
 }
 

@@ -77,8 +77,7 @@ void HotPairs<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double ra
 template <int Dim>
 typename HotPairs<Dim>::Component HotPairs<Dim>::reduced(const std::vector<double>& of_grain) const {
   Component values(size());
-  for (int p = 0; p < size(); ++p)
-    values[p] = of_grain[i_[p]] * of_grain[j_[p]] / (of_grain[i_[p]] + of_grain[j_[p]]);
+  for (int p = 0; p < size(); ++p) values[p] = floc::reduced(of_grain[i_[p]], of_grain[j_[p]]);
   return values;
 }
 

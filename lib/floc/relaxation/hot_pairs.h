@@ -16,7 +16,7 @@ namespace floc {
 /// coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this correction a
 /// restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag.
 inline double lagging_damping(double coefficient, double mass_i, double mass_j, double time_step) {
-  const double effective_mass = mass_i * mass_j / (mass_i + mass_j);
+  const double effective_mass = reduced(mass_i, mass_j);
   return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }
 

@@ -1,17 +1,12 @@
 #include "floc/run/checkpoint.h"
 
-#include <nlohmann/json.hpp>
-
-#include "floc/base/error.h"
+#include "floc/relaxation/members_as_json.h"
 
 namespace floc {
 namespace {
 
-using Json = nlohmann::json;
-
-/// Visits every member of a point under its name, so that writing and reading cannot differ.
-template <class Point, class Visit>
-void for_each_member(Point& point, const Visit& visit) {
+/// Visits every member of a point under its name.
+constexpr auto kMembers = [](auto& point, const auto& visit) {
   visit("step", point.step);
   visit("aggregating", point.aggregating);
   visit("stream_state", point.stream_state);
@@ -22,25 +17,16 @@ void for_each_member(Point& point, const Visit& visit) {
   visit("equilibration", point.equilibration);
   visit("equilibration_time", point.equilibration_time);
   visit("equilibration_steps", point.equilibration_steps);
-}
+};
 
 }  // namespace
 
 std::string progress_text(const RunPoint& point) {
-  Json json;
-  for_each_member(point, [&json](const char* name, const auto& value) { json[name] = value; });
-  return json.dump();
+  return members_as_json(point, kMembers);
 }
 
 RunPoint parse_progress(const std::string& text, const std::string& place) {
-  RunPoint point;
-  try {
-    const Json json = Json::parse(text);
-    for_each_member(point, [&json](const char* name, auto& value) { json.at(name).get_to(value); });
-  } catch (const Json::exception& error) {
-    throw InputError(place, std::string("is no checkpoint of this version: ") + error.what());
-  }
-  return point;
+  return members_from_json<RunPoint>(text, place, "is no checkpoint of this version", kMembers);
 }
 
 }  // namespace floc

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "floc/contact/declaration.h"
+#include "floc/contact/pair_geometry.h"
 
 namespace floc {
 
@@ -38,7 +39,7 @@ struct ViscousDamping {
 
   /// Damping coefficient c of a pair (force * time/length).
   double coefficient(double mass_i, double mass_j, double normal_stiffness) const {
-    const double effective = mass_i * mass_j / (mass_i + mass_j);
+    const double effective = reduced(mass_i, mass_j);
     const double m = mass_rule == DampingMass::effective ? effective : 2.0 * effective;
     return 2.0 * damping_ratio(restitution) * std::sqrt(m * normal_stiffness);
   }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "floc/base/error.h"
+
+namespace floc {
+
+/// A structure as one line of JSON, and back; numbers round-trip. `for_each_member(structure, visit)` calls
+/// visit(name, member) for every member, so that writing and reading cannot differ.
+template <class Structure, class ForEachMember>
+std::string members_as_json(const Structure& structure, const ForEachMember& for_each_member) {
+  nlohmann::json json;
+  for_each_member(structure, [&json](const char* name, const auto& value) { json[name] = value; });
+  return json.dump();
+}
+
+/// @param problem  what is wrong with a text that is not one, for the message
+/// @throws InputError(place) if a member is missing or of another kind
+template <class Structure, class ForEachMember>
+Structure members_from_json(const std::string& text, const std::string& place, const std::string& problem,
+                            const ForEachMember& for_each_member) {
+  Structure structure;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    for_each_member(structure, [&json](const char* name, auto& value) { json.at(name).get_to(value); });
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(place, problem + ": " + error.what());
+  }
+  return structure;
+}
+
+}  // namespace floc

@@ -14,8 +14,20 @@
 namespace floc {
 namespace {
 
-/// More rows than a grain has.
-constexpr std::int64_t kManyRows = std::int64_t{1} << 26;
+/// What a row costs that is summed alone, each addition waiting for the one before it, in rows of a group.
+constexpr int kAlone = 3;
+
+/// Depth to which a group of grains with falling numbers of rows is best summed side by side. @param count  of lane l
+template <class Count>
+int depth_of_group(const Count& count) {
+  int best = 0, least = std::numeric_limits<int>::max();
+  for (int l = 0; l < kSumGroup; ++l) {
+    int cost = kSumGroup * count(l);
+    for (int deeper = 0; deeper < l; ++deeper) cost += kAlone * (count(deeper) - count(l));
+    if (cost < least) least = cost, best = count(l);
+  }
+  return best;
+}
 
 }  // namespace
 
@@ -164,53 +176,47 @@ typename HotPairs<Dim>::RowsOfGrains HotPairs<Dim>::rows_of(const std::vector<in
 
 template <int Dim>
 void HotPairs<Dim>::plan_sums(int n_grains) {
-  const RowsOfGrains as_i = rows_of(i_, n_grains);
-  const RowsOfGrains as_j = rows_of(j_, n_grains);
   plans_.resize((n_grains + kGrainBlock - 1) / kGrainBlock);
-  std::vector<std::size_t> first(plans_.size());
-  for (std::size_t b = 0; b < plans_.size(); ++b) {
-    first[b] = listed_rows_.size();
-    plan_block(static_cast<int>(b), as_i, as_j);
+  std::vector<std::size_t> first;
+  for (const bool is_i : {true, false}) {
+    const RowsOfGrains rows = rows_of(is_i ? i_ : j_, n_grains);
+    for (std::size_t b = 0; b < plans_.size(); ++b) {
+      first.push_back(listed_rows_.size());
+      plan_side(is_i ? plans_[b].as_i : plans_[b].as_j, static_cast<int>(b) * kGrainBlock, rows);
+    }
   }
   // Only now that the list has stopped growing does it stay where it is.
   for (std::size_t b = 0; b < plans_.size(); ++b) {
-    const int* row = listed_rows_.data() + first[b];
-    for (int g = 0; g < BlockSumsPlan::kGroups; ++g) {
-      for (RowList* list : {&plans_[b].as_i[g], &plans_[b].as_j[g]}) {
-        list->row = row;
-        row += list->depth * kSumGroup;
-      }
-    }
+    plans_[b].as_i.row = listed_rows_.data() + first[b];
+    plans_[b].as_j.row = listed_rows_.data() + first[plans_.size() + b];
   }
   plan_crossings();
 }
 
-/// Groups the grains of a block by falling numbers of rows, and lists those of each group.
+/// Groups the grains of a block by falling numbers of rows, and lists those of each group, then what is beyond.
 template <int Dim>
-void HotPairs<Dim>::plan_block(int block, const RowsOfGrains& as_i, const RowsOfGrains& as_j) {
-  BlockSumsPlan& plan = plans_[block];
-  const int begin = block * kGrainBlock;
+void HotPairs<Dim>::plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& rows) {
   std::int64_t falling[kGrainBlock];  // sorts by falling numbers, then by grain, which its last digits hold
-  for (int k = 0; k < kGrainBlock; ++k)
-    falling[k] = -(as_i.count(begin + k) * kManyRows + as_j.count(begin + k)) * kGrainBlock + k;
+  for (int k = 0; k < kGrainBlock; ++k) falling[k] = -std::int64_t{rows.count(begin + k)} * kGrainBlock + k;
   std::sort(std::begin(falling), std::end(falling));
   for (int k = 0; k < kGrainBlock; ++k)
     plan.grain[k] = static_cast<int>((falling[k] % kGrainBlock + kGrainBlock) % kGrainBlock);
+  const auto count = [&](int k) { return rows.count(begin + plan.grain[k]); };
+  const auto row = [&](int k, int d) { return rows.row[rows.first[begin + plan.grain[k]] + d]; };
   const int zero_row = row_place(size(), row_size_);
-  const auto list = [&](const int* grain, const RowsOfGrains& rows) {
-    int depth = 0;
-    for (int l = 0; l < kSumGroup; ++l) depth = std::max(depth, rows.count(begin + grain[l]));
+  plan.n_deep = 0;
+  for (int g = 0; g < SideSumsPlan::kGroups; ++g) {
+    const int depth = plan.depth[g] = depth_of_group([&](int l) { return count(g * kSumGroup + l); });
     for (int d = 0; d < depth; ++d)
-      for (int l = 0; l < kSumGroup; ++l) {
-        const int k = begin + grain[l];
-        listed_rows_.push_back(d < rows.count(k) ? rows.row[rows.first[k] + d] : zero_row);
-      }
-    return RowList{depth, nullptr};
-  };
-  for (int g = 0; g < BlockSumsPlan::kGroups; ++g) {
-    plan.as_i[g] = list(plan.grain + g * kSumGroup, as_i);
-    plan.as_j[g] = list(plan.grain + g * kSumGroup, as_j);
+      for (int k = g * kSumGroup; k < (g + 1) * kSumGroup; ++k)
+        listed_rows_.push_back(d < count(k) ? row(k, d) : zero_row);
+    for (int k = g * kSumGroup; k < (g + 1) * kSumGroup; ++k) {
+      plan.n_beyond[k] = std::max(0, count(k) - depth);
+      if (plan.n_beyond[k] > 0) plan.n_deep = k + 1;
+    }
   }
+  for (int k = 0; k < plan.n_deep; ++k)
+    for (int d = count(k) - plan.n_beyond[k]; d < count(k); ++d) listed_rows_.push_back(row(k, d));
 }
 
 template <int Dim>

@@ -74,7 +74,7 @@ class HotPairs {
   void fill_pack();
   RowsOfGrains rows_of(const std::vector<int>& grain_of_pair, int n_grains) const;
   void plan_sums(int n_grains);
-  void plan_block(int block, const RowsOfGrains& as_i, const RowsOfGrains& as_j);
+  void plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& rows);
   void plan_crossings();
 
   int row_size_ = 0;  ///< doubles

@@ -52,19 +52,21 @@ struct PairArrays {
   double* row;                               ///< one more than there are pairs: the last stays zero
 };
 
-/// Where the rows begin that a group of grains sums: depth x kSumGroup places in PairArrays::row, in ascending order of
-/// the pairs.
-struct RowList {
-  int depth;
-  const int* row;
+/// Which rows each grain of a block sums as the first, or as the second, of a pair: places in PairArrays::row, those of
+/// each grain in ascending order of its pairs. Grains with similarly many stand side by side in groups, which are summed
+/// without branches to a depth of their own: depth x kSumGroup places, those of a grain that has fewer filled up with the row
+/// that stays zero. What a grain has beyond the depth of its group follows alone.
+struct SideSumsPlan {
+  static constexpr int kGroups = kGrainBlock / kSumGroup;
+  int grain[kGrainBlock];     ///< grains of the block (from its first), by falling numbers of rows
+  int depth[kGroups];         ///< of each group
+  int n_beyond[kGrainBlock];  ///< rows of the k-th of `grain` beyond the depth of its group
+  int n_deep;                 ///< grains of `grain`, from the first, after which none has any beyond
+  const int* row;             ///< of group after group, then those beyond of grain after grain
 };
 
-/// Which rows each grain of a block sums, as the first and as the second of a pair. Grains with equally many stand side
-/// by side in groups, and lists are filled up with the row that stays zero, so that groups are summed without branches.
 struct BlockSumsPlan {
-  static constexpr int kGroups = kGrainBlock / kSumGroup;
-  int grain[kGrainBlock];  ///< grains of the block (from its first), in the order of the groups
-  RowList as_i[kGroups], as_j[kGroups];
+  SideSumsPlan as_i, as_j;
   int n_crossing;
   const int* crossing;  ///< pairs of the block whose branch crosses the boundary, ascending
 };

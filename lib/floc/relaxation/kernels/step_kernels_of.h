@@ -49,7 +49,7 @@ struct GrainKernels {
   [[gnu::flatten]] static void sum_and_kick(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs,
                                             const BlockSumsPlan& plan, int begin, const PairCell<Dim>& cell,
                                             const Kick<Dim>& kick, BlockSums<Dim>& sums) {
-    for (int g = 0; g < BlockSumsPlan::kGroups; ++g) sum_group(grains, pairs, plan, g, begin);
+    sum_forces(grains, pairs, plan, begin);
     // Sum over pairs of f r = sum over grains of F x + what the pairs across the boundary add.
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
@@ -165,29 +165,38 @@ struct GrainKernels {
     return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
   }
 
-  static void add_rows(const PairArrays<Dim>& pairs, const RowList& list, Row (&sum)[kSumGroup]) {
-    const int* const end = list.row + list.depth * kSumGroup;
-    for (const int* row = list.row; row != end; row += kSumGroup) {
-      for (int l = 0; l < kSumGroup; ++l) {
-        Row next;
-        __builtin_memcpy(&next, pairs.row + row[l], sizeof(Row));
-        sum[l] += next;
-      }
+  static void add_row(const PairArrays<Dim>& pairs, int place, Row& sum) {
+    Row row;
+    __builtin_memcpy(&row, pairs.row + place, sizeof(Row));
+    sum += row;
+  }
+
+  /// Sums of the rows of each grain of the block. Rows of pairs that do not interact are zero and leave no trace, so the
+  /// sums do not depend on which of them the list holds.
+  static void sum_rows(const PairArrays<Dim>& pairs, const SideSumsPlan& plan, Row (&total)[kGrainBlock]) {
+    const int* row = plan.row;
+    for (int g = 0; g < SideSumsPlan::kGroups; ++g) {
+      Row sum[kSumGroup] = {};
+      for (const int* const end = row + plan.depth[g] * kSumGroup; row != end; row += kSumGroup)
+        for (int l = 0; l < kSumGroup; ++l) add_row(pairs, row[l], sum[l]);
+      for (int l = 0; l < kSumGroup; ++l) total[plan.grain[g * kSumGroup + l]] = sum[l];
+    }
+    for (int k = 0; k < plan.n_deep; ++k) {
+      Row sum = total[plan.grain[k]];
+      for (const int* const end = row + plan.n_beyond[k]; row != end; ++row) add_row(pairs, *row, sum);
+      total[plan.grain[k]] = sum;
     }
   }
 
-  /// Forces and moments of a group of grains. Rows of pairs that do not interact are zero and leave no trace, so the sums
-  /// do not depend on which of them the list holds.
-  static void sum_group(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, const BlockSumsPlan& plan,
-                        int group, int begin) {
-    Row as_i[kSumGroup] = {}, as_j[kSumGroup] = {};
-    add_rows(pairs, plan.as_i[group], as_i);
-    add_rows(pairs, plan.as_j[group], as_j);
-    for (int l = 0; l < kSumGroup; ++l) {
-      const int k = begin + plan.grain[group * kSumGroup + l];
-      const Row force = as_j[l] - as_i[l];
-      for (int a = 0; a < Dim; ++a) grains.force[a][k] = force[a];
-      if constexpr (kTurns) grains.torque[k] = as_i[l][Dim] + as_j[l][Dim + 1];
+  static void sum_forces(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs,
+                         const BlockSumsPlan& plan, int begin) {
+    Row as_i[kGrainBlock], as_j[kGrainBlock];
+    sum_rows(pairs, plan.as_i, as_i);
+    sum_rows(pairs, plan.as_j, as_j);
+    for (int k = 0; k < kGrainBlock; ++k) {
+      const Row force = as_j[k] - as_i[k];
+      for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = force[a];
+      if constexpr (kTurns) grains.torque[begin + k] = as_i[k][Dim] + as_j[k][Dim + 1];
     }
   }
 };

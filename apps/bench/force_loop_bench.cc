@@ -22,7 +22,9 @@
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/hot_grains.h"
 #include "floc/relaxation/hot_pairs.h"
+#include "floc/relaxation/interaction.h"
 #include "floc/relaxation/relaxer.h"
+#include "floc/relaxation/row_sums.h"
 
 namespace floc {
 namespace {
@@ -115,14 +117,17 @@ void passes(benchmark::State& state) {
   grains.copy_positions_to(ordered);
   std::copy_n(grains.radius.begin(), grains.size(), ordered.radius.begin());
   const auto new_pairs = [&] {
-    return HotPairs<2>(find_pairs(packing.cell, ordered, 0.005), ordered.radius, grains.mass, law, 1e-4);
+    return HotPairs<2>(find_pairs(packing.cell, ordered, 0.005), Partner::grain, ordered.radius, grains.mass,
+                       law, 1e-4);
   };
   HotPairs<2> pairs = new_pairs();
   const StepKernels<2>& kernels =
       step_kernels(widest_instruction_set(), LatticeShape::rectangular, law.index());
   const GrainArrays<2> g = grains.arrays(x_list);
-  const PairArrays<2> p = pairs.arrays();
-  const PairCell<2> cell{{{packing.cell.matrix(0, 0), 0.0}, {0.0, packing.cell.matrix(1, 1)}}, {}, 0.0};
+  RowSums<2> row_sums({&pairs}, row_size(law), grains.size());
+  PairArrays<2> p = pairs.arrays();
+  p.row = row_sums.rows(0);
+  const PairCell<2> cell{{{packing.cell.matrix(0, 0), 0.0}, {0.0, packing.cell.matrix(1, 1)}}, {}, 0.0, {}};
   const Kick<2> kick{0.0, {{1.0, 0.0}, {0.0, 1.0}}, {{1.0, 0.0}, {0.0, 1.0}}};
   const Drift<2> drift{0.0, {{1.0, 0.0}, {0.0, 1.0}}, {}, {{1.0, 0.0}, {0.0, 1.0}}};
   BlockSums<2> sums;
@@ -140,9 +145,10 @@ void passes(benchmark::State& state) {
       kernels.compute_pairs(composed, g, p, pairs.first_of_block(b), pairs.first_of_block(b + 1), cell);
     });
     clocked(seconds[2],
-            [&](int b) { kernels.sum_and_kick(g, p, pairs.plan(b), b * kGrainBlock, cell, kick, sums); });
+            [&](int b) { kernels.sum_and_kick(g, p, row_sums.plan(b), b * kGrainBlock, cell, kick, sums); });
     const std::clock_t start = std::clock();
-    benchmark::DoNotOptimize(new_pairs());
+    const HotPairs<2> list = new_pairs();
+    benchmark::DoNotOptimize(RowSums<2>({&list}, row_size(law), grains.size()));
     seconds[3] += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   }
   const double step = seconds[0] + seconds[1] + seconds[2];

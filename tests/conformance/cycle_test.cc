@@ -84,7 +84,8 @@ LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
     const double from = static_cast<double>(k - 1) / n_steps;
     const double to = static_cast<double>(k) / n_steps;
     const double opening = loop.gap(to) - loop.gap(from);
-    const ContactMotion<Dim> motion{pair_at(loop.gap(to)), opening / dt, law.damping_coefficient(1.0, 0.5),
+    const ContactMotion<Dim> motion{pair_at(loop.gap(to)), opening / dt,
+                                    law.damping_coefficient(CollisionMass::between(1.0, 0.5)),
                                     loop.slip(to) - loop.slip(from), loop.turn(to) - loop.turn(from)};
     const ContactForces<Dim> f = law.respond(motion, history);
     work.normal += law.energy(pair_at(loop.gap(to))) - law.energy(pair_at(loop.gap(from)));

@@ -83,7 +83,7 @@ TEST(NormalForce, IsTheOneThatRespondReports) {
       testing::Remembered<Law, Dim> history;
       ContactMotion<Dim> motion = at_gap<Dim>(h);
       motion.gap_rate = 0.7;
-      motion.damping = law.damping_coefficient(1.0, 0.5);
+      motion.damping = law.damping_coefficient(CollisionMass::between(1.0, 0.5));
       const auto forces = law.respond(motion, history);
       EXPECT_EQ(forces.normal.elastic, law.normal(pair_at(h)).elastic);
       EXPECT_EQ(forces.normal.adhesive, law.normal(pair_at(h)).adhesive);
@@ -189,7 +189,7 @@ TEST(Tail, CarriesNothingButTheNormalAttraction) {
       motion.slip = testing::slip_by<Dim>(1e-3);
       motion.relative_turn.setConstant(0.01);
       motion.gap_rate = -1.0;
-      motion.damping = law.damping_coefficient(1.0, 1.0);
+      motion.damping = law.damping_coefficient(CollisionMass::between(1.0, 1.0));
       const auto forces = law.respond(motion, history);
       EXPECT_EQ(forces.viscous, 0.0);
       EXPECT_EQ(forces.shear.norm(), 0.0);

@@ -164,7 +164,7 @@ TEST(Objectivity, APairTurnedRigidlyIn3DKeepsItsForces) {
 template <class Law>
 double collide(const Law& law, double speed, double step) {
   const double mass = 1.0 * 0.5 / (1.0 + 0.5);
-  const double damping = law.damping_coefficient(1.0, 0.5);
+  const double damping = law.damping_coefficient(CollisionMass::between(1.0, 0.5));
   testing::Remembered<Law, 2> history;
   const auto acceleration = [&](double gap, double rate) {
     const auto f = law.template respond<2, double>(

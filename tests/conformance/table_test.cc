@@ -104,8 +104,8 @@ TEST(Units, RescalingByPowersOfTwoChangesNoBit) {
     using Law = std::decay_t<decltype(law)>;
     const Units u;
     const Law other = std::get<Law>(compose_law(test::in_units(parameters_of(law), u.length, u.force)));
-    const double damping = law.damping_coefficient(1.0, 0.3);
-    const double other_damping = other.damping_coefficient(u.mass, 0.3 * u.mass);
+    const double damping = law.damping_coefficient(CollisionMass::between(1.0, 0.3));
+    const double other_damping = other.damping_coefficient(CollisionMass::between(u.mass, 0.3 * u.mass));
     EXPECT_EQ(other_damping, damping * u.force * u.time / u.length);
 
     testing::Remembered<Law, Dim> history, other_history;

@@ -108,8 +108,8 @@ struct ContactLaw {
   }
 
   /// Damping coefficient of a pair of grains (force * time/length), 0 without damping.
-  double damping_coefficient(double mass_i, double mass_j) const {
-    if constexpr (kHasDamping) return damping.coefficient(mass_i, mass_j, repulsion.stiffness_bound());
+  double damping_coefficient([[maybe_unused]] const CollisionMass& mass) const {
+    if constexpr (kHasDamping) return damping.coefficient(mass, repulsion.stiffness_bound());
     return 0.0;
   }
 

@@ -21,10 +21,7 @@ LawParameters acting(LawParameters law) {
   return law;
 }
 
-}  // namespace
-
-AnyContactLaw compose_law(const LawParameters& parameters) {
-  const LawParameters law = acting(parameters);
+AnyContactLaw composed(const LawParameters& law) {
   return std::visit(
       []<class... Models>(const Models&... models) -> AnyContactLaw {
         if constexpr (kIsCompiled<Models...>) return ContactLaw<Models...>{models...};
@@ -33,6 +30,18 @@ AnyContactLaw compose_law(const LawParameters& parameters) {
       },
       law.normal.variant(), law.adhesion.variant(), law.damping.variant(), law.friction.variant(),
       law.rolling.variant());
+}
+
+}  // namespace
+
+AnyContactLaw compose_law(const LawParameters& parameters) {
+  return composed(acting(parameters));
+}
+
+AnyContactLaw compose_with_friction(const LawParameters& parameters) {
+  LawParameters law = acting(parameters);
+  if (!law.friction) law.friction = CoulombFriction{0.0, 1.0};  // any stiffness: the cap is zero
+  return composed(law);
 }
 
 }  // namespace floc

@@ -62,4 +62,7 @@ using AnyContactLaw =
 /// @pre parameters.validate() is empty.
 AnyContactLaw compose_law(const LawParameters& parameters);
 
+/// The same law with a friction spring in any case, one that can carry nothing where the law has none.
+AnyContactLaw compose_with_friction(const LawParameters& parameters);
+
 }  // namespace floc

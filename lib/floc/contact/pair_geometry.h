@@ -7,6 +7,19 @@ inline double reduced(double p, double q) {
   return p * q / (p + q);
 }
 
+/// The masses of a collision that damping may be taken with (viscous_damping.h).
+struct CollisionMass {
+  double effective;  ///< m_i m_j/(m_i + m_j)
+  double grain;      ///< twice that, the mass of a grain among equals
+
+  static CollisionMass between(double mass_i, double mass_j) {
+    const double effective = reduced(mass_i, mass_j);
+    return {effective, 2.0 * effective};
+  }
+  /// Against a wall, which no grain moves, both are the grain's own.
+  static CollisionMass against_wall(double mass) { return {mass, mass}; }
+};
+
 /// What a law may ask of two surfaces. Reduced radius and mass are there for laws that need them (`kNeedsReducedRadius`,
 /// `kNeedsReducedMass` of a model), zero for others.
 template <class T = double>

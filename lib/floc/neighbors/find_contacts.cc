@@ -1,10 +1,13 @@
 #include "floc/neighbors/find_contacts.h"
 
+#include <algorithm>
 #include <string>
 
 #include "floc/base/error.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -13,12 +16,28 @@ namespace {
 constexpr std::size_t kContactsAlways = 10'000;
 constexpr std::size_t kContactsPerGrain = 100;
 
+/// Between grains, then with walls, sorted as contacts are.
+template <int Dim>
+std::vector<NeighborPair<Dim>> interacting_pairs(const Packing<Dim>& packing) {
+  const double range = packing.law.range();
+  const double reach = largest_diameter(packing.grains) + range;
+  std::vector<NeighborPair<Dim>> pairs =
+      find_pairs(search_cell(packing.cell, packing.walls, reach), packing.grains, range);
+  if (packing.walls.empty()) return pairs;
+  for (NeighborPair<Dim> pair : find_wall_pairs(packing.walls, packing.grains, packing.wall_law.range())) {
+    pair.j += packing.grains.size();
+    pairs.push_back(pair);
+  }
+  std::sort(pairs.begin(), pairs.end(), precedes<NeighborPair<Dim>>);
+  return pairs;
+}
+
 }  // namespace
 
 template <int Dim>
 void find_contacts(Packing<Dim>& packing) {
   packing.contacts.clear();
-  const std::vector<NeighborPair<Dim>> pairs = find_pairs(packing.cell, packing.grains, packing.law.range());
+  const std::vector<NeighborPair<Dim>> pairs = interacting_pairs(packing);
   if (pairs.size() > kContactsAlways + kContactsPerGrain * static_cast<std::size_t>(packing.grains.size()))
     throw InputError("cell", "the grains overlap so much, or reach so far, that there are " +
                                  std::to_string(pairs.size()) + " contacts of " +
@@ -32,10 +51,13 @@ void find_contacts(Packing<Dim>& packing) {
     packing.contacts.push_back(contact);
   }
   refresh_contacts(packing);
-  for (const Contact<Dim>& c : packing.contacts)
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (packing.is_wall(c.j) && c.normal.dot(packing.wall(c.j).normal()) <= 0.0)
+      throw InputError("grain " + std::to_string(c.i), "has its centre on or beyond a wall");
     if (c.normal.isZero(0.0))
       throw InputError("grains " + std::to_string(c.i) + " and " + std::to_string(c.j),
                        "have the same centre: their contact has no direction");
+  }
 }
 
 template void find_contacts(Packing<2>&);

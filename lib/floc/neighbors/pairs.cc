@@ -283,7 +283,22 @@ std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Di
   return sorted(PairSearch<Dim>(cell, grains, gap).all(), grains.size());
 }
 
+template <int Dim>
+std::vector<NeighborPair<Dim>> find_wall_pairs(const std::vector<Wall<Dim>>& walls, const Grains<Dim>& grains,
+                                               double gap) {
+  std::vector<NeighborPair<Dim>> pairs;
+  for (int i = 0; i < grains.size(); ++i)
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+      const double distance = walls[w].side * (walls[w].position - grains.position[i][walls[w].axis]);
+      if (distance < grains.radius[i] + gap)
+        pairs.push_back({i, static_cast<int>(w), Vec<Dim, int>(Vec<Dim, int>::Zero())});
+    }
+  return pairs;
+}
+
 template std::vector<NeighborPair<2>> find_pairs(const Cell<2>&, const Grains<2>&, double);
 template std::vector<NeighborPair<3>> find_pairs(const Cell<3>&, const Grains<3>&, double);
+template std::vector<NeighborPair<2>> find_wall_pairs(const std::vector<Wall<2>>&, const Grains<2>&, double);
+template std::vector<NeighborPair<3>> find_wall_pairs(const std::vector<Wall<3>>&, const Grains<3>&, double);
 
 }  // namespace floc

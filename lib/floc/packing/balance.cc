@@ -9,13 +9,14 @@ Balance<Dim> net_forces(const Packing<Dim>& packing) {
                    std::vector<Spin<Dim>>(g.size(), Spin<Dim>::Zero())};
   for (const Contact<Dim>& c : packing.contacts) {
     const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal;
+    const bool on_grain = !packing.is_wall(c.j);
     net.force[c.i] += on_i;
-    net.force[c.j] -= on_i;
+    if (on_grain) net.force[c.j] -= on_i;
     // Lever arms l = R r/(Ri + Rj) along the normal on both sides (PHYSICS section 1): angular momentum is exact.
-    const double arm_per_radius = 1.0 + c.gap / (g.radius[c.i] + g.radius[c.j]);
+    const double arm_per_radius = 1.0 + c.gap / (g.radius[c.i] + packing.surface_radius(c.j));
     const Spin<Dim> unit_moment = moment<double>(c.normal, c.shear_force);
     net.moment[c.i] += g.radius[c.i] * arm_per_radius * unit_moment + c.rolling_moment;
-    net.moment[c.j] += g.radius[c.j] * arm_per_radius * unit_moment - c.rolling_moment;
+    if (on_grain) net.moment[c.j] += g.radius[c.j] * arm_per_radius * unit_moment - c.rolling_moment;
   }
   return net;
 }

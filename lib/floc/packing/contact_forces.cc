@@ -11,9 +11,23 @@ namespace {
 template <class Law, int Dim>
 void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
   const TwoPartVec<Dim> r = exact_branch(packing, c);
-  c.gap = surface_gap<Dim>(r, packing.grains.radius[c.i], packing.grains.radius[c.j]);
+  c.gap = surface_gap<Dim>(r, packing.grains.radius[c.i], packing.surface_radius(c.j));
   c.normal = rounded<Dim>(r).normalized();
   respond_to_motion<Law, Dim>(law, packing.grains, Shear<Dim>::Zero(), Spin<Dim>::Zero(), c);
+}
+
+/// Of the contacts with walls, or of those between grains alone.
+template <int Dim>
+void refresh_kind(Packing<Dim>& packing, bool with_walls) {
+  std::visit(
+      [&](const auto& law) {
+        for (Contact<Dim>& c : packing.contacts)
+          if (packing.is_wall(c.j) == with_walls) refresh(law, packing, c);
+        std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {
+          return packing.is_wall(c.j) == with_walls && !law.interacts(c.gap);
+        });
+      },
+      compose_law(with_walls ? packing.wall_law : packing.law));
 }
 
 /// What was read lies a little beside the law, and the pull of an adhesive contact is none of its elastic force.
@@ -38,17 +52,14 @@ void carry(const Law& law, double pull_off_force, std::optional<double> kn, std:
 
 template <int Dim>
 void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact) {
-  std::visit([&](const auto& law) { refresh(law, packing, contact); }, compose_law(packing.law));
+  std::visit([&](const auto& law) { refresh(law, packing, contact); },
+             compose_law(packing.is_wall(contact.j) ? packing.wall_law : packing.law));
 }
 
 template <int Dim>
 void refresh_contacts(Packing<Dim>& packing) {
-  std::visit(
-      [&](const auto& law) {
-        for (Contact<Dim>& c : packing.contacts) refresh(law, packing, c);
-        std::erase_if(packing.contacts, [&](const Contact<Dim>& c) { return !law.interacts(c.gap); });
-      },
-      compose_law(packing.law));
+  refresh_kind(packing, false);
+  if (!packing.walls.empty()) refresh_kind(packing, true);
 }
 
 template <int Dim>

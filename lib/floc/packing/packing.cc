@@ -25,7 +25,20 @@ double solid_fraction(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
+Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, double reach) {
+  for (int a = 0; a < Dim; ++a)
+    if (between_walls(walls, a)) cell.matrix(a, a) += 2.0 * reach;
+  return cell;
+}
+
+template <int Dim>
 TwoPartVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  if (packing.is_wall(contact.j)) {
+    const Wall<Dim>& wall = packing.wall(contact.j);
+    TwoPartVec<Dim> foot = packing.grains.centre(contact.i);
+    foot[wall.axis] = exact_sum(wall.position, 0.0);
+    return difference<Dim>(foot, packing.grains.centre(contact.i));
+  }
   return difference<Dim>(displaced<Dim>(packing.grains.centre(contact.j), packing.cell, contact.image),
                          packing.grains.centre(contact.i));
 }
@@ -39,6 +52,8 @@ template struct Grains<2>;
 template struct Grains<3>;
 template double solid_fraction(const Packing<2>&);
 template double solid_fraction(const Packing<3>&);
+template Cell<2> search_cell(Cell<2>, const std::vector<Wall<2>>&, double);
+template Cell<3> search_cell(Cell<3>, const std::vector<Wall<3>>&, double);
 template TwoPartVec<2> exact_branch(const Packing<2>&, const Contact<2>&);
 template TwoPartVec<3> exact_branch(const Packing<3>&, const Contact<3>&);
 template Vec<2> branch(const Packing<2>&, const Contact<2>&);

@@ -11,6 +11,7 @@
 #include "floc/geometry/cell.h"
 #include "floc/geometry/separation.h"
 #include "floc/packing/contact.h"
+#include "floc/packing/wall.h"
 
 namespace floc {
 
@@ -63,20 +64,42 @@ struct Grains {
   double inertia(int i) const { return mass[i] * radius[i] * radius[i] * (Dim == 2 ? 0.5 : 0.4); }
 };
 
-/// Cell, grains, law and contacts: everything mechanical about one state.
+/// Cell, walls, grains, laws and contacts: everything mechanical about one state.
 template <int Dim>
 struct Packing {
+  /// Along an axis between walls nothing is periodic: the side of the cell is their distance, and right-angled.
   Cell<Dim> cell;
   Grains<Dim> grains;
-  LawParameters law;
+  LawParameters law;                   ///< between grains
   std::vector<Contact<Dim>> contacts;  ///< sorted by (i, j, image, key), i <= j
+  std::vector<Wall<Dim>> walls;        ///< none, or both of an axis, the lower one first, axes ascending
+  LawParameters wall_law;              ///< between grains and walls
+
+  /// Whether body j of a contact is a wall: their numbers follow those of the grains.
+  bool is_wall(int body) const { return body >= grains.size(); }
+  const Wall<Dim>& wall(int body) const { return walls[body - grains.size()]; }
+  /// Radius of the surface of a body as seen from its place in a branch: a wall's is the foot of the branch itself.
+  double surface_radius(int body) const { return is_wall(body) ? 0.0 : grains.radius[body]; }
 };
+
+/// Whether an axis lies between two walls.
+template <int Dim>
+bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
+  for (const Wall<Dim>& wall : walls)
+    if (wall.axis == axis) return true;
+  return false;
+}
+
+/// The cell for a search of neighbours whose centres are closer than `reach`: widened between walls, so that no grain meets an
+/// image across them.
+template <int Dim>
+Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, double reach);
 
 /// Area (2D) or volume (3D) of the grains over that of the cell. Overlaps count twice, as is the custom.
 template <int Dim>
 double solid_fraction(const Packing<Dim>& packing);
 
-/// Branch of a contact: vector from the centre of i to the image of j that it touches.
+/// Branch of a contact: vector from the centre of i to the image of j that it touches, or to its foot on a wall.
 template <int Dim>
 TwoPartVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 

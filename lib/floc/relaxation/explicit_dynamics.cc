@@ -39,13 +39,10 @@ void copy(const Mat<Dim>& from, double (&to)[Dim][Dim]) {
 template <int Dim>
 ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                         const DynamicsSettings& settings)
-    : parameters_(packing.law),
-      law_(compose_law(packing.law)),
-      composed_law_(std::visit([](const auto& law) { return static_cast<const void*>(&law); }, law_)),
-      range_(packing.law.range()),
-      swap_parity_(swap_parity<Dim>(packing.law)),
-      kernels_(step_kernels(settings.instructions, shape_of(packing.cell, control), law_.index())),
+    : law_(packing.law),
+      wall_law_(packing.wall_law),
       control_(control),
+      walls_(packing.walls),
       dt_(settings.time_step),
       skin_(settings.skin),
       threads_(settings.threads),
@@ -54,8 +51,11 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
       lattice_(packing.cell.matrix.transpose()),
       lattice_rate_(packing.cell.velocity.transpose()),
-      strain_rate_(right_quotient<Dim>(lattice_rate_, lattice_)),
       drift_{settings.time_step, {}, {}, {}} {
+  for (int a = 0; a < Dim; ++a)
+    if (walls_.bounds(a)) lattice_rate_(a, a) = 0.0;
+  strain_rate_ = right_quotient<Dim>(lattice_rate_, lattice_);
+  add_interactions(packing, settings.instructions, shape_of(packing.cell, control));
   sums_.resize(n_blocks());
   rebuild_list();
   load_memory(packing);
@@ -63,16 +63,27 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
 }
 
 template <int Dim>
+void ExplicitDynamics<Dim>::add_interactions(const Packing<Dim>& packing, InstructionSet instructions,
+                                             LatticeShape shape) {
+  std::vector<LawParameters> parameters = {packing.law};
+  if (!walls_.empty()) parameters.push_back(packing.wall_law);
+  const std::vector<AnyContactLaw> laws = laws_of_same_rows(parameters);
+  for (std::size_t k = 0; k < laws.size(); ++k)
+    interactions_.emplace_back(k == 0 ? Partner::grain : Partner::wall, parameters[k], laws[k], instructions,
+                               shape);
+}
+
+template <int Dim>
 void ExplicitDynamics<Dim>::load_memory(const Packing<Dim>& packing) {
   std::vector<int> place(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) place[grains_.index[k]] = k;
   for (const Contact<Dim>& c : packing.contacts) {
-    NeighborPair<Dim> key{place[c.i], place[c.j], c.image};
-    const bool swap = key.j < key.i;
-    const int p = pairs_.find(swap ? swapped(key) : key);
-    if (p < 0) continue;
-    for (std::size_t k = 0; k < pairs_.memory.size(); ++k)
-      if (!pairs_.memory[k].empty()) pairs_.memory[k][p] = swap ? swap_parity_[k] * c.memory[k] : c.memory[k];
+    const bool on_wall = packing.is_wall(c.j);
+    const NeighborPair<Dim> key{place[c.i], on_wall ? c.j - grains_.size() : place[c.j], c.image};
+    const bool swap = !on_wall && key.j < key.i;
+    Interaction<Dim>& interaction = interactions_[on_wall ? 1 : 0];
+    const int p = interaction.pairs().find(swap ? swapped(key) : key);
+    if (p >= 0) interaction.load_memory(p, c.memory, swap);
   }
 }
 
@@ -109,6 +120,43 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
   }
 }
 
+/// Sides of a rectangular boundary: distances of walls where an axis lies between two; else the diagonal of the lattice.
+template <int Dim>
+Vec<Dim> ExplicitDynamics<Dim>::sides() const {
+  Vec<Dim> sides = lattice_.diagonal();
+  for (int a = 0; a < Dim; ++a)
+    if (walls_.bounds(a)) sides[a] = walls_.distance(a);
+  return sides;
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::kick_boundary() {
+  kick_lattice();
+  if (!walls_.empty()) kick_walls();
+}
+
+/// Half a step of acceleration of the walls by the normal forces of their pairs.
+template <int Dim>
+void ExplicitDynamics<Dim>::kick_walls() {
+  std::vector<double> force(walls_.size(), 0.0);
+  const HotPairs<Dim>& pairs = interactions_.back().pairs();
+  const double* row = interactions_.back().arrays().row;
+  const int size_of_row = row_size(interactions_.back().law());
+  for (int p = 0; p < pairs.size(); ++p, row += size_of_row) {
+    if (pairs.padding(p)) continue;
+    const Wall<Dim>& wall = walls_.walls()[pairs.j(p)];
+    force[pairs.j(p)] += wall.side * row[wall.axis];
+  }
+  const Vec<Dim> side = sides();
+  Vec<Dim> area;
+  for (int a = 0; a < Dim; ++a) {
+    area[a] = 1.0;
+    for (int b = 0; b < Dim; ++b)
+      if (b != a) area[a] *= side[b];
+  }
+  walls_.kick(0.5 * dt_, control_, force, area);
+}
+
 /// Generalised forces on the components of the lattice under stress: their work in a small strain is that of W - V Sigma, W
 /// the sum of momentum fluxes and of forces times branches. Where all are, that is the upper part of (W - V Sigma) h^-T.
 template <int Dim>
@@ -117,11 +165,11 @@ Mat<Dim> ExplicitDynamics<Dim>::unbalanced_work() const {
   for (const BlockSums<Dim>& s : sums_)
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < Dim; ++b) work(a, b) += s.virial[a][b] + s.momentum_flux[a][b];
-  const double volume = lattice_.diagonal().prod();
+  const double volume = sides().prod();
   Mat<Dim, bool> is_free = Mat<Dim, bool>::Constant(false);
   for (int k = 0; k < kSymmetric<Dim>; ++k) {
     const auto [a, b] = component_axes<Dim>(k);
-    is_free(a, b) = control_.imposed[k] == Imposed::stress;
+    is_free(a, b) = control_.imposed[k] == Imposed::stress && moves_with_lattice(a, b);
     if (is_free(a, b)) work(a, b) -= volume * control_.target[k];
   }
   Mat<Dim> force = Mat<Dim>::Zero();  // work = force h^T on the free components, from the last column on
@@ -141,8 +189,8 @@ void ExplicitDynamics<Dim>::kick_lattice() {
   if (control_.any_stress()) {
     const Mat<Dim> force = unbalanced_work();
     for (int k = 0; k < kSymmetric<Dim>; ++k) {
-      if (control_.imposed[k] != Imposed::stress) continue;
       const auto [a, b] = component_axes<Dim>(k);
+      if (control_.imposed[k] != Imposed::stress || !moves_with_lattice(a, b)) continue;
       lattice_rate_(a, b) += 0.5 * dt_ / control_.mass * force(a, b);
       const double limit = control_.rate_cap * lattice_(b, b);
       lattice_rate_(a, b) = std::max(std::min(lattice_rate_(a, b), limit), -limit);
@@ -159,7 +207,8 @@ void ExplicitDynamics<Dim>::impose_rates() {
   bool any = false;
   for (int k = 0; k < kSymmetric<Dim>; ++k) {
     const auto [a, b] = component_axes<Dim>(k);
-    if (control_.imposed[k] == Imposed::stress || (control_.target[k] == 0.0 && gradient(a, b) == 0.0))
+    if (control_.imposed[k] == Imposed::stress || !moves_with_lattice(a, b) ||
+        (control_.target[k] == 0.0 && gradient(a, b) == 0.0))
       continue;
     gradient(a, b) = -control_.target[k];
     any = true;
@@ -171,7 +220,7 @@ void ExplicitDynamics<Dim>::impose_rates() {
 /// which keeps the scheme symmetric in time.
 template <int Dim>
 void ExplicitDynamics<Dim>::begin_step() {
-  kick_lattice();
+  kick_boundary();
   const Mat<Dim> middle = lattice_ + 0.5 * dt_ * lattice_rate_;
   const Mat<Dim> next = lattice_ + dt_ * lattice_rate_;
   strain_rate_ = right_quotient<Dim>(lattice_rate_, middle);
@@ -181,6 +230,7 @@ void ExplicitDynamics<Dim>::begin_step() {
   list_stretch_ = right_quotient<Dim>(lattice_, lattice_at_list_);
   copy<Dim>(list_stretch_, drift_.list_stretch);
   kick_ = kick_over(0.5 * dt_);
+  walls_.drift(dt_);
   ++steps_since_list_;
 }
 
@@ -198,7 +248,7 @@ Kick<Dim> ExplicitDynamics<Dim>::kick_over(double half_step) const {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::kick_and_drift(int block) {
-  kernels_.kick_and_drift(grain_arrays_, block * kGrainBlock, kick_, drift_, sums_[block]);
+  interactions_[0].kernels().kick_and_drift(grain_arrays_, block * kGrainBlock, kick_, drift_, sums_[block]);
 }
 
 /// The share of the time that the list has cost so far, against that of the pairs which it carries for nothing: the skin
@@ -208,13 +258,15 @@ double ExplicitDynamics<Dim>::list_cost_share() const {
   return kListCost / steps_since_list_;
 }
 
-/// What motion has taken of the skin since the list was built: the affine shrinking, and twice the largest displacement
-/// relative to it.
+/// What motion has taken of the skin since the list was built: the affine shrinking, and the largest displacements of two
+/// bodies relative to it.
 template <int Dim>
 double ExplicitDynamics<Dim>::eaten_skin() const {
   double squared = 0.0;
   for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.displacement_squared);
-  return 2.0 * std::sqrt(squared) + shrink_since_list() * (largest_ + range_ + skin_);
+  const double displacement = std::sqrt(squared);
+  return std::max(displacement, walls_.moved_since_mark()) + displacement +
+         shrink_since_list() * (largest_ + interactions_[0].range() + skin_);
 }
 
 /// Largest share by which the deformation since the list was built has shortened any line.
@@ -245,7 +297,7 @@ bool ExplicitDynamics<Dim>::list_is_stale() const {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::adapt_skin() {
-  if (pairs_.size() == 0 || steps_since_list_ == 0) return;
+  if (interactions_[0].pairs().size() == 0 || steps_since_list_ == 0) return;
   on_first_list_ = false;
   const double cost = list_cost_share();
   if (cost > idle_share_) skin_ = std::min((cost > 4.0 * idle_share_ ? 2.0 : 1.25) * skin_, 0.5 * largest_);
@@ -271,7 +323,7 @@ double ExplicitDynamics<Dim>::share_of_idle(const std::vector<NeighborPair<Dim>>
       const double r = grains_.x[a][p.j] - grains_.x[a][p.i] + shift[a];
       squared += r * r;
     }
-    const double reach = grains_.radius[p.i] + grains_.radius[p.j] + range_;
+    const double reach = grains_.radius[p.i] + grains_.radius[p.j] + interactions_[0].range();
     idle += squared >= reach * reach;
   }
   return static_cast<double>(idle) /
@@ -285,14 +337,18 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   Grains<Dim> now = Grains<Dim>::with_size(grains_.size());
   grains_.copy_positions_to(now);
   now.radius.assign(grains_.radius.begin(), grains_.radius.begin() + grains_.size());
-  Cell<Dim> cell;
-  cell.matrix = lattice_.transpose();
-  const std::vector<NeighborPair<Dim>> close = find_pairs(cell, now, range_ + skin_);
-  idle_share_ = share_of_idle(close);
-  HotPairs<Dim> pairs(close, now.radius, grains_.mass, law_, dt_);
-  pairs.inherit(pairs_);
-  pairs_ = std::move(pairs);
-  pair_arrays_ = pairs_.arrays();
+  std::vector<const HotPairs<Dim>*> lists;
+  for (Interaction<Dim>& interaction : interactions_) {
+    const bool of_grains = interaction.partner() == Partner::grain;
+    const std::vector<NeighborPair<Dim>> close =
+        of_grains ? close_pairs(now) : find_wall_pairs(walls_.walls(), now, interaction.range() + skin_);
+    if (of_grains) idle_share_ = share_of_idle(close);
+    interaction.set_pairs({close, interaction.partner(), now.radius, grains_.mass, interaction.law(), dt_});
+    lists.push_back(&interaction.pairs());
+  }
+  sums_of_rows_ = {lists, row_size(interactions_[0].law()), grains_.size()};
+  for (std::size_t k = 0; k < interactions_.size(); ++k) interactions_[k].set_rows(sums_of_rows_.rows(k));
+  walls_.mark();
   x_list_ = grains_.x;
   grain_arrays_ = grains_.arrays(x_list_);
   lattice_at_list_ = lattice_;
@@ -301,8 +357,18 @@ void ExplicitDynamics<Dim>::rebuild_list() {
 }
 
 template <int Dim>
+std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(const Grains<Dim>& now) const {
+  Cell<Dim> cell;
+  cell.matrix = lattice_.transpose();
+  for (int a = 0; a < Dim; ++a)
+    if (walls_.bounds(a)) cell.matrix(a, a) = walls_.distance(a);
+  const double gap = interactions_[0].range() + skin_;
+  return find_pairs(search_cell(cell, walls_.walls(), largest_ + gap), now, gap);
+}
+
+template <int Dim>
 PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
-  PairCell<Dim> cell{{}, {}, slip_time};
+  PairCell<Dim> cell{{}, {}, slip_time, walls_.arrays()};
   copy<Dim>(lattice_, cell.lattice);
   copy<Dim>(strain_rate_, cell.strain_rate);
   return cell;
@@ -310,19 +376,37 @@ PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::compute_pairs(int block, double slip_time) {
-  kernels_.compute_pairs(composed_law_, grain_arrays_, pair_arrays_, pairs_.first_of_block(block),
-                         pairs_.first_of_block(block + 1), pair_cell(slip_time));
+  for (const Interaction<Dim>& interaction : interactions_)
+    interaction.compute(block, grain_arrays_, pair_cell(slip_time));
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::sum_and_kick(int block) {
-  kernels_.sum_and_kick(grain_arrays_, pair_arrays_, pairs_.plan(block), block * kGrainBlock, pair_cell(0.0),
-                        kick_, sums_[block]);
+  interactions_[0].kernels().sum_and_kick(grain_arrays_, interactions_[0].arrays(), sums_of_rows_.plan(block),
+                                          block * kGrainBlock, pair_cell(0.0), kick_, sums_[block]);
+  if (!walls_.empty()) add_wall_virial(block);
+}
+
+/// The kernel sums forces on grains times their positions: what a wall exerts counts with the foot of the grain on it instead,
+/// so that along periodic axes, to which walls are parallel, nothing is left of its friction.
+template <int Dim>
+void ExplicitDynamics<Dim>::add_wall_virial(int block) {
+  const Interaction<Dim>& interaction = interactions_.back();
+  const HotPairs<Dim>& pairs = interaction.pairs();
+  const int size_of_row = row_size(interaction.law());
+  for (int p = pairs.first_of_block(block); p < pairs.first_of_block(block + 1); ++p) {
+    if (pairs.padding(p)) continue;
+    const double* on_wall = interaction.arrays().row + static_cast<std::ptrdiff_t>(size_of_row) * p;
+    const Wall<Dim>& wall = walls_.walls()[pairs.j(p)];
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < Dim; ++b)
+        sums_[block].virial[a][b] += on_wall[a] * (b == wall.axis ? wall.position : grains_.x[b][pairs.i(p)]);
+  }
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::end_step(Motion motion) {
-  kick_lattice();
+  kick_boundary();
   if (motion != Motion::power_control) return;
   double twice_kinetic = 0.0;
   for (const BlockSums<Dim>& s : sums_) {
@@ -330,6 +414,7 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
     twice_kinetic += s.rotation;
   }
   if (control_.any_stress()) twice_kinetic += control_.mass * lattice_rate_.squaredNorm();
+  twice_kinetic += walls_.twice_kinetic_energy();
   if (twice_kinetic < kinetic_) {
     for (auto& component : grains_.v) std::fill(component.begin(), component.end(), 0.0);
     for (auto& component : grains_.spin) std::fill(component.begin(), component.end(), 0.0);
@@ -338,6 +423,7 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
       s.rotation = 0.0;
     }
     lattice_rate_.setZero();
+    walls_.stop();
     impose_rates();
     twice_kinetic = 0.0;
   }
@@ -354,7 +440,7 @@ void ExplicitDynamics<Dim>::refresh_forces() {
 
 template <int Dim>
 bool ExplicitDynamics<Dim>::finite() const {
-  bool all = lattice_.allFinite() && lattice_rate_.allFinite();
+  bool all = lattice_.allFinite() && lattice_rate_.allFinite() && sides().allFinite();
   for (const auto& component : grains_.x)
     for (const double x : component) all = all && std::isfinite(x);
   return all;
@@ -363,11 +449,18 @@ bool ExplicitDynamics<Dim>::finite() const {
 template <int Dim>
 Packing<Dim> ExplicitDynamics<Dim>::packing() const {
   Packing<Dim> out;
-  out.law = parameters_;
+  out.law = law_;
+  out.walls = walls_.walls();
+  out.wall_law = wall_law_;
   out.grains =
       Grains<Dim>::with_size(grains_.size());  // centres in one part: motion ends at the rounding of that
   out.cell.matrix = lattice_.transpose();
   out.cell.velocity = lattice_rate_.transpose();
+  for (int a = 0; a < Dim; ++a)
+    if (walls_.bounds(a)) {
+      out.cell.matrix(a, a) = walls_.distance(a);
+      out.cell.velocity(a, a) = walls_.distance_rate(a);
+    }
   std::vector<Vec<Dim, int>> wrap(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) {
     const int i = grains_.index[k];
@@ -376,7 +469,9 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
       x[a] = grains_.x[a][k];
       out.grains.velocity[i][a] = grains_.v[a][k];
     }
+    wrap[k].setZero();
     for (int b = Dim - 1; b >= 0; --b) {  // the last lattice vector alone reaches along the last axis
+      if (walls_.bounds(b)) continue;
       const double turns = std::floor(x[b] / lattice_(b, b));
       wrap[k][b] = -static_cast<int>(turns);
       for (int a = 0; a <= b; ++a)
@@ -387,30 +482,43 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
     out.grains.radius[i] = grains_.radius[k];
     out.grains.mass[i] = grains_.mass[k];
   }
-  out.contacts.reserve(pairs_.size());
-  for (int p = 0; p < pairs_.size(); ++p) {
-    if (pairs_.padding(p)) continue;
-    NeighborPair<Dim> key = pairs_.key(p);
-    Vec<Dim> r;
-    const Vec<Dim> shift = image_shift(key.image);
-    for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][key.j] - grains_.x[a][key.i] + shift[a];
-    const double reach = pairs_.radii(p) + range_;
-    if (r.squaredNorm() >= reach * reach) continue;
-    key = {grains_.index[key.i], grains_.index[key.j], key.image + wrap[key.i] - wrap[key.j]};
+  for (const Interaction<Dim>& interaction : interactions_) append_contacts(interaction, wrap, out);
+  std::sort(out.contacts.begin(), out.contacts.end(), precedes<Contact<Dim>>);
+  refresh_contacts(out);
+  return out;
+}
+
+/// What an interaction remembers of pairs within its range. @param wrap  images that bring the grains into the cell
+template <int Dim>
+void ExplicitDynamics<Dim>::append_contacts(const Interaction<Dim>& interaction,
+                                            const std::vector<Vec<Dim, int>>& wrap, Packing<Dim>& out) const {
+  const HotPairs<Dim>& pairs = interaction.pairs();
+  const bool with_walls = interaction.partner() == Partner::wall;
+  out.contacts.reserve(out.contacts.size() + pairs.size());
+  for (int p = 0; p < pairs.size(); ++p) {
+    if (pairs.padding(p)) continue;
+    NeighborPair<Dim> key = pairs.key(p);
+    const double reach = pairs.radii(p) + interaction.range();
+    if (with_walls) {
+      const Wall<Dim>& wall = walls_.walls()[key.j];
+      if (wall.side * (wall.position - grains_.x[wall.axis][key.i]) >= reach) continue;
+      key = {grains_.index[key.i], grains_.size() + key.j, key.image};
+    } else {
+      const Vec<Dim> shift = image_shift(key.image);
+      Vec<Dim> r;
+      for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][key.j] - grains_.x[a][key.i] + shift[a];
+      if (r.squaredNorm() >= reach * reach) continue;
+      key = {grains_.index[key.i], grains_.index[key.j], key.image + wrap[key.i] - wrap[key.j]};
+    }
     const bool swap = key.j < key.i;
     if (swap) key = swapped(key);
     Contact<Dim> c;
     c.i = key.i;
     c.j = key.j;
     c.image = key.image;
-    for (std::size_t k = 0; k < pairs_.memory.size(); ++k)
-      if (!pairs_.memory[k].empty())
-        c.memory[k] = swap ? swap_parity_[k] * pairs_.memory[k][p] : pairs_.memory[k][p];
+    c.memory = interaction.memory(p, swap);
     out.contacts.push_back(c);
   }
-  std::sort(out.contacts.begin(), out.contacts.end(), precedes<Contact<Dim>>);
-  refresh_contacts(out);
-  return out;
 }
 
 template <int Dim>
@@ -423,8 +531,14 @@ template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times) {
   const Grains<Dim>& g = packing.grains;
   double shortest = std::numeric_limits<double>::infinity();
-  const ContactStiffness bound =
+  ContactStiffness bound =
       std::visit([](const auto& law) { return law.stiffness_bound(); }, compose_law(packing.law));
+  if (!packing.walls.empty()) {
+    const ContactStiffness on_wall =
+        std::visit([](const auto& law) { return law.stiffness_bound(); }, compose_law(packing.wall_law));
+    bound = {std::max(bound.normal, on_wall.normal), std::max(bound.tangential, on_wall.tangential),
+             std::max(bound.rolling, on_wall.rolling)};
+  }
   // Springs across the contact vibrate faster than those along it where they are stiffer.
   const double stiffest = std::max(bound.normal, bound.tangential);
   for (int i = 0; i < g.size(); ++i) {

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <vector>
 
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/hot_grains.h"
-#include "floc/relaxation/hot_pairs.h"
+#include "floc/relaxation/interaction.h"
+#include "floc/relaxation/row_sums.h"
+#include "floc/relaxation/wall_motion.h"
 
 namespace floc {
 
-/// See Dynamics. Grains are owned by blocks: a block computes the pairs whose first grain it owns, then, once all rows are
+/// See Dynamics. What acts on grains is a list of interactions, each with pairs, a law and a kernel of its own; their rows are
+/// summed together. Grains are owned by blocks: a block computes the pairs whose first grain it owns, then, once all rows are
 /// written, sums and integrates its grains. Sums over the packing are made block by block in order. What visits every
 /// grain or pair is in kernels/, compiled for each law and instruction set.
 template <int Dim>
@@ -26,8 +30,14 @@ class ExplicitDynamics final : public Dynamics<Dim> {
  private:
   int n_blocks() const { return (grains_.size() + kGrainBlock - 1) / kGrainBlock; }
 
+  void add_interactions(const Packing<Dim>& packing, InstructionSet instructions, LatticeShape shape);
   void load_memory(const Packing<Dim>& packing);
+  Vec<Dim> sides() const;
+  /// Whether a component of the boundary is one of the lattice, and not of walls.
+  bool moves_with_lattice(int a, int b) const { return !walls_.bounds(a) && !walls_.bounds(b); }
+  void kick_boundary();
   void kick_lattice();
+  void kick_walls();
   void impose_rates();
   Mat<Dim> unbalanced_work() const;
   void begin_step();
@@ -35,6 +45,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Kick<Dim> kick_over(double half_step) const;
   void kick_and_drift(int block);
   void compute_pairs(int block, double slip_time);
+  void add_wall_virial(int block);
   void sum_and_kick(int block);
   void end_step(Motion motion);
   void refresh_forces();
@@ -45,15 +56,15 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   bool list_is_stale() const;
   double share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const;
   void rebuild_list();
+  std::vector<NeighborPair<Dim>> close_pairs(const Grains<Dim>& now) const;
+  void append_contacts(const Interaction<Dim>& interaction, const std::vector<Vec<Dim, int>>& wrap,
+                       Packing<Dim>& out) const;
   void adapt_skin();
 
-  LawParameters parameters_;  ///< of the law
-  AnyContactLaw law_;
-  const void* composed_law_;  ///< the alternative in law_
-  double range_;              ///< of the law
-  ContactMemory<Dim> swap_parity_;
-  const StepKernels<Dim>& kernels_;
+  LawParameters law_, wall_law_;
+  std::deque<Interaction<Dim>> interactions_;  ///< between grains first, then with walls
   BoundaryControl<Dim> control_;
+  WallMotion<Dim> walls_;
   double dt_;
   double skin_;
   int threads_;
@@ -61,10 +72,10 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double thinnest_skin_;  ///< (length)
 
   HotGrains<Dim> grains_;
-  HotPairs<Dim> pairs_;
   GrainArrays<Dim> grain_arrays_;
-  PairArrays<Dim> pair_arrays_;
+  RowSums<Dim> sums_of_rows_;
   // The lattice vectors are columns here: upper triangular matrices, diagonal for a rectangular cell.
+  // Along an axis between walls the lattice rests: grains there do not follow its deformation.
   Mat<Dim> lattice_, lattice_rate_;  ///< h and h'
   Mat<Dim> strain_rate_;             ///< velocity gradient h' h^-1 at mid-step
   Kick<Dim> kick_;                   ///< of each half of this step
@@ -72,7 +83,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   std::vector<BlockSums<Dim>> sums_;
   double kinetic_ = 0.0;  ///< total kinetic energy with the cell's, for the power control
 
-  std::array<std::vector<double>, Dim> x_list_;  ///< positions when the list was built
+  std::array<AlignedVector<double>, Dim> x_list_;  ///< positions when the list was built
   Mat<Dim> lattice_at_list_;
   Mat<Dim> list_stretch_;  ///< deformation since the list was built
   int steps_since_list_ = 0;

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "floc/base/aligned_vector.h"
 #include "floc/packing/packing.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
@@ -13,7 +14,7 @@ namespace floc {
 /// grain reaches beyond it.
 template <int Dim>
 struct HotGrains {
-  using Component = std::vector<double>;
+  using Component = AlignedVector<double>;
 
   std::vector<int> index;        ///< index in the packing of the k-th grain here
   std::array<Component, Dim> x;  ///< position, not wrapped while this lives

@@ -27,21 +27,25 @@ TEST(ViscousDamping, RatioOfB24IsThatOfItsRestitution) {
 TEST(ViscousDamping, CoefficientIsTwiceTheRatioTimesTheCriticalRoot) {
   const double zeta = damping_ratio(0.3);
   const ViscousDamping effective{0.3, DampingMass::effective};
-  EXPECT_DOUBLE_EQ(effective.coefficient(3.0, 1.5, 7.0), 2 * zeta * std::sqrt(1.0 * 7.0));
+  EXPECT_DOUBLE_EQ(effective.coefficient(CollisionMass::between(3.0, 1.5), 7.0),
+                   2 * zeta * std::sqrt(1.0 * 7.0));
   const ViscousDamping grain{0.3, DampingMass::grain};
-  EXPECT_DOUBLE_EQ(grain.coefficient(3.0, 1.5, 7.0), 2 * zeta * std::sqrt(2.0 * 7.0));
-  EXPECT_DOUBLE_EQ(grain.coefficient(3.0, 3.0, 7.0), 2 * zeta * std::sqrt(3.0 * 7.0));
+  EXPECT_DOUBLE_EQ(grain.coefficient(CollisionMass::between(3.0, 1.5), 7.0), 2 * zeta * std::sqrt(2.0 * 7.0));
+  EXPECT_DOUBLE_EQ(grain.coefficient(CollisionMass::between(3.0, 3.0), 7.0), 2 * zeta * std::sqrt(3.0 * 7.0));
 }
 
 TEST(ViscousDamping, RestitutionOfAPairDependsNeitherOnSizesNorOnWhichGrainIsFirst) {
   for (const DampingMass rule : {DampingMass::effective, DampingMass::grain}) {
     const ViscousDamping damping{0.3, rule};
-    const double ratio_among_equals = damping.coefficient(1.0, 1.0, 7.0) / (2 * std::sqrt(0.5 * 7.0));
+    const double ratio_among_equals =
+        damping.coefficient(CollisionMass::between(1.0, 1.0), 7.0) / (2 * std::sqrt(0.5 * 7.0));
     for (const double mass : {0.001, 0.25, 4.0}) {
       const double effective = mass / (1.0 + mass);
-      EXPECT_EQ(damping.coefficient(1.0, mass, 7.0), damping.coefficient(mass, 1.0, 7.0));
-      EXPECT_NEAR(damping.coefficient(1.0, mass, 7.0) / (2 * std::sqrt(effective * 7.0)), ratio_among_equals,
-                  1e-15);
+      EXPECT_EQ(damping.coefficient(CollisionMass::between(1.0, mass), 7.0),
+                damping.coefficient(CollisionMass::between(mass, 1.0), 7.0));
+      EXPECT_NEAR(
+          damping.coefficient(CollisionMass::between(1.0, mass), 7.0) / (2 * std::sqrt(effective * 7.0)),
+          ratio_among_equals, 1e-15);
     }
   }
 }
@@ -49,7 +53,8 @@ TEST(ViscousDamping, RestitutionOfAPairDependsNeitherOnSizesNorOnWhichGrainIsFir
 TEST(ViscousDamping, GrainMassRuleGivesTwoEqualSpheresTheSmallerRestitutionOfB24) {
   const ViscousDamping grain{std::sqrt(0.2), DampingMass::grain};
   const double mass = 2.0, stiffness = 5.0;
-  const double zeta_of_pair = grain.coefficient(mass, mass, stiffness) / (2 * std::sqrt(mass / 2 * stiffness));
+  const double zeta_of_pair =
+      grain.coefficient(CollisionMass::between(mass, mass), stiffness) / (2 * std::sqrt(mass / 2 * stiffness));
   // PHYSICS section 7: 0.308, three digits.
   EXPECT_NEAR(restitution_at(zeta_of_pair), 0.308, 5e-4);
 }

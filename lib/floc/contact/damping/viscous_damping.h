@@ -38,9 +38,8 @@ struct ViscousDamping {
        [](ViscousDamping& d, int rule) { d.mass_rule = static_cast<DampingMass>(rule); }}};
 
   /// Damping coefficient c of a pair (force * time/length).
-  double coefficient(double mass_i, double mass_j, double normal_stiffness) const {
-    const double effective = reduced(mass_i, mass_j);
-    const double m = mass_rule == DampingMass::effective ? effective : 2.0 * effective;
+  double coefficient(const CollisionMass& mass, double normal_stiffness) const {
+    const double m = mass_rule == DampingMass::effective ? mass.effective : mass.grain;
     return 2.0 * damping_ratio(restitution) * std::sqrt(m * normal_stiffness);
   }
 

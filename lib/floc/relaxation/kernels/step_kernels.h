@@ -40,7 +40,9 @@ struct GrainArrays {
 /// The pairs of all blocks, each block's padded by pairs that do not interact.
 template <int Dim>
 struct PairArrays {
-  const int *i, *j;          ///< grains; those of i ascend, by less than kWindow in kPairPadding pairs
+  /// Grains; those of i ascend, by less than kWindow in kPairPadding pairs. Of pairs with walls j is the wall's number, and i
+  /// may leap.
+  const int *i, *j;
   const double* image[Dim];  ///< in sides of the cell
   const double* radii;       ///< Ri + Rj
   const double* share_i;     ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
@@ -97,15 +99,23 @@ struct Drift {
   double list_stretch[Dim][Dim];  ///< deformation since the list was built
 };
 
-/// The lattice as pairs see it.
+/// Walls as pairs see them, one entry of each array a wall: the plane n x = level, n the unit normal from the grains to it.
+template <int Dim>
+struct WallArrays {
+  const double* normal[Dim];
+  const double *level, *level_rate;
+};
+
+/// The boundary as pairs see it.
 template <int Dim>
 struct PairCell {
   double lattice[Dim][Dim];      ///< columns are the lattice vectors
   double strain_rate[Dim][Dim];  ///< velocity gradient
   double slip_time;              ///< time over which the springs take up the present velocities
+  WallArrays<Dim> walls;         ///< null without walls
 };
 
-/// The three passes of a time step, for one law and one instruction set.
+/// The passes of a time step, for one law and one instruction set.
 template <int Dim>
 struct StepKernels {
   void (*kick_and_drift)(const GrainArrays<Dim>&, int first_grain, const Kick<Dim>&, const Drift<Dim>&,
@@ -113,6 +123,9 @@ struct StepKernels {
   /// Rows and springs of the pairs [first, last). @param law  the composed law, of the alternative chosen
   void (*compute_pairs)(const void* law, const GrainArrays<Dim>&, const PairArrays<Dim>&, int first, int last,
                         const PairCell<Dim>&);
+  /// The same for pairs of grains with walls.
+  void (*compute_wall_pairs)(const void* law, const GrainArrays<Dim>&, const PairArrays<Dim>&, int first,
+                             int last, const PairCell<Dim>&);
   void (*sum_and_kick)(const GrainArrays<Dim>&, const PairArrays<Dim>&, const BlockSumsPlan&, int first_grain,
                        const PairCell<Dim>&, const Kick<Dim>&, BlockSums<Dim>&);
 };

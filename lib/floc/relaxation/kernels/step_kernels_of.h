@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -201,7 +202,18 @@ struct GrainKernels {
   }
 };
 
-template <class Isa, int Dim, LatticeShape kShape, class Law>
+/// What the second body of a pair is.
+struct GrainsInRectangularLattice {
+  static constexpr bool kWall = false, kTriangular = false;
+};
+struct GrainsInTriangularLattice {
+  static constexpr bool kWall = false, kTriangular = true;
+};
+struct Walls {
+  static constexpr bool kWall = true, kTriangular = false;
+};
+
+template <class Isa, int Dim, class Partner, class Law>
 struct PairKernel {
   static constexpr bool kTurns = Law::kHasFriction;
   static constexpr int kRow = row_size(kTurns);
@@ -215,7 +227,12 @@ struct PairKernel {
     Approach approach[kChunk];
     for (int p = first; p < last;) {
       const int n_packs = (last - p < kChunk * P::kWidth ? last - p : kChunk * P::kWidth) / P::kWidth;
-      for (int k = 0; k < n_packs; ++k) approach[k] = look(grains, pairs, p + k * P::kWidth, cell);
+      for (int k = 0; k < n_packs; ++k) {
+        if constexpr (Partner::kWall)
+          approach[k] = look_at_wall(grains, pairs, p + k * P::kWidth, cell);
+        else
+          approach[k] = look(grains, pairs, p + k * P::kWidth, cell);
+      }
       for (int k = 0; k < n_packs; ++k, p += P::kWidth) respond(law, approach[k], pairs, p);
     }
   }
@@ -254,33 +271,61 @@ struct PairKernel {
     V r, affine;
     for (int a = 0; a < Dim; ++a) {
       r[a] = (j.x[a] - i.x[a]) + P::load(pairs.image[a] + p) * P(cell.lattice[a][a]);
-      if constexpr (kShape == LatticeShape::triangular)
+      if constexpr (Partner::kTriangular)
         for (int b = a + 1; b < Dim; ++b) r[a] += P::load(pairs.image[b] + p) * P(cell.lattice[a][b]);
     }
     for (int a = 0; a < Dim; ++a) {
       affine[a] = P(cell.strain_rate[a][a]) * r[a];
-      if constexpr (kShape == LatticeShape::triangular)
+      if constexpr (Partner::kTriangular)
         for (int b = a + 1; b < Dim; ++b) affine[a] += P(cell.strain_rate[a][b]) * r[b];
     }
     const P distance = sqrt(r.squaredNorm());
     const V n = r * (P(1.0) / distance);
     const V centres = (j.v - i.v) + affine;
-
-    Approach a;
-    a.n = n;
+    Approach a = approach_along(n, distance, centres, pairs, p);
     a.arm_i = P::load(pairs.share_i + p) * distance;
     a.arm_j = distance - a.arm_i;
-    a.motion = {distance - P::load(pairs.radii + p), n.dot(centres), P(0.0), Shear<Dim, P>::Zero(),
+    if constexpr (kTurns) {
+      // Both turn their surfaces the same way round.
+      take_up_slip(a, centres, Spin<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), Spin<Dim, P>(i.spin - j.spin),
+                   cell);
+    }
+    return a;
+  }
+
+  /// The foot of a grain's centre on the plane moves with the wall, and across it as the grains around do on average.
+  static Approach look_at_wall(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, int p,
+                               const PairCell<Dim>& cell) {
+    const Seen i = see(grains, pairs.i + p, Records<Isa>::gather);
+    const int* const wall = pairs.j + p;
+    V n;
+    for (int a = 0; a < Dim; ++a) n[a] = Records<Isa>::gather(cell.walls.normal[a], wall);
+    const P distance = Records<Isa>::gather(cell.walls.level, wall) - n.dot(i.x);
+    const V foot = Records<Isa>::gather(cell.walls.level_rate, wall) * n - i.v;
+    Approach a = approach_along(n, distance, foot, pairs, p);
+    a.arm_i = distance;
+    a.arm_j = P(0.0);
+    if constexpr (kTurns) take_up_slip(a, foot, Spin<Dim, P>(distance * i.spin), i.spin, cell);
+    return a;
+  }
+
+  /// @param velocity  of j's centre against i's
+  static Approach approach_along(const V& n, const P& distance, const V& velocity, const PairArrays<Dim>& pairs,
+                                 int p) {
+    Approach a;
+    a.n = n;
+    a.motion = {distance - P::load(pairs.radii + p), n.dot(velocity), P(0.0), Shear<Dim, P>::Zero(),
                 Spin<Dim, P>::Zero()};
     if constexpr (Law::kNeedsReducedRadius) a.motion.pair.reduced_radius = P::load(pairs.reduced_radius + p);
     if constexpr (Law::kNeedsReducedMass) a.motion.pair.reduced_mass = P::load(pairs.reduced_mass + p);
-    if constexpr (kTurns) {
-      // Velocity of j's surface point against i's: both turn their surfaces the same way round.
-      const V surfaces = centres - cross<P>(Spin<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), n);
-      a.motion.slip = P(cell.slip_time) * to_shear<P>(n, surfaces);
-      a.motion.relative_turn = P(cell.slip_time) * (i.spin - j.spin);
-    }
     return a;
+  }
+
+  /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
+  static void take_up_slip(Approach& a, const V& velocity, const Spin<Dim, P>& surfaces,
+                           const Spin<Dim, P>& turn, const PairCell<Dim>& cell) {
+    a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
+    a.motion.relative_turn = P(cell.slip_time) * turn;
   }
 
   static void respond(const Law& law, const Approach& a, const PairArrays<Dim>& pairs, int p) {
@@ -329,9 +374,11 @@ template <class Isa, LatticeShape kShape, class Laws>
 struct StepKernelTable;
 template <class Isa, LatticeShape kShape, class... Law>
 struct StepKernelTable<Isa, kShape, std::variant<Law...>> {
+  using Grains = std::conditional_t<kShape == LatticeShape::triangular, GrainsInTriangularLattice,
+                                    GrainsInRectangularLattice>;
   static constexpr StepKernels<2> kTable[] = {
       {&GrainKernels<Isa, 2, kShape, Law::kHasFriction>::kick_and_drift,
-       &PairKernel<Isa, 2, kShape, Law>::compute,
+       &PairKernel<Isa, 2, Grains, Law>::compute, &PairKernel<Isa, 2, Walls, Law>::compute,
        &GrainKernels<Isa, 2, kShape, Law::kHasFriction>::sum_and_kick}...};
 };
 

@@ -1,4 +1,4 @@
-#include "floc/relaxation/hot_pairs.h"
+#include "floc/relaxation/row_sums.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

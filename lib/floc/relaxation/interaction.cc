@@ -1,0 +1,64 @@
+#include "floc/relaxation/interaction.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace floc {
+
+template <int Dim>
+Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, AnyContactLaw law,
+                              InstructionSet instructions, LatticeShape shape)
+    : partner_(partner),
+      law_(std::move(law)),
+      range_(parameters.range()),
+      swap_parity_(swap_parity<Dim>(parameters)),
+      kernels_(step_kernels(instructions, shape, law_.index())),
+      composed_law_(std::visit([](const auto& composed) { return static_cast<const void*>(&composed); }, law_)),
+      arrays_(pairs_.arrays()) {}
+
+template <int Dim>
+void Interaction<Dim>::set_pairs(HotPairs<Dim> pairs) {
+  pairs.inherit(pairs_);
+  pairs_ = std::move(pairs);
+  arrays_ = pairs_.arrays();
+}
+
+template <int Dim>
+void Interaction<Dim>::compute(int block, const GrainArrays<Dim>& grains, const PairCell<Dim>& cell) const {
+  const auto kernel = partner_ == Partner::wall ? kernels_.compute_wall_pairs : kernels_.compute_pairs;
+  kernel(composed_law_, grains, arrays_, pairs_.first_of_block(block), pairs_.first_of_block(block + 1), cell);
+}
+
+template <int Dim>
+void Interaction<Dim>::load_memory(int pair, const ContactMemory<Dim>& memory, bool swapped) {
+  for (std::size_t k = 0; k < pairs_.memory.size(); ++k)
+    if (!pairs_.memory[k].empty()) pairs_.memory[k][pair] = swapped ? swap_parity_[k] * memory[k] : memory[k];
+}
+
+template <int Dim>
+ContactMemory<Dim> Interaction<Dim>::memory(int pair, bool swapped) const {
+  ContactMemory<Dim> memory = ContactMemory<Dim>::Zero();
+  for (std::size_t k = 0; k < pairs_.memory.size(); ++k)
+    if (!pairs_.memory[k].empty())
+      memory[k] = swapped ? swap_parity_[k] * pairs_.memory[k][pair] : pairs_.memory[k][pair];
+  return memory;
+}
+
+std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters) {
+  std::vector<AnyContactLaw> laws;
+  for (const LawParameters& p : parameters) laws.push_back(compose_law(p));
+  const auto turns = [](const AnyContactLaw& law) { return row_size(law) == row_size(true); };
+  if (std::any_of(laws.begin(), laws.end(), turns))
+    for (std::size_t k = 0; k < laws.size(); ++k)
+      if (!turns(laws[k])) laws[k] = compose_with_friction(parameters[k]);
+  return laws;
+}
+
+int row_size(const AnyContactLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return row_size(Law::kHasFriction); }, law);
+}
+
+template class Interaction<2>;
+
+}  // namespace floc

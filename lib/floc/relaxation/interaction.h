@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/relaxation/hot_pairs.h"
+
+namespace floc {
+
+/// One kind of interaction in a packing: the pairs it acts between, the law it acts by and the kernel that evaluates it.
+template <int Dim>
+class Interaction {
+ public:
+  /// @param law  as composed for the kernels: all interactions of a packing write rows of one size (laws_of_same_rows())
+  Interaction(Partner partner, const LawParameters& parameters, AnyContactLaw law, InstructionSet instructions,
+              LatticeShape shape);
+  Interaction(Interaction&&) = delete;  // the kernel is given the address of the law
+
+  Partner partner() const { return partner_; }
+  const AnyContactLaw& law() const { return law_; }
+  double range() const { return range_; }
+  const StepKernels<Dim>& kernels() const { return kernels_; }
+  const HotPairs<Dim>& pairs() const { return pairs_; }
+  const PairArrays<Dim>& arrays() const { return arrays_; }
+
+  /// Takes a new list of pairs, which inherits the memory of the one before.
+  void set_pairs(HotPairs<Dim> pairs);
+  /// Where the rows of the list begin.
+  void set_rows(double* rows) { arrays_.row = rows; }
+  /// Rows, springs and memory of the pairs of a block.
+  void compute(int block, const GrainArrays<Dim>& grains, const PairCell<Dim>& cell) const;
+
+  /// The memory of a contact into that of its pair, and back. @param swapped  the pair is the contact seen from its other grain
+  void load_memory(int pair, const ContactMemory<Dim>& memory, bool swapped);
+  ContactMemory<Dim> memory(int pair, bool swapped) const;
+
+ private:
+  Partner partner_;
+  AnyContactLaw law_;
+  double range_;
+  ContactMemory<Dim> swap_parity_;
+  const StepKernels<Dim>& kernels_;
+  const void* composed_law_;  ///< the alternative in law_
+  HotPairs<Dim> pairs_;
+  PairArrays<Dim> arrays_;
+};
+
+/// The laws of the interactions of a packing, composed so that all rows have one size: where some have friction, the others
+/// have a spring that can carry nothing.
+/// @param parameters  those of grains, then perhaps those of walls
+std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters);
+
+/// Doubles of a row of this law.
+int row_size(const AnyContactLaw& law);
+
+}  // namespace floc

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "floc/relaxation/hot_pairs.h"
+
+namespace floc {
+
+/// Where the row of a pair begins among the rows of all (in doubles).
+/// @param row_size  doubles of a row
+/// @throws InputError if it is beyond what the plans of the sums can name, at 537 million pairs with friction
+int row_place(std::int64_t pair, int row_size);
+
+/// The rows that the pairs of all interactions write (PairArrays::row), list after list, and which of them each grain sums:
+/// as the first grain of pairs, then as the second, either in the order of the lists and of their pairs.
+template <int Dim>
+class RowSums {
+ public:
+  RowSums() = default;
+  RowSums(RowSums&&) = default;  // no copies: the plans point into the lists of rows
+  RowSums& operator=(RowSums&&) = default;
+  /// @param lists     first of pairs of grains, then perhaps of grains with walls
+  /// @param row_size  doubles of a row
+  RowSums(const std::vector<const HotPairs<Dim>*>& lists, int row_size, int n_grains);
+
+  /// Row of the first pair of a list.
+  double* rows(std::size_t list) { return rows_.data() + first_row_[list]; }
+  const BlockSumsPlan& plan(int block) const { return plans_[block]; }
+
+ private:
+  /// For each grain, where the rows begin of the pairs that it is the first, or the second, of.
+  struct RowsOfGrains {
+    std::vector<int> first;  ///< of each grain in `row`, and the end
+    std::vector<int> row;
+    int count(int grain) const { return first[grain + 1] - first[grain]; }
+  };
+
+  template <class GrainOf>
+  RowsOfGrains rows_of(const std::vector<const HotPairs<Dim>*>& lists, const GrainOf& grain_of) const;
+  void plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& rows);
+  void plan_crossings(const HotPairs<Dim>& pairs);
+
+  int row_size_ = 0;            ///< doubles
+  int zero_row_ = 0;            ///< place of the row that stays zero
+  std::vector<int> first_row_;  ///< place of the first row of each list
+  AlignedVector<double> rows_;
+  std::vector<BlockSumsPlan> plans_;
+  std::vector<int> listed_rows_, crossing_;  ///< what the plans point into
+};
+
+}  // namespace floc

@@ -1,0 +1,88 @@
+#include "floc/relaxation/wall_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace floc {
+
+template <int Dim>
+WallMotion<Dim>::WallMotion(std::vector<Wall<Dim>> walls) : walls_(std::move(walls)), marked_(walls_) {
+  for (const Wall<Dim>& wall : walls_) between_[wall.axis] = true;
+  for (int a = 0; a < Dim; ++a)
+    for (const Wall<Dim>& wall : walls_) normal_[a].push_back(wall.normal()[a]);
+  level_.resize(walls_.size());
+  level_rate_.resize(walls_.size());
+  set_arrays();
+}
+
+template <int Dim>
+double WallMotion<Dim>::gap_of(int axis, double Wall<Dim>::*member) const {
+  double gap = 0.0;
+  for (const Wall<Dim>& wall : walls_)
+    if (wall.axis == axis) gap += wall.side * (wall.*member);
+  return gap;
+}
+
+template <int Dim>
+void WallMotion<Dim>::set_arrays() {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    level_[w] = walls_[w].side * walls_[w].position;
+    level_rate_[w] = walls_[w].side * walls_[w].velocity;
+  }
+}
+
+template <int Dim>
+WallArrays<Dim> WallMotion<Dim>::arrays() const {
+  WallArrays<Dim> out;
+  for (int a = 0; a < Dim; ++a) out.normal[a] = normal_[a].data();
+  out.level = level_.data();
+  out.level_rate = level_rate_.data();
+  return out;
+}
+
+template <int Dim>
+void WallMotion<Dim>::kick(double half_step, const BoundaryControl<Dim>& control,
+                           const std::vector<double>& force, const Vec<Dim>& area) {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    Wall<Dim>& wall = walls_[w];
+    const double load = control.target[wall.axis];
+    if (control.imposed[wall.axis] == Imposed::stress)
+      wall.velocity += half_step / wall.mass * wall.side * (force[w] - load * area[wall.axis]);
+    else
+      wall.velocity = -0.5 * wall.side * load * distance(wall.axis);
+  }
+  set_arrays();
+}
+
+template <int Dim>
+void WallMotion<Dim>::drift(double time_step) {
+  for (Wall<Dim>& wall : walls_) wall.position += time_step * wall.velocity;
+  set_arrays();
+}
+
+template <int Dim>
+void WallMotion<Dim>::stop() {
+  for (Wall<Dim>& wall : walls_) wall.velocity = 0.0;
+  set_arrays();
+}
+
+template <int Dim>
+double WallMotion<Dim>::twice_kinetic_energy() const {
+  double sum = 0.0;
+  for (const Wall<Dim>& wall : walls_) sum += wall.mass * wall.velocity * wall.velocity;
+  return sum;
+}
+
+template <int Dim>
+double WallMotion<Dim>::moved_since_mark() const {
+  double largest = 0.0;
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    largest = std::max(largest, std::abs(walls_[w].position - marked_[w].position));
+  return largest;
+}
+
+template class WallMotion<2>;
+template class WallMotion<3>;
+
+}  // namespace floc

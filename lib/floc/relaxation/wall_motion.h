@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "floc/packing/wall.h"
+#include "floc/relaxation/boundary_control.h"
+#include "floc/relaxation/kernels/step_kernels.h"
+
+namespace floc {
+
+/// The walls of a packing in motion, by the same scheme as the grains. The load of an axis between walls acts on both:
+/// a stress p as a force p S inwards, S the area of the wall, so that p V is the potential of the load (B24); at a rate the
+/// walls approach each other, each with half of it.
+template <int Dim>
+class WallMotion {
+ public:
+  explicit WallMotion(std::vector<Wall<Dim>> walls);
+
+  bool empty() const { return walls_.empty(); }
+  int size() const { return static_cast<int>(walls_.size()); }
+  const std::vector<Wall<Dim>>& walls() const { return walls_; }
+  bool bounds(int axis) const { return between_[axis]; }
+  /// Distance of the walls of an axis, and its rate of change. @pre bounds(axis)
+  double distance(int axis) const { return gap_of(axis, &Wall<Dim>::position); }
+  double distance_rate(int axis) const { return gap_of(axis, &Wall<Dim>::velocity); }
+
+  /// What the kernels read; valid until the walls move.
+  WallArrays<Dim> arrays() const;
+
+  /// Half a step of acceleration.
+  /// @param force  that the grains push each wall outwards with (force)
+  /// @param area   of the walls of each axis (length^(Dim-1))
+  void kick(double half_step, const BoundaryControl<Dim>& control, const std::vector<double>& force,
+            const Vec<Dim>& area);
+  void drift(double time_step);
+  void stop();
+  double twice_kinetic_energy() const;
+
+  void mark() { marked_ = walls_; }
+  /// Largest displacement of a wall since mark() (length).
+  double moved_since_mark() const;
+
+ private:
+  double gap_of(int axis, double Wall<Dim>::*member) const;
+  void set_arrays();
+
+  std::vector<Wall<Dim>> walls_, marked_;
+  std::array<bool, Dim> between_ = {};
+  std::array<std::vector<double>, Dim> normal_;
+  std::vector<double> level_, level_rate_;
+};
+
+}  // namespace floc

@@ -80,41 +80,72 @@ class Bins {
   /// Calls visit(j, image of j's bin) for every grain j here that may be closer than `reach` to grain i.
   template <class Visit>
   void around(int i, double reach, const Visit& visit) const {
+    const Window window = window_around(i, reach);
+    for_each_bin(window.first, window, [&](const Vec<Dim, int>& bin) { visit_bin(bin, visit); });
+  }
+
+  /// The same for a grain i of this level, with one of the two ways in which it and another see each other: bins before its
+  /// own in their order are left out.
+  template <class Visit>
+  void around_and_after(int i, double reach, const Visit& visit) const {
+    const Window window = window_around(i, reach);
+    const Vec<Dim, int> own = bin_of(i);
+    for_each_bin(own, window, [&](const Vec<Dim, int>& bin) {
+      if (bin == own)
+        visit_bin(bin, [&](int j, const Vec<Dim, int>& image) {
+          if (j >= i) visit(j, image);
+        });
+      else
+        visit_bin(bin, visit);
+    });
+  }
+
+ private:
+  struct Window {
     Vec<Dim, int> first, last;
+  };
+
+  Window window_around(int i, double reach) const {
+    Window window;
     for (int a = 0; a < Dim; ++a) {
       const double s = grains_.reduced[i][a] * count_[a];
       // A billionth of a bin for rounding.
       const double bins = std::min(reach / height_[a] * count_[a], kMostTurns) + 1e-9;
-      first[a] = static_cast<int>(std::floor(s - bins));
-      last[a] = static_cast<int>(std::floor(s + bins));
+      window.first[a] = static_cast<int>(std::floor(s - bins));
+      window.last[a] = static_cast<int>(std::floor(s + bins));
     }
-    Vec<Dim, int> target = first;
+    return window;
+  }
+
+  /// Bins of a window from `begin` on, the first axis fastest.
+  template <class Visit>
+  static void for_each_bin(const Vec<Dim, int>& begin, const Window& window, const Visit& visit) {
+    Vec<Dim, int> bin = begin;
     while (true) {
-      visit_bin(target, visit);
+      visit(bin);
       int a = 0;
-      while (a < Dim && ++target[a] > last[a]) target[a] = first[a], ++a;
+      while (a < Dim && ++bin[a] > window.last[a]) bin[a] = window.first[a], ++a;
       if (a == Dim) return;
     }
   }
 
- private:
   int flat(const Vec<Dim, int>& bin) const {
     int index = bin[0];
     for (int a = 1; a < Dim; ++a) index = index * count_[a] + bin[a];
     return index;
   }
 
-  int bin_of(int i) const {
+  Vec<Dim, int> bin_of(int i) const {
     Vec<Dim, int> bin;
     for (int a = 0; a < Dim; ++a)
       bin[a] = std::min(count_[a] - 1, static_cast<int>(grains_.reduced[i][a] * count_[a]));
-    return flat(bin);
+    return bin;
   }
 
   void sort(const std::vector<int>& members) {
     std::vector<int> bin(members.size());
     first_.assign(count_.prod() + 1, 0);
-    for (std::size_t m = 0; m < members.size(); ++m) ++first_[(bin[m] = bin_of(members[m])) + 1];
+    for (std::size_t m = 0; m < members.size(); ++m) ++first_[(bin[m] = flat(bin_of(members[m]))) + 1];
     for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
     member_.resize(members.size());
     std::vector<int> next(first_.begin(), first_.end() - 1);
@@ -224,15 +255,10 @@ class PairSearch {
     check_cost(levels, grains_.size(), gap_);
     for (std::size_t fine = 0; fine < levels.size(); ++fine)
       for (const int i : levels[fine].members) {
-        levels[fine].bins.around(i, grains_.radius[i] + levels[fine].largest + gap_,
-                                 [&](int j, const Vec<Dim, int>& image) {
-                                   if (j >= i) try_pair(i, j, image);
-                                 });
+        const auto visit = [&](int j, const Vec<Dim, int>& image) { try_pair(i, j, image); };
+        levels[fine].bins.around_and_after(i, grains_.radius[i] + levels[fine].largest + gap_, visit);
         for (std::size_t coarse = 0; coarse < fine; ++coarse)
-          levels[coarse].bins.around(i, grains_.radius[i] + levels[coarse].largest + gap_,
-                                     [&](int j, const Vec<Dim, int>& image) {
-                                       i < j ? try_pair(i, j, image) : try_pair(j, i, -image);
-                                     });
+          levels[coarse].bins.around(i, grains_.radius[i] + levels[coarse].largest + gap_, visit);
       }
     return std::move(pairs_);
   }
@@ -240,11 +266,14 @@ class PairSearch {
  private:
   void try_pair(int i, int j, const Vec<Dim, int>& image) {
     const double reach = grains_.radius[i] + grains_.radius[j] + gap_;
-    const Vec<Dim> r = wrapped_.position[j] + lattice_.cell.shift(image) - wrapped_.position[i];
+    Vec<Dim> r = wrapped_.position[j];
+    if (!image.isZero()) r += lattice_.cell.shift(image);
+    r -= wrapped_.position[i];
     if (!(r.squaredNorm() < reach * reach)) return;
-    const NeighborPair<Dim> pair{
-        i, j, image_in(lattice_, Vec<Dim, int>(image + wrapped_.wrap[j] - wrapped_.wrap[i]))};
-    if (!listed_way_round(pair)) return;
+    NeighborPair<Dim> pair{i, j,
+                           image_in(lattice_, Vec<Dim, int>(image + wrapped_.wrap[j] - wrapped_.wrap[i]))};
+    if (!listed_way_round(pair)) pair = swapped(pair);
+    if (!listed_way_round(pair)) return;  // a grain and itself
     pairs_.push_back(pair);
     if (pairs_.size() > kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains_.size()))
       throw InputError("cell", "the grains overlap so much, or reach so far, that each has more than " +

@@ -123,7 +123,8 @@ void passes(benchmark::State& state) {
   HotPairs<2> pairs = new_pairs();
   const StepKernels<2>& kernels =
       step_kernels(widest_instruction_set(), LatticeShape::rectangular, law.index());
-  const GrainArrays<2> g = grains.arrays(x_list);
+  const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
+  const GrainArrays<2> g = grains.arrays(x_list, inverse_skin_squared);
   RowSums<2> row_sums({&pairs}, row_size(law), grains.size());
   PairArrays<2> p = pairs.arrays();
   p.row = row_sums.rows(0);

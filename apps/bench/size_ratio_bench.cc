@@ -1,12 +1,14 @@
-// Contact updates per second of the time stepping, new lists of pairs among it, for grains of sizes 1:2 and 1:30. Both
-// distributions are uniform by area, P(d) ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), under P/K_N = 1e-4 with
-// friction. Compare the rows of one run. FLOC_BENCH_RATIO=100 adds a ratio.
+// Contact updates per second of the time stepping, new lists of pairs among it, for grains of sizes 1:2 and 1:30, under
+// P/K_N = 1e-4 with friction. Diameters are uniform, as scenes draw them, or uniform by area, P(d) ~ d^-2 (Voivret et al.,
+// Phys. Rev. Lett. 102, 178001), of which most are small and touch nothing. Compare the rows of one run and distribution.
+// FLOC_BENCH_RATIO=100 adds a ratio.
 
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 #include "floc/assembly/gas.h"
 #include "floc/packing/balance.h"
@@ -24,10 +26,18 @@ enum Load {
   kBiaxial,    ///< and flows: one axis under half the pressure, the other under half as much again
 };
 
-/// n diameters up to 1, equally spaced quantiles of P(d) ~ d^-2 on [1/ratio, 1].
-std::vector<double> uniform_by_area(int n, double ratio) {
+enum Sizes {
+  kUniform,        ///< P(d) constant
+  kUniformByArea,  ///< P(d) ~ d^-2
+};
+
+/// n diameters in [1/ratio, 1], equally spaced quantiles of their distribution.
+std::vector<double> diameters(int n, double ratio, Sizes sizes) {
   std::vector<double> diameter(n);
-  for (int i = 0; i < n; ++i) diameter[i] = 1.0 / (1.0 + (ratio - 1.0) * i / (n - 1));
+  for (int i = 0; i < n; ++i) {
+    const double share = static_cast<double>(i) / (n - 1);
+    diameter[i] = sizes == kUniform ? 1.0 - (1.0 - 1.0 / ratio) * share : 1.0 / (1.0 + (ratio - 1.0) * share);
+  }
   return diameter;
 }
 
@@ -54,20 +64,20 @@ DynamicsSettings settings_of(const Packing<2>& packing) {
 }
 
 /// A gas compressed for half as long again as it takes to be dense, then loaded; each is made once.
-const Packing<2>& dense(double ratio, Load load) {
-  static std::map<std::pair<double, Load>, Packing<2>> made;
-  const auto [entry, is_new] = made.try_emplace({ratio, load});
+const Packing<2>& dense(double ratio, Sizes sizes, Load load) {
+  static std::map<std::tuple<double, Sizes, Load>, Packing<2>> made;
+  const auto [entry, is_new] = made.try_emplace({ratio, sizes, load});
   Packing<2>& packing = entry->second;
   if (!is_new) return packing;
   if (load == kBiaxial) {
-    const Packing<2>& rest = dense(ratio, kIsotropic);
+    const Packing<2>& rest = dense(ratio, sizes, kIsotropic);
     DynamicsSettings settings = settings_of(rest);
     return packing = moved_for(rest, kPressure * Vec<2>(0.5, 1.5), 1.0, settings);
   }
   GrainOptions grains;
   grains.count = kGrains;
   grains.diameter.kind = DiameterDistribution::Kind::list;
-  grains.diameter.values = uniform_by_area(kGrains, ratio);
+  grains.diameter.values = diameters(kGrains, ratio, sizes);
   LawParameters law;
   law.normal = LinearRepulsion{1e5};
   law.damping = ViscousDamping{0.015, DampingMass::effective};
@@ -79,8 +89,9 @@ const Packing<2>& dense(double ratio, Load load) {
 }
 
 void size_ratio(benchmark::State& state) {
-  const auto load = static_cast<Load>(state.range(1));
-  const Packing<2>& start = dense(static_cast<double>(state.range(0)), load);
+  const auto sizes = static_cast<Sizes>(state.range(1));
+  const auto load = static_cast<Load>(state.range(2));
+  const Packing<2>& start = dense(static_cast<double>(state.range(0)), sizes, load);
   const Vec<2> stress = load == kBiaxial ? Vec<2>(kPressure * Vec<2>(0.5, 1.5)) : Vec<2>::Constant(kPressure);
   DynamicsSettings settings = settings_of(start);
   // The skin of the lists comes from ten stretches that are not timed.
@@ -100,11 +111,12 @@ void size_ratio(benchmark::State& state) {
 
 BENCHMARK(size_ratio)
     ->Apply([](benchmark::internal::Benchmark* b) {
-      b->ArgNames({"ratio", "load"});
+      b->ArgNames({"ratio", "by_area", "load"});
       std::vector<std::int64_t> ratios = {2, 30};
       if (const char* ratio = std::getenv("FLOC_BENCH_RATIO")) ratios.push_back(std::atoi(ratio));
-      for (const Load load : {kIsotropic, kBiaxial})
-        for (const std::int64_t ratio : ratios) b->Args({ratio, load});
+      for (const Sizes sizes : {kUniform, kUniformByArea})
+        for (const Load load : {kIsotropic, kBiaxial})
+          for (const std::int64_t ratio : ratios) b->Args({ratio, sizes, load});
     })
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);

@@ -19,6 +19,8 @@ namespace {
 
 /// What a new list of pairs costs, in time steps (measured at N = 1400 and 100 000).
 constexpr double kListCost = 23.0;
+/// What grains at rest get of the skin of the fastest: they may be hit.
+constexpr double kLeastSkinShare = 0.25;
 constexpr double kThinnestSkin = 1e-3;  // of the largest diameter, or the smallest where they differ much
 
 template <int Dim>
@@ -258,15 +260,29 @@ double ExplicitDynamics<Dim>::list_cost_share() const {
   return kListCost / steps_since_list_;
 }
 
-/// What motion has taken of the skin since the list was built: the affine shrinking, and the largest displacements of two
-/// bodies relative to it.
+/// What motion has taken of the skin since the list was built: the largest displacement in halves of each grain's own skin, and
+/// the affine shrinking.
 template <int Dim>
 double ExplicitDynamics<Dim>::eaten_skin() const {
   double squared = 0.0;
-  for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.displacement_squared);
-  const double displacement = std::sqrt(squared);
-  return std::max(displacement, walls_.moved_since_mark()) + displacement +
-         shrink_since_list() * (largest_ + interactions_[0].range() + skin_);
+  for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.consumed_squared);
+  return std::max(std::sqrt(squared) * skin_, 2.0 * walls_.moved_since_mark()) +
+         shrink_since_list() * (largest_ + interactions_[0].range() + skin_) / kLeastSkinShare;
+}
+
+/// Of the skin, for each grain: a list that all grains hold for the same time gives more to those that are faster.
+template <int Dim>
+std::vector<double> ExplicitDynamics<Dim>::skin_shares() const {
+  std::vector<double> speed(grains_.size());
+  for (int k = 0; k < grains_.size(); ++k) {
+    double squared = 0.0;
+    for (int a = 0; a < Dim; ++a) squared += grains_.v[a][k] * grains_.v[a][k];
+    speed[k] = std::sqrt(squared);
+  }
+  const double fastest = speed.empty() ? 0.0 : *std::max_element(speed.begin(), speed.end());
+  const bool comparable = fastest > 0.0 && std::isfinite(fastest);  // not where the motion diverges
+  for (double& share : speed) share = comparable ? std::max(share / fastest, kLeastSkinShare) : 1.0;
+  return speed;
 }
 
 /// Largest share by which the deformation since the list was built has shortened any line.
@@ -337,11 +353,15 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   Grains<Dim> now = Grains<Dim>::with_size(grains_.size());
   grains_.copy_positions_to(now);
   now.radius.assign(grains_.radius.begin(), grains_.radius.begin() + grains_.size());
+  const std::vector<double> share = skin_shares();
+  inverse_skin_squared_.assign(grains_.x[0].size(), 0.0);
+  for (int k = 0; k < grains_.size(); ++k)
+    inverse_skin_squared_[k] = 1.0 / (0.25 * skin_ * skin_ * share[k] * share[k]);
   std::vector<const HotPairs<Dim>*> lists;
   for (Interaction<Dim>& interaction : interactions_) {
     const bool of_grains = interaction.partner() == Partner::grain;
     const std::vector<NeighborPair<Dim>> close =
-        of_grains ? close_pairs(now) : find_wall_pairs(walls_.walls(), now, interaction.range() + skin_);
+        of_grains ? close_pairs(now, share) : find_wall_pairs(walls_.walls(), now, interaction.range() + skin_);
     if (of_grains) idle_share_ = share_of_idle(close);
     interaction.set_pairs({close, interaction.partner(), now.radius, grains_.mass, interaction.law(), dt_});
     lists.push_back(&interaction.pairs());
@@ -350,20 +370,23 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   for (std::size_t k = 0; k < interactions_.size(); ++k) interactions_[k].set_rows(sums_of_rows_.rows(k));
   walls_.mark();
   x_list_ = grains_.x;
-  grain_arrays_ = grains_.arrays(x_list_);
+  grain_arrays_ = grains_.arrays(x_list_, inverse_skin_squared_);
   lattice_at_list_ = lattice_;
   list_stretch_.setIdentity();
   steps_since_list_ = 0;
 }
 
+/// Pairs that may interact before grains have moved by their skins. @param share  of the skin that each has
 template <int Dim>
-std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(const Grains<Dim>& now) const {
+std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(Grains<Dim> now,
+                                                                  const std::vector<double>& share) const {
   Cell<Dim> cell;
   cell.matrix = lattice_.transpose();
   for (int a = 0; a < Dim; ++a)
     if (walls_.bounds(a)) cell.matrix(a, a) = walls_.distance(a);
-  const double gap = interactions_[0].range() + skin_;
-  return find_pairs(search_cell(cell, walls_.walls(), largest_ + gap), now, gap);
+  const double range = interactions_[0].range();
+  for (std::size_t k = 0; k < share.size(); ++k) now.radius[k] += 0.5 * skin_ * share[k];
+  return find_pairs(search_cell(cell, walls_.walls(), largest_ + range + skin_), now, range);
 }
 
 template <int Dim>

@@ -51,12 +51,13 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void refresh_forces();
   double list_cost_share() const;
   double eaten_skin() const;
+  std::vector<double> skin_shares() const;
   double shrink_since_list() const;
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   bool list_is_stale() const;
   double share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const;
   void rebuild_list();
-  std::vector<NeighborPair<Dim>> close_pairs(const Grains<Dim>& now) const;
+  std::vector<NeighborPair<Dim>> close_pairs(Grains<Dim> now, const std::vector<double>& share) const;
   void append_contacts(const Interaction<Dim>& interaction, const std::vector<Vec<Dim, int>>& wrap,
                        Packing<Dim>& out) const;
   void adapt_skin();
@@ -84,6 +85,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double kinetic_ = 0.0;  ///< total kinetic energy with the cell's, for the power control
 
   std::array<AlignedVector<double>, Dim> x_list_;  ///< positions when the list was built
+  AlignedVector<double> inverse_skin_squared_;     ///< of the distances that grains may move from there
   Mat<Dim> lattice_at_list_;
   Mat<Dim> list_stretch_;  ///< deformation since the list was built
   int steps_since_list_ = 0;

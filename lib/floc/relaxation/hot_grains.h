@@ -30,8 +30,9 @@ struct HotGrains {
 
   int size() const { return static_cast<int>(index.size()); }
   void copy_positions_to(Grains<Dim>& grains) const;
-  /// @param x_list  positions when the neighbour list was built
-  GrainArrays<Dim> arrays(const std::array<Component, Dim>& x_list);
+  /// @param x_list                positions when the neighbour list was built
+  /// @param inverse_skin_squared  of the distances that grains may move before the next (1/length^2)
+  GrainArrays<Dim> arrays(const std::array<Component, Dim>& x_list, const Component& inverse_skin_squared);
 };
 
 template <int Dim>
@@ -68,7 +69,8 @@ void HotGrains<Dim>::copy_positions_to(Grains<Dim>& grains) const {
 }
 
 template <int Dim>
-GrainArrays<Dim> HotGrains<Dim>::arrays(const std::array<Component, Dim>& x_list) {
+GrainArrays<Dim> HotGrains<Dim>::arrays(const std::array<Component, Dim>& x_list,
+                                        const Component& inverse_skin_squared) {
   GrainArrays<Dim> out;
   for (int a = 0; a < Dim; ++a) {
     out.x[a] = x[a].data();
@@ -76,6 +78,7 @@ GrainArrays<Dim> HotGrains<Dim>::arrays(const std::array<Component, Dim>& x_list
     out.force[a] = force[a].data();
     out.x_list[a] = x_list[a].data();
   }
+  out.inverse_skin_squared = inverse_skin_squared.data();
   out.spin = spin[0].data();
   out.torque = torque[0].data();
   out.angle = angle.data();

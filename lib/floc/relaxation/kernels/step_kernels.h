@@ -34,7 +34,8 @@ struct GrainArrays {
   double *x[Dim], *v[Dim], *force[Dim];
   double *spin, *torque, *angle;
   const double *mass, *inverse_mass, *inertia, *inverse_inertia;
-  const double* x_list[Dim];  ///< positions when the list was built
+  const double* x_list[Dim];           ///< positions when the list was built
+  const double* inverse_skin_squared;  ///< of the distances that grains may move before the next list
 };
 
 /// The pairs of all blocks, each block's padded by pairs that do not interact.
@@ -80,7 +81,7 @@ struct alignas(64) BlockSums {
                                  ///< a rectangular one its diagonal
   double momentum_flux[Dim][Dim] = {};  ///< sum m v_a v_b, likewise
   double rotation = 0.0;                ///< sum I w^2
-  double displacement_squared = 0.0;    ///< largest, since the list was built
+  double consumed_squared = 0.0;  ///< largest displacement since the list was built, in skins of the grain
 };
 
 /// Half a step of acceleration: v <- keep v + gain (half_step/m) F. The matrices here are upper triangular (row, column),

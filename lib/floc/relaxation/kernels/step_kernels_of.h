@@ -39,12 +39,12 @@ struct GrainKernels {
     }
     P largest(0.0);
     for (int k = 0; k < kGrainBlock; k += P::kWidth) {
-      const P moved = P::load(moved_squared + k);
-      largest = blend(largest < moved, moved, largest);
+      const P consumed = P::load(moved_squared + k) * P::load(grains.inverse_skin_squared + begin + k);
+      largest = blend(largest < consumed, consumed, largest);
     }
-    sums.displacement_squared = 0.0;
+    sums.consumed_squared = 0.0;
     for (int l = 0; l < P::kWidth; ++l)
-      if (sums.displacement_squared < largest.v[l]) sums.displacement_squared = largest.v[l];
+      if (sums.consumed_squared < largest.v[l]) sums.consumed_squared = largest.v[l];
   }
 
   [[gnu::flatten]] static void sum_and_kick(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs,

@@ -31,7 +31,7 @@ constexpr int kUnit = 1400;  ///< grains of the packing that larger ones are til
 
 enum Physics { kFrictionless, kFriction, kFrictionAndRolling };
 
-/// The law of G08 in units F0 = a = m = 1, with the slots asked for.
+/// The law of [GRC2008] in units F0 = a = m = 1, with the slots asked for.
 LawParameters law_of(int physics, bool adhesive) {
   LawParameters law;
   law.normal = LinearRepulsion{1e5};

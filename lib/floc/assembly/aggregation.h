@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Clusters of grains joined by contacts or by tails (PHYSICS section 1, type 2): number of connected components of the
+/// Clusters of grains joined by contacts or by tails (docs/physics.md, "Assembly and loading"): number of connected components of the
 /// interactions, a lone grain being one.
 template <int Dim>
 int count_clusters(const Packing<Dim>& packing);

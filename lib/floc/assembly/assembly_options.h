@@ -26,7 +26,7 @@ struct GrainOptions {
   std::optional<double> density;
 };
 
-/// How grains are put together (PHYSICS section 1).
+/// How grains are put together (docs/physics.md, "Assembly and loading").
 struct AssemblyOptions {
   enum class Protocol {
     direct,       ///< gas at rest, stress control at once (type 1; also cohesionless)

@@ -40,7 +40,7 @@ struct Number {
   const char* key;  ///< in scenes: contact.SLOT.KEY
   double Model::*member;
   Unit unit;
-  const char* symbol;       ///< of the papers, "K_N"
+  const char* symbol;       ///< as in docs/physics.md, "K_N"
   Requirement requirement;  ///< of any value it ever has
   const char* expectation;  ///< what a scene has to give, in words
   const char* meaning;      ///< in a line

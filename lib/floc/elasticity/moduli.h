@@ -25,7 +25,7 @@ struct ModuliOptions {
   /// stress.
   bool prestress = false;
   /// Normal force below which a contact of a cohesionless packing carries nothing (rattlers), in units of
-  /// F1 = max(F0, P a^(Dim-1)). The default is the tolerance of an equilibrium (PHYSICS section 1).
+  /// F1 = max(F0, P a^(Dim-1)). The default is the tolerance of an equilibrium (docs/physics.md, "Equilibrium").
   double force_tolerance = 1e-5;
   /// Rolling stiffness given to every touching contact in place of its own (force * length).
   std::optional<double> rolling_stiffness;

@@ -15,7 +15,7 @@ struct ScatteredPoint {
   std::int64_t n_vectors;  ///< independent wave vectors it is the mean of, >= 1
 };
 
-/// A fit of the scattering law of fractal aggregates of finite size (PHYSICS section 6), or why there is none:
+/// A fit of the scattering law of fractal aggregates of finite size (docs/physics.md, "Structure"), or why there is none:
 ///
 ///   I(k) = I0 / [1 + (k xi/(2 pi))^2]^(dF/2)
 struct ScatteringFit {

@@ -7,7 +7,7 @@
 namespace floc {
 
 /// How strict an equilibrium is asked to be. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1)) and
-/// the matching power of the length a, the largest diameter (PHYSICS section 1; defaults of G08). Where diameters differ by
+/// the matching power of the length a, the largest diameter (docs/physics.md, "Equilibrium"; defaults of [GRC2008]). Where diameters differ by
 /// more than a factor of four, forces, moments and energies are those of each grain by its own scale: see GrainScales.
 struct EquilibriumTolerance {
   double force = 1e-5;   ///< net force on any grain / F1 of the grain
@@ -18,7 +18,7 @@ struct EquilibriumTolerance {
   bool operator==(const EquilibriumTolerance&) const = default;
 };
 
-/// The four measures of PHYSICS section 1 on static forces, in units of the scales above, and where they are worst.
+/// The four measures of equilibrium on static forces, in units of the scales above, and where they are worst.
 struct Residuals {
   double force = 0.0;
   double moment = 0.0;

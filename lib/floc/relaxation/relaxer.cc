@@ -18,7 +18,7 @@ namespace floc {
 namespace {
 
 /// Motion has stopped when the solid fraction moved less than this in a window of this many time units and the
-/// kinetic energy is within its tolerance (FINDINGS: damping before that changes which rearrangement happens).
+/// kinetic energy is within its tolerance (damping before that changes which rearrangement happens).
 constexpr double kStillPhi = 2e-5;
 constexpr double kStillWindow = 5.0;
 constexpr double kStillContactsWindow = 20.0;
@@ -34,7 +34,7 @@ constexpr double kOvershoot = 2.0;
 constexpr int kFirstLook = 2;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
 constexpr double kFinishPhi = 1e-4;
-/// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none (PHYSICS section 1).
+/// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
 constexpr double kDefaultInertialNumber = 1e-3;
 /// The polisher is tried where it is known to succeed, and after a failure again a while later, each time a longer one.
 constexpr double kPolishResidual = 5e-3;
@@ -294,7 +294,7 @@ bool Relaxer<Dim>::solved_at_once() {
   return take_if_equilibrium(std::move(solution), "static");
 }
 
-/// An equilibrium is within tolerance and stable (PHYSICS section 1). A static solution need not be stable: with a tail, a
+/// An equilibrium is within tolerance and stable (docs/physics.md, "Equilibrium"). A static solution need not be stable: with a tail, a
 /// grain that could roll onto its neighbour has a saddle on the way.
 template <int Dim>
 bool Relaxer<Dim>::take_if_equilibrium(StaticSolution<Dim> solution, const char* ending) {

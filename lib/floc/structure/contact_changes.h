@@ -13,7 +13,7 @@ struct KeptContact {
   int after;
 };
 
-/// What happened between two states of the same grains (PHYSICS section 6). Contacts are surfaces that touch; attractions
+/// What happened between two states of the same grains. Contacts are surfaces that touch; attractions
 /// across a gap are none.
 template <int Dim>
 struct ContactChanges {

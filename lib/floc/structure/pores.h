@@ -16,7 +16,7 @@ struct Pore {
 };
 
 /// Pores of a 2D packing: the faces of the network of its interactions (distant attractions close pores too), less the
-/// sectors of the disks around them and the disks inside (PHYSICS section 6). Closed forms, no mesh: areas add up to
+/// sectors of the disks around them and the disks inside (docs/physics.md, "Structure"). Closed forms, no mesh: areas add up to
 /// A (1 - Phi) with overlaps counted twice, as in Phi.
 struct Pores {
   std::vector<Pore> pores;  ///< those that end

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Intensity I(k) = |chi_hat(k)|^2/A of the indicator chi of the grains (2D, PHYSICS section 6), averaged over
+/// Intensity I(k) = |chi_hat(k)|^2/A of the indicator chi of the grains (2D; docs/physics.md, "Structure"), averaged over
 /// directions in bins of k.
 struct Scattering {
   std::vector<double> k;                ///< mean over the wave vectors of each bin (1/length)

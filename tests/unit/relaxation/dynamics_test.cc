@@ -77,7 +77,7 @@ TEST(Dynamics, VectorInstructionsLeaveNoTraceInTheBits) {
   }
 }
 
-/// Total energy of a packing in a cell of inertia M under a pressure (PHYSICS section 1, "Cell").
+/// Total energy of a packing in a cell of inertia M under a pressure (docs/physics.md, "Boundary control").
 double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control) {
   const double kn = packing.law.normal.get<LinearRepulsion>().normal_stiffness;
   double energy =

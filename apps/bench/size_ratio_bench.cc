@@ -1,6 +1,6 @@
 // Contact updates per second of the time stepping, new lists of pairs among it, for grains of sizes 1:2 and 1:30. Both
-// distributions are uniform by area, P(d) ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), under P/K_N = 1e-4 with
-// friction. Compare the rows of one run. FLOC_BENCH_RATIO=100 adds a ratio.
+// distributions are uniform by area, P(d) ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), under
+// P/K_N = 1e-4 with friction. Compare the rows of one run. FLOC_BENCH_RATIO=100 adds a ratio.
 
 #include <benchmark/benchmark.h>
 

@@ -7,8 +7,8 @@ inline double reduced(double p, double q) {
   return p * q / (p + q);
 }
 
-/// What a law may ask of two surfaces. Reduced radius and mass are there for laws that need them (`kNeedsReducedRadius`,
-/// `kNeedsReducedMass` of a model), zero for others.
+/// What a law may ask of two surfaces. Reduced radius and mass are there for laws that need them
+/// (`kNeedsReducedRadius`, `kNeedsReducedMass` of a model), zero for others.
 template <class T = double>
 struct PairGeometry {
   T gap;             ///< h (length), negative when the grains overlap

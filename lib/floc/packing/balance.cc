@@ -11,7 +11,8 @@ Balance<Dim> net_forces(const Packing<Dim>& packing) {
     const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal;
     net.force[c.i] += on_i;
     net.force[c.j] -= on_i;
-    // Lever arms l = R r/(Ri + Rj) along the normal on both sides (docs/physics.md, "Kinematics of a contact"): angular momentum is exact.
+    // Lever arms l = R r/(Ri + Rj) along the normal on both sides (docs/physics.md, "Kinematics of a contact"):
+    // angular momentum is exact.
     const double arm_per_radius = 1.0 + c.gap / (g.radius[c.i] + g.radius[c.j]);
     const Spin<Dim> unit_moment = moment<double>(c.normal, c.shear_force);
     net.moment[c.i] += g.radius[c.i] * arm_per_radius * unit_moment + c.rolling_moment;

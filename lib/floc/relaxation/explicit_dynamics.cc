@@ -109,8 +109,9 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
   }
 }
 
-/// Generalised forces on the components of the lattice under stress: their work in a small strain is that of W - V Sigma, W
-/// the sum of momentum fluxes and of forces times branches. Where all are, that is the upper part of (W - V Sigma) h^-T.
+/// Generalised forces on the components of the lattice under stress: their work in a small strain is that of
+/// W - V Sigma, W the sum of momentum fluxes and of forces times branches. Where all are, that is the upper
+/// part of (W - V Sigma) h^-T.
 template <int Dim>
 Mat<Dim> ExplicitDynamics<Dim>::unbalanced_work() const {
   Mat<Dim> work = Mat<Dim>::Zero();
@@ -167,8 +168,8 @@ void ExplicitDynamics<Dim>::impose_rates() {
   if (any) lattice_rate_ = upper_product<Dim>(gradient, lattice_);
 }
 
-/// Half kick of the lattice, and how this step's drift deforms it. In reduced coordinates s' = h^-1 v with h at mid-step,
-/// which keeps the scheme symmetric in time.
+/// Half kick of the lattice, and how this step's drift deforms it. In reduced coordinates s' = h^-1 v with h at
+/// mid-step, which keeps the scheme symmetric in time.
 template <int Dim>
 void ExplicitDynamics<Dim>::begin_step() {
   kick_lattice();
@@ -201,8 +202,8 @@ void ExplicitDynamics<Dim>::kick_and_drift(int block) {
   kernels_.kick_and_drift(grain_arrays_, block * kGrainBlock, kick_, drift_, sums_[block]);
 }
 
-/// The share of the time that the list has cost so far, against that of the pairs which it carries for nothing: the skin
-/// is right where they are of one size.
+/// The share of the time that the list has cost so far, against that of the pairs which it carries for nothing:
+/// the skin is right where they are of one size.
 template <int Dim>
 double ExplicitDynamics<Dim>::list_cost_share() const {
   return kListCost / steps_since_list_;
@@ -252,8 +253,8 @@ void ExplicitDynamics<Dim>::adapt_skin() {
   if (cost < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, thinnest_skin_);
 }
 
-/// The next stretch begins with a new list in any case: where one list has served for all of this one, twice what motion took
-/// of its skin is enough.
+/// The next stretch begins with a new list in any case: where one list has served for all of this one, twice
+/// what motion took of its skin is enough.
 template <int Dim>
 double ExplicitDynamics<Dim>::skin() const {
   if (!on_first_list_ || steps_since_list_ == 0) return skin_;

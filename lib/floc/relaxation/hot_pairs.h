@@ -25,9 +25,9 @@ inline double lagging_damping(double coefficient, double mass_i, double mass_j, 
 /// @throws InputError if it is beyond what the plans of the sums can name, at 537 million pairs with friction
 int row_place(std::int64_t pair, int row_size);
 
-/// The neighbour pairs as the force loop reads them, i <= j, one array a component. A block of grains owns the pairs whose
-/// first grain it owns; they stand together in order, and are padded to whole vectors with pairs of a grain and its own
-/// image one cell away, of no size, which no grain sums.
+/// The neighbour pairs as the force loop reads them, i <= j, one array a component. A block of grains owns the
+/// pairs whose first grain it owns; they stand together in order, and are padded to whole vectors with pairs of
+/// a grain and its own image one cell away, of no size, which no grain sums.
 template <int Dim>
 class HotPairs {
  public:

@@ -38,8 +38,8 @@ struct ContactChanges {
   double largest_displacement() const;  ///< (length)
 };
 
-/// Why two packings cannot be compared: other numbers or sizes of grains, lattices that do not correspond; empty if they
-/// can.
+/// Why two packings cannot be compared: other numbers or sizes of grains, lattices that do not correspond;
+/// empty if they can.
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 

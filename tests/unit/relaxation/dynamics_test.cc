@@ -233,8 +233,8 @@ TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
   EXPECT_NEAR(mean_restitution(0.5, 0.5), 0.025, 0.001);
 }
 
-/// A large disk from the left and one half as large from the right meet head on, both of them spinning; or the mirror image
-/// of that, with the numbers of the grains exchanged as well.
+/// A large disk from the left and one half as large from the right meet head on, both of them spinning; or the
+/// mirror image of that, with the numbers of the grains exchanged as well.
 Packing<2> unequal_pair(const LawParameters& law, bool mirrored) {
   const int large = mirrored ? 1 : 0, small = 1 - large;
   const double sign = mirrored ? -1.0 : 1.0;

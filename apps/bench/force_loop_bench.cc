@@ -33,7 +33,7 @@ constexpr int kUnit = 1400;  ///< grains of the packing that larger ones are til
 
 enum Physics { kFrictionless, kFriction, kFrictionAndRolling };
 
-/// The law of G08 in units F0 = a = m = 1, with the slots asked for.
+/// The law of [GRC2008] in units F0 = a = m = 1, with the slots asked for.
 LawParameters law_of(int physics, bool adhesive) {
   LawParameters law;
   law.normal = LinearRepulsion{1e5};
@@ -106,7 +106,8 @@ void force_loop(benchmark::State& state) {
        static_cast<int>(state.range(3)), static_cast<InstructionSet>(state.range(4)));
 }
 
-/// Processor time of the passes of a step, as shares, and of a new list of pairs, in steps; the packing stays where it is.
+/// Processor time of the passes of a step, as shares, and of a new list of pairs, in steps; the packing stays
+/// where it is.
 void passes(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
   const AnyContactLaw law = compose_law(packing.law);
@@ -185,8 +186,8 @@ void steps_of_state(benchmark::State& state, const char* file) {
               : nullptr;
 }();
 
-/// From the gas to equilibrium under P/K_N = 1e-4 with friction, to the default tolerance, by the mass of the cell: one as
-/// heavy as its grains bounces on them for four times as long as one of a tenth.
+/// From the gas to equilibrium under P/K_N = 1e-4 with friction, to the default tolerance, by the mass of the
+/// cell: one as heavy as its grains bounces on them for four times as long as one of a tenth.
 void gas_to_equilibrium(benchmark::State& state) {
   const double cell_mass = 0.01 * static_cast<double>(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(relaxed_from_gas(kUnit, law_of(kFriction, false), cell_mass));

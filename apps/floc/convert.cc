@@ -93,8 +93,8 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   return options;
 }
 
-/// What is asked of an equilibrium: what `--tolerance` says, else of a format that says law and load exactly as much as of
-/// floc's own states, of the others kForeignTolerance. The energy scales with the force.
+/// What is asked of an equilibrium: what `--tolerance` says, else of a format that says law and load exactly as
+/// much as of floc's own states, of the others kForeignTolerance. The energy scales with the force.
 EquilibriumTolerance tolerance_for(const Imported& imported, const ConvertArguments& arguments) {
   const EquilibriumTolerance own;
   const double force =

@@ -21,8 +21,8 @@ struct Plot {
   int add(const std::string& columns, std::vector<std::vector<double>> rows);
 };
 
-/// The line that sets an axis ("x", "y") to hold column `column` of some blocks, with a margin of a tenth of a decade or, on a
-/// linear axis, of a twentieth of the range. Empty where there are no two different values.
+/// The line that sets an axis ("x", "y") to hold column `column` of some blocks, with a margin of a tenth of a
+/// decade or, on a linear axis, of a twentieth of the range. Empty where there are no two different values.
 std::string range_script(const Plot& plot, const std::string& axis, const std::vector<int>& blocks, int column,
                          bool logarithmic);
 
@@ -32,8 +32,8 @@ std::string value_and_error(double value, double error);
 /// Text as gnuplot takes it in single quotes.
 std::string gnuplot_quoted(const std::string& text);
 
-/// Writes F.dat and F.gp beside F.svg, F.pdf or F.png and has gnuplot draw it; each file is whole or absent. Run again in
-/// its directory, the script draws the same picture, so that it can be restyled.
+/// Writes F.dat and F.gp beside F.svg, F.pdf or F.png and has gnuplot draw it; each file is whole or absent.
+/// Run again in its directory, the script draws the same picture, so that it can be restyled.
 /// @throws InputError if the name ends otherwise; IoError if a file cannot be written, or gnuplot is missing or fails
 void write_plot(const std::string& file, const Plot& plot);
 

@@ -28,8 +28,8 @@ int worse(int a, int b);
 /// Adds the positional argument STATE..., one file or more.
 void add_states_argument(CommandLine app, std::vector<std::string>& files);
 
-/// Hands each file name to `work`, which returns its exit code. One that throws is reported on stderr, and the others are
-/// still done. @return the worst of the exit codes
+/// Hands each file name to `work`, which returns its exit code. One that throws is reported on stderr, and the
+/// others are still done. @return the worst of the exit codes
 int for_each_file(const std::vector<std::string>& files,
                   const std::function<int(const std::string& file)>& work);
 

@@ -19,9 +19,9 @@ struct FittedConsolidation {
 /// The full law fitted to the first loading of a sample, or to the mean of several.
 FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples);
 
-/// 1/Phi against P* (Phi on the right): samples, their mean with errors, the law with its regimes, unloading branches and
-/// their elastic lines dPhi/Phi = dP/B, by the modulus of the state each starts from where it lies beside the table, else by
-/// that of the branch.
+/// 1/Phi against P* (Phi on the right): samples, their mean with errors, the law with its regimes, unloading
+/// branches and their elastic lines dPhi/Phi = dP/B, by the modulus of the state each starts from where it lies
+/// beside the table, else by that of the branch.
 /// @param samples  at least one
 Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConsolidation& fitted);
 

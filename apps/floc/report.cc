@@ -131,8 +131,8 @@ std::string provenance_section(const Run& run) {
   return "<h2>Provenance</h2>\n" + html_table(table);
 }
 
-/// The scene of a run, from the text in its states. Of one that started from a state only the run is sure to be there: its
-/// first state has the same grains.
+/// The scene of a run, from the text in its states. Of one that started from a state only the run is sure to be
+/// there: its first state has the same grains.
 Scene scene_of(const Run& run) {
   std::vector<std::string> changes;
   if (run.first->path.step == 0 && !run.first->provenance.parent_sha256.empty())

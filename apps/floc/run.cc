@@ -66,8 +66,8 @@ int tell(const DriveReport& report, const Run<2>& run, const std::string& direct
   return kDone;
 }
 
-/// Smallest block that goes back to the system when it is freed, where glibc would keep those up to 32 MB: lists, states and
-/// files of a large packing follow each other, and need not be held together.
+/// Smallest block that goes back to the system when it is freed, where glibc would keep those up to 32 MB:
+/// lists, states and files of a large packing follow each other, and need not be held together.
 constexpr int kReturnedBlock = 1 << 22;
 
 int run_scene(const RunArguments& arguments) {

@@ -13,8 +13,8 @@ std::string table_of_run(const std::string& directory);
 /// @throws InputError if there is none
 std::vector<std::string> states_of_run(const std::string& directory);
 
-/// The files among the inputs, and in the place of each directory the states of that run: those of `steps`, or all if it is
-/// empty.
+/// The files among the inputs, and in the place of each directory the states of that run: those of `steps`, or
+/// all if it is empty.
 /// @throws InputError for a directory without states, or steps without a directory
 std::vector<std::string> states_of_inputs(const std::vector<std::string>& inputs,
                                           const std::vector<int>& steps = {});
@@ -23,7 +23,8 @@ std::vector<std::string> states_of_inputs(const std::vector<std::string>& inputs
 std::vector<std::string> drawn_states(const std::vector<std::string>& inputs, const std::vector<int>& steps,
                                       int count);
 
-/// `count` of the numbers of a run's states, spread evenly from the first to the last; all of them if there are no more.
+/// `count` of the numbers of a run's states, spread evenly from the first to the last; all of them if there are
+/// no more.
 std::vector<int> spread_steps(const std::string& directory, int count);
 
 }  // namespace floc

@@ -24,8 +24,8 @@ const State<2>& disks_of(const std::string& file, const AnyState& state);
 /// @throws InputError where a mechanism leaves a step of stress no answer
 PackingPicture picture_of(const std::string& file, const State<2>& state, Shown shown);
 
-/// What changed from one state to another, on the geometry of the first: contacts lost and gained, where the grains went
-/// with the affine part taken off.
+/// What changed from one state to another, on the geometry of the first: contacts lost and gained, where the
+/// grains went with the affine part taken off.
 /// @throws InputError where the two are not of the same grains
 PackingPicture picture_of_changes(const std::string& before_file, const State<2>& before,
                                   const std::string& after_file, const State<2>& after);

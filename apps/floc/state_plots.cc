@@ -33,7 +33,8 @@ double bin_width(std::vector<double> forces) {
   return range > 0.0 ? round_number_below(range / 20.0) : 0.1;
 }
 
-/// The density of a tail: its share of all forces times exp[-(f - threshold)/f_0]/f_0, from the threshold to the largest.
+/// The density of a tail: its share of all forces times exp[-(f - threshold)/f_0]/f_0, from the threshold to
+/// the largest.
 void add_tail(const std::vector<double>& forces, double sign, std::vector<std::vector<double>>& rows) {
   std::vector<double> sizes;
   double sum = 0.0;

@@ -22,8 +22,8 @@ template <int Dim>
 ForceSample force_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
                          ForceKind kind, ForceUnit unit);
 
-/// Probability densities of contact forces on a logarithmic axis, errors by their counts, with exponential tails of both
-/// signs fitted beyond the mean of each.
+/// Probability densities of contact forces on a logarithmic axis, errors by their counts, with exponential
+/// tails of both signs fitted beyond the mean of each.
 Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit);
 
 /// A state whose scattering is plotted.

@@ -60,7 +60,7 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   EXPECT_EQ(pooled["sample"], "pooled");
   EXPECT_EQ(pooled["errors_from"], "samples");
   EXPECT_EQ(pooled["weights"], "scatter");
-  // Published for the same model with 1400 grains: 0.194 and 0.7745 (G08).
+  // Published for the same model with 1400 grains: 0.194 and 0.7745 [GRC2008].
   const json lambda = pooled["parameters"]["lambda"], phi_max = pooled["parameters"]["Phi_max"];
   EXPECT_LT(lambda["low95"], 0.194);
   EXPECT_GT(lambda["high95"], 0.194);

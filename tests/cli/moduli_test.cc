@@ -47,7 +47,8 @@ TEST_F(ModuliCommand, OfAForeignPackingGiveTheShearModulusOfTheProgramThatMadeIt
   const Outcome o = moduli("packing.h5 --prestress --strains full --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json row = json::parse(o.out).at(0);
-  // Its shear log gives 0.1086306 by its own strain measure, a factor 1 - 0.00157 (design, FINDINGS); to its digits.
+  // The shear log of jamBashbulk gives 0.1086306, by a strain measure that differs by a factor of 1 - 0.00157;
+  // the tolerance is what its digits allow.
   EXPECT_NEAR(row.at("C33").get<double>(), 0.1088011, 1e-6);
   EXPECT_NEAR(row.at("P").get<double>(), 1e-3, 1e-12);
   EXPECT_EQ(row.at("units"), "reduced");

@@ -137,7 +137,8 @@ TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   }
 }
 
-/// A ring of four equal disks of diameter 1 around the cell that only distant attractions hold: pushed sideways it buckles.
+/// A ring of four equal disks of diameter 1 around the cell that only distant attractions hold: pushed sideways
+/// it buckles.
 TEST(Verify, NamesAnUnstableState) {
   const ScratchDirectory scratch;
   State<2> s;

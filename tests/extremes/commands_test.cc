@@ -8,8 +8,8 @@
 
 #include "support/run_program.h"
 
-/// Packings at the ends of what can be given, taken through every command that reads states: each answers in finite numbers
-/// or refuses in words, and none hangs.
+/// Packings at the ends of what can be given, taken through every command that reads states: each answers in
+/// finite numbers or refuses in words, and none hangs.
 namespace floc::test {
 namespace {
 

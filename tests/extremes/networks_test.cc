@@ -13,8 +13,9 @@
 #include "floc/packing/tile.h"
 #include "support/lattices.h"
 
-/// Contact networks whose moduli have closed forms, with stiffnesses and shapes at the ends of what is asked. Each modulus
-/// is within the error bound it comes with, and the bound leaves digits; or it is refused in words.
+/// Contact networks whose moduli have closed forms, with stiffnesses and shapes at the ends of what is asked.
+/// Each modulus is within the error bound it comes with, and the bound leaves digits; or it is refused in
+/// words.
 namespace floc {
 namespace {
 
@@ -64,7 +65,8 @@ TEST(Stiffness, AcrossContactsFromAMillionthToAThousandTimesThatAlong) {
   }
 }
 
-/// Frames of chains bend by rolling alone: C33 follows K_R over twelve decades and loses no more digits than its bound says.
+/// Frames of chains bend by rolling alone: C33 follows K_R over twelve decades and loses no more digits than
+/// its bound says.
 TEST(Stiffness, AgainstRollingFromATrillionthToOne) {
   for (const double kr : {1e-12, 1e-8, 1e-4, 1.0})
     for (const int n : {3, 10, 40}) {
@@ -95,8 +97,8 @@ TEST(Chain, OfTenThousandDisksHoldsItsOwnLine) {
   EXPECT_EQ(m.n_negative, 0);
 }
 
-/// Ten thousand disks, each stuck to one that was there before, at any angle: isostatic, and it does not percolate, so it
-/// can be strained at no cost whatever its contacts are.
+/// Ten thousand disks, each stuck to one that was there before, at any angle: isostatic, and it does not
+/// percolate, so it can be strained at no cost whatever its contacts are.
 TEST(Tree, OfTenThousandDisksHoldsNothing) {
   Packing<2> packing;
   packing.law = test::elastic_law(1.0, 0.7, 0.03);
@@ -129,7 +131,8 @@ TEST(Tree, OfTenThousandDisksHoldsNothing) {
   }
 }
 
-/// One disk that reaches its images up to `reach` spacings away: up to hundreds of contacts on one grain, all with itself.
+/// One disk that reaches its images up to `reach` spacings away: up to hundreds of contacts on one grain, all
+/// with itself.
 TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   for (const double reach : {1.05, 2.5, 10.2}) {
     Packing<2> packing = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
@@ -159,8 +162,8 @@ TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   }
 }
 
-/// The triangular crystal is the same in a long cell, in a high one, and in cells so slanted that their sides are nearly
-/// parallel.
+/// The triangular crystal is the same in a long cell, in a high one, and in cells so slanted that their sides
+/// are nearly parallel.
 TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
   const Packing<2> unit = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
   const Eigen::Matrix3d closed = isotropic(std::sqrt(0.75), std::sqrt(3.0) / 4.0 * 1.7);
@@ -234,8 +237,8 @@ TEST(Packing, OfAGrainVeryMuchLargerThanItsCellIsRefused) {
   }
 }
 
-/// A row of disks across the cell that is held in one place between a thousand times larger disk and its image: two lines
-/// of springs that do not feel each other.
+/// A row of disks across the cell that is held in one place between a thousand times larger disk and its image:
+/// two lines of springs that do not feel each other.
 TEST(Sizes, OfOneToAThousandMeetInOnePacking) {
   constexpr double kLarge = 0.4995, kSmall = 0.000500001, kHeight = 2.0 * (kLarge + kSmall - 1e-9);
   Packing<2> packing;

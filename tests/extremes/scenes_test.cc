@@ -89,8 +89,8 @@ const Extreme kExtremes[] = {
     {"mu_0", {"contact.friction.coefficient=0"}},
     {"mu_10", {"contact.friction.coefficient=10"}},
     {"mu_R_0", {"contact.rolling.coefficient=0"}},
-    // Springs that never yield have no dashpot, nor has a collision without loss: they vibrate for ever, which does not keep
-    // an equilibrium from being found.
+    // Springs that never yield have no dashpot, nor has a collision without loss: they vibrate for ever, which
+    // does not keep an equilibrium from being found.
     {"mu_R_10", {"contact.rolling.coefficient=10"}},
     {"collisions_without_loss", {"contact.damping.restitution=1", "grains.count=15"}},
     {"two_grains", {"grains.count=2"}},

@@ -8,7 +8,7 @@
 
 namespace floc::test {
 
-/// The contact law of G08 in units F0 = a = m = 1, with small rolling resistance.
+/// The contact law of [GRC2008] in units F0 = a = m = 1, with small rolling resistance.
 inline LawParameters cohesive_law() {
   LawParameters law;
   law.normal = LinearRepulsion{1e5};

@@ -101,8 +101,8 @@ inline void expect_same_results(const std::string& a, const std::string& b, int 
   EXPECT_EQ(rows_without_seconds(a + "/path.csv"), rows_without_seconds(b + "/path.csv"));
 }
 
-/// Kills a run with SIGKILL at random moments and resumes it each time; when it has ended before the kills are used up, it
-/// begins again. All that it leaves equals the unbroken run's.
+/// Kills a run with SIGKILL at random moments and resumes it each time; when it has ended before the kills are
+/// used up, it begins again. All that it leaves equals the unbroken run's.
 inline void kill_and_resume(int n_kills, std::uint64_t seed) {
   const ScratchDirectory scratch;
   write_text(scratch.file("small.toml"), small_scene());

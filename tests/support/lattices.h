@@ -20,7 +20,8 @@ inline Packing<2> disks(const Mat<2>& cell, const std::vector<Vec<2>>& places, d
   return packing;
 }
 
-/// Square lattice of frames: nodes joined by straight chains of n disks, both nodes counted. n = 2 is the plain lattice.
+/// Square lattice of frames: nodes joined by straight chains of n disks, both nodes counted. n = 2 is the plain
+/// lattice.
 inline Packing<2> square_frames(int n, double spacing, const LawParameters& law) {
   std::vector<Vec<2>> places{Vec<2>::Zero()};
   for (int k = 1; k < n - 1; ++k) {

@@ -14,7 +14,7 @@
 /// Enumerates the law table for the conformance suite: every row, in every dimension, with sample parameters.
 namespace floc::testing {
 
-/// Parameters of a slot in reduced units, like those of PHYSICS section 1 but with no two numbers equal, so
+/// Parameters of a slot in reduced units, like those of [GRC2008] but with no two numbers equal, so
 /// that one cannot stand in for another. A new kind of slot needs its sample here; without it the suite does
 /// not compile.
 template <class Slot>

@@ -41,7 +41,8 @@ inline const LayerOrder& layer_order() {
   return order;
 }
 
-/// Beginning of a foreign header's name -> the folders, mostly one, that may include it; none for nobody in the library.
+/// Beginning of a foreign header's name -> the folders, mostly one, that may include it; none for nobody in the
+/// library.
 inline const std::vector<std::pair<std::string, std::set<std::string>>>& foreign_owners() {
   static const std::vector<std::pair<std::string, std::set<std::string>>> owners = {
       {"cholmod", {"linalg"}},

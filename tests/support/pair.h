@@ -14,8 +14,9 @@ struct GrainStep {
   Spin<Dim> turn = Spin<Dim>::Zero();
 };
 
-/// Two grains in contact moved by hand, their relative motion taken by PHYSICS section 1: lever arms
-/// l = R r/(Ri + Rj), evaluated half way through the step, so that its error is of second order in the step.
+/// Two grains in contact moved by hand, their relative motion taken as in docs/physics.md, "Kinematics of a
+/// contact": lever arms l = R r/(Ri + Rj), evaluated half way through the step, so that its error is of second
+/// order in the step.
 template <class Law, int Dim>
 class MovingPair {
  public:

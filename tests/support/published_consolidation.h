@@ -29,7 +29,7 @@ inline ConsolidationCurve curve_of(const ConsolidationLawParameters& law,
   return curve;
 }
 
-/// A published fit (G08): lambda, Phi_max, alpha, P0*, Phi0; P1* follows from the identity of its limits.
+/// A published fit [GRC2008]: lambda, Phi_max, alpha, P0*, Phi0; P1* follows from the identity of its limits.
 struct Published {
   double lambda, phi_max, alpha, P0_star, phi0;
 

@@ -14,8 +14,8 @@
 #include "floc/packing/equilibrium.h"
 #include "support/places.h"
 
-/// Packings made by LAMMPS and YADE (data/packings), read back and held against what those programs printed of them: the
-/// stress of the contacts and the net force on every grain, to all 17 digits but rounding.
+/// Packings made by LAMMPS and YADE (data/packings), read back and held against what those programs printed of
+/// them: the stress of the contacts and the net force on every grain, to all 17 digits but rounding.
 namespace floc {
 namespace {
 
@@ -24,8 +24,8 @@ const std::string kData = test::source_directory() + "/data/packings/";
 /// Relative rounding of a sum of a hundred products.
 constexpr double kRounding = 1e-13;
 
-/// What rounding of positions at the size of the cell leaves open of the force of a contact, of which up to six meet at a
-/// grain: both programs compute branches across the side of the cell from shifted positions.
+/// What rounding of positions at the size of the cell leaves open of the force of a contact, of which up to six
+/// meet at a grain: both programs compute branches across the side of the cell from shifted positions.
 template <int Dim>
 double force_rounding(const Packing<Dim>& packing) {
   double stiffest = 0.0;

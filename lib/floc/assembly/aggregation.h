@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Clusters of grains joined by contacts or by tails (PHYSICS section 1, type 2): number of connected components of the
-/// interactions, a lone grain being one.
+/// Clusters of grains joined by contacts or by tails (docs/physics.md, "Assembly and loading"): number of
+/// connected components of the interactions, a lone grain being one.
 template <int Dim>
 int count_clusters(const Packing<Dim>& packing);
 
@@ -21,8 +21,8 @@ class Aggregation {
   /// @param skin  first guess (length), 0 for none
   Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin);
 
-  /// One stretch, after a flight (ClusterFlight) where clusters do nothing but drift. @return true when all grains form one
-  /// cluster
+  /// One stretch, after a flight (ClusterFlight) where clusters do nothing but drift. @return true when all
+  /// grains form one cluster
   bool advance();
   /// Shows the packing to somebody as it moves.
   void observe(MotionObserver<Dim> observer) { observer_ = std::move(observer); }

@@ -26,7 +26,7 @@ struct GrainOptions {
   std::optional<double> density;
 };
 
-/// How grains are put together (PHYSICS section 1).
+/// How grains are put together (docs/physics.md, "Assembly and loading").
 struct AssemblyOptions {
   enum class Protocol {
     direct,       ///< gas at rest, stress control at once (type 1; also cohesionless)
@@ -35,8 +35,8 @@ struct AssemblyOptions {
   };
   Protocol protocol = Protocol::direct;
   double solid_fraction = 0.0;  ///< of the gas, or of the saved packing
-  /// V0/V*, V* = sqrt(F0 D0/m), or sqrt(P a^2/m) where no adhesion reaches across a gap: of the aggregation protocol, and of
-  /// a saved packing, where zero leaves it at rest.
+  /// V0/V*, V* = sqrt(F0 D0/m), or sqrt(P a^2/m) where no adhesion reaches across a gap: of the aggregation
+  /// protocol, and of a saved packing, where zero leaves it at rest.
   double agitation = 0.0;
   double pressure = 0.0;  ///< first pressure (unit of stress of the scene)
   SavedStart saved;       ///< of the protocol that starts from one

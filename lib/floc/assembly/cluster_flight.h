@@ -4,12 +4,12 @@
 
 namespace floc {
 
-/// Clusters that do not interact know nothing of each other until they meet. Once nothing moves inside them, the time
+/// Clusters that do not interact have no effect on each other until they meet. Once nothing moves inside them, the time
 /// until then can be skipped: each flies on as a rigid body.
 class ClusterFlight {
  public:
-  /// Finds the clusters of a packing (count_clusters()) and how each moves: with its momentum and, unless it winds around
-  /// the periodic cell, its angular momentum.
+  /// Finds the clusters of a packing (count_clusters()) and how each moves: with its momentum and, unless it
+  /// winds around the periodic cell, its angular momentum.
   explicit ClusterFlight(const Packing<2>& packing);
 
   /// Mean kinetic energy per grain of the motions inside clusters (energy).

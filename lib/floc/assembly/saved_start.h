@@ -14,10 +14,11 @@ struct SavedStart {
   Vec<2, int> copies = Vec<2, int>::Ones();  ///< side by side along each axis
 };
 
-/// What a run makes of a saved packing: at rest, under another contact law, tiled. Grains stay where they are and turned as
-/// they are. Contacts are those that positions and law give; each keeps the springs it had (displacements, not forces),
-/// cut back to the caps of the law. Springs of a slot that the law has not are lost, those of one that is new begin at rest. The
-/// tiling of an equilibrium under its own law is that equilibrium.
+/// What a run makes of a saved packing: at rest, under another contact law, tiled. Grains stay where they are
+/// and turned as they are. Contacts are those that positions and law give; each keeps the springs it had
+/// (displacements, not forces), cut back to the caps of the law. Springs of a slot that the law has not are
+/// lost, those of one that is new begin at rest. The tiling of an equilibrium under its own law is that
+/// equilibrium.
 /// @param copies  along each lattice vector, >= 1
 /// @throws InputError as find_contacts()
 template <int Dim>

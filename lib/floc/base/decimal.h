@@ -6,8 +6,9 @@
 
 namespace floc {
 
-/// The number that a decimal text stands for, where a double would be too short: the double nearest to it and what is left.
-/// Texts of up to 17 significant digits are those of a double, which programs print so: nothing is left.
+/// The number that a decimal text stands for, where a double is not precise enough: the nearest double and
+/// what is left. Texts of up to 17 significant digits are those of a double, which programs print so: nothing
+/// is left.
 ///
 /// @param text     a decimal number that parse_number<double>() reads
 /// @param nearest  what it read

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Sets of the numbers below n, each alone at first, that joins make larger (union-find with path halving). A set is named
-/// by its smallest member, so names do not depend on the order of the joins.
+/// Sets of the numbers below n, each alone at first, that joins make larger (union-find with path halving). A
+/// set is named by its smallest member, so names do not depend on the order of the joins.
 class DisjointSets {
  public:
   explicit DisjointSets(int n) : parent_(n), n_sets_(n) { std::iota(parent_.begin(), parent_.end(), 0); }

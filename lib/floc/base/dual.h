@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// A number with its derivatives by N variables: evaluating a formula on duals evaluates its derivatives with it (forward
-/// mode). Comparisons look at the value alone, so that a branch is taken as the value takes it.
+/// A number with its derivatives by N variables: evaluating a formula on duals evaluates its derivatives with
+/// it (forward mode). Comparisons look at the value alone, so that a branch is taken as the value takes it.
 template <int N>
 struct Dual {
   double value = 0.0;

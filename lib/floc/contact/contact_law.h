@@ -140,7 +140,7 @@ struct ContactLaw {
     return pair.gap < 0.0 ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
   }
 
-  /// Those of surfaces in contact of which only the elastic force is known.
+  /// Stiffnesses of a touching contact of which only the elastic force is known.
   ContactStiffness stiffness_at_force(double elastic) const {
     return touching({elastic, 0.0, repulsion.stiffness_at_force(elastic)});
   }
@@ -153,7 +153,7 @@ struct ContactLaw {
     return k;
   }
 
-  /// Which springs of a contact whose surfaces touch are at their caps: THE place that decides what slides.
+  /// Which springs of a touching contact are at their caps. Nothing else in the program decides what slides.
   /// @param tolerance  relative, of what counts as being at the cap
   template <int Dim>
   Mobilised mobilised(double elastic, const PackedMemory<kMemorySize<Dim>>& memory, double tolerance) const {

@@ -1,8 +1,8 @@
 #pragma once
 
-/// What a slot of a contact law says of itself, once: its keyword, its numbers and choices, and what a contact remembers
-/// for it. Validation, scenes, changes along a load path, law texts, state files, kernels and dimensionless groups all
-/// iterate over these declarations.
+/// What a slot of a contact law says of itself, once: its keyword, its numbers and choices, and what a contact
+/// remembers for it. Validation, scenes, changes along a load path, law texts, state files, kernels and
+/// dimensionless groups all iterate over these declarations.
 namespace floc {
 
 /// What a number of a contact law measures.
@@ -40,7 +40,7 @@ struct Number {
   const char* key;  ///< in scenes: contact.SLOT.KEY
   double Model::*member;
   Unit unit;
-  const char* symbol;       ///< of the papers, "K_N"
+  const char* symbol;       ///< in formulas, "K_N"
   Requirement requirement;  ///< of any value it ever has
   const char* expectation;  ///< what a scene has to give, in words
   const char* meaning;      ///< in a line

@@ -57,8 +57,9 @@ using AnyContactLaw =
                          decltype(LawParameters::damping), decltype(LawParameters::friction),
                          decltype(LawParameters::rolling)>::Type::Variant;
 
-/// The composed law of a scene or saved state. Adhesion of zero force is no adhesion, a coefficient of zero no friction and no
-/// rolling resistance: such a spring could carry nothing, and must not stiffen the network either.
+/// The composed law of a scene or saved state. Adhesion of zero force is no adhesion, a coefficient of zero no
+/// friction and no rolling resistance: such a spring could carry nothing, and must not stiffen the network
+/// either.
 /// @pre parameters.validate() is empty.
 AnyContactLaw compose_law(const LawParameters& parameters);
 

@@ -3,7 +3,7 @@
 namespace floc {
 
 /// Static normal response of a contact at one gap. The only thing slots tell each other: friction and rolling read
-/// `elastic`, because their caps do not feel the adhesion (PHYSICS section 1).
+/// `elastic`, because their caps do not feel the adhesion (docs/physics.md, "Friction").
 template <class T>
 struct NormalResponse {
   T elastic;    ///< elastic repulsion FNe, >= 0 (force)

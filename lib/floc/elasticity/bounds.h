@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Bounds of the bulk and shear moduli of a network (PHYSICS section 4), as stress (force/length^(Dim-1)).
+/// Bounds of the bulk and shear moduli of a network (docs/physics.md, "Bounds"), as stress (force/length^(Dim-1)).
 struct Bounds {
   /// Affine motion without rotations: sum K_N r^2/(Dim^2 V), and its shear analogue. Upper bounds of B_C and of
   /// G = (C11 + C22 - 2 C12)/4 (3D: its mean over the three pairs of axes).
@@ -16,7 +16,7 @@ struct Bounds {
   /// balance, the stress is isotropic and no distant attraction acts (these are left out of the sum). 0 at P =
   /// 0.
   double B_reuss = 0.0;
-  /// Mean-field forms as printed in G08, averages of products replaced by products of averages.
+  /// Mean-field forms as printed in [GRC2008], averages of products replaced by products of averages.
   double B_voigt_printed = 0.0;
   double G_voigt_printed = 0.0;
   double B_reuss_printed = 0.0;

@@ -24,7 +24,7 @@ double chain_axial_compliance(int n, const ChainStiffness& k);
 /// The equivalent has radii (n-1) R and its contact at mid-chain, where a transverse force does not turn the ends
 /// against each other.
 /// @param n  number of disks, >= 2; n = 2 is the contact itself.  @param R  radius of the disks (length), > 0.
-/// Exact: equals the solved network to rounding. The printed form of G08 Eq. 16 measures another displacement;
+/// Exact: equals the solved network to rounding. The form printed as Eq. 16 of [GRC2008] measures another displacement;
 /// it is `end_disk_deflection()`.
 /// @throws InputError if n < 2, or R or a stiffness is not positive.
 double chain_transverse_compliance(int n, double R, const ChainStiffness& k);
@@ -34,7 +34,7 @@ double chain_transverse_compliance(int n, double R, const ChainStiffness& k);
 double chain_rolling_compliance(int n, const ChainStiffness& k);
 
 /// Displacement of the centre of the last disk of a straight chain whose first is held, for a unit transverse force
-/// on a line through the last contact, in length/force (G08 Eq. 16 as printed).
+/// on a line through the last contact, in length/force ([GRC2008], Eq. 16 as printed).
 ///
 ///   (n-1)/K_T + (n-1) (4 n^2 - 11 n + 6) R^2 / (3 K_R)
 ///

@@ -12,7 +12,8 @@ double conjugate(const Mat<Dim>& tensor, int column) {
   return (tensor.transpose() * unit_strain<Dim>(column)).trace();
 }
 
-/// What the convection of forces adds to relaxed K/V: -sym(sigma E) + sigma tr E, symmetrised (PHYSICS section 5).
+/// What the convection of forces adds to relaxed K/V: -sym(sigma E) + sigma tr E, symmetrised (docs/physics.md,
+/// "Prestress").
 /// @param n  number of strain unknowns, in the order of StrainSet
 template <int Dim>
 Eigen::MatrixXd convected_stress(const Mat<Dim>& stress, int n) {

@@ -49,7 +49,7 @@ struct ElasticResponse {
   double residual = 0.0;   ///< backward error of the solution
   double condition = 1.0;  ///< estimate, of K; infinite with mechanisms
   bool resolved = true;    ///< false where even the square root of K leaves no digit
-  /// False where the solver tells neither negative eigenvalues nor mechanisms, and `error` is an estimate.
+  /// False where the solver finds neither negative eigenvalues nor mechanisms, and `error` is an estimate.
   bool counted = true;
   int steps = 0;  ///< of refinement
 };

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// How the forces of a state and those that a small step adds go together: Pearson's coefficients over the contacts that
-/// touch, nothing where one of the two does not vary.
+/// How the forces of a state and those that a small step adds go together: Pearson's coefficients over the
+/// contacts that touch, nothing where one of the two does not vary.
 struct ForceCorrelation {
   std::optional<double> normal;  ///< of the normal force with its increment, both with their sign
   std::optional<double> size;  ///< of the size of the force (normal and tangential) with that of its increment

@@ -29,7 +29,8 @@ struct Mode {
   double eigenvalue = 0.0;      ///< energy is half of it times the squared length of the motion (force/length)
   double with_prestress = 0.0;  ///< Rayleigh's quotient of this motion once the geometric terms are added
   Eigen::VectorXd motion;       ///< unknowns of K (length, radians), of unit length
-  /// (sum u_i^2)^2/(n sum u_i^4) over the n grains that take part in the network: 1 if all move alike, 1/n if one moves.
+  /// (sum u_i^2)^2/(n sum u_i^4) over the n grains that take part in the network: 1 if all move alike, 1/n if
+  /// one moves.
   double participation = 0.0;
   /// Volume times the stress it gives per unit amplitude, one entry a strain unknown (force * length/length): its
   /// coupling to strain. A mode takes coupling * coupling^T/(eigenvalue volume) off the affine moduli; all

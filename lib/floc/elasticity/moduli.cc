@@ -29,7 +29,7 @@ constexpr double kToleranceOfCrudeSolution = 0.1;
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Below it an eigenvalue of C is not told from zero.
+/// An eigenvalue of C below it cannot be distinguished from zero.
 double vanishing_bound(double scale, const Moduli& m) {
   const double error = m.C_error.rowwise().sum().maxCoeff();
   return std::isfinite(error) ? error : kVanishingModulus * scale;
@@ -171,7 +171,8 @@ ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) c
 
 namespace {
 
-/// The middle between the bounds of the network, B_reuss <= B <= B_voigt and 0 <= G <= G_voigt, and half their distance.
+/// The middle between the bounds of the network, B_reuss <= B <= B_voigt and 0 <= G <= G_voigt, and half their
+/// distance.
 void take_middle_of_bounds(int n_strains, Moduli& m) {
   m.method = ModuliMethod::bounds;
   m.C = m.C_error = Eigen::MatrixXd::Constant(n_strains, n_strains, std::numeric_limits<double>::quiet_NaN());

@@ -25,7 +25,7 @@ struct ModuliOptions {
   /// stress.
   bool prestress = false;
   /// Normal force below which a contact of a cohesionless packing carries nothing (rattlers), in units of
-  /// F1 = max(F0, P a^(Dim-1)). The default is the tolerance of an equilibrium (PHYSICS section 1).
+  /// F1 = max(F0, P a^(Dim-1)). The default is the tolerance of an equilibrium (docs/physics.md, "Equilibrium").
   double force_tolerance = 1e-5;
   /// Rolling stiffness given to every touching contact in place of its own (force * length).
   std::optional<double> rolling_stiffness;
@@ -78,7 +78,7 @@ struct Moduli {
   double pressure = 0.0;   ///< mean of the diagonal of the static stress
   double residual = 0.0;   ///< backward error of the solution
   double condition = 1.0;  ///< of K, estimated; infinite with mechanisms
-  /// The same without prestress, if that was asked for: the difference is its worth.
+  /// The same without prestress, if prestress was asked for: the difference is its contribution.
   std::optional<double> B_without_prestress;
   std::optional<double> G_without_prestress;
   /// The response without prestress, of loaded_network(): mechanisms, increments and backbone follow from it.
@@ -90,13 +90,13 @@ struct Moduli {
   std::vector<std::string> warnings;
 };
 
-/// Moduli of the state nothing of which slides or yields. Without prestress C = relaxed K/V. With it, the
+/// Moduli of a state in which nothing slides or yields. Without prestress C = relaxed K/V. With it, the
 /// Cauchy stress sigma answers the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) + sigma tr E:
 /// for diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the relaxed
 /// Hessian of the energy in ln L, so B gains P and G nothing over H. Where the stress is not isotropic this is
 /// not symmetric; the symmetric part is given.
 /// A vanishing modulus, one that its error bound does not tell from zero, is given as zero and counted as a coupled
-/// mechanism. Moduli of which no digit is left are not a number, with a warning.
+/// mechanism. Moduli that have lost all digits are NaN, with a warning.
 /// @param network  the contacts that count; `options` changes none of them
 /// @pre options.validate() is empty.
 template <int Dim>

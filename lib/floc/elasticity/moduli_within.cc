@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Rounding of the volume of the cell alone leaves that much.
+/// The rounding error of the cell's volume alone.
 constexpr double kLeastError = 1e-14;
 /// Share of the accuracy asked for by which principal stresses may differ where B_reuss is to bound B_S: with
 /// sigma_a = P (1 + delta_a) it is off by the order of delta.

@@ -13,21 +13,23 @@ struct ModuliAccuracy {
   double B = std::numeric_limits<double>::infinity();
   double G = std::numeric_limits<double>::infinity();
 
-  /// Whether the errors that moduli come with are within. A modulus that is told to vanish has no relative error, and is.
+  /// Whether the errors that moduli come with are within. A modulus that is told to vanish has no relative
+  /// error, and is.
   bool kept_by(const Moduli& moduli) const;
   /// Every fault as "name = value: requirement": one of the two is asked for, and no less than rounding leaves.
   std::vector<std::string> validate() const;
 };
 
-/// Methods of which a state needs no other state, the cheapest first. Those of a path of 60 grains took 0.15, 5.0 and 5.9
-/// ms, and ModuliMethod::iterative 14 ms (`floc tradeoff`, data/tables/tradeoff); for large packings the factor is the
-/// cheaper of the two (0.010 against 0.012 s at N = 1400, 1.3 against 4.1 s at 90 000, dense, one core).
+/// Methods of which a state needs no other state, the cheapest first. Those of a path of 60 grains took 0.15,
+/// 5.0 and 5.9 ms, and ModuliMethod::iterative 14 ms (`floc tradeoff`, data/tables/tradeoff); for large
+/// packings the factor is the cheaper of the two (0.010 against 0.012 s at N = 1400, 1.3 against 4.1 s at
+/// 90 000, dense, one core).
 std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains);
 
-/// Moduli by the cheapest of these methods whose own errors are within what is asked: bounds where they are those of B (no prestress,
-/// nothing in tension across a gap, equal principal stresses) and nothing else is wanted, a single-precision factor where it
-/// tells of no mechanism, the full factor otherwise. The last is given even where it is not within, which
-/// `accuracy.kept_by()` then tells.
+/// Moduli by the cheapest of these methods whose own errors are within what is asked: bounds where they are
+/// those of B (no prestress, nothing in tension across a gap, equal principal stresses) and nothing else is
+/// wanted, a single-precision factor where it tells of no mechanism, the full factor otherwise. The last is
+/// given even where it is not within, which `accuracy.kept_by()` then tells.
 /// @param options  of the solution; method and tolerance are chosen
 /// @pre options.validate() and accuracy.validate() are empty
 template <int Dim>

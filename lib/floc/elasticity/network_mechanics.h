@@ -23,7 +23,7 @@ struct ContactMechanics {
 template <int Dim>
 ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, const Moduli& moduli);
 
-/// How determined a contact network is, in numbers (PHYSICS sections 3 and 5).
+/// How determined a contact network is, in numbers (docs/physics.md, "Stability and mechanisms").
 struct NetworkMechanics {
   double rattler_fraction = 0.0;  ///< x0
   /// Touching contacts a grain that is no rattler, times 2; contacts of rattlers left out.

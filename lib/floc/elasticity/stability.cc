@@ -31,8 +31,9 @@ int count_below(const Eigen::MatrixXd& symmetric, double bound) {
   return static_cast<int>((eigen.eigenvalues().array() < bound).count());
 }
 
-/// Haynsworth: the inertia of K is that of the block of the grains and that of what the strains feel once the grains have
-/// relaxed. The factor's rounding is that of a matrix close to K, so that no refinement would tell more.
+/// Haynsworth: the inertia of K is that of the block of the grains and that of what the strains feel once the
+/// grains have relaxed. The factor's rounding is that of a matrix close to K, so that no refinement would tell
+/// more.
 template <int Dim>
 int inertia(const ContactNetwork<Dim>& whole, const std::optional<Mat<Dim>>& stress) {
   const FreeMotions free = find_free_motions(whole);

@@ -319,7 +319,7 @@ void add_bootstrap(const LawEstimate& told, const Eigen::MatrixXd& samples, cons
   fit.bootstrap = resampled.parameters;
 }
 
-/// Solves the law on the window and tells what follows from it.
+/// Solves the law on the window and derives what follows from it.
 ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, const Window& window,
                             const ConsolidationOptions& options, ConsolidationFit fit) {
   const Law law = options.law;

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// The bracket of the consolidation law, G08 Eq. 9, written for x = ln(P*/P1*):
+/// The bracket of the consolidation law, Eq. 9 of [GRC2008], written for x = ln(P*/P1*):
 ///
 ///   g(x) = ln{ e^x [1 - exp(-u)]^(1/alpha) },  u = exp(-alpha x) = (P1*/P*)^alpha
 ///
@@ -29,7 +29,7 @@ T consolidation_bracket(const T& x, const T& alpha) {
 ///
 ///   1/Phi = 1/Phi_max - lambda g(ln(P*/P1*))
 ///
-/// which is G08 Eq. 9 with 1/Phi0 = 1/Phi_max + lambda ln(P1*/P0*) for any P0*.
+/// which is Eq. 9 of [GRC2008] with 1/Phi0 = 1/Phi_max + lambda ln(P1*/P0*) for any P0*.
 struct ConsolidationLawParameters {
   double lambda;   ///< plasticity index, > 0
   double alpha;    ///< > 0

@@ -5,11 +5,11 @@
 
 namespace floc {
 
-/// Which consolidation law is fitted (PHYSICS section 2; all in 1/Phi).
+/// Which consolidation law is fitted (docs/physics.md, "Consolidation laws"; all in 1/Phi).
 enum class ConsolidationLaw {
   log,    ///< regime II: 1/Phi = 1/Phi0 - lambda ln(P*/P0*)
   power,  ///< regime III: 1/Phi = 1/Phi_max + A (P*)^-alpha
-  full,   ///< both: G08 Eq. 9
+  full,   ///< both: Eq. 9 of [GRC2008]
 };
 
 /// Number of parameters of a law.

@@ -45,7 +45,7 @@ bool add_plateau(const std::vector<CompactionResidual>& data, Eigen::VectorXd& t
   return true;
 }
 
-/// Starts over the range of e_min and of the crossover; B24's values are among them.
+/// Starts over the range of e_min and of the crossover; those published in [SVI2024] are among them.
 std::vector<Eigen::VectorXd> starts_of(const std::vector<CompactionResidual>& data) {
   const auto less = [](const auto& r, const auto& s) { return r.e < s.e; };
   const auto [low, high] = std::minmax_element(data.begin(), data.end(), less);

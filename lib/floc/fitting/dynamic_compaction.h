@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// One compacted sample (B24): void ratio, pressure, and the cohesion and stiffness of its contacts as
+/// One compacted sample [SVI2024]: void ratio, pressure, and the cohesion and stiffness of its contacts as
 /// stresses.
 struct CompactedSample {
   double e;   ///< void ratio, > 0
@@ -20,13 +20,13 @@ struct CompactedSample {
 
 /// Reference values of the law: they are chosen, not fitted, because the law has the same form for any of them.
 struct CompactionReference {
-  double p_D = 0.01;     ///< pressure at which the plateau is e_min + De, unit of p; B24 takes 0.01 MPa
-  double eta_m = 0.045;  ///< eta* at which (1 - e_r)/e_r = s_m; B24
+  double p_D = 0.01;     ///< pressure at which the plateau is e_min + De, unit of p; 0.01 MPa in [SVI2024]
+  double eta_m = 0.045;  ///< eta* at which (1 - e_r)/e_r = s_m; that of [SVI2024]
   double p_0 =
       0.0;  ///< smallest p_crit = sc^2/se fitted: the plateau has a pole below p_D; p_D if not positive
 };
 
-/// The law of dynamic compaction (PHYSICS section 2; B24 Eqs 13-17, 29-31) on any scalar:
+/// The law of dynamic compaction ([SVI2024], Eqs 13-17, 29-31) on any scalar:
 ///
 ///   e = e_min + e_r De / (1 + C De ln(p_crit/p_D)),   p_crit = sc^2/se
 ///   e_r = S/(1 + S),   S = A x^a + (1/s_m - A) x^b,   x = eta*/eta_m,   eta* = sc/sqrt(p se)

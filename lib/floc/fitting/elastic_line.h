@@ -20,7 +20,7 @@ struct ElasticFit {
   bool found() const { return refusal.empty(); }
 };
 
-/// Bulk modulus from dPhi/Phi = dP/B (PHYSICS section 2): the straight line ln Phi = ln Phi_0 + P/B by least
+/// Bulk modulus from dPhi/Phi = dP/B: the straight line ln Phi = ln Phi_0 + P/B by least
 /// squares. Says so if the branch is curved. Refused with fewer than three points, or if Phi does not fall as P
 /// does.
 /// @param P    pressures, >= 0, growing or falling   @param phi  solid fractions, > 0; as many

@@ -10,7 +10,7 @@
 
 namespace floc {
 
-// Distributions of contact forces f (PHYSICS section 6, R09 Eqs 2-5), each with one free parameter. Those of
+// Distributions of contact forces f ([RTV2010], Eqs 2-5), each with one free parameter. Those of
 // compressive networks are of f over its mean, and norm and mean are 1 by construction.
 
 /// A distribution of f >= 0 with one free parameter.

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Where a reloaded packing begins to yield again, or why that cannot be told.
+/// Where a reloaded packing begins to yield again, or why that cannot be determined.
 struct PreconsolidationFit {
   std::string refusal;  ///< empty when there is a fit
   /// P_c, kappa (slope -d(1/Phi)/dlnP on reloading), lambda (beyond P_c).

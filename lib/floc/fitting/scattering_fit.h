@@ -15,7 +15,8 @@ struct ScatteredPoint {
   std::int64_t n_vectors;  ///< independent wave vectors it is the mean of, >= 1
 };
 
-/// A fit of the scattering law of fractal aggregates of finite size (PHYSICS section 6), or why there is none:
+/// A fit of the scattering law of fractal aggregates of finite size (docs/physics.md, "Structure"), or why
+/// there is none:
 ///
 ///   I(k) = I0 / [1 + (k xi/(2 pi))^2]^(dF/2)
 struct ScatteringFit {
@@ -34,9 +35,10 @@ struct ScatteringFit {
 /// The law, on values of a fit.
 double scattered_intensity(double I0, double xi, double dF, double k);
 
-/// Least squares in ln I over low <= k <= high. Each wave vector scatters with the exponential distribution of speckles,
-/// so a mean over n of them has relative variance 1/n, and its logarithm a bias that is taken out; errors are those of
-/// this scatter, or of the residuals where these are larger. Refused with fewer than six bins.
+/// Least squares in ln I over low <= k <= high. Each wave vector scatters with the exponential distribution of
+/// speckles, so a mean over n of them has relative variance 1/n, and its logarithm a bias that is taken out;
+/// errors are those of this scatter, or of the residuals where these are larger. Refused with fewer than six
+/// bins.
 [[nodiscard]] ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double low, double high);
 
 }  // namespace floc

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// The same lattice by shorter vectors: row a of `cell.matrix` is the sum over b of combination(a, b) times lattice vector b
-/// of the cell it was made from.
+/// The same lattice by shorter vectors: row a of `cell.matrix` is the sum over b of combination(a, b) times
+/// lattice vector b of the cell it was made from.
 template <int Dim>
 struct ReducedLattice {
   Cell<Dim> cell;
@@ -22,9 +22,9 @@ struct ReducedLattice {
   }
 };
 
-/// Reduction of Lagrange and Gauss, pair by pair in 3D: each vector is shortened by whole multiples of the others until none
-/// gets shorter. A search of neighbours that goes by the widths of the cell then stays short however slanted it is given.
-/// Lattices of short vectors are left as they are.
+/// Reduction of Lagrange and Gauss, pair by pair in 3D: each vector is shortened by whole multiples of the
+/// others until none gets shorter. A search of neighbours that goes by the widths of the cell then stays short
+/// however slanted it is given. Lattices of short vectors are left as they are.
 template <int Dim>
 ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
   ReducedLattice<Dim> lattice{cell};

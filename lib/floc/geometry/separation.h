@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// A place whose coordinates are kept in two parts: an absolute double alone resolves half a unit in its last place, which a
-/// stiff contact feels (at 40 a from the origin 4e-15 a: 4e-6 F0 at kappa = 1e9).
+/// A place whose coordinates are kept in two parts: an absolute double alone resolves half a unit in its last
+/// place, which a stiff contact feels (at 40 a from the origin 4e-15 a: 4e-6 F0 at kappa = 1e9).
 template <int Dim>
 struct TwoPartVec {
   TwoPart component[Dim];
@@ -45,8 +45,8 @@ TwoPartVec<Dim> difference(const TwoPartVec<Dim>& to, const TwoPartVec<Dim>& fro
   return r;
 }
 
-/// Gap between two round surfaces, |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj): the second form, with squares in
-/// two parts, is right to a few units in the last place of the gap itself, not of the distance.
+/// Gap between two round surfaces, |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj): the second form, with
+/// squares in two parts, is right to a few units in the last place of the gap itself, not of the distance.
 template <int Dim>
 double surface_gap(const TwoPartVec<Dim>& r, double radius_i, double radius_j) {
   const TwoPart radii = exact_sum(radius_i, radius_j);

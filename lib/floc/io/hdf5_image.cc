@@ -43,7 +43,7 @@ class Handle {
 /// none can.
 constexpr const char* kNoFile = "/dev/null/memory";
 
-/// What this library has to say about failures is said in its exceptions.
+/// HDF5 prints nothing of its own: failures are reported by exceptions.
 void silence_library() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

@@ -10,9 +10,9 @@ namespace floc {
 bool is_lammps_data(const std::string& path);
 
 /// Reads a data file of LAMMPS with atom_style sphere: rows "id type diameter density x y z [ix iy iz]". The box is
-/// taken as periodic; the mass is that of a sphere of the density, also in 2D, as LAMMPS has it. A packing of dimension_of()
-/// two takes x, y and their part of the box. `options.law` is required; `options.contacts` may name a csv
-/// file, as in read_csv_packing().
+/// taken as periodic; the mass is that of a sphere of the density, also in 2D, as LAMMPS has it. A packing of
+/// dimension_of() two takes x, y and their part of the box. `options.law` is required; `options.contacts` may
+/// name a csv file, as in read_csv_packing().
 /// @throws InputError naming file and line.
 Imported read_lammps_data(const std::string& path, const ImportOptions& options);
 

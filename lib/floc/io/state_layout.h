@@ -33,8 +33,8 @@ struct Field {
 };
 
 /// The arrays of a state file, said once for writing and reading. `Archive` has rows(field, items, get) for one
-/// member of each item, column(field, values) for an array of its own, column_if_there(field, values, size) for one that
-/// a file holds only where it is not empty, matrix(field, m) and vector(field, v).
+/// member of each item, column(field, values) for an array of its own, column_if_there(field, values, size) for
+/// one that a file holds only where it is not empty, matrix(field, m) and vector(field, v).
 template <class Archive, class Cell>
 void describe_cell(Archive& archive, Cell& cell) {
   archive.matrix({"cell/matrix", Quantity::length, "rows are the lattice vectors"}, cell.matrix);

@@ -178,8 +178,8 @@ void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condens
   out.stiffness = sum.cast<double>();
 }
 
-/// Relaxes the free unknowns for each boundary unknown in turn. `u` is what they end at, `excess` the root of what is left
-/// of the energy of each.
+/// Relaxes the free unknowns for each boundary unknown in turn. `u` is what they end at, `excess` the root of
+/// what is left of the energy of each.
 template <class Real>
 void relax_each(const SpringSystem& springs, const ApproximateInverse& inverse,
                 const CondensationOptions& options, std::vector<Extended>& u, Eigen::VectorXd& excess,

@@ -100,8 +100,8 @@ Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& ve
   return {eigen.eigenvalues(), q * eigen.eigenvectors(), true};
 }
 
-/// Up to `count` vectors that A takes to zero, to rounding. Each is a copy of one eigenvalue, of which Lanczos' iteration
-/// finds one a search; the shifted inverse blows them all up by the inverse of the shift at once.
+/// Up to `count` vectors that A takes to zero, to rounding. Each is a copy of one eigenvalue, of which Lanczos'
+/// iteration finds one a search; the shifted inverse blows them all up by the inverse of the shift at once.
 Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& project, Eigen::Index n,
                              int count) {
   constexpr int kPasses = 2;

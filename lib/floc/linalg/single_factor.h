@@ -9,8 +9,8 @@ namespace floc {
 /// and of 7 digits only, which refinement in double makes up for. CHOLMOD 3 has no single precision, so this one is
 /// Eigen's, without supernodes: slower than SymmetricFactor where the factor is large.
 ///
-/// What rounding to single precision may take from the spectrum of A is given back as a shift, the smallest of some that
-/// makes A + shift * 1 factorize: motions softer than it are found by the refinement.
+/// What rounding to single precision may take from the spectrum of A is given back as a shift, the smallest of
+/// some that makes A + shift * 1 factorize: motions softer than it are found by the refinement.
 class SingleFactor {
  public:
   /// @param lower  lower triangle of A, with a diagonal of order one

@@ -15,8 +15,8 @@ namespace floc {
 
 struct UnsymmetricFactor::Factors {
   Eigen::SparseMatrix<double> matrix;  // times `unit`; refinement needs it
-  /// Power of two that brings the largest entry to 1: UMFPACK rounds otherwise where rows are below 1e-12, and a solution
-  /// would depend on the units.
+  /// Power of two that brings the largest entry to 1: UMFPACK rounds otherwise where rows are below 1e-12, and
+  /// a solution would depend on the units.
   double unit = 1.0;
   void* symbolic = nullptr;
   void* numeric = nullptr;
@@ -27,8 +27,8 @@ struct UnsymmetricFactor::Factors {
     prepare_blas();
     umfpack_di_defaults(control.data());
     control[UMFPACK_PRL] = 0;
-    // Patterns are symmetric and diagonals strong, even where values are not; UMFPACK, which sees no values, would order for
-    // the unsymmetric case and take three to five times as long (measured at 1400 grains).
+    // Patterns are symmetric and diagonals strong, even where values are not; UMFPACK, which sees no values,
+    // would order for the unsymmetric case and take three to five times as long (measured at 1400 grains).
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   }
   ~Factors() {

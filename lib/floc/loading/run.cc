@@ -56,8 +56,9 @@ RunPoint point_after(const PathPosition& path, std::uint64_t stream_state, const
   return point;
 }
 
-/// V0 = agitation * V*, V* = sqrt(F0 D0/m), m the mass of the largest grain (PHYSICS section 1); where no adhesion reaches
-/// across a gap, V* = sqrt(P a^2/m), at which a grain has the energy of the load on it.
+/// V0 = agitation * V*, V* = sqrt(F0 D0/m), m the mass of the largest grain (docs/physics.md, "Assembly and
+/// loading"); where no adhesion reaches across a gap, V* = sqrt(P a^2/m), at which a grain has the energy of
+/// the load on it.
 template <int Dim>
 double Run<Dim>::agitation_speed() const {
   const Grains<Dim>& g = packing().grains;

@@ -53,7 +53,7 @@ class Run {
   const std::vector<PlannedEquilibrium>& plan() const { return plan_; }
   bool finished() const { return point_.step == static_cast<int>(plan_.size()); }
 
-  /// Shows the packing to somebody as it moves, with the time since the beginning of the run.
+  /// Passes the packing to an observer as it moves, with the time since the beginning of the run.
   /// @pre the run stays where it is in memory from now on
   void observe(MotionObserver<Dim> observer);
 

@@ -16,8 +16,8 @@ struct PlannedEquilibrium {
   LawParameters law;   ///< with the changes made so far
 };
 
-/// All equilibria of a run, in order: those of the assembly (aggregation: P = 0, then the first pressure), then every step
-/// of every turn.
+/// All equilibria of a run, in order: those of the assembly (aggregation: P = 0, then the first pressure), then
+/// every step of every turn.
 /// @throws InputError if a turn changes something the law does not have
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
                                          const std::vector<LoadTurn>& load);

@@ -179,8 +179,9 @@ struct SizeLevel {
 };
 
 /// The grains by size, the largest first: one level where the widest bin that a grain needs, 2 R + gap, is at most
-/// kSimilarSizes times the narrowest, otherwise a level for each factor of two. A grain then meets no more others of a level
-/// than fit around one of that level (Ogarko and Luding, Comput. Phys. Commun. 183, 931, 2012).
+/// kSimilarSizes times the narrowest, otherwise a level for each factor of two. A grain then meets no more
+/// others of a level than fit around one of that level (Ogarko and Luding, Comput. Phys. Commun. 183, 931,
+/// 2012).
 template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {

@@ -16,13 +16,13 @@ struct NeighborPair {
   bool operator==(const NeighborPair&) const = default;
 };
 
-/// Every pair of surfaces closer than `gap`, each once, sorted by (i, j, image). Any lattice; a small cell gives several
-/// images of one pair, and a grain's own images (one of each two opposite ones).
+/// Every pair of surfaces closer than `gap`, each once, sorted by (i, j, image). Any lattice; a small cell
+/// gives several images of one pair, and a grain's own images (one of each two opposite ones).
 ///
 /// @param gap  largest distance of the surfaces (length), >= 0; pairs at exactly `gap` are left out
-/// @throws InputError if a radius, position or the cell is not finite or the cell has no volume; if a grain lies more than
-/// 1e9 cells away, or the search would take for ever: a grain of many cells' width, or very many beside a very large one; if
-/// there are more than 1000 pairs a grain.
+/// @throws InputError if a radius, position or the cell is not finite or the cell has no volume; if a grain
+/// lies more than 1e9 cells away, or the search would take for ever: a grain of many cells' width, or very many
+/// beside a very large one; if there are more than 1000 pairs a grain.
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap);
 

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Pairs of grains in contact, each once: of every grain the neighbours with a higher number, ascending. They are the blocks of
-/// K below its diagonal.
+/// Pairs of grains in contact, each once: of every grain the neighbours with a higher number, ascending. They
+/// are the blocks of K below its diagonal.
 struct ContactGraph {
   std::vector<int> start;  ///< of each grain in `neighbour`, and the end
   std::vector<int> neighbour;
@@ -41,14 +41,15 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   return graph;
 }
 
-/// Adds G^T D G of one contact, the one sum that every stiffness is assembled by. Rows of G are relative motions, its columns
-/// the unknowns of i, of j and of the boundary.
+/// Adds G^T D G of one contact, the one sum that every stiffness is assembled by. Rows of G are relative
+/// motions, its columns the unknowns of i, of j and of the boundary.
 ///
 /// @param on_i, on_j  rows x kDofs; if i = j, `on_i` has both and `on_j` is zero
 /// @param boundary    rows x the unknowns of whatever bounds the network: strains of a cell, walls
 /// @param d           rows x rows, an Eigen expression: diagonal for a sum that keeps one triangle
-/// @param sum         takes the blocks: add(grain, grain, block), low before high where `kSymmetric`; border(grain) and,
-///                    where not symmetric, border_row(grain) are blocks to add to, and so is boundary()
+/// @param sum         takes the blocks: add(grain, grain, block), low before high where `kSymmetric`;
+///                    border(grain) and, where not symmetric, border_row(grain) are blocks to add to, and so is
+///                    boundary()
 template <class Rows, class Boundary, class Stiffness, class Sum>
 void add_contact(int i, int j, const Rows& on_i, const Rows& on_j, const Boundary& boundary, const Stiffness& d,
                  Sum& sum) {

@@ -13,7 +13,7 @@ constexpr std::int64_t kMostCells = std::int64_t{1} << 40;
 
 using Wide = __int128;  // products of three numbers up to kMostCells
 
-/// Independent integer vectors up to kMostCells, at most Dim of them, told by exact arithmetic.
+/// Independent integer vectors up to kMostCells, at most Dim of them, found by exact arithmetic.
 template <int Dim>
 class Lattice {
  public:

@@ -52,7 +52,7 @@ Mat<2> contact_frame(const Vec<2>& normal);
 Mat<3> contact_frame(const Vec<3>& normal);
 
 /// The network of all contacts of a packing, in their order. Lever arms are l = R r/(R_i + R_j) along the
-/// normal (PHYSICS section 1), so they add up to the branch.
+/// normal (docs/physics.md, "Kinematics of a contact"), so they add up to the branch.
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 

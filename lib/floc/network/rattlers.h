@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Grains that carry nothing, one entry a grain (PHYSICS section 3).
+/// Grains that carry nothing, one entry a grain (docs/physics.md, "Coordination and rattlers").
 ///
 /// With adhesion: a grain without any interaction; one held by a contact of zero force is no rattler.
 /// Without: a grain none of whose contacts carries more than `smallest_force`, or that touches one grain only,

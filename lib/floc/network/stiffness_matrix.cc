@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// K with the lower triangle of its grains in compressed columns. The columns of a grain hold its diagonal block from the
-/// diagonal down, then a block for each neighbour.
+/// K with the lower triangle of its grains in compressed columns. The columns of a grain hold its diagonal
+/// block from the diagonal down, then a block for each neighbour.
 template <int Dim>
 class SymmetricSum {
  public:
@@ -25,7 +25,8 @@ class SymmetricSum {
     lay_out(network.n_grains);
   }
 
-  /// @param block  rows of grain `low`, columns of grain `high`, low <= high; below the diagonal its transpose is stored
+  /// @param block  rows of grain `low`, columns of grain `high`, low <= high; below the diagonal its transpose
+  ///               is stored
   void add(int low, int high, const Block& block) {
     if (low == high) return add_diagonal(low, block);
     const auto first = graph_.neighbour.begin() + graph_.start[low];

@@ -19,17 +19,20 @@ struct BoundaryColumns {
   static constexpr int kMost = 2 * kSymmetric<Dim>;
   /// Displacement of j against i for a unit of each unknown: Dim rows, a column an unknown.
   Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMost> displacement;
-  /// Derivative of displacement^T (force on i) by the displacement of j against i while the force stays as it is: a row an
-  /// unknown, Dim columns. Zero for a wall; the force itself where a strain displaces along it by a component of the branch.
+  /// Derivative of displacement^T (force on i) by the displacement of j against i while the force stays as it
+  /// is: a row an unknown, Dim columns. Zero for a wall; the force itself where a strain displaces along it by
+  /// a component of the branch.
   Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMost, Dim> follow;
 };
 
-/// Derivative of the forces on grains and boundary by their unknowns, sum of G^T D G over contacts and of all geometric terms,
-/// those of tangential forces and rolling moments among them: the tangent of a Newton iteration. Not symmetric.
+/// Derivative of the forces on grains and boundary by their unknowns, sum of G^T D G over contacts and of all
+/// geometric terms, those of tangential forces and rolling moments among them: the tangent of a Newton
+/// iteration. Not symmetric.
 ///
-/// Unknowns: translations and rotations (times the grain's size) of each grain, then those of the boundary. Loads alike:
-/// force, moment over the grain's size. The sign is that of a stiffness: minus the derivative of the force on what moves.
-/// The pattern is that of the pairs it was made for; values are added up contact by contact.
+/// Unknowns: translations and rotations (times the grain's size) of each grain, then those of the boundary.
+/// Loads alike: force, moment over the grain's size. The sign is that of a stiffness: minus the derivative of
+/// the force on what moves. The pattern is that of the pairs it was made for; values are added up contact by
+/// contact.
 template <int Dim>
 class TangentMatrix {
  public:
@@ -39,8 +42,8 @@ class TangentMatrix {
   /// Zero everywhere but `hold` on the diagonal.
   void reset(double hold);
 
-  /// Adds a contact of two round grains: its arms lie along the branch, in constant shares of it, and what it remembers turns
-  /// with the branch and, about it, with the mean rotation of the two.
+  /// Adds a contact of two round grains: its arms lie along the branch, in constant shares of it, and what it
+  /// remembers turns with the branch and, about it, with the mean rotation of the two.
   void add(const NetworkContact<Dim>& contact, const ConsistentStiffness<Dim>& d,
            const BoundaryColumns<Dim>& boundary);
 

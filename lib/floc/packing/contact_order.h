@@ -26,8 +26,8 @@ Pair swapped(Pair pair) {
   return pair;
 }
 
-/// Of the two ways to see a pair the one that lists hold: i < j, or, for a grain and its own image, the first component of
-/// the image that is not zero positive.
+/// Of the two ways to see a pair the one that lists hold: i < j, or, for a grain and its own image, the first
+/// component of the image that is not zero positive.
 template <class Pair>
 bool listed_way_round(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;

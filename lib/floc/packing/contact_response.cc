@@ -11,8 +11,8 @@ namespace {
 
 /// Derivatives are taken with springs longer by twice that: those at their cap are then beyond it.
 constexpr double kBeyondCap = 1.0 + 2e-12;
-/// And with surfaces that have moved by this, which is lost in any other motion: a spring of length zero under a cap of zero
-/// (surfaces that have parted) is beyond its cap then. The square of it is no underflow.
+/// And with surfaces that have moved by this, which is lost in any other motion: a spring of length zero under
+/// a cap of zero (surfaces that have parted) is beyond its cap then. The square of it is no underflow.
 constexpr double kHardlyMoved = 1e-150;
 
 /// Factor of each number that contacts remember: springs are made longer, anything else is left as it is.

@@ -14,8 +14,8 @@ struct SurfaceMotion {
   Spin<Dim> relative_turn = Spin<Dim>::Zero();  ///< rotation of i against j (radians)
 };
 
-/// Carries what a contact remembers, and its motion since, from its normal to another, which it then has. Without a normal
-/// (zero) it takes the new one with its memory as it is.
+/// Carries what a contact remembers, and its motion since, from its normal to another, which it then has.
+/// Without a normal (zero) it takes the new one with its memory as it is.
 ///
 /// @param remembered  what the law remembers (remembered_quantities)
 /// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
@@ -32,15 +32,15 @@ template <int Dim>
 void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> motion,
              std::span<Contact<Dim>> contacts);
 
-/// Derivatives of what one contact does, rows and columns in the order of `ContactRows`: normal force, tangential force on
-/// i along each tangent, rolling moment on i, by overlap, tangential displacement of j against i along each tangent,
-/// rotation of j against i.
+/// Derivatives of what one contact does, rows and columns in the order of `ContactRows`: normal force,
+/// tangential force on i along each tangent, rolling moment on i, by overlap, tangential displacement of j
+/// against i along each tangent, rotation of j against i.
 template <int Dim>
 using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
-/// The consistent tangents of `respond`: derivatives of the law's own response, return to its caps included, in the frame
-/// that turns with the contact. Not symmetric where a force follows another, such as one that slides. A contact that
-/// stands at its cap to rounding is taken to slide on.
+/// The consistent tangents of `respond`: derivatives of the law's own response, return to its caps included, in
+/// the frame that turns with the contact. Not symmetric where a force follows another, such as one that slides.
+/// A contact that stands at its cap to rounding is taken to slide on.
 ///
 /// @param start    contacts before the motion: `gap` and `normal` of the present, memory of the start
 /// @param frame    of each: columns the normal, then the tangents

@@ -7,8 +7,9 @@
 namespace floc {
 
 /// How strict an equilibrium is asked to be. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1)) and
-/// the matching power of the length a, the largest diameter (PHYSICS section 1; defaults of G08). Where diameters differ by
-/// more than a factor of four, forces, moments and energies are those of each grain by its own scale: see GrainScales.
+/// the matching power of the length a, the largest diameter (docs/physics.md, "Equilibrium"; defaults of
+/// [GRC2008]). Where diameters differ by more than a factor of four, forces, moments and energies are those of
+/// each grain by its own scale: see GrainScales.
 struct EquilibriumTolerance {
   double force = 1e-5;   ///< net force on any grain / F1 of the grain
   double moment = 1e-5;  ///< net moment on any grain / (F1 a) of the grain
@@ -18,7 +19,7 @@ struct EquilibriumTolerance {
   bool operator==(const EquilibriumTolerance&) const = default;
 };
 
-/// The four measures of PHYSICS section 1 on static forces, in units of the scales above, and where they are worst.
+/// The four measures of equilibrium on static forces, in units of the scales above, and where they are worst.
 struct Residuals {
   double force = 0.0;
   double moment = 0.0;
@@ -42,9 +43,10 @@ struct ForceScale {
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Units in which each grain is measured. Grains of similar sizes (kSimilarSizes) share those of the packing. Beyond that a
-/// net force that a large grain would not notice may be all that a small one carries: grain i of diameter d_i is then held
-/// to F1_i = max(F0, P d_i^(Dim-1)) and a moment and energy of F1_i d_i. Refers to the packing it was made from.
+/// Units in which each grain is measured. Grains of similar sizes (kSimilarSizes) share those of the packing.
+/// Beyond that a net force that a large grain would not notice may be all that a small one carries: grain i of
+/// diameter d_i is then held to F1_i = max(F0, P d_i^(Dim-1)) and a moment and energy of F1_i d_i. Refers to
+/// the packing it was made from.
 template <int Dim>
 class GrainScales {
  public:
@@ -66,8 +68,8 @@ class GrainScales {
 template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure);
 
-/// Kinetic energy of each grain in units of its own work scale, mean over the grains, times F1 a of the packing (energy): the
-/// plain mean where they share one.
+/// Kinetic energy of each grain in units of its own work scale, mean over the grains, times F1 a of the packing
+/// (energy): the plain mean where they share one.
 /// @param counted  of each grain, whether its energy counts; empty: all
 template <int Dim>
 double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>& scales,

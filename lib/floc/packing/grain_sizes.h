@@ -17,8 +17,8 @@ double largest_diameter(const Grains<Dim>& grains) {
   return largest_diameter(grains.radius);
 }
 
-/// The largest ratio of diameters at which one length, the largest diameter, serves for all grains: to search neighbours by
-/// and to hold forces against. Beyond it either goes by the size of the grain.
+/// The largest ratio of diameters at which one length, the largest diameter, serves for all grains: to search
+/// neighbours by and to hold forces against. Beyond it either goes by the size of the grain.
 inline constexpr double kSimilarSizes = 4.0;
 
 inline bool similar_sizes(const std::vector<double>& radius) {
@@ -27,8 +27,8 @@ inline bool similar_sizes(const std::vector<double>& radius) {
   return *most <= kSimilarSizes * *least;
 }
 
-/// Diameter that the thickness of neighbour lists goes by: the largest, or the smallest where they differ much, since a skin
-/// that is thin for the largest holds whole layers of the smallest.
+/// Diameter that the thickness of neighbour lists goes by: the largest, or the smallest where they differ much,
+/// since a skin that is thin for the largest holds whole layers of the smallest.
 inline double size_of_skins(const std::vector<double>& radius) {
   return similar_sizes(radius) ? largest_diameter(radius)
                                : 2.0 * *std::min_element(radius.begin(), radius.end());

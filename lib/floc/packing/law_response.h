@@ -26,8 +26,8 @@ void set_mobilised(const Law& law, const PackedMemory<Law::template kMemorySize<
   c.rolling_yield = m.rolling;
 }
 
-/// Static forces, stiffnesses, flags and memory of a contact whose surfaces have moved since its memory was updated; its
-/// gap and normal are those after the motion.
+/// Static forces, stiffnesses, flags and memory of a contact whose surfaces have moved since its memory was
+/// updated; its gap and normal are those after the motion.
 template <class Law, int Dim>
 void respond_to_motion(const Law& law, const Grains<Dim>& grains, const Shear<Dim>& slip,
                        const Spin<Dim>& relative_turn, Contact<Dim>& c) {

@@ -15,7 +15,8 @@ constexpr Color hex_color(int rgb) {
 }
 
 /// Colours of what a picture of a packing shows. Readers with any of the three kinds of colour blindness tell those of
-/// lines apart (a test holds them to it): blue and vermilion are of the set of Okabe and Ito, green is lighter than theirs.
+/// lines apart (a test holds them to it): blue and vermilion are of the set of Okabe and Ito, green is lighter
+/// than theirs.
 namespace palette {
 
 inline constexpr Color kCompression = hex_color(0x0072B2);

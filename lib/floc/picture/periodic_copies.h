@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Which periodic copies of a thing reach into the cell 0 <= s < 1 (s: reduced coordinates). Any lattice vectors, things
-/// larger than the cell too.
+/// Which periodic copies of a thing reach into the cell 0 <= s < 1 (s: reduced coordinates). Any lattice
+/// vectors, things larger than the cell too.
 class PeriodicCopies {
  public:
   explicit PeriodicCopies(const Cell<2>& cell)

@@ -30,8 +30,9 @@ struct SheetOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Draws one picture, or several as a film strip with one length scale for all: grains and lines cut at the borders of the
-/// cell, with captions, a legend of what is there, a scale bar in largest diameters and the width of a force.
+/// Draws one picture, or several as a film strip with one length scale for all: grains and lines cut at the
+/// borders of the cell, with captions, a legend of what is there, a scale bar in largest diameters and the
+/// width of a force.
 /// @return the bytes of the file
 /// @pre options.validate() is empty; there is a picture, and each has a grain.
 std::string draw_sheet(const std::vector<PackingPicture>& pictures, const SheetOptions& options);

@@ -13,13 +13,15 @@ enum class Imposed {
   rate,    ///< it moves at a given strain rate; at rate zero it is fixed
 };
 
-/// How the boundary of a packing moves (PHYSICS section 1, "Cell"): each component of stress and strain is under a stress or
-/// moves at a rate. The lattice is kept lower triangular (its first vector along the first axis), so that it shears but does
-/// not turn. Components in the order of StrainSet::full: 11, 22 (, 33), then 12 (2D), or 23, 13, 12 (3D).
+/// How the boundary of a packing moves (docs/physics.md, "Boundary control"): each component of stress and
+/// strain is under a stress or moves at a rate. The lattice is kept lower triangular (its first vector along
+/// the first axis), so that it shears but does not turn. Components in the order of StrainSet::full: 11,
+/// 22 (, 33), then 12 (2D), or 23, 13, 12 (3D).
 template <int Dim>
 struct BoundaryControl {
   std::array<Imposed, kSymmetric<Dim>> imposed;
-  /// Stress, compression positive (force/length^(Dim-1)), or strain rate, shortening positive, gamma for shear (1/time).
+  /// Stress, compression positive (force/length^(Dim-1)), or strain rate, shortening positive, gamma for shear
+  /// (1/time).
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
   double mass = 0.0;  ///< inertia M of a component of the lattice (mass)
   double rate_cap = std::numeric_limits<double>::infinity();  ///< largest strain rate under stress (1/time)

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Time steps of one stretch, between which a run may be stopped. Packing and lists are rebuilt there, which costs about 20
-/// steps.
+/// Time steps of one stretch, between which a run may be stopped. Packing and lists are rebuilt there, which
+/// costs about 20 steps.
 inline constexpr int kStretch = 500;
 
 /// Numerical settings of a stretch of dynamics.
@@ -57,8 +57,8 @@ template <int Dim>
 std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                              const DynamicsSettings& settings);
 
-/// Time step of RelaxationOptions::time_step in the scene's units: in sqrt(m_min/K_N), shortened where K_T is above K_N or
-/// rolling of the smallest grains faster than their vibration.
+/// Time step of RelaxationOptions::time_step in the scene's units: in sqrt(m_min/K_N), shortened where K_T is
+/// above K_N or rolling of the smallest grains faster than their vibration.
 template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times);
 

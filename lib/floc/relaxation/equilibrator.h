@@ -24,8 +24,8 @@ struct RelaxationReport {
   std::int64_t n_steps = 0;  ///< time steps of this relaxation so far
 };
 
-/// Takes a packing to equilibrium under a load, part by part. Between two parts the packing and the progress are the whole
-/// truth: an equilibrator made from them goes on as if it had never been stopped.
+/// Takes a packing to equilibrium under a load, part by part. Between two parts the packing and the progress
+/// are the whole truth: an equilibrator made from them goes on as if it had never been stopped.
 template <int Dim>
 class Equilibrator {
  public:

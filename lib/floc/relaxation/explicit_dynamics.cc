@@ -218,8 +218,8 @@ void ExplicitDynamics<Dim>::impose_rates() {
   if (any) lattice_rate_ = upper_product<Dim>(gradient, lattice_);
 }
 
-/// Half kick of the lattice, and how this step's drift deforms it. In reduced coordinates s' = h^-1 v with h at mid-step,
-/// which keeps the scheme symmetric in time.
+/// Half kick of the lattice, and how this step's drift deforms it. In reduced coordinates s' = h^-1 v with h at
+/// mid-step, which keeps the scheme symmetric in time.
 template <int Dim>
 void ExplicitDynamics<Dim>::begin_step() {
   kick_boundary();
@@ -253,8 +253,8 @@ void ExplicitDynamics<Dim>::kick_and_drift(int block) {
   interactions_[0].kernels().kick_and_drift(grain_arrays_, block * kGrainBlock, kick_, drift_, sums_[block]);
 }
 
-/// The share of the time that the list has cost so far, against that of the pairs which it carries for nothing: the skin
-/// is right where they are of one size.
+/// The share of the time that the list has cost so far, against that of the pairs which it carries for nothing:
+/// the skin is right where they are of one size.
 template <int Dim>
 double ExplicitDynamics<Dim>::list_cost_share() const {
   return kListCost / steps_since_list_;
@@ -320,8 +320,8 @@ void ExplicitDynamics<Dim>::adapt_skin() {
   if (cost < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, thinnest_skin_);
 }
 
-/// The next stretch begins with a new list in any case: where one list has served for all of this one, twice what motion took
-/// of its skin is enough.
+/// The next stretch begins with a new list in any case: where one list has served for all of this one, twice
+/// what motion took of its skin is enough.
 template <int Dim>
 double ExplicitDynamics<Dim>::skin() const {
   if (!on_first_list_ || steps_since_list_ == 0) return skin_;

@@ -15,8 +15,8 @@ enum class Finish {
 };
 
 /// Without load a packing with soft modes coasts at an energy that nothing dissipates while hardly a contact closes or
-/// opens (seen: 70 times the tolerance over 400 time units, 6 of 2200 contacts gained): so many tolerances of the energy
-/// still count as rest then.
+/// opens (seen: 70 times the tolerance over 400 time units, 6 of 2200 contacts gained): so many tolerances of
+/// the energy still count as rest then.
 inline constexpr double kCoastingEnergy = 100.0;
 
 /// Numerical settings of a relaxation. Stresses, rates and masses are in the scene's units unless said.
@@ -25,8 +25,8 @@ struct RelaxationOptions {
   Finish finish = Finish::automatic;
   /// In sqrt(m_min/K_N). A triangular crystal of equal disks with K_T = K_N is unstable from 2/sqrt(24) = 0.408 on,
   /// whatever its restitution (its rolling modes; others are stable to longer steps). At the default a restitution of
-  /// 0.015 comes out, in the mean over impacts, as 0.015 for two of the largest of grains of sizes 1:2, as 0.018 for one
-  /// of each and as 0.025 for two of the smallest.
+  /// 0.015 comes out, in the mean over impacts, as 0.015 for two of the largest of grains of sizes 1:2, as
+  /// 0.018 for one of each and as 0.025 for two of the smallest.
   double time_step = 0.36;
   /// Mass M of the cell's sides over the total mass of the grains. It matters for densities at assembly.
   double cell_mass = 1.0;
@@ -40,8 +40,8 @@ struct RelaxationOptions {
   /// load took 1600.
   double max_time = 1e4;
   int threads = 1;
-  /// How long a packing has to stay as it is before its motion counts as stopped, in units of what the relaxer asks for:
-  /// a smaller number saves time, and may end a collapse that only pauses.
+  /// How long a packing has to stay as it is before its motion counts as stopped, in units of what the relaxer
+  /// asks for: a smaller number saves time, and may end a collapse that only pauses.
   double patience = 1.0;
 };
 

@@ -18,14 +18,15 @@ namespace floc {
 namespace {
 
 /// Motion has stopped when the solid fraction moved less than this in a window of this many time units and the
-/// kinetic energy is within its tolerance (FINDINGS: damping before that changes which rearrangement happens).
+/// kinetic energy is within its tolerance (damping before that changes which rearrangement happens).
 constexpr double kStillPhi = 2e-5;
 constexpr double kStillWindow = 5.0;
 constexpr double kStillContactsWindow = 20.0;
-/// Springs that never yield vibrate for ever. Grains that have covered so many largest diameters at their r.m.s. speed, and
-/// so many windows of still contacts, without one contact opening or closing go to and fro, and their energy does not
-/// matter. What coasts meets another grain before: the furthest that five shipped scenes of 200 and 400 grains came above
-/// the tolerance of the energy is half a diameter, the longest time under load two windows.
+/// Springs that never yield vibrate for ever. Grains that have covered so many largest diameters at their
+/// r.m.s. speed, and so many windows of still contacts, without one contact opening or closing go to and fro,
+/// and their energy does not matter. What coasts meets another grain before: the furthest that five shipped
+/// scenes of 200 and 400 grains came above the tolerance of the energy is half a diameter, the longest time
+/// under load two windows.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
 /// A load that is put on at once, undamped, carries a spring this many times as far as the equilibrium lies.
@@ -34,7 +35,7 @@ constexpr double kOvershoot = 2.0;
 constexpr int kFirstLook = 2;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
 constexpr double kFinishPhi = 1e-4;
-/// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none (PHYSICS section 1).
+/// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
 constexpr double kDefaultInertialNumber = 1e-3;
 /// The polisher is tried where it is known to succeed, and after a failure again a while later, each time a longer one.
 constexpr double kPolishResidual = 5e-3;
@@ -50,8 +51,8 @@ double heaviest(const Packing<Dim>& packing) {
   return *std::max_element(packing.grains.mass.begin(), packing.grains.mass.end());
 }
 
-/// Mean kinetic energy per grain of those that interact with others (energy), by their scales. A grain that touches nothing
-/// spins for ever, which says nothing about the packing.
+/// Mean kinetic energy per grain of those that interact with others (energy), by their scales. A grain that
+/// touches nothing spins for ever, which says nothing about the packing.
 template <int Dim>
 double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales<Dim>& scales) {
   std::vector<bool> touched(packing.grains.size(), false);
@@ -201,8 +202,8 @@ bool Relaxer<Dim>::density_still() {
   return phi.size() == window && *high - *low < kStillPhi;
 }
 
-/// Vibrations that nothing damps, and the coasting of a floppy packing without load, may move the density for ever; that
-/// no contact opens or closes for long is then what tells that nothing rearranges any more.
+/// Vibrations that nothing damps, and the coasting of a floppy packing without load, may move the density for
+/// ever; that no contact opens or closes for long is then what tells that nothing rearranges any more.
 template <int Dim>
 bool Relaxer<Dim>::contacts_still() {
   const std::uint64_t set = contact_fingerprint(packing_);
@@ -227,8 +228,8 @@ std::size_t Relaxer<Dim>::stretches_in(double time_units) const {
       std::ceil(options_.patience * time_units * time_unit_ / (kStretch * time_step_)));
 }
 
-/// Motion has stopped when the packing is still, its kinetic energy small, and the cell has answered to its load; or when
-/// it does nothing but vibrate.
+/// Motion has stopped when the packing is still, its kinetic energy small, and the cell has answered to its
+/// load; or when it does nothing but vibrate.
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::judge_motion() {
   const bool answered = answered_to_load();
@@ -278,7 +279,8 @@ bool Relaxer<Dim>::polish() {
   return take_if_equilibrium(solve_statics(packing_, target_, StaticSolverOptions{}), "polished");
 }
 
-/// A static step without dynamics, where dynamics would end in the same state, or where the scene takes any equilibrium.
+/// A static step without dynamics, where dynamics would end in the same state, or where the scene takes any
+/// equilibrium.
 template <int Dim>
 bool Relaxer<Dim>::solved_at_once() {
   const bool any = options_.finish == Finish::statics;
@@ -294,8 +296,8 @@ bool Relaxer<Dim>::solved_at_once() {
   return take_if_equilibrium(std::move(solution), "static");
 }
 
-/// An equilibrium is within tolerance and stable (PHYSICS section 1). A static solution need not be stable: with a tail, a
-/// grain that could roll onto its neighbour has a saddle on the way.
+/// An equilibrium is within tolerance and stable (docs/physics.md, "Equilibrium"). A static solution need not
+/// be stable: with a tail, a grain that could roll onto its neighbour has a saddle on the way.
 template <int Dim>
 bool Relaxer<Dim>::take_if_equilibrium(StaticSolution<Dim> solution, const char* ending) {
   if (!solution.converged) return false;

@@ -70,9 +70,9 @@ double twist_about(const Vec<3>& normal, const Spin<3>& turn_i, const Spin<3>& t
   return 0.5 * normal.dot(turn_i + turn_j);
 }
 
-/// Unknowns: position and rotation (times the radius) of each grain, then the free strains times a length, strain (a, b)
-/// displacing along a by b. Equations: force, moment (over the radius), and virial minus V Sigma (over the length), all in
-/// units of force.
+/// Unknowns: position and rotation (times the radius) of each grain, then the free strains times a length,
+/// strain (a, b) displacing along a by b. Equations: force, moment (over the radius), and virial minus V Sigma
+/// (over the length), all in units of force.
 template <int Dim>
 class StaticProblem {
  public:
@@ -98,8 +98,8 @@ class StaticProblem {
     return {start_.grains.radius, contact_graph(n_grains(), initial_.remembered), n_strains()};
   }
 
-  /// Residual of the stress that the lattice vectors, which are kept as one double each, cannot be set below: that of a strain
-  /// of one rounding, at most two stiffnesses K_N large in a disk packing.
+  /// Residual of the stress that the lattice vectors, which are kept as one double each, cannot be set below:
+  /// that of a strain of one rounding, at most two stiffnesses K_N large in a disk packing.
   double rounding_of_stress() const {
     return 2.0 * std::numeric_limits<double>::epsilon() * stiffness_ * scale_.length / scale_.force;
   }
@@ -279,7 +279,8 @@ class StaticProblem {
       const Vec<Dim> on_i = force_on_i(c);
       at.residual.template segment<Dim>(first_i) += on_i;
       at.residual.template segment<Dim>(first_j) -= on_i;
-      // Lever arms are shares of the branch by the radii: over its radius, the moment of the shear force is the same on both.
+      // Lever arms are shares of the branch by the radii: over its radius, the moment of the shear force is the
+      // same on both.
       const Spin<Dim> shear_moment = moment<double>(at.branch[k], c.shear_force) / radii(c);
       at.residual.template segment<kTurn>(first_i + Dim) += shear_moment + c.rolling_moment / radius[c.i];
       at.residual.template segment<kTurn>(first_j + Dim) += shear_moment - c.rolling_moment / radius[c.j];

@@ -28,13 +28,14 @@ struct StaticSolution {
   Packing<Dim> packing;   ///< best configuration found
 };
 
-/// Solves force, moment and stress balance of a periodic packing by Newton iterations from where it is: memories are mapped
-/// back by the law from those it starts with (return mapping), the tangent is the consistent one of the law's response with
-/// all geometric terms, unsymmetric where contacts slide. Free motions without stiffness (translations, rattlers, free
-/// rollers) carry no load and are held by a vanishing stiffness.
+/// Solves force, moment and stress balance of a periodic packing by Newton iterations from where it is:
+/// memories are mapped back by the law from those it starts with (return mapping), the tangent is the
+/// consistent one of the law's response with all geometric terms, unsymmetric where contacts slide. Free
+/// motions without stiffness (translations, rattlers, free rollers) carry no load and are held by a vanishing
+/// stiffness.
 ///
-/// @param control  components under a stress are unknowns, the others stay as they are; the mean of the normal stresses sets
-///                 the scale of forces
+/// @param control  components under a stress are unknowns, the others stay as they are; the mean of the normal
+///                 stresses sets the scale of forces
 /// @pre the cell is lower triangular (the first lattice vector along x, ...); it stays so
 template <int Dim>
 [[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,

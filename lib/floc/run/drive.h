@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// How a run is driven, and who is told of it.
+/// How a run is driven, and what is notified of its progress.
 struct DriveOptions {
   double checkpoint_every = 60.0;               ///< wall time between two checkpoints (s)
   int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to make

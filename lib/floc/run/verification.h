@@ -24,8 +24,8 @@ struct Criterion {
 ///   mean_stress  the stress recorded, against that of the forces recomputed, in units of the mean stress
 ///   stability    number of negative eigenvalues of the stiffness matrix
 ///   boundary_balance  the forces across the faces of the cell over their areas, against the stress (stress)
-/// Geometry, law and mean stress are held to what rounding of the positions leaves open, the boundary to what net forces
-/// within their tolerance do.
+/// Geometry, law and mean stress are held to what rounding of the positions leaves open, the boundary to what
+/// net forces within their tolerance do.
 template <int Dim>
 std::vector<Criterion> verify_equilibrium(const State<Dim>& state);
 

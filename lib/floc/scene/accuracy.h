@@ -45,11 +45,11 @@ struct AccuracyChoice {
   bool found() const { return refusal.empty(); }
 };
 
-/// Of the settings of the table takes the cheapest of which, for every observable asked for, the error of single states is
-/// at most what is asked, and the difference of means not above it by more than its sampling error explains (its 95 %
-/// interval). Of what is fitted to a path there are means alone: then their difference and that error
-/// together have to be below. Refused is what is below every error that was measured: the reference's own error is not
-/// known, so it is no measure of itself.
+/// Of the settings of the table takes the cheapest of which, for every observable asked for, the error of
+/// single states is at most what is asked, and the difference of means not above it by more than its sampling
+/// error explains (its 95 % interval). Of what is fitted to a path there are means alone: then their difference
+/// and that error together have to be below. Refused is what is below every error that was measured: the
+/// reference's own error is not known, so it is no measure of itself.
 /// @param wanted  not empty, known keys, errors > 0
 [[nodiscard]] AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table,
                                              const WantedAccuracy& wanted);

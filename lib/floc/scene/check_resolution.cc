@@ -12,7 +12,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// A pressure below the error that a stress may have cannot be told from none.
+/// A pressure below the possible error of a stress cannot be distinguished from zero.
 void check_pressures(TableReader& root, const Scene& scene) {
   if (!scene.law.adhesion || !(scene.grains.diameter.max > 0)) return;
   const double least =

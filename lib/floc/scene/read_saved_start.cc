@@ -49,7 +49,7 @@ std::string refusal_of(const AnyState& any, const Scene& scene) {
   return "";
 }
 
-/// The grains as a scene tells them: number, sizes, density of the heaviest.
+/// The grains as a scene describes them: number, sizes, density of the heaviest.
 GrainOptions grains_of(const Grains<2>& grains, int n_tiles) {
   GrainOptions out;
   out.count = n_tiles * grains.size();

@@ -15,7 +15,8 @@ namespace {
 /// Radii of one grain in two states agree up to how files write them.
 constexpr double kSameRadius = 1e-9;
 
-/// Integer matrix M with after = M * before up to a strain: how the lattice vectors after were chosen from those before.
+/// Integer matrix M with after = M * before up to a strain: how the lattice vectors after were chosen from
+/// those before.
 template <int Dim>
 Mat<Dim> lattice_choice(const Cell<Dim>& before, const Cell<Dim>& after) {
   return (after.matrix * before.matrix.inverse()).array().round().matrix();

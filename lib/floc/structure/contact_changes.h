@@ -13,7 +13,7 @@ struct KeptContact {
   int after;
 };
 
-/// What happened between two states of the same grains (PHYSICS section 6). Contacts are surfaces that touch; attractions
+/// What happened between two states of the same grains. Contacts are surfaces that touch; attractions
 /// across a gap are none.
 template <int Dim>
 struct ContactChanges {
@@ -38,8 +38,8 @@ struct ContactChanges {
   double largest_displacement() const;  ///< (length)
 };
 
-/// Why two packings cannot be compared: other numbers or sizes of grains, lattices that do not correspond; empty if they
-/// can.
+/// Why two packings cannot be compared: other numbers or sizes of grains, lattices that do not correspond;
+/// empty if they can.
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 

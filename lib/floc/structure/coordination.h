@@ -4,8 +4,9 @@
 
 namespace floc {
 
-/// Who touches whom, counted (PHYSICS section 3). Coordination numbers are 2 Nc/N over surfaces that touch; distant
-/// attractions are counted apart (G08 counts them in z and z-: add 2 n_distant/N to compare).
+/// Who touches whom, counted (docs/physics.md, "Coordination and rattlers"). Coordination numbers are 2 Nc/N
+/// over surfaces that touch; distant attractions are counted apart ([GRC2008] counts them in z and z-: add
+/// 2 n_distant/N to compare).
 struct Coordination {
   int n_contacts = 0;    ///< surfaces that touch
   int n_distant = 0;     ///< attractions across a gap

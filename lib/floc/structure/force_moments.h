@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Moments of the contact forces and how far friction is mobilised (PHYSICS section 3), over contacts that touch; nothing
-/// else than zeros without any.
+/// Moments of the contact forces and how far friction is mobilised (docs/physics.md, "Force network"), over
+/// contacts that touch; all zero without any.
 struct ForceMoments {
   double mean_normal = 0.0;  ///< <F_N>, static normal force, sign kept (force)
   double largest = 0.0;      ///< |F_N| (force)

@@ -10,8 +10,8 @@ namespace floc {
 ///
 ///   sigma_i = -(1/V_i) sum_j f_(j on i) (x) l_i,   V_i = volume of the grain / Phi
 ///
-/// with l_i the arm from the centre to the contact point, static forces, all interactions. The sum of V_i sigma_i over the
-/// grains is the volume of the cell times static_stress(), exactly.
+/// with l_i the arm from the centre to the contact point, static forces, all interactions. The sum of V_i
+/// sigma_i over the grains is the volume of the cell times static_stress(), exactly.
 template <int Dim>
 std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing);
 

@@ -16,8 +16,8 @@ struct Pore {
 };
 
 /// Pores of a 2D packing: the faces of the network of its interactions (distant attractions close pores too), less the
-/// sectors of the disks around them and the disks inside (PHYSICS section 6). Closed forms, no mesh: areas add up to
-/// A (1 - Phi) with overlaps counted twice, as in Phi.
+/// sectors of the disks around them and the disks inside (docs/physics.md, "Structure"). Closed forms, no mesh:
+/// areas add up to A (1 - Phi) with overlaps counted twice, as in Phi.
 struct Pores {
   std::vector<Pore> pores;  ///< those that end
   bool unbounded = false;   ///< there is one that winds around the cell, which has no size
@@ -29,8 +29,8 @@ struct Pores {
       refusal;  ///< why there are none: contacts cross each other, as disks that overlap far do; else empty
 };
 
-/// Parts of the network and lone grains that lie inside a pore are joined to what is nearest by edges of no width, which
-/// changes no pore.
+/// Parts of the network and lone grains that lie inside a pore are joined to what is nearest by edges of no
+/// width, which changes no pore.
 Pores find_pores(const Packing<2>& packing);
 
 }  // namespace floc

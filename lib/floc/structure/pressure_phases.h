@@ -17,7 +17,8 @@ struct PressurePhase {
       0;  ///< independent ways in which one of its parts winds around the cell: it percolates if > 0
 };
 
-/// The two phases of positive and negative particle pressure (PHYSICS section 6). Grains of pressure zero are in neither.
+/// The two phases of positive and negative particle pressure (docs/physics.md, "Force network"). Grains of
+/// pressure zero are in neither.
 struct PressurePhases {
   PressurePhase positive, negative;
 };

@@ -17,9 +17,9 @@ struct RigidClusters {
 };
 
 /// Grains joined by kept contacts in which nothing moved: the material points that touched before are within
-/// tolerance * a of each other after, and the two grains turned alike to within `tolerance` (radians). A rigid body that
-/// moves and turns satisfies both exactly; along a chain of contacts small differences add up, hence "nearly". Needs the
-/// orientations of the grains, which packings of other programs may lack.
+/// tolerance * a of each other after, and the two grains turned alike to within `tolerance` (radians). A rigid
+/// body that moves and turns satisfies both exactly; along a chain of contacts small differences add up, hence
+/// "nearly". Needs the orientations of the grains, which packings of other programs may lack.
 ///
 /// @param changes    from `before` to `after`
 /// @param tolerance  in largest diameters a and radians, > 0

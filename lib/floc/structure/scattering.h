@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Intensity I(k) = |chi_hat(k)|^2/A of the indicator chi of the grains (2D, PHYSICS section 6), averaged over
-/// directions in bins of k.
+/// Intensity I(k) = |chi_hat(k)|^2/A of the indicator chi of the grains (2D; docs/physics.md, "Structure"),
+/// averaged over directions in bins of k.
 struct Scattering {
   std::vector<double> k;                ///< mean over the wave vectors of each bin (1/length)
   std::vector<double> I;                ///< (area)
@@ -37,8 +37,9 @@ struct ScatteringMesh {
   Vec<2, int> size(const Cell<2>& cell) const;
 };
 
-/// The grains of a packing in the shortest cell of its lattice: the lattice is what scatters, and a cell so slanted that its
-/// sides are nearly parallel would take a mesh as long as they are. Cells of short vectors are left as they are.
+/// The grains of a packing in the shortest cell of its lattice: the lattice is what scatters, and a cell so
+/// slanted that its sides are nearly parallel would take a mesh as long as they are. Cells of short vectors are
+/// left as they are.
 Packing<2> in_shortest_cell(const Packing<2>& packing);
 
 /// Depends on area and largest diameter only.

@@ -12,8 +12,8 @@ namespace floc {
 /// How far single values lie off, relative to their size.
 struct Spread {
   double error = 0.0;  ///< 95 % of the values are at most that far off
-  /// Upper 95 % confidence limit of that quantile, by order statistics. It takes 59 values: with fewer it is the largest of
-  /// them.
+  /// Upper 95 % confidence limit of that quantile, by order statistics. It takes 59 values: with fewer it is
+  /// the largest of them.
   double high = 0.0;
   int n = 0;  ///< values; 0: nothing was compared
 };
@@ -46,8 +46,8 @@ using ObservableErrors = std::array<ObservableError, kObservables + kFittedNames
 using PressureWindow = std::pair<double, double>;
 
 /// For each state: since the turn began neither path has moved by more than elasticity explains (3 dP/B), and the same
-/// grains have touched in both, so both are still at the same place of configuration space. A contact that opens or closes
-/// in one of them alone parts them as a collapse does. False for what is assembled.
+/// grains have touched in both, so both are still at the same place of configuration space. A contact that
+/// opens or closes in one of them alone parts them as a collapse does. False for what is assembled.
 std::vector<bool> before_collapse(const SamplePath& reference, const SamplePath& path);
 
 /// Compares samples in pairs of the same seed. @param paths  as many as references, each of as many states

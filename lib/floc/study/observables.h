@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// What users quote of one state: solid fraction, coordination by sign of the normal force, bulk and shear modulus, Reuss
-/// bound, force scales of the exponential tails of compressive and of tensile forces over F1.
+/// What users quote of one state: solid fraction, coordination by sign of the normal force, bulk and shear
+/// modulus, Reuss bound, force scales of the exponential tails of compressive and of tensile forces over F1.
 enum Observable { kPhi, kZPlus, kZMinus, kB, kG, kBReuss, kTailPlus, kTailMinus, kObservables };
 
 /// Their names in tables, and after them those of what is fitted to a whole path.
@@ -29,7 +29,8 @@ Observation observe(const State<2>& state, ModuliSequence<2>& moduli);
 /// Only what `moduli` gives, the others as in `other`.
 Observation observe_moduli(const State<2>& state, ModuliSequence<2>& moduli, const Observation& other);
 
-/// What a difference of observable k is measured against: its size, the mean of both observations; of a part of z the whole.
+/// What a difference of observable k is measured against: its size, the mean of both observations; of a part of
+/// z the whole.
 double size_of(int k, const Observation& x, const Observation& y);
 
 }  // namespace floc

@@ -35,14 +35,14 @@ struct SamplePath {
 /// Options of a run of the scene at a setting.
 RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::uint64_t seed);
 
-/// Makes a sample: assembly from the gas, then every turn of the load path. With `reference`, a whole path of the same seed,
-/// each turn starts from the state that the reference starts it from, so that states can be compared one by one until the
-/// first collapse of the turn.
+/// Makes a sample: assembly from the gas, then every turn of the load path. With `reference`, a whole path of
+/// the same seed, each turn starts from the state that the reference starts it from, so that states can be
+/// compared one by one until the first collapse of the turn.
 SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
                        const Deadline& deadline);
 
-/// Fills in `settled`: every state is relaxed on with the strict settings, from where it is. A state that meets them stays.
-/// What this costs is not counted. Sets `failure` where that does not converge.
+/// Fills in `settled`: every state is relaxed on with the strict settings, from where it is. A state that meets
+/// them stays. What this costs is not counted. Sets `failure` where that does not converge.
 void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePath& path);
 
 }  // namespace floc

@@ -25,8 +25,8 @@ struct StudiedSetting {
   bool is_other_size() const { return n_grains != 0; }
 };
 
-/// Finest settings: forces to 1e-8, beyond which absolute positions do not carry them, a time step that is a quarter of the
-/// default, and twice the patience.
+/// Finest settings: forces to 1e-8, beyond which absolute positions do not carry them, a time step that is a
+/// quarter of the default, and twice the patience.
 NumericalSettings strict_settings();
 
 /// All settings that a study of this scene compares, the reference first, then those that matter most. "power control"

@@ -34,13 +34,14 @@ struct Tradeoff {
       left_out;  ///< settings, samples or grains that the budget did not allow, runs that failed
 };
 
-/// Runs a scene at its finest settings and at several values of each knob, all from the same seeds (paired), and compares
-/// what is quoted of them.
+/// Runs a scene at its finest settings and at several values of each knob, all from the same seeds (paired),
+/// and compares what is quoted of them.
 ///
-/// The reference assembles and loads a sample; every setting assembles its own, then starts each turn of the load path from
-/// the reference's state, so that states can be compared one by one until the first collapse. Budget: grains are made
-/// fewer until two samples of everything are expected to fit, by the measured cost of a small one; then samples go on until
-/// the next would not fit. Settings too expensive for the first sample are left out. At the deadline a run is broken off.
+/// The reference assembles and loads a sample; every setting assembles its own, then starts each turn of the
+/// load path from the reference's state, so that states can be compared one by one until the first collapse.
+/// Budget: grains are made fewer until two samples of everything are expected to fit, by the measured cost of a
+/// small one; then samples go on until the next would not fit. Settings too expensive for the first sample are
+/// left out. At the deadline a run is broken off.
 /// @pre options.budget > 0
 /// @throws InputError for a scene that starts from a saved state: samples are made from the gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);

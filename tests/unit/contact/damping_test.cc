@@ -55,7 +55,7 @@ TEST(ViscousDamping, GrainMassRuleGivesTwoEqualSpheresTheSmallerRestitutionOfB24
   const double mass = 2.0, stiffness = 5.0;
   const double zeta_of_pair =
       grain.coefficient(CollisionMass::between(mass, mass), stiffness) / (2 * std::sqrt(mass / 2 * stiffness));
-  // PHYSICS section 7: 0.308, three digits.
+  // The restitution of the spheres of [SVI2024], to three digits (docs/physics.md, "Damping").
   EXPECT_NEAR(restitution_at(zeta_of_pair), 0.308, 5e-4);
 }
 

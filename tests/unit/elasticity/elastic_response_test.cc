@@ -140,7 +140,8 @@ TEST(ElasticResponse, CountsEveryZeroModeOnceByStructureOrAsAMechanism) {
   EXPECT_GT(n_mechanisms, 0);
 }
 
-/// Columns of long chains depend on each other through many others: none of their mechanisms may pass for a soft spring.
+/// Columns of long chains depend on each other through many others: none of their mechanisms may pass for a
+/// soft spring.
 TEST(ElasticResponse, CountsTheMechanismsOfLongChainsWithoutRollingStiffness) {
   for (const int n : {5, 20, 40}) {
     const auto network = contact_network(test::square_frames(n, 1.0, test::elastic_law(1.0, 0.6, 0.0)));

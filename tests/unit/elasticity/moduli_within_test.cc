@@ -33,9 +33,9 @@ TEST(ModuliWithin, TakeTheBoundsWhereTheyMeet) {
   expect_promise_kept(m, elastic_moduli(crystal, {}), accuracy);
 }
 
-/// Square frames of two large disks with two small ones between them, all with one overlap: the forces are those of every
-/// isotropic stress, so B_reuss is B, and B_voigt, which lengthens long branches more, is 9/8 of it:
-/// 3 (1 + 0.4^2 + 1)/2.4^2.
+/// Square frames of two large disks with two small ones between them, all with one overlap: the forces are
+/// those of every isotropic stress, so B_reuss is B, and B_voigt, which lengthens long branches more, is 9/8 of
+/// it: 3 (1 + 0.4^2 + 1)/2.4^2.
 Packing<2> uneven_frames() {
   Packing<2> packing = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.05));
   const double overlap = 1e-4, along[] = {0.0, 1.0, 1.4};
@@ -73,8 +73,8 @@ TEST(ModuliWithin, SolveForAShearModulus) {
   }
 }
 
-/// What B_reuss <= B <= B_voigt needs: no prestress, no attraction across a gap, equal principal stresses; and they are no
-/// bounds of single entries of C.
+/// What B_reuss <= B <= B_voigt needs: no prestress, no attraction across a gap, equal principal stresses; and
+/// they are no bounds of single entries of C.
 TEST(ModuliWithin, TrustBoundsOnlyWhereTheyAreSome) {
   const Packing<2> crystal = test::triangular(0.999, test::elastic_law(1.0, 0.7, 0.0));
   const ModuliAccuracy accuracy{0.5, kAny};

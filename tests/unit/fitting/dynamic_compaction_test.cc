@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// B24: e_min, De, C, A, s_m, a, b.
+// [SVI2024]: e_min, De, C, A, s_m, a, b.
 constexpr double kTruth[7] = {0.76, 1.0, 0.24, 0.475, 1.55, 0.74, 2.3};
 
 /// The printed form, in its own words.

@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// Lower triangle of `copies` rings of n masses and unit springs: eigenvalues 2 - 2 cos(2 pi k/n), all but the ends of the
-/// spectrum double in every ring.
+/// Lower triangle of `copies` rings of n masses and unit springs: eigenvalues 2 - 2 cos(2 pi k/n), all but the
+/// ends of the spectrum double in every ring.
 Eigen::SparseMatrix<double> rings(int n, int copies) {
   std::vector<Eigen::Triplet<double>> t;
   for (int r = 0; r < copies; ++r)

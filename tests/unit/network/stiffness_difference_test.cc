@@ -13,8 +13,8 @@ namespace floc {
 namespace {
 
 /// The packing after a displacement of its unknowns: fluctuations and rotations of the grains, then strains
-/// (shortening positive). Springs, unstretched before, follow the linear kinematics of PHYSICS section 1
-/// written out here.
+/// (shortening positive). Springs, unstretched before, follow the linear kinematics of docs/physics.md,
+/// "Stiffness matrix", written out here.
 template <int Dim>
 Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();

@@ -13,7 +13,8 @@
 namespace floc {
 namespace {
 
-/// Tangential forces and rolling moments up to half as large again as their caps, so that a third of the contacts slide.
+/// Tangential forces and rolling moments up to half as large again as their caps, so that a third of the
+/// contacts slide.
 LawParameters sliding_law() {
   LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
   law.adhesion = TailAdhesion{0.02, 0.08};
@@ -53,8 +54,8 @@ double twist_about(const Vec<3>& normal, const Spin<3>& turn) {
   return normal.dot(turn);
 }
 
-/// The packing after small displacements and rotations (times the radius) of its grains, then symmetric strains (shortening
-/// positive), its contacts carried along.
+/// The packing after small displacements and rotations (times the radius) of its grains, then symmetric strains
+/// (shortening positive), its contacts carried along.
 template <int Dim>
 Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();
@@ -143,8 +144,8 @@ double difference_error(const Packing<Dim>& packing) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// Rounding is 1e-16/step = 1e-10 of the largest entry, truncation (step/spring)^2 where the direction of sliding turns: the
-/// shortest springs at their cap are a thousandth.
+/// Rounding is 1e-16/step = 1e-10 of the largest entry, truncation (step/spring)^2 where the direction of
+/// sliding turns: the shortest springs at their cap are a thousandth.
 constexpr double kDifferenceTolerance = 1e-7;
 
 template <int Dim>

@@ -77,7 +77,7 @@ TEST(Dynamics, VectorInstructionsLeaveNoTraceInTheBits) {
   }
 }
 
-/// Total energy of a packing in a cell of inertia M under a pressure (PHYSICS section 1, "Cell").
+/// Total energy of a packing in a cell of inertia M under a pressure (docs/physics.md, "Boundary control").
 double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control) {
   const double kn = packing.law.normal.get<LinearRepulsion>().normal_stiffness;
   double energy =
@@ -233,8 +233,8 @@ TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
   EXPECT_NEAR(mean_restitution(0.5, 0.5), 0.025, 0.001);
 }
 
-/// A large disk from the left and one half as large from the right meet head on, both of them spinning; or the mirror image
-/// of that, with the numbers of the grains exchanged as well.
+/// A large disk from the left and one half as large from the right meet head on, both of them spinning; or the
+/// mirror image of that, with the numbers of the grains exchanged as well.
 Packing<2> unequal_pair(const LawParameters& law, bool mirrored) {
   const int large = mirrored ? 1 : 0, small = 1 - large;
   const double sign = mirrored ? -1.0 : 1.0;

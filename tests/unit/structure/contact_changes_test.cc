@@ -18,7 +18,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Rows and columns of a square lattice of touching disks in a cell with room around them: no contact through its sides.
+/// Rows and columns of a square lattice of touching disks in a cell with room around them: no contact through
+/// its sides.
 Packing<2> block(int columns, int rows) {
   std::vector<Vec<2>> places;
   for (int y = 0; y < rows; ++y)

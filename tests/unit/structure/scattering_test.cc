@@ -126,8 +126,8 @@ TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
 }
 
 TEST(Scattering, OfUncorrelatedDisksIsThatOfEachOfThem) {
-  // Each realisation against its own closed form, and their mean against rho <f^2>: over the bins beyond the sixth, with
-  // 30 states, some 1e4 independent speckles, which scatter by 1 %.
+  // Each realisation against its own closed form, and their mean against rho <f^2>: over the bins beyond the
+  // sixth, with 30 states, some 1e4 independent speckles, which scatter by 1 %.
   constexpr int kStates = 30, kGrains = 60;
   const Packing<2> first = uncorrelated(kGrains, 14.0, 0);
   const ScatteringMesh mesh = scattering_mesh(first, {});

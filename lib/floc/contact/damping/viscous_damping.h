@@ -8,11 +8,12 @@
 
 namespace floc {
 
-/// Which mass m the critical damping of a contact is taken with. Either is the same for i against j as for j against i, and
-/// a fixed multiple of the effective mass, so that all pairs have one restitution, whatever their sizes.
+/// Which mass m the critical damping of a contact is taken with. Either is the same for i against j as for j
+/// against i, and a fixed multiple of the effective mass, so that all pairs have one restitution, whatever
+/// their sizes.
 enum class DampingMass {
-  effective,  ///< m_i m_j/(m_i + m_j): that of a pair is the one given (G08)
-  grain,  ///< twice that, the mass of a grain among equals (B24): pairs rebound less, with sqrt(2) the damping ratio
+  effective,  ///< m_i m_j/(m_i + m_j): that of a pair is the one given [GRC2008]
+  grain,      ///< twice that, the mass of a grain among equals [SVI2024]: sqrt(2) times the damping ratio
 };
 
 /// Fraction of critical damping that gives a linear spring the restitution e, 0 < e <= 1:

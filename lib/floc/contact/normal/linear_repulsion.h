@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Linear elastic repulsion FNe = -K_N h while the surfaces overlap (h < 0), else 0. G08 Eq. 1.
+/// Linear elastic repulsion FNe = -K_N h while the surfaces overlap (h < 0), else 0. [GRC2008], Eq. 1.
 struct LinearRepulsion {
   double normal_stiffness;  ///< K_N (force/length)
 

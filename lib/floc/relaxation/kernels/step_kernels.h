@@ -18,9 +18,10 @@ inline constexpr int kPairPadding = 8;
 /// Grains of a block that are summed side by side.
 inline constexpr int kSumGroup = 8;
 
-/// A dashpot acts with this share of its present force and the rest of the one a step before. The velocities it sees are
-/// those of half a step earlier, so that it is late by kDashpotLag steps (lagging_damping() corrects that), but stable to
-/// a longer step: where grains vibrate at w and are damped at g, for (w dt)^2 + 2 (2 share - 1) g dt < 4.
+/// A dashpot acts with this share of its present force and the rest of the one a step before. The velocities it
+/// sees are those of half a step earlier, so that it is late by kDashpotLag steps (lagging_damping() corrects
+/// that), but stable to a longer step: where grains vibrate at w and are damped at g, for
+/// (w dt)^2 + 2 (2 share - 1) g dt < 4.
 inline constexpr double kDashpotShare = 0.8;
 inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
 
@@ -84,8 +85,8 @@ struct alignas(64) BlockSums {
   double consumed_squared = 0.0;  ///< largest displacement since the list was built, in skins of the grain
 };
 
-/// Half a step of acceleration: v <- keep v + gain (half_step/m) F. The matrices here are upper triangular (row, column),
-/// and diagonal for a rectangular lattice, whose kernels read their diagonals alone.
+/// Half a step of acceleration: v <- keep v + gain (half_step/m) F. The matrices here are upper triangular
+/// (row, column), and diagonal for a rectangular lattice, whose kernels read their diagonals alone.
 template <int Dim>
 struct Kick {
   double half_step;

@@ -149,8 +149,8 @@ struct GrainKernels {
     for (int k = 0; k < kGrainBlock; ++k) spin[k] += torque[k] * (half_step * inverse_inertia[k]);
   }
 
-  /// sum p q over a block, in eight interleaved parts: a fixed order that registers of any width can follow, and no chain
-  /// of additions to wait for. @param weight  of each term, null for 1
+  /// sum p q over a block, in eight interleaved parts: a fixed order that registers of any width can follow,
+  /// and no chain of additions to wait for. @param weight  of each term, null for 1
   static double block_sum(const double* p, const double* q, const double* weight) {
     P part[8 / P::kWidth];
     for (P& pack : part) pack = P(0.0);

@@ -1,9 +1,9 @@
 #include "floc/elasticity/force_increments.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <numeric>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/elasticity/mechanisms.h"
 
 namespace floc {
@@ -33,7 +33,7 @@ std::optional<Eigen::VectorXd> strain_of(const ContactNetwork<Dim>& network, con
   if ((free.transpose() * stress).norm() > kNoWork) return std::nullopt;
   // Strains that cost nothing are given a stiffness, and no stress.
   const Eigen::MatrixXd held = relaxed + relaxed.trace() * free * free.transpose();
-  return Eigen::VectorXd(network.volume * held.ldlt().solve(stress));
+  return Eigen::VectorXd(network.volume * solve_symmetric(held, stress));
 }
 
 template <int Dim>

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/base/random.h"
 
 namespace floc {
@@ -63,12 +63,12 @@ ContactNetwork<Dim> in_general_position(const ContactNetwork<Dim>& network) {
 }  // namespace
 
 Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::MatrixXd& affine) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(relaxed);
+  const SymmetricEigen eigen = symmetric_eigen(relaxed);
   const double bound = kVanishing * affine.trace();
   std::vector<Eigen::Index> which;
   for (Eigen::Index k = 0; k < relaxed.rows(); ++k)
-    if (std::abs(eigen.eigenvalues()[k]) <= bound) which.push_back(k);
-  return eigen.eigenvectors()(Eigen::all, which);
+    if (std::abs(eigen.values[k]) <= bound) which.push_back(k);
+  return eigen.vectors(Eigen::all, which);
 }
 
 template <int Dim>

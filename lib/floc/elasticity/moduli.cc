@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/isotropic_moduli.h"
 #include "floc/network/rattlers.h"
@@ -37,33 +37,32 @@ double vanishing_bound(double scale, const Moduli& m) {
 
 /// Counts vanishing and negative eigenvalues of C and sets the vanishing ones to zero.
 void settle_coupled_mechanisms(double bound, Moduli& m) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(m.C);
-  Eigen::VectorXd values = eigen.eigenvalues();
+  const SymmetricEigen eigen = symmetric_eigen(m.C);
+  Eigen::VectorXd values = eigen.values;
   for (Eigen::Index k = 0; k < values.size(); ++k) {
     if (values[k] < -bound) ++m.n_negative;
     if (std::abs(values[k]) > bound) continue;
     ++m.n_coupled_mechanisms;
-    const Eigen::VectorXd direction = eigen.eigenvectors().col(k).cwiseAbs();
+    const Eigen::VectorXd direction = eigen.vectors.col(k).cwiseAbs();
     m.C_error += std::abs(values[k]) * direction * direction.transpose();
     values[k] = 0.0;
   }
-  if (m.n_coupled_mechanisms > 0)
-    m.C = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+  if (m.n_coupled_mechanisms > 0) m.C = eigen.vectors * values.asDiagonal() * eigen.vectors.transpose();
   m.n_mechanisms += m.n_coupled_mechanisms;
 }
 
 /// B_S = 1/(1^T C^-1 1), and 0 where the unit stress works on a strain that costs nothing.
 void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::MatrixXd& error, double bound,
                                    Moduli& m) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(c);
+  const SymmetricEigen eigen = symmetric_eigen(c);
   double compliance = 0.0;
   Eigen::VectorXd strain = Eigen::VectorXd::Zero(c.rows());  // C^-1 1
   for (Eigen::Index k = 0; k < c.rows(); ++k) {
-    const double value = eigen.eigenvalues()[k];
-    const double load = eigen.eigenvectors().col(k).sum();
+    const double value = eigen.values[k];
+    const double load = eigen.vectors.col(k).sum();
     if (std::abs(value) > bound) {
       compliance += load * load / value;
-      strain += load / value * eigen.eigenvectors().col(k);
+      strain += load / value * eigen.vectors.col(k);
     } else if (std::abs(load) > std::sqrt(kVanishingModulus)) {
       m.B_S_error = bound;
       return;

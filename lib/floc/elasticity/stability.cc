@@ -1,9 +1,9 @@
 #include "floc/elasticity/stability.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <optional>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/moduli.h"
 #include "floc/elasticity/reduced_unknowns.h"
@@ -27,8 +27,7 @@ bool has_negative_stiffness(const ContactNetwork<Dim>& network) {
 }
 
 int count_below(const Eigen::MatrixXd& symmetric, double bound) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric, Eigen::EigenvaluesOnly);
-  return static_cast<int>((eigen.eigenvalues().array() < bound).count());
+  return static_cast<int>((symmetric_eigenvalues(symmetric).array() < bound).count());
 }
 
 /// Haynsworth: the inertia of K is that of the block of the grains and that of what the strains feel once the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/fitting/least_squares.h"
 #include "floc/fitting/line_fit.h"
 #include "floc/fitting/student_t.h"
@@ -38,7 +39,7 @@ bool add_plateau(const std::vector<CompactionResidual>& data, Eigen::VectorXd& t
     y[i] = over;
   }
   // Of many equal solutions, where p_crit does not vary, the smallest.
-  const Eigen::Vector2d found = columns.completeOrthogonalDecomposition().solve(y);
+  const Eigen::Vector2d found = least_squares_solution(columns, y);
   if (!(found[0] > 0.0) || !found.allFinite()) return false;
   theta[1] = -std::log(found[0]);
   theta[2] = found[1];

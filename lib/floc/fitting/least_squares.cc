@@ -1,25 +1,143 @@
 #include "floc/fitting/least_squares.h"
 
+#include <ceres/ceres.h>
+#include <ceres/tiny_solver.h>
+#include <glog/logging.h>
+
 #include <limits>
+#include <mutex>
+
+#include "floc/base/dense_solvers.h"
 
 namespace floc {
+namespace {
+
+/// Ceres reports through glog; outcomes are returned in words instead.
+void silence_ceres() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    FLAGS_minloglevel = google::GLOG_FATAL;
+    if (!google::IsGoogleLoggingInitialized()) google::InitGoogleLogging("floc");
+  });
+}
+
+/// All residuals as one block of a Ceres problem.
+class ResidualBlock final : public ceres::CostFunction {
+ public:
+  explicit ResidualBlock(const ResidualFunction& function) : function_(function) {
+    set_num_residuals(function.n_residuals());
+    mutable_parameter_block_sizes()->push_back(function.n_parameters());
+  }
+  bool Evaluate(const double* const* parameters, double* values, double** jacobians) const override {
+    function_.evaluate(parameters[0], values, jacobians == nullptr ? nullptr : jacobians[0]);
+    return true;
+  }
+
+ private:
+  const ResidualFunction& function_;
+};
+
+/// The residuals as Ceres' TinySolver asks for them.
+template <int kParameters>
+class TinyFunction {
+ public:
+  using Scalar = double;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = kParameters };
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, kParameters, Eigen::RowMajor>;
+
+  explicit TinyFunction(const ResidualFunction& function)
+      : function_(function), rows_(function.n_residuals(), kParameters) {}
+
+  int NumResiduals() const { return function_.n_residuals(); }
+  bool operator()(const double* theta, double* values, double* jacobian) const {
+    function_.evaluate(theta, values, jacobian == nullptr ? nullptr : rows_.data());
+    if (jacobian != nullptr)
+      Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, kParameters>>(jacobian, rows_.rows(), kParameters) =
+          rows_;
+    return true;
+  }
+
+ private:
+  const ResidualFunction& function_;
+  mutable Rows rows_;
+};
+
+}  // namespace
 
 Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian) {
   constexpr double kRounding = 1e-13;
   Eigen::VectorXd scale = jacobian.colwise().norm();
   for (double& s : scale)
     if (s == 0.0) s = 1.0;
-  const Eigen::MatrixXd scaled = jacobian * scale.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
-  const Eigen::VectorXd& sigma = svd.singularValues();
+  const SingularValues svd = singular_values(jacobian * scale.cwiseInverse().asDiagonal());
+  const Eigen::VectorXd& sigma = svd.values;
   const Eigen::Index n_seen = (sigma.array() > kRounding * sigma[0]).count();
-  const Eigen::MatrixXd half = scale.cwiseInverse().asDiagonal() * svd.matrixV().leftCols(n_seen) *
+  const Eigen::MatrixXd half = scale.cwiseInverse().asDiagonal() * svd.right.leftCols(n_seen) *
                                sigma.head(n_seen).cwiseInverse().asDiagonal();
   Eigen::MatrixXd covariance = half * half.transpose();
-  const Eigen::VectorXd unseen = svd.matrixV().rightCols(sigma.size() - n_seen).rowwise().squaredNorm();
+  const Eigen::VectorXd unseen = svd.right.rightCols(sigma.size() - n_seen).rowwise().squaredNorm();
   for (int k = 0; k < unseen.size(); ++k)
     if (unseen[k] > 1e-6) covariance(k, k) = std::numeric_limits<double>::infinity();
   return covariance;
 }
+
+std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function, const Eigen::VectorXd& start,
+                                             const std::vector<ParameterLimits>& limits, int held) {
+  const int n = function.n_residuals(), n_parameters = function.n_parameters();
+  silence_ceres();
+  LeastSquaresSolution found{start, {}, {}, 0.0};
+  ceres::Problem problem;
+  problem.AddResidualBlock(new ResidualBlock(function), nullptr, found.theta.data());
+  for (const ParameterLimits& limit : limits) {
+    double& x = found.theta[limit.parameter];
+    x = std::clamp(x, limit.low, limit.high);
+    problem.SetParameterLowerBound(found.theta.data(), limit.parameter, limit.low);
+    problem.SetParameterUpperBound(found.theta.data(), limit.parameter, limit.high);
+  }
+  if (held >= 0) problem.SetManifold(found.theta.data(), new ceres::SubsetManifold(n_parameters, {held}));
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.num_threads = 1;
+  // Down to rounding: problems are tiny, and errors are read off the Jacobian at the solution.
+  options.max_num_iterations = 400;
+  options.function_tolerance = 1e-16;
+  options.gradient_tolerance = 1e-18;
+  options.parameter_tolerance = 1e-14;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+
+  double cost = 0.0;
+  std::vector<double> values;
+  ceres::CRSMatrix rows;
+  if (!summary.IsSolutionUsable() || !problem.Evaluate({}, &cost, &values, nullptr, held < 0 ? &rows : nullptr))
+    return std::nullopt;
+  found.sum_of_squares = 2.0 * cost;
+  found.residuals = Eigen::Map<Eigen::VectorXd>(values.data(), n);
+  if (held < 0)
+    found.jacobian = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+        rows.values.data(), n, n_parameters);
+  return found;
+}
+
+template <int kParameters>
+double descend(const ResidualFunction& function, Eigen::VectorXd& theta) {
+  const TinyFunction<kParameters> tiny(function);
+  ceres::TinySolver<TinyFunction<kParameters>> solver;
+  solver.options.max_num_iterations = 100;
+  solver.options.gradient_tolerance = 0.0;
+  solver.options.parameter_tolerance = 1e-9;
+  solver.options.function_tolerance = 1e-24;
+  solver.options.cost_threshold = 1e-28;
+  typename ceres::TinySolver<TinyFunction<kParameters>>::Parameters x = theta;
+  solver.Solve(tiny, &x);
+  theta = x;
+  return 2.0 * solver.summary.final_cost;
+}
+
+template double descend<2>(const ResidualFunction&, Eigen::VectorXd&);
+template double descend<3>(const ResidualFunction&, Eigen::VectorXd&);
+template double descend<4>(const ResidualFunction&, Eigen::VectorXd&);
+template double descend<7>(const ResidualFunction&, Eigen::VectorXd&);
 
 }  // namespace floc

@@ -1,11 +1,11 @@
 #include "floc/fitting/regimes.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/fitting/law_estimate.h"
 
 namespace floc {
@@ -139,7 +139,7 @@ double left_by_elasticity(const LawPoints& points) {
   columns.col(0) = points.weight;
   columns.col(1) = points.weight.cwiseProduct(points.log_P.array().exp().matrix());
   const Eigen::VectorXd y = points.weight.cwiseProduct(points.y);
-  return (y - columns * columns.colPivHouseholderQr().solve(y)).squaredNorm();
+  return (y - columns * least_squares_solution(columns, y)).squaredNorm();
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -152,11 +151,19 @@ Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
     rotation.setIdentity();
     return matrix;
   }
-  const Eigen::HouseholderQR<Mat<Dim>> qr(matrix.transpose());
-  const Mat<Dim> upper = qr.matrixQR().template triangularView<Eigen::Upper>();
-  const Vec<Dim> sign = upper.diagonal().array().sign();
-  rotation = sign.asDiagonal() * Mat<Dim>(Mat<Dim>(qr.householderQ()).transpose());
-  return upper.transpose() * sign.asDiagonal();
+  Mat<Dim> rows = Mat<Dim>::Zero();
+  for (int a = 0; a < Dim; ++a) {
+    Vec<Dim> rest = matrix.row(a).transpose();
+    for (int pass = 0; pass < 2; ++pass)  // the second takes away what rounding of the first left
+      for (int b = 0; b < a; ++b) {
+        const double part = rotation.row(b).dot(rest);
+        rows(a, b) += part;
+        rest -= part * rotation.row(b).transpose();
+      }
+    rows(a, a) = rest.norm();
+    rotation.row(a) = rest.transpose() / rows(a, a);
+  }
+  return rows;
 }
 
 /// Replaces the vectors by ones of the same lattice whose tilts are at most half a side.

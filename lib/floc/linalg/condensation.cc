@@ -1,10 +1,11 @@
 #include "floc/linalg/condensation.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "floc/base/dense_solvers.h"
 
 namespace floc {
 namespace {
@@ -106,9 +107,7 @@ class Relaxation {
       diagonal[k] = 1.0 / lengths_[k] + (k > 0 ? turns_[k - 1] / lengths_[k - 1] : 0.0);
       if (k + 1 < n) beside[k] = std::sqrt(turns_[k]) / lengths_[k];
     }
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
-    ritz.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-    return std::clamp(kShareOfRitz * ritz.eigenvalues()[0], 0.0, 1.0);
+    return std::clamp(kShareOfRitz * tridiagonal_eigenvalues(diagonal, beside)[0], 0.0, 1.0);
   }
 
   void balance() {

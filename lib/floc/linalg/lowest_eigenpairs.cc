@@ -2,14 +2,14 @@
 
 #include <Spectra/SymEigsShiftSolver.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
 #include <stdexcept>
+
+#include "floc/base/dense_solvers.h"
 
 namespace floc {
 namespace {
@@ -88,16 +88,11 @@ Eigenpairs search(const SymmetricFactor& factor, const Projector& project, doubl
   return found;
 }
 
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& vectors) {
-  return Eigen::HouseholderQR<Eigen::MatrixXd>(vectors).householderQ() *
-         Eigen::MatrixXd::Identity(vectors.rows(), vectors.cols());
-}
-
 /// Rayleigh and Ritz: the best eigenpairs of A in the span of some vectors.
 Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& vectors) {
-  const Eigen::MatrixXd q = orthonormal(vectors);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(q.transpose() * factor.multiply(q));
-  return {eigen.eigenvalues(), q * eigen.eigenvectors(), true};
+  const Eigen::MatrixXd q = orthonormal_basis(vectors, vectors.cols());
+  const SymmetricEigen eigen = symmetric_eigen(q.transpose() * factor.multiply(q));
+  return {eigen.values, q * eigen.vectors, true};
 }
 
 /// Up to `count` vectors that A takes to zero, to rounding. Each is a copy of one eigenvalue, of which Lanczos'
@@ -111,7 +106,7 @@ Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& pro
   for (double& value : block.reshaped()) value = any(engine);
   for (int pass = 0; pass < kPasses; ++pass) {
     for (auto column : block.colwise()) column = project(factor.solve(project(column), 0)).normalized();
-    block = orthonormal(block);
+    block = orthonormal_basis(block, block.cols());
   }
   const Eigenpairs best = best_in_span(factor, block);
   const Eigen::MatrixXd left = factor.multiply(best.vectors);
@@ -134,7 +129,7 @@ Eigenpairs lowest(const Eigenpairs& pairs, int count) {
 /// All of a small matrix: its eigenpairs in the complement of what is left out.
 Eigenpairs dense_eigenpairs(const SymmetricFactor& factor, const Eigen::SparseMatrix<double>& left_out) {
   const Eigen::Index n = left_out.rows();
-  const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(Eigen::MatrixXd(left_out)).householderQ();
+  const Eigen::MatrixXd q = orthonormal_basis(Eigen::MatrixXd(left_out), n);
   return best_in_span(factor, q.rightCols(n - left_out.cols()));
 }
 

@@ -19,7 +19,7 @@ TEST(ViscousDamping, RatioInvertsTheRestitutionOfALinearOscillator) {
   EXPECT_EQ(damping_ratio(1.0), 0.0);
 }
 
-TEST(ViscousDamping, RatioOfB24IsThatOfItsRestitution) {
+TEST(ViscousDamping, RatioIsThatOfItsRestitution) {
   // alpha_n = 0.248 for e_n = sqrt(0.2), three printed digits.
   EXPECT_NEAR(damping_ratio(std::sqrt(0.2)), 0.248, 5e-4);
 }
@@ -50,7 +50,7 @@ TEST(ViscousDamping, RestitutionOfAPairDependsNeitherOnSizesNorOnWhichGrainIsFir
   }
 }
 
-TEST(ViscousDamping, GrainMassRuleGivesTwoEqualSpheresTheSmallerRestitutionOfB24) {
+TEST(ViscousDamping, GrainMassRuleGivesTwoEqualSpheresTheSmallerRestitution) {
   const ViscousDamping grain{std::sqrt(0.2), DampingMass::grain};
   const double mass = 2.0, stiffness = 5.0;
   const double zeta_of_pair =

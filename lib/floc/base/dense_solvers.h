@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace floc {
+
+/// Decompositions of small dense matrices by Eigen, compiled once: each takes seconds wherever it is instantiated.
+
+/// Eigenvalues, ascending, and the eigenvectors that belong to them, in columns.
+struct SymmetricEigen {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+
+/// @param matrix  symmetric; its lower triangle is read
+SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
+/// The eigenvalues alone, ascending.
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
+/// Those of a symmetric tridiagonal matrix. @param beside  the diagonal, one shorter
+Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside);
+
+/// Solution of a symmetric system, definite or not.
+Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
+
+/// The x that makes |columns x - y| least; the smallest of many that do.
+Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
+
+/// An orthonormal basis of all of space whose first columns span the given ones, of which it returns the first `count`.
+Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
+
+/// A = Q R by Householder reflections: y -> R^-1 Q^T y, and R^-1. @pre the columns are independent
+struct LinearSystemByQr {
+  Eigen::VectorXd solution;
+  Eigen::MatrixXd inverse_of_r;
+};
+LinearSystemByQr solve_by_qr(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
+
+/// Thin singular value decomposition: singular values, descending, and right singular vectors in columns.
+struct SingularValues {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd right;
+};
+SingularValues singular_values(const Eigen::MatrixXd& matrix);
+
+}  // namespace floc

@@ -83,14 +83,14 @@ TEST(Positions, OfAStiffCrystalAreWholeInItsFile) {
 }
 
 /// A coordinate >= 0 in full, displaced by a whole number, as a text of up to 34 digits.
-std::string displaced_text(const TwoPart& x, std::int64_t by) {
+std::string displaced_text(const DoubleDouble& x, std::int64_t by) {
   const double whole = std::floor(x.high) - (x.high == std::floor(x.high) && x.low < 0.0 ? 1.0 : 0.0);
-  TwoPart rest = x - TwoPart{whole, 0.0};
+  DoubleDouble rest = x - DoubleDouble{whole, 0.0};
   std::string digits;
   for (int k = 0; k < 24; ++k) {
     rest = rest * 10.0;
     const double digit = std::min(std::floor(rest.high), 9.0);
-    rest = rest - TwoPart{digit, 0.0};
+    rest = rest - DoubleDouble{digit, 0.0};
     digits += static_cast<char>('0' + static_cast<int>(digit));
   }
   return fmt::format("{}.{}", by + static_cast<std::int64_t>(whole), digits);
@@ -105,7 +105,7 @@ TEST(Positions, ABillionDiametersAwayAreReadWithTheDigitsTheyAreWrittenWith) {
   for (const std::int64_t far : {std::int64_t{0}, std::int64_t{1'000'000'000}}) {
     std::string csv = "x,y,radius,mass\n";
     for (int i = 0; i < smooth.grains.size(); ++i) {
-      const TwoPartVec<2> x = smooth.grains.centre(i);
+      const DoubleDoubleVec<2> x = smooth.grains.centre(i);
       csv += fmt::format("{},{},{},1\n", displaced_text(x[0], far), displaced_text(x[1], 2 * far),
                          smooth.grains.radius[i]);
     }

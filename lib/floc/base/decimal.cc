@@ -10,10 +10,10 @@ namespace floc {
 namespace {
 
 constexpr int kDigitsOfDouble = 17;  ///< that tell any two doubles apart
-constexpr int kDigitsKept = 34;      ///< more than two parts hold
+constexpr int kDigitsKept = 34;      ///< more than a double-double holds
 constexpr int kExactPower = 22;      ///< 10^22 is the largest power of ten that is a double
 
-TwoPart times_power_of_ten(TwoPart x, int exponent) {
+DoubleDouble times_power_of_ten(DoubleDouble x, int exponent) {
   for (; exponent != 0; exponent -= std::clamp(exponent, -kExactPower, kExactPower)) {
     const double power = std::pow(10.0, std::min(std::abs(exponent), kExactPower));
     x = exponent > 0 ? x * power : x / power;
@@ -23,19 +23,19 @@ TwoPart times_power_of_ten(TwoPart x, int exponent) {
 
 }  // namespace
 
-TwoPart decimal(std::string_view text, double nearest) {
+DoubleDouble decimal(std::string_view text, double nearest) {
   text = trimmed(text);
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
   int exponent = 0;
   if (end < text.size()) exponent = parse_number<int>(text.substr(end + 1)).value_or(0);
-  TwoPart digits;
+  DoubleDouble digits;
   int n_digits = 0;
   bool fraction = false;
   for (const char c : text.substr(0, end)) {
     if (c == '.') fraction = true;
     if (c < '0' || c > '9') continue;
     if (n_digits < kDigitsKept) {
-      digits = digits * 10.0 + TwoPart{static_cast<double>(c - '0'), 0.0};
+      digits = digits * 10.0 + DoubleDouble{static_cast<double>(c - '0'), 0.0};
       n_digits += n_digits > 0 || c != '0';
       exponent -= fraction;
     } else {
@@ -44,7 +44,7 @@ TwoPart decimal(std::string_view text, double nearest) {
   }
   if (n_digits <= kDigitsOfDouble) return {nearest, 0.0};
   if (text.starts_with('-')) digits = -digits;
-  const double left = (times_power_of_ten(digits, exponent) - TwoPart{nearest, 0.0}).rounded();
+  const double left = (times_power_of_ten(digits, exponent) - DoubleDouble{nearest, 0.0}).rounded();
   // Beyond the range of doubles the powers overflow or vanish; nothing is known then.
   const bool plausible = std::abs(left) <= std::numeric_limits<double>::epsilon() * std::abs(nearest);
   return {nearest, plausible ? left : 0.0};

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "floc/base/two_part.h"
+#include "floc/base/double_double.h"
 
 namespace floc {
 
@@ -12,6 +12,6 @@ namespace floc {
 ///
 /// @param text     a decimal number that parse_number<double>() reads
 /// @param nearest  what it read
-TwoPart decimal(std::string_view text, double nearest);
+DoubleDouble decimal(std::string_view text, double nearest);
 
 }  // namespace floc

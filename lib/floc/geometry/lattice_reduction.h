@@ -28,8 +28,8 @@ struct ReducedLattice {
 template <int Dim>
 ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
   ReducedLattice<Dim> lattice{cell};
-  std::array<TwoPartVec<Dim>, Dim> row;
-  for (int a = 0; a < Dim; ++a) row[a] = two_part<Dim>(cell.matrix.row(a).transpose(), Vec<Dim>::Zero());
+  std::array<DoubleDoubleVec<Dim>, Dim> row;
+  for (int a = 0; a < Dim; ++a) row[a] = double_double<Dim>(cell.matrix.row(a).transpose(), Vec<Dim>::Zero());
   constexpr int kMostRounds = 1000;
   bool shorter = true;
   for (int round = 0; shorter && round < kMostRounds; ++round) {
@@ -40,7 +40,7 @@ ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
         const Vec<Dim> from = lattice.cell.matrix.row(a).transpose();
         const double steps = std::round(from.dot(along) / along.squaredNorm());
         if (a == b || steps == 0.0 || !(std::abs(steps) < 1e15)) continue;
-        TwoPartVec<Dim> to = row[a];
+        DoubleDoubleVec<Dim> to = row[a];
         for (int k = 0; k < Dim; ++k) to[k] = to[k] - row[b][k] * steps;
         if (!(rounded<Dim>(to).squaredNorm() < from.squaredNorm())) continue;
         row[a] = to;

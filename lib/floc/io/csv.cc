@@ -102,7 +102,7 @@ double CsvTable::number(int row, int column) const {
                    fmt::format("{} = \"{}\", expected a finite number", columns_[column], text(row, column)));
 }
 
-TwoPart CsvTable::two_part_number(int row, int column) const {
+DoubleDouble CsvTable::double_double_number(int row, int column) const {
   return decimal(text(row, column), number(row, column));
 }
 

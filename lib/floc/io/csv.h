@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "floc/base/two_part.h"
+#include "floc/base/double_double.h"
 
 namespace floc {
 
@@ -44,7 +44,7 @@ class CsvTable {
   /// @throws InputError naming file, line, column and value if it is not a finite number, or no integer.
   double number(int row, int column) const;
   /// The same with the digits that a double cannot hold: see decimal().
-  TwoPart two_part_number(int row, int column) const;
+  DoubleDouble double_double_number(int row, int column) const;
   std::int64_t integer(int row, int column) const;
 
   /// "file:line" of a row, for messages.

@@ -118,7 +118,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
     grain.place = table.place(row);
     grain.id = id >= 0 ? table.integer(row, id) : row;
     for (std::size_t k = 0; k < axis.size(); ++k) {
-      const TwoPart x = table.two_part_number(row, axis[k]);
+      const DoubleDouble x = table.double_double_number(row, axis[k]);
       grain.position[k] = x.high;
       grain.position_low[k] = x.low;
     }

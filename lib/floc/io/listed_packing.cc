@@ -68,10 +68,10 @@ template <int Dim>
 Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
   const int n = static_cast<int>(listed.size());
   Grains<Dim> grains = Grains<Dim>::with_size(n);
-  std::vector<TwoPartVec<Dim>> centres;
+  std::vector<DoubleDoubleVec<Dim>> centres;
   for (int i = 0; i < n; ++i) {
-    centres.push_back(
-        two_part<Dim>(listed[i].position.template head<Dim>(), listed[i].position_low.template head<Dim>()));
+    centres.push_back(double_double<Dim>(listed[i].position.template head<Dim>(),
+                                         listed[i].position_low.template head<Dim>()));
     grains.radius[i] = listed[i].radius;
     grains.mass[i] = listed[i].mass.value_or(std::pow(2.0 * listed[i].radius, Dim));
   }
@@ -231,7 +231,7 @@ void add_contacts(const ListedPacking& listed, const Identifiers& identifiers, P
 template <int Dim>
 void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
   std::vector<Vec<Dim, int>> moved;
-  std::vector<TwoPartVec<Dim>> centres;
+  std::vector<DoubleDoubleVec<Dim>> centres;
   for (int i = 0; i < packing.grains.size(); ++i) {
     const Vec<Dim> reduced = packing.cell.reduced(packing.grains.position[i]);
     moved.push_back(whole_cells<Dim>(listed.grains[i].place, -reduced.array().floor().matrix()));

@@ -6,7 +6,7 @@
 namespace floc {
 
 template <int Dim>
-void Grains<Dim>::set_centres(const std::vector<TwoPartVec<Dim>>& centres) {
+void Grains<Dim>::set_centres(const std::vector<DoubleDoubleVec<Dim>>& centres) {
   position.resize(centres.size());
   position_low.resize(centres.size());
   for (std::size_t i = 0; i < centres.size(); ++i)
@@ -32,10 +32,10 @@ Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, doubl
 }
 
 template <int Dim>
-TwoPartVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+DoubleDoubleVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   if (packing.is_wall(contact.j)) {
     const Wall<Dim>& wall = packing.wall(contact.j);
-    TwoPartVec<Dim> foot = packing.grains.centre(contact.i);
+    DoubleDoubleVec<Dim> foot = packing.grains.centre(contact.i);
     foot[wall.axis] = exact_sum(wall.position, 0.0);
     return difference<Dim>(foot, packing.grains.centre(contact.i));
   }
@@ -54,8 +54,8 @@ template double solid_fraction(const Packing<2>&);
 template double solid_fraction(const Packing<3>&);
 template Cell<2> search_cell(Cell<2>, const std::vector<Wall<2>>&, double);
 template Cell<3> search_cell(Cell<3>, const std::vector<Wall<3>>&, double);
-template TwoPartVec<2> exact_branch(const Packing<2>&, const Contact<2>&);
-template TwoPartVec<3> exact_branch(const Packing<3>&, const Contact<3>&);
+template DoubleDoubleVec<2> exact_branch(const Packing<2>&, const Contact<2>&);
+template DoubleDoubleVec<3> exact_branch(const Packing<3>&, const Contact<3>&);
 template Vec<2> branch(const Packing<2>&, const Contact<2>&);
 template Vec<3> branch(const Packing<3>&, const Contact<3>&);
 

@@ -54,11 +54,11 @@ struct Grains {
     return g;
   }
 
-  TwoPartVec<Dim> centre(int i) const {
-    return two_part<Dim>(position[i], position_low.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : position_low[i]);
+  DoubleDoubleVec<Dim> centre(int i) const {
+    return double_double<Dim>(position[i], position_low.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : position_low[i]);
   }
-  /// Keeps the second parts only if there is one that is not zero.
-  void set_centres(const std::vector<TwoPartVec<Dim>>& centres);
+  /// Keeps the low parts only if there is one that is not zero.
+  void set_centres(const std::vector<DoubleDoubleVec<Dim>>& centres);
 
   /// Moment of inertia: m d^2/8 of a disk, m d^2/10 of a sphere.
   double inertia(int i) const { return mass[i] * radius[i] * radius[i] * (Dim == 2 ? 0.5 : 0.4); }
@@ -101,7 +101,7 @@ double solid_fraction(const Packing<Dim>& packing);
 
 /// Branch of a contact: vector from the centre of i to the image of j that it touches, or to its foot on a wall.
 template <int Dim>
-TwoPartVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
+DoubleDoubleVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
 /// The same, rounded: right to the last digit of each component.
 template <int Dim>

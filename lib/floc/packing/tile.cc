@@ -75,7 +75,7 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
   out.contacts.clear();
   out.contacts.reserve(n_tiles * packing.contacts.size());
   const ContactMemory<Dim> parity = swap_parity<Dim>(packing.law);
-  std::vector<TwoPartVec<Dim>> centres;
+  std::vector<DoubleDoubleVec<Dim>> centres;
   centres.reserve(n_tiles * packing.grains.position.size());
   for (int t = 0; t < n_tiles; ++t) {
     for (int i = 0; i < n; ++i)

@@ -475,8 +475,8 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
   out.law = law_;
   out.walls = walls_.walls();
   out.wall_law = wall_law_;
-  out.grains =
-      Grains<Dim>::with_size(grains_.size());  // centres in one part: motion ends at the rounding of that
+  // Centres without low parts: motion ends at the rounding of a double.
+  out.grains = Grains<Dim>::with_size(grains_.size());
   out.cell.matrix = lattice_.transpose();
   out.cell.velocity = lattice_rate_.transpose();
   for (int a = 0; a < Dim; ++a)

@@ -29,7 +29,7 @@ constexpr double kHold = 1e-10;
 /// answers and the residual there.
 template <int Dim>
 struct Configuration {
-  std::vector<TwoPartVec<Dim>> centre;
+  std::vector<DoubleDoubleVec<Dim>> centre;
   std::vector<Orientation<Dim>> orientation;
   Cell<Dim> cell;
   std::vector<Vec<Dim>> branch;            ///< of each candidate
@@ -167,7 +167,7 @@ class StaticProblem {
     out.cell.velocity.setZero();
     out.contacts = at.contacts;
     for (Contact<Dim>& c : out.contacts) c.image += inward(at, c.i) - inward(at, c.j);
-    std::vector<TwoPartVec<Dim>> centres;
+    std::vector<DoubleDoubleVec<Dim>> centres;
     for (int i = 0; i < n_grains(); ++i) {
       out.grains.velocity[i].setZero();
       out.grains.angular_velocity[i].setZero();
@@ -226,7 +226,8 @@ class StaticProblem {
   /// Branch and gap of a candidate. @return its normal
   Vec<Dim> locate(Configuration<Dim>& at, std::size_t k) const {
     Contact<Dim>& c = at.remembered[k];
-    const TwoPartVec<Dim> r = difference<Dim>(displaced<Dim>(at.centre[c.j], at.cell, c.image), at.centre[c.i]);
+    const DoubleDoubleVec<Dim> r =
+        difference<Dim>(displaced<Dim>(at.centre[c.j], at.cell, c.image), at.centre[c.i]);
     at.branch[k] = rounded<Dim>(r);
     c.gap = surface_gap<Dim>(r, start_.grains.radius[c.i], start_.grains.radius[c.j]);
     return at.branch[k].normalized();

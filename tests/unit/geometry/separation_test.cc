@@ -12,12 +12,12 @@ TEST(Separation, OfFarPlacesAndImagesIsExact) {
   cell.matrix << 41.3, 0.0, 7.1, 39.9;
   const Vec<2> x(0.3, 39.7), low(0x1p-70, -0x1p-60);
   const Vec<2, int> image(-25000000, 31);
-  const TwoPartVec<2> from = two_part<2>(x, low);
-  const TwoPartVec<2> there = displaced<2>(from, cell, image);
-  const TwoPartVec<2> back = displaced<2>(there, cell, Vec<2, int>(-image));
+  const DoubleDoubleVec<2> from = double_double<2>(x, low);
+  const DoubleDoubleVec<2> there = displaced<2>(from, cell, image);
+  const DoubleDoubleVec<2> back = displaced<2>(there, cell, Vec<2, int>(-image));
   // 1e9 away the second part ends at 1e9 * 2^-106.
   for (int a = 0; a < 2; ++a) EXPECT_NEAR((back[a] - from[a]).rounded(), 0.0, 1e9 * 0x1p-104);
-  const TwoPartVec<2> r = difference<2>(there, from);
+  const DoubleDoubleVec<2> r = difference<2>(there, from);
   for (int a = 0; a < 2; ++a)
     EXPECT_NEAR((r[a] - exact_product(-25000000.0, cell.matrix(0, a)) - exact_product(31.0, cell.matrix(1, a)))
                     .rounded(),
@@ -26,12 +26,12 @@ TEST(Separation, OfFarPlacesAndImagesIsExact) {
 
 /// Branches of Pythagorean length 5: the gap of surfaces is known to the last digit, however small it is.
 TEST(Separation, GivesGapsToTheirOwnLastDigit) {
-  const TwoPartVec<2> r = two_part<2>(Vec<2>(3.0, -4.0), Vec<2>::Zero());
+  const DoubleDoubleVec<2> r = double_double<2>(Vec<2>(3.0, -4.0), Vec<2>::Zero());
   EXPECT_EQ(surface_gap<2>(r, 2.0, 3.0), 0.0);
   for (const double overlap : {0x1p-10, 0x1p-30, 0x1p-50})
     EXPECT_NEAR(surface_gap<2>(r, 2.0, 3.0 + overlap) / -overlap, 1.0, 4e-16) << overlap;
   // Nearer by 2^-80 along the branch, which no double of the coordinates shows.
-  const TwoPartVec<2> nearer = two_part<2>(Vec<2>(3.0, -4.0), Vec<2>(-0.6 * 0x1p-80, 0.8 * 0x1p-80));
+  const DoubleDoubleVec<2> nearer = double_double<2>(Vec<2>(3.0, -4.0), Vec<2>(-0.6 * 0x1p-80, 0.8 * 0x1p-80));
   EXPECT_NEAR(surface_gap<2>(nearer, 2.0, 3.0) / -0x1p-80, 1.0, 1e-7);
 }
 

@@ -125,9 +125,9 @@ void passes(benchmark::State& state) {
   const StepKernels<2>& kernels =
       step_kernels(widest_instruction_set(), LatticeShape::rectangular, law.index());
   const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
-  const GrainArrays<2> g = grains.arrays(x_list, inverse_skin_squared);
+  const GrainView<2> g = grains.view(x_list, inverse_skin_squared);
   RowSums<2> row_sums({&pairs}, row_size(law), grains.size());
-  PairArrays<2> p = pairs.arrays();
+  PairView<2> p = pairs.view();
   p.row = row_sums.rows(0);
   const PairCell<2> cell{{{packing.cell.matrix(0, 0), 0.0}, {0.0, packing.cell.matrix(1, 1)}}, {}, 0.0, {}};
   const Kick<2> kick{0.0, {{1.0, 0.0}, {0.0, 1.0}}, {{1.0, 0.0}, {0.0, 1.0}}};

@@ -142,7 +142,7 @@ template <int Dim>
 void ExplicitDynamics<Dim>::kick_walls() {
   std::vector<double> force(walls_.size(), 0.0);
   const HotPairs<Dim>& pairs = interactions_.back().pairs();
-  const double* row = interactions_.back().arrays().row;
+  const double* row = interactions_.back().view().row;
   const int size_of_row = row_size(interactions_.back().law());
   for (int p = 0; p < pairs.size(); ++p, row += size_of_row) {
     if (pairs.padding(p)) continue;
@@ -250,7 +250,7 @@ Kick<Dim> ExplicitDynamics<Dim>::kick_over(double half_step) const {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::kick_and_drift(int block) {
-  interactions_[0].kernels().kick_and_drift(grain_arrays_, block * kGrainBlock, kick_, drift_, sums_[block]);
+  interactions_[0].kernels().kick_and_drift(grain_view_, block * kGrainBlock, kick_, drift_, sums_[block]);
 }
 
 /// The share of the time that the list has cost so far, against that of the pairs which it carries for nothing:
@@ -370,7 +370,7 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   for (std::size_t k = 0; k < interactions_.size(); ++k) interactions_[k].set_rows(sums_of_rows_.rows(k));
   walls_.mark();
   x_list_ = grains_.x;
-  grain_arrays_ = grains_.arrays(x_list_, inverse_skin_squared_);
+  grain_view_ = grains_.view(x_list_, inverse_skin_squared_);
   lattice_at_list_ = lattice_;
   list_stretch_.setIdentity();
   steps_since_list_ = 0;
@@ -391,7 +391,7 @@ std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(Grains<Dim> no
 
 template <int Dim>
 PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
-  PairCell<Dim> cell{{}, {}, slip_time, walls_.arrays()};
+  PairCell<Dim> cell{{}, {}, slip_time, walls_.view()};
   copy<Dim>(lattice_, cell.lattice);
   copy<Dim>(strain_rate_, cell.strain_rate);
   return cell;
@@ -400,12 +400,12 @@ PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
 template <int Dim>
 void ExplicitDynamics<Dim>::compute_pairs(int block, double slip_time) {
   for (const Interaction<Dim>& interaction : interactions_)
-    interaction.compute(block, grain_arrays_, pair_cell(slip_time));
+    interaction.compute(block, grain_view_, pair_cell(slip_time));
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::sum_and_kick(int block) {
-  interactions_[0].kernels().sum_and_kick(grain_arrays_, interactions_[0].arrays(), sums_of_rows_.plan(block),
+  interactions_[0].kernels().sum_and_kick(grain_view_, interactions_[0].view(), sums_of_rows_.plan(block),
                                           block * kGrainBlock, pair_cell(0.0), kick_, sums_[block]);
   if (!walls_.empty()) add_wall_virial(block);
 }
@@ -419,7 +419,7 @@ void ExplicitDynamics<Dim>::add_wall_virial(int block) {
   const int size_of_row = row_size(interaction.law());
   for (int p = pairs.first_of_block(block); p < pairs.first_of_block(block + 1); ++p) {
     if (pairs.padding(p)) continue;
-    const double* on_wall = interaction.arrays().row + static_cast<std::ptrdiff_t>(size_of_row) * p;
+    const double* on_wall = interaction.view().row + static_cast<std::ptrdiff_t>(size_of_row) * p;
     const Wall<Dim>& wall = walls_.walls()[pairs.j(p)];
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < Dim; ++b)

@@ -73,7 +73,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double thinnest_skin_;  ///< (length)
 
   HotGrains<Dim> grains_;
-  GrainArrays<Dim> grain_arrays_;
+  GrainView<Dim> grain_view_;
   RowSums<Dim> sums_of_rows_;
   // The lattice vectors are columns here: upper triangular matrices, diagonal for a rectangular cell.
   // Along an axis between walls the lattice rests: grains there do not follow its deformation.

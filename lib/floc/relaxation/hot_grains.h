@@ -32,7 +32,7 @@ struct HotGrains {
   void copy_positions_to(Grains<Dim>& grains) const;
   /// @param x_list                positions when the neighbour list was built
   /// @param inverse_skin_squared  of the distances that grains may move before the next (1/length^2)
-  GrainArrays<Dim> arrays(const std::array<Component, Dim>& x_list, const Component& inverse_skin_squared);
+  GrainView<Dim> view(const std::array<Component, Dim>& x_list, const Component& inverse_skin_squared);
 };
 
 template <int Dim>
@@ -69,9 +69,9 @@ void HotGrains<Dim>::copy_positions_to(Grains<Dim>& grains) const {
 }
 
 template <int Dim>
-GrainArrays<Dim> HotGrains<Dim>::arrays(const std::array<Component, Dim>& x_list,
-                                        const Component& inverse_skin_squared) {
-  GrainArrays<Dim> out;
+GrainView<Dim> HotGrains<Dim>::view(const std::array<Component, Dim>& x_list,
+                                    const Component& inverse_skin_squared) {
+  GrainView<Dim> out;
   for (int a = 0; a < Dim; ++a) {
     out.x[a] = x[a].data();
     out.v[a] = v[a].data();

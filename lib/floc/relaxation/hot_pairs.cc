@@ -111,8 +111,8 @@ void HotPairs<Dim>::inherit(const HotPairs& old) {
 }
 
 template <int Dim>
-PairArrays<Dim> HotPairs<Dim>::arrays() {
-  PairArrays<Dim> out;
+PairView<Dim> HotPairs<Dim>::view() {
+  PairView<Dim> out;
   out.i = i_.data();
   out.j = j_.data();
   for (int a = 0; a < Dim; ++a) out.image[a] = image_[a].data();

@@ -55,7 +55,7 @@ class HotPairs {
   void inherit(const HotPairs& old);
 
   /// Without rows, which are of all lists together (row_sums.h).
-  PairArrays<Dim> arrays();
+  PairView<Dim> view();
 
  private:
   void add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping);

@@ -15,17 +15,17 @@ Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, 
       swap_parity_(swap_parity<Dim>(parameters)),
       kernels_(step_kernels(instructions, shape, law_.index())),
       composed_law_(std::visit([](const auto& composed) { return static_cast<const void*>(&composed); }, law_)),
-      arrays_(pairs_.arrays()) {}
+      arrays_(pairs_.view()) {}
 
 template <int Dim>
 void Interaction<Dim>::set_pairs(HotPairs<Dim> pairs) {
   pairs.inherit(pairs_);
   pairs_ = std::move(pairs);
-  arrays_ = pairs_.arrays();
+  arrays_ = pairs_.view();
 }
 
 template <int Dim>
-void Interaction<Dim>::compute(int block, const GrainArrays<Dim>& grains, const PairCell<Dim>& cell) const {
+void Interaction<Dim>::compute(int block, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const {
   const auto kernel = partner_ == Partner::wall ? kernels_.compute_wall_pairs : kernels_.compute_pairs;
   kernel(composed_law_, grains, arrays_, pairs_.first_of_block(block), pairs_.first_of_block(block + 1), cell);
 }

@@ -20,14 +20,14 @@ class Interaction {
   double range() const { return range_; }
   const StepKernels<Dim>& kernels() const { return kernels_; }
   const HotPairs<Dim>& pairs() const { return pairs_; }
-  const PairArrays<Dim>& arrays() const { return arrays_; }
+  const PairView<Dim>& view() const { return arrays_; }
 
   /// Takes a new list of pairs, which inherits the memory of the one before.
   void set_pairs(HotPairs<Dim> pairs);
   /// Where the rows of the list begin.
   void set_rows(double* rows) { arrays_.row = rows; }
   /// Rows, springs and memory of the pairs of a block.
-  void compute(int block, const GrainArrays<Dim>& grains, const PairCell<Dim>& cell) const;
+  void compute(int block, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const;
 
   /// The memory of a contact into that of its pair, and back. @param swapped  the pair is the contact seen from its other grain
   void load_memory(int pair, const ContactMemory<Dim>& memory, bool swapped);
@@ -41,7 +41,7 @@ class Interaction {
   const StepKernels<Dim>& kernels_;
   const void* composed_law_;  ///< the alternative in law_
   HotPairs<Dim> pairs_;
-  PairArrays<Dim> arrays_;
+  PairView<Dim> arrays_;
 };
 
 /// The laws of the interactions of a packing, composed so that all rows have one size: where some have friction, the others

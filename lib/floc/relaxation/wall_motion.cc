@@ -33,7 +33,7 @@ void WallMotion<Dim>::set_arrays() {
 }
 
 template <int Dim>
-WallArrays<Dim> WallMotion<Dim>::arrays() const {
+WallArrays<Dim> WallMotion<Dim>::view() const {
   WallArrays<Dim> out;
   for (int a = 0; a < Dim; ++a) out.normal[a] = normal_[a].data();
   out.level = level_.data();

@@ -30,8 +30,9 @@ constexpr int row_size(bool turns) {
   return turns ? 4 : 2;
 }
 
+/// The grains as kernels are handed them: pointers to the arrays of all.
 template <int Dim>
-struct GrainArrays {
+struct GrainView {
   double *x[Dim], *v[Dim], *force[Dim];
   double *spin, *torque, *angle;
   const double *mass, *inverse_mass, *inertia, *inverse_inertia;
@@ -39,9 +40,9 @@ struct GrainArrays {
   const double* inverse_skin_squared;  ///< of the distances that grains may move before the next list
 };
 
-/// The pairs of all blocks, each block's padded by pairs that do not interact.
+/// The pairs of all blocks, likewise, each block's padded by pairs that do not interact.
 template <int Dim>
-struct PairArrays {
+struct PairView {
   /// Grains; those of i ascend, by less than kWindow in kPairPadding pairs. Of pairs with walls j is the wall's number, and i
   /// may leap.
   const int *i, *j;
@@ -56,7 +57,7 @@ struct PairArrays {
   double* row;                               ///< one more than there are pairs: the last stays zero
 };
 
-/// Which rows each grain of a block sums as the first, or as the second, of a pair: places in PairArrays::row, those of
+/// Which rows each grain of a block sums as the first, or as the second, of a pair: places in PairView::row, those of
 /// each grain in ascending order of its pairs. Grains with similarly many stand side by side in groups, which are summed
 /// without branches to a depth of their own: depth x kSumGroup places, those of a grain that has fewer filled up with the row
 /// that stays zero. What a grain has beyond the depth of its group follows alone.
@@ -120,15 +121,15 @@ struct PairCell {
 /// The passes of a time step, for one law and one instruction set.
 template <int Dim>
 struct StepKernels {
-  void (*kick_and_drift)(const GrainArrays<Dim>&, int first_grain, const Kick<Dim>&, const Drift<Dim>&,
+  void (*kick_and_drift)(const GrainView<Dim>&, int first_grain, const Kick<Dim>&, const Drift<Dim>&,
                          BlockSums<Dim>&);
   /// Rows and springs of the pairs [first, last). @param law  the composed law, of the alternative chosen
-  void (*compute_pairs)(const void* law, const GrainArrays<Dim>&, const PairArrays<Dim>&, int first, int last,
+  void (*compute_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                         const PairCell<Dim>&);
   /// The same for pairs of grains with walls.
-  void (*compute_wall_pairs)(const void* law, const GrainArrays<Dim>&, const PairArrays<Dim>&, int first,
-                             int last, const PairCell<Dim>&);
-  void (*sum_and_kick)(const GrainArrays<Dim>&, const PairArrays<Dim>&, const BlockSumsPlan&, int first_grain,
+  void (*compute_wall_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
+                             const PairCell<Dim>&);
+  void (*sum_and_kick)(const GrainView<Dim>&, const PairView<Dim>&, const BlockSumsPlan&, int first_grain,
                        const PairCell<Dim>&, const Kick<Dim>&, BlockSums<Dim>&);
 };
 

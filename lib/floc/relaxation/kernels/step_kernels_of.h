@@ -20,7 +20,7 @@ struct GrainKernels {
   using P = Pack<Isa>;
   using Row = typename VectorOf<kRow>::Type;
 
-  [[gnu::flatten]] static void kick_and_drift(const GrainArrays<Dim>& grains, int begin, const Kick<Dim>& kick,
+  [[gnu::flatten]] static void kick_and_drift(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick,
                                               const Drift<Dim>& drift, BlockSums<Dim>& sums) {
     double moved_squared[kGrainBlock] = {};
     // In a triangular lattice an axis drifts with the velocities along those after it, kicked already.
@@ -47,7 +47,7 @@ struct GrainKernels {
       if (sums.consumed_squared < largest.v[l]) sums.consumed_squared = largest.v[l];
   }
 
-  [[gnu::flatten]] static void sum_and_kick(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs,
+  [[gnu::flatten]] static void sum_and_kick(const GrainView<Dim>& grains, const PairView<Dim>& pairs,
                                             const BlockSumsPlan& plan, int begin, const PairCell<Dim>& cell,
                                             const Kick<Dim>& kick, BlockSums<Dim>& sums) {
     sum_forces(grains, pairs, plan, begin);
@@ -69,7 +69,7 @@ struct GrainKernels {
 
  private:
   /// Axes in ascending order: each reads the velocities, not yet changed, along those after it.
-  static void accelerate(const GrainArrays<Dim>& grains, int begin, const Kick<Dim>& kick, int a) {
+  static void accelerate(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick, int a) {
     double* const v = grains.v[a] + begin;
     const double* const force = grains.force[a] + begin;
     const double* const inverse_mass = grains.inverse_mass + begin;
@@ -89,7 +89,7 @@ struct GrainKernels {
   }
 
   /// Moves the grains along one axis, and adds to the squares of their displacements since the list was built.
-  static void move(const GrainArrays<Dim>& grains, int begin, const Drift<Dim>& drift, int a,
+  static void move(const GrainView<Dim>& grains, int begin, const Drift<Dim>& drift, int a,
                    double (&moved_squared)[kGrainBlock]) {
     const double* const v = grains.v[a] + begin;
     double* const x = grains.x[a] + begin;
@@ -128,7 +128,7 @@ struct GrainKernels {
   }
 
   /// Force along a on the grains j of pairs across the boundary, times the component b of their image's displacement.
-  static double crossing_virial(const PairArrays<Dim>& pairs, const BlockSumsPlan& plan,
+  static double crossing_virial(const PairView<Dim>& pairs, const BlockSumsPlan& plan,
                                 const PairCell<Dim>& cell, int a, int b) {
     double virial = 0.0;
     for (int c = 0; c < plan.n_crossing; ++c) {
@@ -141,7 +141,7 @@ struct GrainKernels {
     return virial;
   }
 
-  static void turn(const GrainArrays<Dim>& grains, int begin, double half_step) {
+  static void turn(const GrainView<Dim>& grains, int begin, double half_step) {
     const double* const inverse_inertia = grains.inverse_inertia + begin;
     const double* const torque = grains.torque + begin;
     double* const spin = grains.spin + begin;
@@ -166,7 +166,7 @@ struct GrainKernels {
     return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
   }
 
-  static void add_row(const PairArrays<Dim>& pairs, int place, Row& sum) {
+  static void add_row(const PairView<Dim>& pairs, int place, Row& sum) {
     Row row;
     __builtin_memcpy(&row, pairs.row + place, sizeof(Row));
     sum += row;
@@ -174,7 +174,7 @@ struct GrainKernels {
 
   /// Sums of the rows of each grain of the block. Rows of pairs that do not interact are zero and leave no trace, so the
   /// sums do not depend on which of them the list holds.
-  static void sum_rows(const PairArrays<Dim>& pairs, const SideSumsPlan& plan, Row (&total)[kGrainBlock]) {
+  static void sum_rows(const PairView<Dim>& pairs, const SideSumsPlan& plan, Row (&total)[kGrainBlock]) {
     const int* row = plan.row;
     for (int g = 0; g < SideSumsPlan::kGroups; ++g) {
       Row sum[kSumGroup] = {};
@@ -189,8 +189,8 @@ struct GrainKernels {
     }
   }
 
-  static void sum_forces(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs,
-                         const BlockSumsPlan& plan, int begin) {
+  static void sum_forces(const GrainView<Dim>& grains, const PairView<Dim>& pairs, const BlockSumsPlan& plan,
+                         int begin) {
     Row as_i[kGrainBlock], as_j[kGrainBlock];
     sum_rows(pairs, plan.as_i, as_i);
     sum_rows(pairs, plan.as_j, as_j);
@@ -220,8 +220,8 @@ struct PairKernel {
   using P = Pack<Isa>;
   using V = Vec<Dim, P>;
 
-  [[gnu::flatten]] static void compute(const void* any_law, const GrainArrays<Dim>& grains,
-                                       const PairArrays<Dim>& pairs, int first, int last,
+  [[gnu::flatten]] static void compute(const void* any_law, const GrainView<Dim>& grains,
+                                       const PairView<Dim>& pairs, int first, int last,
                                        const PairCell<Dim>& cell) {
     const Law law = *static_cast<const Law*>(any_law);  // a copy that no store of the loop can alias
     Approach approach[kChunk];
@@ -254,7 +254,7 @@ struct PairKernel {
   };
 
   template <class Gather>
-  static Seen see(const GrainArrays<Dim>& grains, const int* grain, Gather gather) {
+  static Seen see(const GrainView<Dim>& grains, const int* grain, Gather gather) {
     Seen seen;
     for (int a = 0; a < Dim; ++a) {
       seen.x[a] = gather(grains.x[a], grain);
@@ -264,7 +264,7 @@ struct PairKernel {
     return seen;
   }
 
-  static Approach look(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, int p,
+  static Approach look(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
                        const PairCell<Dim>& cell) {
     const Seen i = see(grains, pairs.i + p, Records<Isa>::gather_window);
     const Seen j = see(grains, pairs.j + p, Records<Isa>::gather);
@@ -294,7 +294,7 @@ struct PairKernel {
   }
 
   /// The foot of a grain's centre on the plane moves with the wall, and across it as the grains around do on average.
-  static Approach look_at_wall(const GrainArrays<Dim>& grains, const PairArrays<Dim>& pairs, int p,
+  static Approach look_at_wall(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
                                const PairCell<Dim>& cell) {
     const Seen i = see(grains, pairs.i + p, Records<Isa>::gather);
     const int* const wall = pairs.j + p;
@@ -310,7 +310,7 @@ struct PairKernel {
   }
 
   /// @param velocity  of j's centre against i's
-  static Approach approach_along(const V& n, const P& distance, const V& velocity, const PairArrays<Dim>& pairs,
+  static Approach approach_along(const V& n, const P& distance, const V& velocity, const PairView<Dim>& pairs,
                                  int p) {
     Approach a;
     a.n = n;
@@ -328,7 +328,7 @@ struct PairKernel {
     a.motion.relative_turn = P(cell.slip_time) * turn;
   }
 
-  static void respond(const Law& law, const Approach& a, const PairArrays<Dim>& pairs, int p) {
+  static void respond(const Law& law, const Approach& a, const PairView<Dim>& pairs, int p) {
     ContactMotion<Dim, P> motion = a.motion;
     if constexpr (Law::kHasDamping) motion.damping = P::load(pairs.damping + p);
     PackedMemory<Law::template kMemorySize<Dim>, P> memory;
@@ -349,12 +349,12 @@ struct PairKernel {
   }
 
   template <class Memory, int... k>
-  static void load(const PairArrays<Dim>& pairs, [[maybe_unused]] int p, Memory& memory,
+  static void load(const PairView<Dim>& pairs, [[maybe_unused]] int p, Memory& memory,
                    std::integer_sequence<int, k...>) {
     ((memory.value[k] = P::load(pairs.memory[memory_place<Law, Dim>(k)] + p)), ...);
   }
   template <class Memory, int... k>
-  static void store(const Memory& memory, const PairArrays<Dim>& pairs, [[maybe_unused]] int p,
+  static void store(const Memory& memory, const PairView<Dim>& pairs, [[maybe_unused]] int p,
                     std::integer_sequence<int, k...>) {
     (memory.value[k].store(pairs.memory[memory_place<Law, Dim>(k)] + p), ...);
   }

@@ -20,9 +20,9 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/tile.h"
 #include "floc/relaxation/dynamics.h"
-#include "floc/relaxation/hot_grains.h"
-#include "floc/relaxation/hot_pairs.h"
+#include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/interaction.h"
+#include "floc/relaxation/pair_arrays.h"
 #include "floc/relaxation/relaxer.h"
 #include "floc/relaxation/row_sums.h"
 
@@ -112,16 +112,16 @@ void passes(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
   const AnyContactLaw law = compose_law(packing.law);
   const void* const composed = std::visit([](const auto& l) { return static_cast<const void*>(&l); }, law);
-  HotGrains<2> grains(packing.grains, space_order(packing.cell, packing.grains));
+  GrainArrays<2> grains(packing.grains, space_order(packing.cell, packing.grains));
   const auto x_list = grains.x;
   Grains<2> ordered = Grains<2>::with_size(grains.size());
   grains.copy_positions_to(ordered);
   std::copy_n(grains.radius.begin(), grains.size(), ordered.radius.begin());
   const auto new_pairs = [&] {
-    return HotPairs<2>(find_pairs(packing.cell, ordered, 0.005), Partner::grain, ordered.radius, grains.mass,
-                       law, 1e-4);
+    return PairArrays<2>(find_pairs(packing.cell, ordered, 0.005), Partner::grain, ordered.radius, grains.mass,
+                         law, 1e-4);
   };
-  HotPairs<2> pairs = new_pairs();
+  PairArrays<2> pairs = new_pairs();
   const StepKernels<2>& kernels =
       step_kernels(widest_instruction_set(), LatticeShape::rectangular, law.index());
   const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
@@ -149,7 +149,7 @@ void passes(benchmark::State& state) {
     clocked(seconds[2],
             [&](int b) { kernels.sum_and_kick(g, p, row_sums.plan(b), b * kGrainBlock, cell, kick, sums); });
     const std::clock_t start = std::clock();
-    const HotPairs<2> list = new_pairs();
+    const PairArrays<2> list = new_pairs();
     benchmark::DoNotOptimize(RowSums<2>({&list}, row_size(law), grains.size()));
     seconds[3] += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   }

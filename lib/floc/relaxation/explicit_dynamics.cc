@@ -141,7 +141,7 @@ void ExplicitDynamics<Dim>::kick_boundary() {
 template <int Dim>
 void ExplicitDynamics<Dim>::kick_walls() {
   std::vector<double> force(walls_.size(), 0.0);
-  const HotPairs<Dim>& pairs = interactions_.back().pairs();
+  const PairArrays<Dim>& pairs = interactions_.back().pairs();
   const double* row = interactions_.back().view().row;
   const int size_of_row = row_size(interactions_.back().law());
   for (int p = 0; p < pairs.size(); ++p, row += size_of_row) {
@@ -357,7 +357,7 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   inverse_skin_squared_.assign(grains_.x[0].size(), 0.0);
   for (int k = 0; k < grains_.size(); ++k)
     inverse_skin_squared_[k] = 1.0 / (0.25 * skin_ * skin_ * share[k] * share[k]);
-  std::vector<const HotPairs<Dim>*> lists;
+  std::vector<const PairArrays<Dim>*> lists;
   for (Interaction<Dim>& interaction : interactions_) {
     const bool of_grains = interaction.partner() == Partner::grain;
     const std::vector<NeighborPair<Dim>> close =
@@ -415,7 +415,7 @@ void ExplicitDynamics<Dim>::sum_and_kick(int block) {
 template <int Dim>
 void ExplicitDynamics<Dim>::add_wall_virial(int block) {
   const Interaction<Dim>& interaction = interactions_.back();
-  const HotPairs<Dim>& pairs = interaction.pairs();
+  const PairArrays<Dim>& pairs = interaction.pairs();
   const int size_of_row = row_size(interaction.law());
   for (int p = pairs.first_of_block(block); p < pairs.first_of_block(block + 1); ++p) {
     if (pairs.padding(p)) continue;
@@ -515,7 +515,7 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
 template <int Dim>
 void ExplicitDynamics<Dim>::append_contacts(const Interaction<Dim>& interaction,
                                             const std::vector<Vec<Dim, int>>& wrap, Packing<Dim>& out) const {
-  const HotPairs<Dim>& pairs = interaction.pairs();
+  const PairArrays<Dim>& pairs = interaction.pairs();
   const bool with_walls = interaction.partner() == Partner::wall;
   out.contacts.reserve(out.contacts.size() + pairs.size());
   for (int p = 0; p < pairs.size(); ++p) {

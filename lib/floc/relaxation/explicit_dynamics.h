@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "floc/relaxation/dynamics.h"
-#include "floc/relaxation/hot_grains.h"
+#include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/interaction.h"
 #include "floc/relaxation/row_sums.h"
 #include "floc/relaxation/wall_motion.h"
@@ -72,7 +72,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double largest_;        ///< diameter
   double thinnest_skin_;  ///< (length)
 
-  HotGrains<Dim> grains_;
+  GrainArrays<Dim> grains_;
   GrainView<Dim> grain_view_;
   RowSums<Dim> sums_of_rows_;
   // The lattice vectors are columns here: upper triangular matrices, diagonal for a rectangular cell.

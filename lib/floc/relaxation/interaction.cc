@@ -18,7 +18,7 @@ Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, 
       arrays_(pairs_.view()) {}
 
 template <int Dim>
-void Interaction<Dim>::set_pairs(HotPairs<Dim> pairs) {
+void Interaction<Dim>::set_pairs(PairArrays<Dim> pairs) {
   pairs.inherit(pairs_);
   pairs_ = std::move(pairs);
   arrays_ = pairs_.view();

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "floc/relaxation/hot_pairs.h"
+#include "floc/relaxation/pair_arrays.h"
 
 namespace floc {
 
@@ -19,11 +19,11 @@ class Interaction {
   const AnyContactLaw& law() const { return law_; }
   double range() const { return range_; }
   const StepKernels<Dim>& kernels() const { return kernels_; }
-  const HotPairs<Dim>& pairs() const { return pairs_; }
+  const PairArrays<Dim>& pairs() const { return pairs_; }
   const PairView<Dim>& view() const { return arrays_; }
 
   /// Takes a new list of pairs, which inherits the memory of the one before.
-  void set_pairs(HotPairs<Dim> pairs);
+  void set_pairs(PairArrays<Dim> pairs);
   /// Where the rows of the list begin.
   void set_rows(double* rows) { arrays_.row = rows; }
   /// Rows, springs and memory of the pairs of a block.
@@ -40,7 +40,7 @@ class Interaction {
   ContactMemory<Dim> swap_parity_;
   const StepKernels<Dim>& kernels_;
   const void* composed_law_;  ///< the alternative in law_
-  HotPairs<Dim> pairs_;
+  PairArrays<Dim> pairs_;
   PairView<Dim> arrays_;
 };
 

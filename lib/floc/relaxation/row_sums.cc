@@ -36,17 +36,17 @@ int row_place(std::int64_t pair, int row_size) {
 }
 
 template <int Dim>
-RowSums<Dim>::RowSums(const std::vector<const HotPairs<Dim>*>& lists, int row_size, int n_grains)
+RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, int row_size, int n_grains)
     : row_size_(row_size), plans_((n_grains + kGrainBlock - 1) / kGrainBlock) {
   std::int64_t n_pairs = 0;
-  for (const HotPairs<Dim>* pairs : lists) {
+  for (const PairArrays<Dim>* pairs : lists) {
     first_row_.push_back(row_place(n_pairs, row_size));
     n_pairs += pairs->size();
   }
   zero_row_ = row_place(n_pairs, row_size);
   rows_.assign(static_cast<std::size_t>(zero_row_ + row_size), 0.0);
-  const RowsOfGrains as_i = rows_of(lists, [](const HotPairs<Dim>& pairs, int p) { return pairs.i(p); });
-  const RowsOfGrains as_j = rows_of({lists[0]}, [](const HotPairs<Dim>& pairs, int p) { return pairs.j(p); });
+  const RowsOfGrains as_i = rows_of(lists, [](const PairArrays<Dim>& pairs, int p) { return pairs.i(p); });
+  const RowsOfGrains as_j = rows_of({lists[0]}, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
   std::vector<std::size_t> first;
   for (std::size_t b = 0; b < plans_.size(); ++b) {
     const int begin = static_cast<int>(b) * kGrainBlock;
@@ -66,10 +66,10 @@ RowSums<Dim>::RowSums(const std::vector<const HotPairs<Dim>*>& lists, int row_si
 /// In the order of the pairs; grains that pad the last block have none.
 template <int Dim>
 template <class GrainOf>
-typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const std::vector<const HotPairs<Dim>*>& lists,
+typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const std::vector<const PairArrays<Dim>*>& lists,
                                                           const GrainOf& grain_of) const {
   RowsOfGrains rows{std::vector<int>(plans_.size() * kGrainBlock + 1, 0), {}};
-  for (const HotPairs<Dim>* pairs : lists)
+  for (const PairArrays<Dim>* pairs : lists)
     for (int p = 0; p < pairs->size(); ++p)
       if (!pairs->padding(p)) ++rows.first[grain_of(*pairs, p) + 1];
   std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
@@ -107,7 +107,7 @@ void RowSums<Dim>::plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& 
 }
 
 template <int Dim>
-void RowSums<Dim>::plan_crossings(const HotPairs<Dim>& pairs) {
+void RowSums<Dim>::plan_crossings(const PairArrays<Dim>& pairs) {
   const int n_blocks = static_cast<int>(plans_.size());
   std::vector<std::size_t> first(n_blocks);
   for (int b = 0; b < n_blocks; ++b) {

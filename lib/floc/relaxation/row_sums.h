@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "floc/relaxation/hot_pairs.h"
+#include "floc/relaxation/pair_arrays.h"
 
 namespace floc {
 
@@ -22,7 +22,7 @@ class RowSums {
   RowSums& operator=(RowSums&&) = default;
   /// @param lists     first of pairs of grains, then perhaps of grains with walls
   /// @param row_size  doubles of a row
-  RowSums(const std::vector<const HotPairs<Dim>*>& lists, int row_size, int n_grains);
+  RowSums(const std::vector<const PairArrays<Dim>*>& lists, int row_size, int n_grains);
 
   /// Row of the first pair of a list.
   double* rows(std::size_t list) { return rows_.data() + first_row_[list]; }
@@ -37,9 +37,9 @@ class RowSums {
   };
 
   template <class GrainOf>
-  RowsOfGrains rows_of(const std::vector<const HotPairs<Dim>*>& lists, const GrainOf& grain_of) const;
+  RowsOfGrains rows_of(const std::vector<const PairArrays<Dim>*>& lists, const GrainOf& grain_of) const;
   void plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& rows);
-  void plan_crossings(const HotPairs<Dim>& pairs);
+  void plan_crossings(const PairArrays<Dim>& pairs);
 
   int row_size_ = 0;            ///< doubles
   int zero_row_ = 0;            ///< place of the row that stays zero

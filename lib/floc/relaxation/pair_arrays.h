@@ -25,10 +25,10 @@ inline double lagging_damping(double coefficient, double effective_mass, double 
 }
 
 /// Neighbour pairs as the force loop reads them, of grains i <= j or of a grain i and wall j, one array a component. A block
-/// of grains owns the pairs whose first grain it owns; they stand together in order, and are padded to whole vectors with pairs
+/// of grains owns the pairs whose first grain it owns; they are contiguous and in order, and padded to whole vectors with pairs
 /// of no size, of a grain and its own image one cell away or of a grain and a wall, which no grain sums.
 template <int Dim>
-class HotPairs {
+class PairArrays {
  public:
   using Component = AlignedVector<double>;
 
@@ -36,10 +36,10 @@ class HotPairs {
   /// What the law remembers, at the places of MemoryLayout; empty at places of which it remembers nothing.
   std::array<Component, MemoryLayout<Dim>::kSize> memory;
 
-  HotPairs() = default;
-  /// @param pairs  sorted, of the grains whose radii and masses are given in the order of the hot grains
-  HotPairs(const std::vector<NeighborPair<Dim>>& pairs, Partner partner, std::span<const double> radius,
-           std::span<const double> mass, const AnyContactLaw& law, double time_step);
+  PairArrays() = default;
+  /// @param pairs  sorted, of the grains whose radii and masses are given in the order of GrainArrays
+  PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner, std::span<const double> radius,
+             std::span<const double> mass, const AnyContactLaw& law, double time_step);
 
   /// Pairs and padding.
   int size() const { return static_cast<int>(i_.size()); }
@@ -49,10 +49,10 @@ class HotPairs {
   int j(int p) const { return j_[p]; }
   NeighborPair<Dim> key(int p) const;
   double radii(int p) const { return radii_[p]; }
-  /// Where a pair stands, -1 where it is not in the list.
+  /// Index of a pair, -1 where it is not in the list.
   int find(const NeighborPair<Dim>& key) const;
   /// Takes over the memory of an older list of the same grains.
-  void inherit(const HotPairs& old);
+  void inherit(const PairArrays& old);
 
   /// Without rows, which are of all lists together (row_sums.h).
   PairView<Dim> view();

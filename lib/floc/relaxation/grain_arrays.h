@@ -13,7 +13,7 @@ namespace floc {
 /// arrays are padded with grains that nothing moves: to whole blocks of kGrainBlock, and by what a window on the last
 /// grain reaches beyond it.
 template <int Dim>
-struct HotGrains {
+struct GrainArrays {
   using Component = AlignedVector<double>;
 
   std::vector<int> index;        ///< index in the packing of the k-th grain here
@@ -26,7 +26,7 @@ struct HotGrains {
   Component radius, mass, inertia;
   Component inverse_mass, inverse_inertia;
 
-  HotGrains(const Grains<Dim>& grains, const std::vector<int>& order);
+  GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order);
 
   int size() const { return static_cast<int>(index.size()); }
   void copy_positions_to(Grains<Dim>& grains) const;
@@ -36,7 +36,7 @@ struct HotGrains {
 };
 
 template <int Dim>
-HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& order) : index(order) {
+GrainArrays<Dim>::GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order) : index(order) {
   static_assert(Dim == 2, "orientations in 3D are not integrated yet");
   const std::size_t n = order.size();
   const std::size_t padded = (n + kGrainBlock - 1) / kGrainBlock * kGrainBlock + kWindow;
@@ -63,14 +63,14 @@ HotGrains<Dim>::HotGrains(const Grains<Dim>& grains, const std::vector<int>& ord
 }
 
 template <int Dim>
-void HotGrains<Dim>::copy_positions_to(Grains<Dim>& grains) const {
+void GrainArrays<Dim>::copy_positions_to(Grains<Dim>& grains) const {
   for (int k = 0; k < size(); ++k)
     for (int a = 0; a < Dim; ++a) grains.position[k][a] = x[a][k];
 }
 
 template <int Dim>
-GrainView<Dim> HotGrains<Dim>::view(const std::array<Component, Dim>& x_list,
-                                    const Component& inverse_skin_squared) {
+GrainView<Dim> GrainArrays<Dim>::view(const std::array<Component, Dim>& x_list,
+                                      const Component& inverse_skin_squared) {
   GrainView<Dim> out;
   for (int a = 0; a < Dim; ++a) {
     out.x[a] = x[a].data();

@@ -1,4 +1,4 @@
-#include "floc/relaxation/hot_pairs.h"
+#include "floc/relaxation/pair_arrays.h"
 
 #include <algorithm>
 #include <variant>
@@ -8,9 +8,9 @@
 namespace floc {
 
 template <int Dim>
-HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, Partner partner,
-                        std::span<const double> radius, std::span<const double> mass,
-                        const AnyContactLaw& any_law, double time_step)
+PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner,
+                            std::span<const double> radius, std::span<const double> mass,
+                            const AnyContactLaw& any_law, double time_step)
     : partner_(partner) {
   const bool with_walls = partner == Partner::wall;
   const int n_grains = static_cast<int>(radius.size());
@@ -44,7 +44,7 @@ HotPairs<Dim>::HotPairs(const std::vector<NeighborPair<Dim>>& pairs, Partner par
 }
 
 template <int Dim>
-void HotPairs<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping) {
+void PairArrays<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping) {
   i_.push_back(key.i);
   j_.push_back(key.j);
   for (int a = 0; a < Dim; ++a) image_[a].push_back(key.image[a]);
@@ -55,7 +55,7 @@ void HotPairs<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double ra
 
 /// p q/(p + q) of a quantity of the grains of each pair, which a wall has without end; of padding half of what its grain has.
 template <int Dim>
-typename HotPairs<Dim>::Component HotPairs<Dim>::reduced(std::span<const double> of_grain) const {
+typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const double> of_grain) const {
   Component values(size());
   for (int p = 0; p < size(); ++p)
     values[p] = partner_ == Partner::wall ? of_grain[i_[p]] : floc::reduced(of_grain[i_[p]], of_grain[j_[p]]);
@@ -64,7 +64,7 @@ typename HotPairs<Dim>::Component HotPairs<Dim>::reduced(std::span<const double>
 
 /// Completes the pack that was begun, if any.
 template <int Dim>
-void HotPairs<Dim>::fill_pack() {
+void PairArrays<Dim>::fill_pack() {
   while (size() % kPairPadding != 0) {
     const int grain = i_.back();
     i_.push_back(grain);
@@ -76,27 +76,27 @@ void HotPairs<Dim>::fill_pack() {
 
 /// Ends a block, if one was begun, and begins the next.
 template <int Dim>
-void HotPairs<Dim>::pad_block() {
+void PairArrays<Dim>::pad_block() {
   fill_pack();
   first_of_block_.push_back(size());
 }
 
 template <int Dim>
-NeighborPair<Dim> HotPairs<Dim>::key(int p) const {
+NeighborPair<Dim> PairArrays<Dim>::key(int p) const {
   NeighborPair<Dim> key{i(p), j(p), {}};
   for (int a = 0; a < Dim; ++a) key.image[a] = static_cast<int>(image_[a][p]);
   return key;
 }
 
 template <int Dim>
-int HotPairs<Dim>::find(const NeighborPair<Dim>& wanted) const {
+int PairArrays<Dim>::find(const NeighborPair<Dim>& wanted) const {
   for (int p = first_of_i_[wanted.i]; p < end_of_i_[wanted.i]; ++p)
     if (key(p) == wanted) return p;
   return -1;
 }
 
 template <int Dim>
-void HotPairs<Dim>::inherit(const HotPairs& old) {
+void PairArrays<Dim>::inherit(const PairArrays& old) {
   for (std::size_t i = 0; i < old.first_of_i_.size(); ++i) {
     int q = old.first_of_i_[i];
     for (int p = first_of_i_[i]; p < end_of_i_[i]; ++p) {
@@ -111,7 +111,7 @@ void HotPairs<Dim>::inherit(const HotPairs& old) {
 }
 
 template <int Dim>
-PairView<Dim> HotPairs<Dim>::view() {
+PairView<Dim> PairArrays<Dim>::view() {
   PairView<Dim> out;
   out.i = i_.data();
   out.j = j_.data();
@@ -127,6 +127,6 @@ PairView<Dim> HotPairs<Dim>::view() {
   return out;
 }
 
-template class HotPairs<2>;
+template class PairArrays<2>;
 
 }  // namespace floc

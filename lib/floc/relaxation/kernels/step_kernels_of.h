@@ -224,50 +224,53 @@ struct PairKernel {
                                        const PairView<Dim>& pairs, int first, int last,
                                        const PairCell<Dim>& cell) {
     const Law law = *static_cast<const Law*>(any_law);  // a copy that no store of the loop can alias
-    Approach approach[kChunk];
+    PairKinematics kinematics[kPacksInFlight];
     for (int p = first; p < last;) {
-      const int n_packs = (last - p < kChunk * P::kWidth ? last - p : kChunk * P::kWidth) / P::kWidth;
+      const int n_packs =
+          (last - p < kPacksInFlight * P::kWidth ? last - p : kPacksInFlight * P::kWidth) / P::kWidth;
       for (int k = 0; k < n_packs; ++k) {
         if constexpr (Partner::kWall)
-          approach[k] = look_at_wall(grains, pairs, p + k * P::kWidth, cell);
+          kinematics[k] = look_at_wall(grains, pairs, p + k * P::kWidth, cell);
         else
-          approach[k] = look(grains, pairs, p + k * P::kWidth, cell);
+          kinematics[k] = pair_kinematics(grains, pairs, p + k * P::kWidth, cell);
       }
-      for (int k = 0; k < n_packs; ++k, p += P::kWidth) respond(law, approach[k], pairs, p);
+      for (int k = 0; k < n_packs; ++k, p += P::kWidth) respond(law, kinematics[k], pairs, p);
     }
   }
 
  private:
   /// Packs whose geometry is found before their forces: each half is short enough for several packs to be under way at
   /// once, where one long chain of operations would be waited for.
-  static constexpr int kChunk = 8;
+  static constexpr int kPacksInFlight = 8;
 
-  struct Approach {
+  /// Geometry and relative motion of one pack of pairs.
+  struct PairKinematics {
     V n;
     P arm_i, arm_j;
     ContactMotion<Dim, P> motion;
   };
 
-  struct Seen {
+  /// Position and velocities of the first, or the second, grain of each pair of a pack.
+  struct GrainKinematics {
     V x, v;
     Spin<Dim, P> spin;
   };
 
   template <class Gather>
-  static Seen see(const GrainView<Dim>& grains, const int* grain, Gather gather) {
-    Seen seen;
+  static GrainKinematics gather_grains(const GrainView<Dim>& grains, const int* grain, Gather gather) {
+    GrainKinematics gathered;
     for (int a = 0; a < Dim; ++a) {
-      seen.x[a] = gather(grains.x[a], grain);
-      seen.v[a] = gather(grains.v[a], grain);
+      gathered.x[a] = gather(grains.x[a], grain);
+      gathered.v[a] = gather(grains.v[a], grain);
     }
-    if constexpr (kTurns) seen.spin[0] = gather(grains.spin, grain);
-    return seen;
+    if constexpr (kTurns) gathered.spin[0] = gather(grains.spin, grain);
+    return gathered;
   }
 
-  static Approach look(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
-                       const PairCell<Dim>& cell) {
-    const Seen i = see(grains, pairs.i + p, Records<Isa>::gather_window);
-    const Seen j = see(grains, pairs.j + p, Records<Isa>::gather);
+  static PairKinematics pair_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                        const PairCell<Dim>& cell) {
+    const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather_window);
+    const GrainKinematics j = gather_grains(grains, pairs.j + p, Records<Isa>::gather);
     V r, affine;
     for (int a = 0; a < Dim; ++a) {
       r[a] = (j.x[a] - i.x[a]) + P::load(pairs.image[a] + p) * P(cell.lattice[a][a]);
@@ -282,7 +285,7 @@ struct PairKernel {
     const P distance = sqrt(r.squaredNorm());
     const V n = r * (P(1.0) / distance);
     const V centres = (j.v - i.v) + affine;
-    Approach a = approach_along(n, distance, centres, pairs, p);
+    PairKinematics a = approach_along(n, distance, centres, pairs, p);
     a.arm_i = P::load(pairs.share_i + p) * distance;
     a.arm_j = distance - a.arm_i;
     if constexpr (kTurns) {
@@ -294,15 +297,15 @@ struct PairKernel {
   }
 
   /// The foot of a grain's centre on the plane moves with the wall, and across it as the grains around do on average.
-  static Approach look_at_wall(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
-                               const PairCell<Dim>& cell) {
-    const Seen i = see(grains, pairs.i + p, Records<Isa>::gather);
+  static PairKinematics look_at_wall(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                     const PairCell<Dim>& cell) {
+    const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather);
     const int* const wall = pairs.j + p;
     V n;
     for (int a = 0; a < Dim; ++a) n[a] = Records<Isa>::gather(cell.walls.normal[a], wall);
     const P distance = Records<Isa>::gather(cell.walls.level, wall) - n.dot(i.x);
     const V foot = Records<Isa>::gather(cell.walls.level_rate, wall) * n - i.v;
-    Approach a = approach_along(n, distance, foot, pairs, p);
+    PairKinematics a = approach_along(n, distance, foot, pairs, p);
     a.arm_i = distance;
     a.arm_j = P(0.0);
     if constexpr (kTurns) take_up_slip(a, foot, Spin<Dim, P>(distance * i.spin), i.spin, cell);
@@ -310,9 +313,9 @@ struct PairKernel {
   }
 
   /// @param velocity  of j's centre against i's
-  static Approach approach_along(const V& n, const P& distance, const V& velocity, const PairView<Dim>& pairs,
-                                 int p) {
-    Approach a;
+  static PairKinematics approach_along(const V& n, const P& distance, const V& velocity,
+                                       const PairView<Dim>& pairs, int p) {
+    PairKinematics a;
     a.n = n;
     a.motion = {distance - P::load(pairs.radii + p), n.dot(velocity), P(0.0), Shear<Dim, P>::Zero(),
                 Spin<Dim, P>::Zero()};
@@ -322,13 +325,13 @@ struct PairKernel {
   }
 
   /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
-  static void take_up_slip(Approach& a, const V& velocity, const Spin<Dim, P>& surfaces,
+  static void take_up_slip(PairKinematics& a, const V& velocity, const Spin<Dim, P>& surfaces,
                            const Spin<Dim, P>& turn, const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
     a.motion.relative_turn = P(cell.slip_time) * turn;
   }
 
-  static void respond(const Law& law, const Approach& a, const PairView<Dim>& pairs, int p) {
+  static void respond(const Law& law, const PairKinematics& a, const PairView<Dim>& pairs, int p) {
     ContactMotion<Dim, P> motion = a.motion;
     if constexpr (Law::kHasDamping) motion.damping = P::load(pairs.damping + p);
     PackedMemory<Law::template kMemorySize<Dim>, P> memory;

@@ -25,7 +25,7 @@ std::pair<std::string, std::string> name_and_unit(const std::string& header) {
   return {std::string(trimmed(header.substr(0, open))), header.substr(open + 1, header.size() - open - 2)};
 }
 
-std::optional<UnitColumn> look_for(const CsvTable& table, const std::string& name) {
+std::optional<UnitColumn> find_optional_column(const CsvTable& table, const std::string& name) {
   for (const bool whole : {true, false})
     for (int i = 0; i < static_cast<int>(table.columns().size()); ++i) {
       const auto [bare, unit] = name_and_unit(table.columns()[static_cast<std::size_t>(i)]);
@@ -72,12 +72,12 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
 }
 
 UnitColumn find_column(const CsvTable& table, const ColumnNames& columns, const std::string& name) {
-  if (const auto found = look_for(table, mapped(columns, name))) return *found;
+  if (const auto found = find_optional_column(table, mapped(columns, name))) return *found;
   return {table.column(mapped(columns, name)), ""};
 }
 
 bool has_column(const CsvTable& table, const ColumnNames& columns, const std::string& name) {
-  return look_for(table, mapped(columns, name)).has_value();
+  return find_optional_column(table, mapped(columns, name)).has_value();
 }
 
 std::vector<std::string> tables_of(const std::string& input) {

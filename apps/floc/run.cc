@@ -33,7 +33,7 @@ struct RunArguments {
   int jobs = 1;
   std::optional<int> threads;
   std::optional<int> until;
-  std::optional<double> track_contacts;  ///< time between two looks
+  std::optional<double> track_contacts;  ///< time between two rows
   bool resume = false;
   bool overwrite = false;
 };

@@ -25,7 +25,7 @@ void remember_signal(int signal) {
   g_signal = signal;
 }
 
-/// Between two looks at the samples (microseconds): they run for seconds at least.
+/// Interval at which samples are polled (microseconds): they run for seconds at least.
 constexpr useconds_t kPause = 20000;
 
 class Ensemble {

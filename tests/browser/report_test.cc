@@ -24,7 +24,7 @@ std::string browser() {
 }
 
 /// What a browser made of a page.
-struct Seen {
+struct RenderedPage {
   std::string document;  ///< after loading and scripts
   std::string console;   ///< lines that the page wrote to the console, errors among them
   int n_images = 0;
@@ -32,7 +32,7 @@ struct Seen {
 };
 
 /// Loads a page headless. Pictures are counted by a script added to a copy of it, once all is loaded.
-Seen seen_in_browser(const std::string& page, const std::string& directory) {
+RenderedPage render_in_browser(const std::string& page, const std::string& directory) {
   const std::string script =
       "<script>addEventListener('load', () => { const all = Array.from(document.images);"
       "document.body.setAttribute('data-seen', all.length + ' ' +"
@@ -43,17 +43,17 @@ Seen seen_in_browser(const std::string& page, const std::string& directory) {
       browser(), {"--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
                   "--user-data-dir=" + directory + "/profile", "--enable-logging=stderr",
                   "--virtual-time-budget=20000", "--dump-dom", "file://" + directory + "/looked-at.html"});
-  Seen seen;
-  seen.document = o.out;
+  RenderedPage rendered;
+  rendered.document = o.out;
   std::istringstream lines(o.err);
   for (std::string line; std::getline(lines, line);)
-    if (line.find("CONSOLE") != std::string::npos) seen.console += line + "\n";
+    if (line.find("CONSOLE") != std::string::npos) rendered.console += line + "\n";
   std::smatch match;
   if (std::regex_search(o.out, match, std::regex("data-seen=\"([0-9]+) ([0-9]+)\""))) {
-    seen.n_images = std::stoi(match[1]);
-    seen.n_shown = std::stoi(match[2]);
+    rendered.n_images = std::stoi(match[1]);
+    rendered.n_shown = std::stoi(match[2]);
   }
-  return seen;
+  return rendered;
 }
 
 class Report : public SmallRun {
@@ -110,11 +110,11 @@ class Browser : public Report {
 };
 
 TEST_F(Browser, ShowsEveryPictureAndLogsNothing) {
-  const Seen seen = seen_in_browser(page(), file(""));
-  EXPECT_EQ(seen.console, "");
-  EXPECT_EQ(seen.n_images, 8);
-  EXPECT_EQ(seen.n_shown, 8);
-  EXPECT_THAT(seen.document, HasSubstr("Provenance"));
+  const RenderedPage rendered = render_in_browser(page(), file(""));
+  EXPECT_EQ(rendered.console, "");
+  EXPECT_EQ(rendered.n_images, 8);
+  EXPECT_EQ(rendered.n_shown, 8);
+  EXPECT_THAT(rendered.document, HasSubstr("Provenance"));
 }
 
 TEST_F(Browser, IsSeenToFailOnABrokenPictureAndAnError) {
@@ -122,10 +122,10 @@ TEST_F(Browser, IsSeenToFailOnABrokenPictureAndAnError) {
   const std::string svg = "data:image/svg+xml;charset=utf-8,";
   html.insert(html.find(svg) + svg.size(), "broken");
   html += "<script>console.error('heard');</script>";
-  const Seen seen = seen_in_browser(html, file(""));
-  EXPECT_EQ(seen.n_images, 8);
-  EXPECT_EQ(seen.n_shown, 7);
-  EXPECT_THAT(seen.console, HasSubstr("heard"));
+  const RenderedPage rendered = render_in_browser(html, file(""));
+  EXPECT_EQ(rendered.n_images, 8);
+  EXPECT_EQ(rendered.n_shown, 7);
+  EXPECT_THAT(rendered.console, HasSubstr("heard"));
 }
 
 TEST_F(Browser, PrintsThePage) {

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory with the small scene in it, and a whole run of it that several claims look at.
+/// A directory with the small scene in it, and a whole run of it that several claims read.
 class RunCommand : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A run that is looked at, and the same one that is not.
+/// A run that is tracked, and the same one that is not.
 class TrackContacts : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {

@@ -52,11 +52,11 @@ void count_states(int k, double error_promised, const SamplePath& reference, con
   const std::vector<bool> same = before_collapse(reference, path);
   for (std::size_t i = 0; i < path.states.size(); ++i) {
     const ObservedState& state = path.states[i];
-    const Observation& truth = same[i] ? reference.states[i].seen : state.settled;
-    const double error = std::abs(state.seen[k] - truth[k]);
+    const Observation& truth = same[i] ? reference.states[i].observation : state.settled;
+    const double error = std::abs(state.observation[k] - truth[k]);
     if (!std::isfinite(error)) continue;
     ++promise.n;
-    promise.kept += error <= error_promised * size_of(k, state.seen, truth);
+    promise.kept += error <= error_promised * size_of(k, state.observation, truth);
   }
 }
 

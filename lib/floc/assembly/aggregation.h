@@ -24,8 +24,8 @@ class Aggregation {
   /// One stretch, after a flight (ClusterFlight) where clusters do nothing but drift. @return true when all
   /// grains form one cluster
   bool advance();
-  /// Shows the packing to somebody as it moves.
-  void observe(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
+  /// Sets the observer of the packing as it moves.
+  void set_observer(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
 
   const Packing<Dim>& packing() const& { return packing_; }
   Packing<Dim> packing() && { return std::move(packing_); }

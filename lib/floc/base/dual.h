@@ -7,7 +7,7 @@
 namespace floc {
 
 /// A number with its derivatives by N variables: evaluating a formula on duals evaluates its derivatives with
-/// it (forward mode). Comparisons look at the value alone, so that a branch is taken as the value takes it.
+/// it (forward mode). Comparisons compare values alone, so that a branch is taken as for the value.
 template <int N>
 struct Dual {
   double value = 0.0;

@@ -292,10 +292,10 @@ std::vector<ErrorParts> parts_of_errors(const LawEstimate& told, const Covarianc
   return parts;
 }
 
-/// The law that the points of the estimate tell: the line where no bend is seen.
+/// The law that the points of the estimate tell: the line where no bend is detected.
 LawEstimate told_by(LawEstimate estimate) {
-  if (estimate.law == Law::full && !see_regime_three(estimate.points, estimate.solution) &&
-      !see_a_bend(estimate.points, estimate.solution)) {
+  if (estimate.law == Law::full && !detects_regime_three(estimate.points, estimate.solution) &&
+      !detects_bend(estimate.points, estimate.solution)) {
     estimate.law = Law::log;
     estimate.solution = *solve_law(Law::log, estimate.points);
   }
@@ -330,7 +330,7 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
   const int n_plateau = options.hold_P0 ? 0 : window.n_plateau;
   const LawPoints plateau = all.range(window.first - n_plateau, n_plateau);
   const LawEstimate estimate{law, points, *solution, plateau, mean_level(plateau)};
-  const bool ends_early = law == Law::full && !see_regime_three(points, estimate.solution);
+  const bool ends_early = law == Law::full && !detects_regime_three(points, estimate.solution);
   if (!ends_early && !keeps_regime_two(law, points, estimate.solution))
     return refused(law, fmt::format("only {} of the pressures lie before P1* = {:.4g}, regime II needs {}: try "
                                     "--law power",

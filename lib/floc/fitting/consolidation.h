@@ -70,7 +70,7 @@ struct ConsolidationFit {
   Eigen::MatrixXd correlation;                 ///< free parameters x free parameters
   double rms = 0.0;                            ///< root mean square residual of 1/Phi over the points fitted
   ConsolidationLaw told =
-      ConsolidationLaw::full;  ///< the law that `theta` belongs to: the line, where no bend is seen
+      ConsolidationLaw::full;  ///< the law that `theta` belongs to: the line, where no bend is detected
   Eigen::VectorXd theta;       ///< coordinates of the solution, see `solve_law`
   Eigen::VectorXd fitted;      ///< 1/Phi by the law at the points fitted
   Eigen::VectorXd weights;     ///< of the points fitted, as the solution counts them

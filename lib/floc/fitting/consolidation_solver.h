@@ -15,7 +15,7 @@ enum class ConsolidationLaw {
 /// Number of parameters of a law.
 int n_parameters(ConsolidationLaw law);
 
-/// Points of a curve as the laws see them, in the order of growing pressure; all of one length.
+/// Points of a curve as the laws are fitted to them, in the order of growing pressure; all of one length.
 struct LawPoints {
   Eigen::VectorXd log_P;   ///< ln P*
   Eigen::VectorXd y;       ///< 1/Phi

@@ -144,15 +144,15 @@ double left_by_elasticity(const LawPoints& points) {
 
 }  // namespace
 
-bool see_a_bend(const LawPoints& points, const LawSolution& full) {
+bool detects_bend(const LawPoints& points, const LawSolution& full) {
   const auto line = solve_law(Law::log, points);
   const int n = points.size();
   return !line || information(full.sum_of_squares, n, n_parameters(Law::full)) <
                       information(line->sum_of_squares, n, n_parameters(Law::log));
 }
 
-bool see_regime_three(const LawPoints& points, const LawSolution& full) {
-  return full.theta[3] < points.log_P[points.size() - 1] && see_a_bend(points, full);
+bool detects_regime_three(const LawPoints& points, const LawSolution& full) {
+  return full.theta[3] < points.log_P[points.size() - 1] && detects_bend(points, full);
 }
 
 int n_before_regime_three(const LawPoints& points, const LawSolution& full) {

@@ -39,10 +39,10 @@ struct Regimes {
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 
 /// True if the points tell the full law, whose solution on them is given, from the line of regime II.
-[[nodiscard]] bool see_a_bend(const LawPoints& points, const LawSolution& full);
+[[nodiscard]] bool detects_bend(const LawPoints& points, const LawSolution& full);
 
 /// True if they also reach beyond its P1*.
-[[nodiscard]] bool see_regime_three(const LawPoints& points, const LawSolution& full);
+[[nodiscard]] bool detects_regime_three(const LawPoints& points, const LawSolution& full);
 
 /// Number of points at pressures below the P1* of a solution of the full law.
 [[nodiscard]] int n_before_regime_three(const LawPoints& points, const LawSolution& full);

@@ -103,7 +103,7 @@ void Run<Dim>::start_step() {
 }
 
 template <int Dim>
-void Run<Dim>::observe(MotionObserver<Dim> observer) {
+void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
   observer_ = std::move(observer);
   pass_observer();
 }
@@ -111,13 +111,15 @@ void Run<Dim>::observe(MotionObserver<Dim> observer) {
 /// Those that move the packing count time from the beginning of a stretch or a step.
 template <int Dim>
 void Run<Dim>::pass_observer() {
-  if (!observer_.see || finished()) return;
+  if (!observer_.callback || finished()) return;
   MotionObserver<Dim> here = observer_;
-  here.see = [this](const Packing<Dim>& packing, double time) { observer_.see(packing, point_.time + time); };
+  here.callback = [this](const Packing<Dim>& packing, double time) {
+    observer_.callback(packing, point_.time + time);
+  };
   if (point_.aggregating)
-    aggregation_->observe(std::move(here));
+    aggregation_->set_observer(std::move(here));
   else
-    equilibrator_->observe(std::move(here));
+    equilibrator_->set_observer(std::move(here));
 }
 
 template <int Dim>

@@ -55,7 +55,7 @@ class Run {
 
   /// Passes the packing to an observer as it moves, with the time since the beginning of the run.
   /// @pre the run stays where it is in memory from now on
-  void observe(MotionObserver<Dim> observer);
+  void set_observer(MotionObserver<Dim> observer);
 
   /// One stretch. @pre not finished, and `saved()` was called after the last equilibrium.
   RunEvent advance();

@@ -243,7 +243,7 @@ void check_finite(const Cell<Dim>& cell, const Grains<Dim>& grains) {
       throw InputError("grain " + std::to_string(i), "position and radius must be finite");
 }
 
-/// The pairs of one grain with those of its own and of coarser levels, as the caller of find_pairs() sees them.
+/// The pairs of one grain with those of its own and of coarser levels, as the caller of find_pairs() gets them.
 template <int Dim>
 class PairSearch {
  public:
@@ -273,8 +273,8 @@ class PairSearch {
     if (!(r.squaredNorm() < reach * reach)) return;
     NeighborPair<Dim> pair{i, j,
                            image_in(lattice_, Vec<Dim, int>(image + wrapped_.wrap[j] - wrapped_.wrap[i]))};
-    if (!listed_way_round(pair)) pair = swapped(pair);
-    if (!listed_way_round(pair)) return;  // a grain and itself
+    if (!is_canonical(pair)) pair = swapped(pair);
+    if (!is_canonical(pair)) return;  // a grain and itself
     pairs_.push_back(pair);
     if (pairs_.size() > kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains_.size()))
       throw InputError("cell", "the grains overlap so much, or reach so far, that each has more than " +

@@ -165,18 +165,18 @@ class FreeMotionFinder {
   }
 
   /// Grains joined to `start` by rolling stiffness, itself included; empty if a tangential spring holds any.
-  std::vector<int> free_rolling_group(int start, std::vector<bool>& seen) const {
+  std::vector<int> free_rolling_group(int start, std::vector<bool>& visited) const {
     bool held = false;
     std::vector<int> group{start};
-    seen[start] = true;
+    visited[start] = true;
     for (std::size_t at = 0; at < group.size(); ++at) {
       for (const int k : of_[group[at]]) {
         if (!active_[k]) continue;
         const NetworkContact<Dim>& c = network_.contacts[k];
         if (c.kt != 0.0) held = true;
         const int other = other_end(k, group[at]);
-        if (c.kr == 0.0 || seen[other]) continue;
-        seen[other] = true;
+        if (c.kr == 0.0 || visited[other]) continue;
+        visited[other] = true;
         group.push_back(other);
       }
     }
@@ -185,11 +185,11 @@ class FreeMotionFinder {
 
   /// Without tangential springs a grain spins freely, and grains joined by rolling stiffness do so together.
   void find_free_spins() {
-    std::vector<bool> seen(network_.n_grains, false);
+    std::vector<bool> visited(network_.n_grains, false);
     for (int i = 0; i < network_.n_grains; ++i) {
       const int first = first_unknown<Dim>(i);
-      if (seen[i] || !free_.kept[first]) continue;
-      const std::vector<int> group = free_rolling_group(i, seen);
+      if (visited[i] || !free_.kept[first]) continue;
+      const std::vector<int> group = free_rolling_group(i, visited);
       if (group.empty()) continue;
       ++free_.n_free_spins;
       for (int u = Dim; u < kDofs<Dim>; ++u) add_spin(group, GrainMotion<Dim>::Unit(u), first + u);

@@ -18,7 +18,7 @@ bool precedes(const Pair& p, const Pair& q) {
   return false;
 }
 
-/// The same pair seen from its other grain: i, j and image alone, nothing of what acts there.
+/// The same pair with its grains exchanged: i, j and image alone, nothing of what acts there.
 template <class Pair>
 Pair swapped(Pair pair) {
   std::swap(pair.i, pair.j);
@@ -26,10 +26,10 @@ Pair swapped(Pair pair) {
   return pair;
 }
 
-/// Of the two ways to see a pair the one that lists hold: i < j, or, for a grain and its own image, the first
+/// Whether a pair has the one of its two forms that lists hold: i < j, or, for a grain and its own image, the first
 /// component of the image that is not zero positive.
 template <class Pair>
-bool listed_way_round(const Pair& pair) {
+bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;
   const auto first = std::find_if(pair.image.begin(), pair.image.end(), [](int turns) { return turns != 0; });
   return first != pair.image.end() && *first > 0;

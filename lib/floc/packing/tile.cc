@@ -23,7 +23,7 @@ Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
   return place;
 }
 
-/// The same contact seen from the other grain. @param parity  of what its law remembers
+/// The same contact with its grains exchanged. @param parity  of what its law remembers
 template <int Dim>
 void swap_sides(const ContactMemory<Dim>& parity, Contact<Dim>& c) {
   c = swapped(c);

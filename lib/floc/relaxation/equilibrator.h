@@ -33,8 +33,8 @@ class Equilibrator {
 
   /// One part of the way.
   virtual RelaxationStatus advance() = 0;
-  /// Shows the packing to somebody as it moves.
-  virtual void observe(MotionObserver<Dim> observer) = 0;
+  /// Sets the observer of the packing as it moves.
+  virtual void set_observer(MotionObserver<Dim> observer) = 0;
 
   virtual const Packing<Dim>& packing() const = 0;
   /// Gives the packing away: a large one is held once. Nothing else may be asked afterwards.

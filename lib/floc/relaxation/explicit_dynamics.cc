@@ -104,7 +104,7 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
       for (int b = first; b < last; ++b) kick_and_drift(b);
       barrier.wait();
       if (list_is_stale()) {
-        barrier.wait();  // all have looked before the list changes
+        barrier.wait();  // all threads have tested the list before it changes
         if (thread == 0) rebuild_list();
         barrier.wait();
       }

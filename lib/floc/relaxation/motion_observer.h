@@ -8,12 +8,12 @@
 
 namespace floc {
 
-/// Looks at a packing while it moves. Looking leaves no trace: a run gives the same bits with an observer and without.
+/// Observes a packing while it moves, and leaves no trace: a run gives the same bits with an observer and without.
 template <int Dim>
 struct MotionObserver {
-  double interval = 0.0;  ///< simulated time between two looks, at most a stretch (time)
+  double interval = 0.0;  ///< simulated time between two calls, at most a stretch (time)
   /// @param time  since the beginning of the relaxation, or of the stretch where grains aggregate
-  std::function<void(const Packing<Dim>& packing, double time)> see;  ///< empty: nobody looks
+  std::function<void(const Packing<Dim>& packing, double time)> callback;  ///< empty: not observed
 };
 
 /// Advances by a stretch of steps, in equal parts of about the observer's interval, and shows the packing after each.
@@ -22,14 +22,14 @@ struct MotionObserver {
 template <int Dim>
 void advance_observed(Dynamics<Dim>& dynamics, int n_steps, Motion motion, const MotionObserver<Dim>& observer,
                       double start, double time_step) {
-  if (!observer.see) return dynamics.advance(n_steps, motion);
+  if (!observer.callback) return dynamics.advance(n_steps, motion);
   const int n_parts = static_cast<int>(
       std::clamp(std::round(n_steps * time_step / observer.interval), 1.0, static_cast<double>(n_steps)));
   for (int part = 0, done = 0; part < n_parts && dynamics.finite(); ++part) {
     const int next = static_cast<int>(static_cast<long>(n_steps) * (part + 1) / n_parts);
     dynamics.advance(next - done, motion);
     done = next;
-    if (dynamics.finite()) observer.see(dynamics.packing(), start + done * time_step);
+    if (dynamics.finite()) observer.callback(dynamics.packing(), start + done * time_step);
   }
 }
 

@@ -32,7 +32,7 @@ constexpr double kVibrationWindows = 5.0;
 /// A load that is put on at once, undamped, carries a spring this many times as far as the equilibrium lies.
 constexpr double kOvershoot = 2.0;
 /// Newton iterations after which it shows whether only springs move: the first is the elastic answer.
-constexpr int kFirstLook = 2;
+constexpr int kTrialIterations = 2;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
 constexpr double kFinishPhi = 1e-4;
 /// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
@@ -284,9 +284,9 @@ bool Relaxer<Dim>::polish() {
 template <int Dim>
 bool Relaxer<Dim>::solved_at_once() {
   const bool any = options_.finish == Finish::statics;
-  StaticSolverOptions look;
-  look.max_iterations = kFirstLook;
-  StaticSolution<Dim> solution = solve_statics(packing_, target_, any ? StaticSolverOptions{} : look);
+  StaticSolverOptions trial;
+  trial.max_iterations = kTrialIterations;
+  StaticSolution<Dim> solution = solve_statics(packing_, target_, any ? StaticSolverOptions{} : trial);
   if (!any) {
     if (!only_springs_move(packing_, solution.packing)) return false;
     // No spring has reached a cap, so it makes no difference where the rest starts.

@@ -24,7 +24,7 @@ class Relaxer final : public Equilibrator<Dim> {
 
   /// One stretch. Where the motion diverges, the packing is the one it began with, its springs at rest.
   RelaxationStatus advance() override;
-  void observe(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
+  void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
   const Packing<Dim>& packing() const override { return packing_; }
   Packing<Dim> release_packing() override { return std::move(packing_); }

@@ -40,7 +40,7 @@ void ContactTracker::read_rows(const RunPoint& point) {
   }
 }
 
-void ContactTracker::see(const Run<2>& run, const Packing<2>& packing, double time) {
+void ContactTracker::record(const Run<2>& run, const Packing<2>& packing, double time) {
   const ContactChanges<2> since = contact_changes(previous_, packing);
   const ContactChanges<2> in_step = contact_changes(start_, packing);
   rows_.push_back(fmt::format("{},{},{},{},{},{},{},{},{}", run.point().step, run.target().branch,
@@ -50,7 +50,7 @@ void ContactTracker::see(const Run<2>& run, const Packing<2>& packing, double ti
 }
 
 void ContactTracker::finish_step(const Run<2>& run) {
-  see(run, run.packing(), run.point().time + run.point().equilibration_time);
+  record(run, run.packing(), run.point().time + run.point().equilibration_time);
   start_ = previous_;
 }
 
@@ -65,9 +65,9 @@ std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& op
   const int step = run.point().step;
   Packing<2> start = step > 0 ? directory.start_of(step) : Run<2>(options).packing();
   auto tracker = std::make_unique<ContactTracker>(directory.contact_table(), run, std::move(start));
-  run.observe({interval, [&run, watcher = tracker.get()](const Packing<2>& packing, double time) {
-                 watcher->see(run, packing, time);
-               }});
+  run.set_observer({interval, [&run, recorder = tracker.get()](const Packing<2>& packing, double time) {
+                      recorder->record(run, packing, time);
+                    }});
   return tracker;
 }
 

@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// Records which contacts open and close inside the steps of a run: DIR/contacts.csv, a row each time it looks.
+/// Records which contacts open and close inside the steps of a run: DIR/contacts.csv, a row each interval.
 ///
 /// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, n_contacts, gained and
 /// lost (since the row before, or the beginning of the step), kept (of the contacts the step began with). The
@@ -21,7 +21,7 @@ class ContactTracker {
   ContactTracker(const std::string& file, const Run<2>& run, Packing<2> start);
 
   /// Of a packing on its way. @param time  since the beginning of the run
-  void see(const Run<2>& run, const Packing<2>& packing, double time);
+  void record(const Run<2>& run, const Packing<2>& packing, double time);
   /// The equilibrium a step ended with: the next one begins with it.
   void finish_step(const Run<2>& run);
 
@@ -37,7 +37,7 @@ class ContactTracker {
 };
 
 /// Has the contacts of a run recorded while it moves, in the table of its directory.
-/// @param interval  simulated time between two looks (time)
+/// @param interval  simulated time between two rows (time)
 /// @pre the run is not finished, and stays where it is in memory as long as it moves
 std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& options,
                                                const RunDirectory& directory, double interval);

@@ -37,7 +37,7 @@ struct DriveReport {
 Run<2> start_or_resume(RunDirectory& directory, const RunOptions& options);
 
 /// Drives a run and keeps its directory: a state and a row for each equilibrium, a checkpoint now and then.
-/// @param tracker  of the contacts of this run; null: nobody looks at them
+/// @param tracker  of the contacts of this run; null: they are not recorded
 /// @throws IoError if a file cannot be written
 [[nodiscard]] DriveReport drive(Run<2>& run, RunDirectory& directory, const DriveOptions& options,
                                 ContactTracker* tracker = nullptr);

@@ -62,7 +62,7 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
 }
 
 /// Pushes a point along a direction until obstacles hold it, from the origin. The balls are replaced by the half spaces
-/// that touch them where the point sees them: these leave less room, so the point never enters a ball, and the
+/// that touch them where they are nearest to the point: these leave less room, so the point never enters a ball, and the
 /// sequence of linear programs converges quadratically to a corner.
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,

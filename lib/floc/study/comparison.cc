@@ -35,9 +35,9 @@ double relative_difference(int k, const Observation& x, const Observation& refer
 
 /// Nothing but elasticity from one state to the next.
 bool calm(const ObservedState& from, const ObservedState& to) {
-  const double change = std::abs(std::log(to.seen[kPhi] / from.seen[kPhi]));
+  const double change = std::abs(std::log(to.observation[kPhi] / from.observation[kPhi]));
   const double step = std::abs(to.state.target_stress.mean() - from.state.target_stress.mean());
-  const double modulus = std::min(from.seen[kB], to.seen[kB]);
+  const double modulus = std::min(from.observation[kB], to.observation[kB]);
   return change <= kStill + (modulus > 0.0 ? kElastic * step / modulus : 0.0);
 }
 
@@ -60,7 +60,7 @@ double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
 double mean_difference(int k, const SamplePath& reference, const SamplePath& path,
                        const std::function<bool(std::size_t)>& counts) {
   return mean_over(path.states.size(), counts, [&](std::size_t i) {
-    return relative_difference(k, path.states[i].seen, reference.states[i].seen);
+    return relative_difference(k, path.states[i].observation, reference.states[i].observation);
   });
 }
 
@@ -124,8 +124,8 @@ ObservableErrors compare(const std::vector<const SamplePath*>& references,
       const std::vector<bool>& same = together[s];
       for (std::size_t i = 0; i < path.states.size(); ++i) {
         const ObservedState& state = path.states[i];
-        const Observation& truth = same[i] ? reference.states[i].seen : state.settled;
-        (same[i] ? before : after).push_back(std::abs(relative_difference(k, state.seen, truth)));
+        const Observation& truth = same[i] ? reference.states[i].observation : state.settled;
+        (same[i] ? before : after).push_back(std::abs(relative_difference(k, state.observation, truth)));
       }
       means.push_back(mean_difference(k, reference, path, [&](std::size_t i) { return !same[i]; }));
     }
@@ -150,13 +150,14 @@ ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
 }
 
 ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
-                                const std::vector<std::vector<Observation>>& seen) {
+                                const std::vector<std::vector<Observation>>& observations) {
   ObservableErrors out;
   for (const int k : {kB, kG, kBReuss}) {
     std::vector<double> errors;
-    for (std::size_t s = 0; s < seen.size(); ++s)
-      for (std::size_t i = 0; i < seen[s].size(); ++i)
-        errors.push_back(std::abs(relative_difference(k, seen[s][i], references[s]->states[i].seen)));
+    for (std::size_t s = 0; s < observations.size(); ++s)
+      for (std::size_t i = 0; i < observations[s].size(); ++i)
+        errors.push_back(
+            std::abs(relative_difference(k, observations[s][i], references[s]->states[i].observation)));
     out[static_cast<std::size_t>(k)].before = spread_of(errors);
   }
   return out;
@@ -171,12 +172,12 @@ ObservableErrors sampling_errors(const std::vector<const SamplePath*>& reference
     for (std::size_t i = 0; i < n_states; ++i)
       mean[i] = mean_over(
           references.size(), [](std::size_t) { return true; },
-          [&](std::size_t s) { return references[s]->states[i].seen[k]; });
+          [&](std::size_t s) { return references[s]->states[i].observation[k]; });
     std::vector<double> deviations;
     for (const SamplePath* path : references)
       deviations.push_back(mean_over(
           n_states, [&](std::size_t i) { return mean[i] != 0.0; },
-          [&](std::size_t i) { return path->states[i].seen[k] / mean[i] - 1.0; }));
+          [&](std::size_t i) { return path->states[i].observation[k] / mean[i] - 1.0; }));
     out[k].mean = mean_of(deviations);
     out[k].mean.difference = 0.0;
     const double fewer = std::sqrt(static_cast<double>(out[k].mean.n) / n);

@@ -61,9 +61,9 @@ ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
                                const std::vector<const SamplePath*>& paths,
                                const std::optional<PressureWindow>& window);
 
-/// What another level of the moduli makes of the same states. @param seen  for each path, for each state
+/// What another level of the moduli makes of the same states. @param observations  for each path, for each state
 ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
-                                const std::vector<std::vector<Observation>>& seen);
+                                const std::vector<std::vector<Observation>>& observations);
 
 /// Sampling error of the mean of n samples such as the references: `mean` is 0 and its standard error.
 ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n);

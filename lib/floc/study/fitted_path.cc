@@ -39,7 +39,8 @@ ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
     Eigen::Index column = 0;
     for (std::size_t s = 0; s < paths.size(); ++s)
       if (s != left_out)
-        curve.samples(static_cast<Eigen::Index>(k), column++) = 1.0 / paths[s]->states[states[k]].seen[kPhi];
+        curve.samples(static_cast<Eigen::Index>(k), column++) =
+            1.0 / paths[s]->states[states[k]].observation[kPhi];
     curve.phi.push_back(1.0 / curve.samples.row(static_cast<Eigen::Index>(k)).mean());
   }
   return curve;

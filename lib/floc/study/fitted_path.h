@@ -10,7 +10,7 @@ namespace floc {
 
 /// The pressures P* that the full law is fitted on: those that the fit of all references chooses. Nothing where
 /// there is no first loading, where there are fewer than three samples, or where no bend towards Phi_max is
-/// seen.
+/// detected.
 std::optional<PressureWindow> fit_window(const std::vector<const SamplePath*>& references);
 
 /// Differences of lambda, alpha and Phi_max fitted to the mean curve of the first loading, relative to those of the

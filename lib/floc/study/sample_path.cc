@@ -77,7 +77,7 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
   const double relaxed = processor_seconds();
   ModuliSequence<2> sequence(moduli);
   for (ObservedState& s : path.states) {
-    s.seen = observe(s.state, sequence);
+    s.observation = observe(s.state, sequence);
     for (const Contact<2>& c : s.state.packing.contacts)
       if (!c.distant) s.touching.emplace_back(c.i, c.j);
   }
@@ -90,7 +90,7 @@ void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePat
   RelaxationOptions options = strict;
   options.finish = Finish::statics;  // most states are so near that no motion is needed
   for (ObservedState& s : path.states) {
-    s.settled = s.seen;
+    s.settled = s.observation;
     if (s.state.residuals.within(strict.tolerance)) continue;
     const auto relaxer = make_equilibrator<2>(options, s.state.packing, s.state.target_stress);
     RelaxationStatus status = RelaxationStatus::running;

@@ -16,7 +16,7 @@ namespace floc {
 struct ObservedState {
   int turn = -1;  ///< index of the turn of the load path; -1: assembly
   State<2> state;
-  Observation seen;
+  Observation observation;
   std::vector<std::pair<int, int>> touching;  ///< grains in contact, in the order of the contact list
   Observation settled;  ///< of the strict equilibrium that the state goes to when it is relaxed further
 };

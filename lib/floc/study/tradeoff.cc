@@ -162,7 +162,7 @@ class Study {
     ModuliSequence<2> sequence(setting.moduli);
     const double start = processor_seconds();
     for (const ObservedState& s : reference.states)
-      sample.levels.push_back(observe_moduli(s.state, sequence, s.seen));
+      sample.levels.push_back(observe_moduli(s.state, sequence, s.observation));
     sample.path.moduli_seconds = processor_seconds() - start;
     sample.path.core_seconds = sample.base_seconds + sample.path.moduli_seconds;
     return sample;

@@ -103,11 +103,12 @@ TEST(StaticSolver, StepsWithTheExactTangent) {
 
 TEST(StaticSolver, StepsWithTheExactTangentWhereContactsSlideAndYield) {
   const Packing<2> equilibrium = with_yielding_contacts(soft_equilibrium());
-  Packing<2> seen = equilibrium;
-  refresh_contacts(seen);
-  EXPECT_LT(residuals(seen, kTarget).force, 1e-7);  // still the same equilibrium
+  Packing<2> refreshed = equilibrium;
+  refresh_contacts(refreshed);
+  EXPECT_LT(residuals(refreshed, kTarget).force, 1e-7);  // still the same equilibrium
   const auto count = [&](bool Contact<2>::*flag) {
-    return std::count_if(seen.contacts.begin(), seen.contacts.end(), [&](const auto& c) { return c.*flag; });
+    return std::count_if(refreshed.contacts.begin(), refreshed.contacts.end(),
+                         [&](const auto& c) { return c.*flag; });
   };
   EXPECT_EQ(count(&Contact<2>::sliding), 1);
   EXPECT_EQ(count(&Contact<2>::rolling_yield), 1);

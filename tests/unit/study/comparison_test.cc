@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// A state of which only what the comparison looks at is made.
+/// A state of which only what the comparison reads is made.
 ObservedState state(int turn, double pressure, double phi, double B) {
   ObservedState s;
   s.turn = turn;
   s.state.target_stress.setConstant(pressure);
-  s.seen.fill(kNoNumber);
-  s.seen[kPhi] = phi;
-  s.seen[kB] = B;
-  s.settled = s.seen;
+  s.observation.fill(kNoNumber);
+  s.observation[kPhi] = phi;
+  s.observation[kB] = B;
+  s.settled = s.observation;
   return s;
 }
 
@@ -62,7 +62,7 @@ TEST(Comparison, MeanOfPairsHasTheirStandardError) {
 TEST(Comparison, StatesAreComparedUntilTheFirstCollapseOfEither) {
   EXPECT_EQ(before_collapse(path(0.0), path(0.0)), (std::vector<bool>{false, true, false, false}));
   SamplePath early = path(0.0);
-  early.states[1].seen[kPhi] = 0.55;
+  early.states[1].observation[kPhi] = 0.55;
   EXPECT_EQ(before_collapse(path(0.0), early), (std::vector<bool>{false, false, false, false}));
 }
 
@@ -76,9 +76,9 @@ TEST(Comparison, ANewTurnStartsFromTheReferenceAgain) {
 TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAfter) {
   const SamplePath reference = path(0.0);
   SamplePath other = path(0.0);
-  other.states[1].seen[kPhi] *= 1.0 + 1e-6;                          // moved from the reference
-  other.states[3].seen[kPhi] *= 1.0 + 1e-3;                          // not settled
-  other.states[2].seen[kPhi] = other.states[2].settled[kPhi] = 0.7;  // another collapse, but settled
+  other.states[1].observation[kPhi] *= 1.0 + 1e-6;                          // moved from the reference
+  other.states[3].observation[kPhi] *= 1.0 + 1e-3;                          // not settled
+  other.states[2].observation[kPhi] = other.states[2].settled[kPhi] = 0.7;  // another collapse, but settled
   const ObservableError e = compare({&reference}, {&other}, std::nullopt)[kPhi];
   EXPECT_EQ(e.before.n, 1);
   EXPECT_NEAR(e.before.high, 1e-6, 1e-12);

@@ -66,10 +66,10 @@ TEST(Tradeoff, PairedPathsStartFromTheSameStatesAndTheReferenceEqualsItself) {
   const SamplePath again = make_sample(options, {}, &reference, never);
   ASSERT_EQ(again.states.size(), reference.states.size());
   for (std::size_t k = 0; k < again.states.size(); ++k) {
-    EXPECT_EQ(again.states[k].seen[kPhi], reference.states[k].seen[kPhi]) << k;
-    EXPECT_EQ(again.states[k].seen[kB], reference.states[k].seen[kB]) << k;
+    EXPECT_EQ(again.states[k].observation[kPhi], reference.states[k].observation[kPhi]) << k;
+    EXPECT_EQ(again.states[k].observation[kB], reference.states[k].observation[kB]) << k;
     // The strict settings leave nothing to settle.
-    EXPECT_EQ(reference.states[k].settled[kPhi], reference.states[k].seen[kPhi]) << k;
+    EXPECT_EQ(reference.states[k].settled[kPhi], reference.states[k].observation[kPhi]) << k;
   }
   const ObservableErrors errors = compare({&reference}, {&again}, std::nullopt);
   EXPECT_EQ(errors[kPhi].before.high, 0.0);

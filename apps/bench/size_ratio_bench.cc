@@ -50,9 +50,9 @@ BoundaryControl<2> loaded(const Packing<2>& packing, const Vec<2>& stress) {
 
 Packing<2> moved_for(const Packing<2>& packing, const Vec<2>& stress, double time, DynamicsSettings& settings) {
   Packing<2> now = packing;
-  for (double t = 0.0; t < time; t += kStretch * settings.time_step) {
+  for (double t = 0.0; t < time; t += kStepsPerChunk * settings.time_step) {
     const auto dynamics = make_dynamics(now, loaded(now, stress), settings);
-    dynamics->advance(kStretch, Motion::free);
+    dynamics->advance(kStepsPerChunk, Motion::free);
     settings.skin = dynamics->skin();
     now = dynamics->packing();
   }
@@ -94,15 +94,15 @@ void size_ratio(benchmark::State& state) {
   const Packing<2>& start = dense(static_cast<double>(state.range(0)), sizes, load);
   const Vec<2> stress = load == kBiaxial ? Vec<2>(kPressure * Vec<2>(0.5, 1.5)) : Vec<2>::Constant(kPressure);
   DynamicsSettings settings = settings_of(start);
-  // The skin of the lists comes from ten stretches that are not timed.
-  Packing<2> packing = moved_for(start, stress, 10 * kStretch * settings.time_step, settings);
+  // The skin of the lists comes from ten chunks that are not timed.
+  Packing<2> packing = moved_for(start, stress, 10 * kStepsPerChunk * settings.time_step, settings);
   std::int64_t updates = 0;
   for (auto _ : state) {
     const auto dynamics = make_dynamics(packing, loaded(packing, stress), settings);
-    dynamics->advance(kStretch, Motion::free);
+    dynamics->advance(kStepsPerChunk, Motion::free);
     settings.skin = dynamics->skin();
     packing = dynamics->packing();
-    updates += kStretch * static_cast<std::int64_t>(packing.contacts.size());
+    updates += kStepsPerChunk * static_cast<std::int64_t>(packing.contacts.size());
   }
   state.SetItemsProcessed(updates);
   state.counters["contacts"] = static_cast<double>(packing.contacts.size());

@@ -94,7 +94,7 @@ int run_scene(const RunArguments& arguments) {
   driving.checkpoint_every = scene.checkpoint_every;
   if (arguments.until) driving.until = *arguments.until;
   driving.stop = [] { return g_interrupted != 0; };
-  driving.stretch = [&monitor](const Run<2>& moving) { monitor.stretch(moving); };
+  driving.chunk = [&monitor](const Run<2>& moving) { monitor.chunk(moving); };
   driving.equilibrium = [&monitor](const auto&... reached) { monitor.equilibrium(reached...); };
   return tell(drive(run, directory, driving, tracker.get()), run, arguments.directory);
 }

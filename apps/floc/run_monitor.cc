@@ -39,7 +39,7 @@ double RunMonitor::expected_seconds_left(int steps_left) const {
   return seconds_done_ / steps_done_ * steps_left;
 }
 
-void RunMonitor::stretch(const Run<2>& run) {
+void RunMonitor::chunk(const Run<2>& run) {
   const Clock::time_point now = Clock::now();
   const double since = std::chrono::duration<double>(now - last_line_).count();
   if (since < (terminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines)) return;

@@ -11,7 +11,7 @@ class RunMonitor {
  public:
   explicit RunMonitor(int n_steps);
 
-  void stretch(const Run<2>& run);
+  void chunk(const Run<2>& run);
   /// @param seconds  wall time of the step
   void equilibrium(const State<2>& state, const RelaxationReport& report, double seconds);
 

@@ -50,7 +50,7 @@ bool Aggregation<Dim>::advance() {
   time_step_ = step_across_tail(options_, packing_);
   const auto dynamics =
       make_dynamics(packing_, BoundaryControl<Dim>::fixed(), {time_step_, skin_, options_.threads});
-  advance_observed(*dynamics, kStretch, Motion::free, observer_, flight_time_, time_step_);
+  advance_observed(*dynamics, kStepsPerChunk, Motion::free, observer_, flight_time_, time_step_);
   packing_ = {};
   packing_ = dynamics->packing();
   if (!options_.skin) skin_ = dynamics->skin();
@@ -73,8 +73,8 @@ double Aggregation<Dim>::fly() {
 }
 
 template <int Dim>
-double Aggregation<Dim>::stretch_time() const {
-  return flight_time_ + kStretch * time_step_;
+double Aggregation<Dim>::chunk_time() const {
+  return flight_time_ + kStepsPerChunk * time_step_;
 }
 
 template int count_clusters(const Packing<2>&);

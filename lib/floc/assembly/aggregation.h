@@ -14,14 +14,14 @@ template <int Dim>
 int count_clusters(const Packing<Dim>& packing);
 
 /// The second stage of the type 2 assembly: agitated grains in a fixed cell collide and stick until they are one
-/// cluster. State to state in stretches, like Relaxer.
+/// cluster. State to state in chunks, like Relaxer.
 template <int Dim>
 class Aggregation {
  public:
   /// @param skin  first guess (length), 0 for none
   Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin);
 
-  /// One stretch, after a flight (ClusterFlight) where clusters do nothing but drift. @return true when all
+  /// One chunk, after a flight (ClusterFlight) where clusters do nothing but drift. @return true when all
   /// grains form one cluster
   bool advance();
   /// Sets the observer of the packing as it moves.
@@ -31,16 +31,16 @@ class Aggregation {
   Packing<Dim> packing() && { return std::move(packing_); }
   int n_clusters() const { return n_clusters_; }
   double skin() const { return skin_; }
-  /// That of the last stretch.
-  double stretch_time() const;
+  /// That of the last chunk.
+  double chunk_time() const;
 
  private:
   double fly();
 
   RelaxationOptions options_;
   Packing<Dim> packing_;
-  double time_step_ = 0.0;    ///< of the last stretch
-  double flight_time_ = 0.0;  ///< of the last stretch
+  double time_step_ = 0.0;    ///< of the last chunk
+  double flight_time_ = 0.0;  ///< of the last chunk
   double skin_;
   int n_clusters_;
   MotionObserver<Dim> observer_;

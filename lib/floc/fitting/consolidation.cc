@@ -393,10 +393,10 @@ ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const Consol
       return refused(law,
                      "all pressures lie in regime I: the solid fraction is constant, or elastic, over them");
     if (!fit.regimes)
-      return refused(
-          law, fmt::format("no stretch of at least {} pressures over which the solid fraction grows as in "
-                           "regime II: try --law log with --window lo,hi",
-                           kFewestInRegimeTwo));
+      return refused(law,
+                     fmt::format("no range of at least {} pressures over which the solid fraction grows as in "
+                                 "regime II: try --law log with --window lo,hi",
+                                 kFewestInRegimeTwo));
     window = window_of(law, *fit.regimes, n);
   }
   if (window.n <= n_parameters(law)) return refused(law, too_few(law, window.n));

@@ -108,7 +108,7 @@ void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
   pass_observer();
 }
 
-/// Those that move the packing count time from the beginning of a stretch or a step.
+/// Those that move the packing count time from the beginning of a chunk or a step.
 template <int Dim>
 void Run<Dim>::pass_observer() {
   if (!observer_.callback || finished()) return;
@@ -128,22 +128,22 @@ RunEvent Run<Dim>::advance() {
   if (point_.aggregating) {
     point_.aggregating = !aggregation_->advance();
     point_.aggregation_skin = aggregation_->skin();
-    point_.time += aggregation_->stretch_time();
-    point_.n_steps += kStretch;
+    point_.time += aggregation_->chunk_time();
+    point_.n_steps += kStepsPerChunk;
     if (!point_.aggregating) {
       take_packing_back();
       start_step();
-      return RunEvent::stretch;
+      return RunEvent::chunk;
     }
     const double longest = options_.relaxation.max_time * inertial_time(packing(), Vec<Dim>(Vec<Dim>::Zero()));
-    return point_.time > longest ? RunEvent::gave_up : RunEvent::stretch;
+    return point_.time > longest ? RunEvent::gave_up : RunEvent::chunk;
   }
   const RelaxationStatus status = equilibrator_->advance();
   const RelaxationReport reached = equilibrator_->report();
   point_.equilibration = equilibrator_->progress();
   point_.equilibration_time = reached.time;
   point_.equilibration_steps = reached.n_steps;
-  if (status == RelaxationStatus::running) return RunEvent::stretch;
+  if (status == RelaxationStatus::running) return RunEvent::chunk;
   return status == RelaxationStatus::converged ? RunEvent::equilibrium : RunEvent::gave_up;
 }
 
@@ -171,7 +171,7 @@ State<Dim> Run<Dim>::lend_state() {
   return state;
 }
 
-/// Between two stretches point and packing are the whole truth.
+/// Between two chunks the state of a run is its point and its packing.
 template <int Dim>
 void Run<Dim>::go_on(Packing<Dim> packing) {
   packing_ = std::move(packing);

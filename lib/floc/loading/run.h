@@ -13,7 +13,7 @@
 
 namespace floc {
 
-/// Where a run stands between two stretches: with the options and the packing, all that decides how it goes on. This is
+/// Where a run stands between two chunks: with the options and the packing, all that decides how it goes on. This is
 /// what a checkpoint holds.
 struct RunPoint {
   int step = 0;                          ///< number of the equilibrium being made
@@ -33,9 +33,9 @@ struct RunPoint {
 /// @param path, stream_state  of the state  @param sha256  of the file it was saved in
 RunPoint point_after(const PathPosition& path, std::uint64_t stream_state, const std::string& sha256);
 
-/// What a stretch of a run came to.
+/// What a chunk of a run came to.
 enum class RunEvent {
-  stretch,      ///< nothing yet; between two stretches a run may be stopped and continued without a trace
+  chunk,        ///< nothing yet; between two chunks a run may be stopped and continued without a trace
   equilibrium,  ///< `state()` is the next equilibrium; save it, then call `saved()`
   gave_up,      ///< the present step does not converge; `report()` says what blocks
 };
@@ -57,7 +57,7 @@ class Run {
   /// @pre the run stays where it is in memory from now on
   void set_observer(MotionObserver<Dim> observer);
 
-  /// One stretch. @pre not finished, and `saved()` was called after the last equilibrium.
+  /// One chunk. @pre not finished, and `saved()` was called after the last equilibrium.
   RunEvent advance();
   /// The equilibrium just reached.
   State<Dim> state() const;

@@ -8,11 +8,11 @@
 
 namespace floc {
 
-/// Time steps of one stretch, between which a run may be stopped. Packing and lists are rebuilt there, which
+/// Time steps of one chunk, between which a run may be stopped. Packing and lists are rebuilt there, which
 /// costs about 20 steps.
-inline constexpr int kStretch = 500;
+inline constexpr int kStepsPerChunk = 500;
 
-/// Numerical settings of a stretch of dynamics.
+/// Numerical settings of a chunk of dynamics.
 struct DynamicsSettings {
   double time_step;  ///< (time)
   double skin;       ///< first guess of the Verlet skin (length); adapted to the motion
@@ -48,7 +48,7 @@ class Dynamics {
   /// @pre finite()
   virtual Packing<Dim> packing() const = 0;
 
-  /// A good first guess of the skin for the next stretch (length).
+  /// A good first guess of the skin for the next chunk (length).
   virtual double skin() const = 0;
 };
 

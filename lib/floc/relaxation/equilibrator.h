@@ -24,14 +24,14 @@ struct RelaxationReport {
   std::int64_t n_steps = 0;  ///< time steps of this relaxation so far
 };
 
-/// Takes a packing to equilibrium under a load, part by part. Between two parts the packing and the progress
-/// are the whole truth: an equilibrator made from them goes on as if it had never been stopped.
+/// Takes a packing to equilibrium under a load, chunk by chunk. Between two chunks its state is the
+/// packing and the progress: an equilibrator made from them goes on as if it had never been stopped.
 template <int Dim>
 class Equilibrator {
  public:
   virtual ~Equilibrator() = default;
 
-  /// One part of the way.
+  /// One chunk.
   virtual RelaxationStatus advance() = 0;
   /// Sets the observer of the packing as it moves.
   virtual void set_observer(MotionObserver<Dim> observer) = 0;

@@ -320,7 +320,7 @@ void ExplicitDynamics<Dim>::adapt_skin() {
   if (cost < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, thinnest_skin_);
 }
 
-/// The next stretch begins with a new list in any case: where one list has served for all of this one, twice
+/// The next chunk begins with a new list in any case: where one list has served for all of this one, twice
 /// what motion took of its skin is enough.
 template <int Dim>
 double ExplicitDynamics<Dim>::skin() const {

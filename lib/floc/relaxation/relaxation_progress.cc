@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Visits every member under its name.
+/// Visits every member under the name that checkpoints have for it.
 constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("stage", p.stage);
   visit("n_steps", p.n_steps);
@@ -14,9 +14,9 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("solid_fraction", p.solid_fraction);
   visit("imbalance_sign", p.imbalance_sign);
   visit("contact_set", p.contact_set);
-  visit("unchanged_stretches", p.unchanged_stretches);
+  visit("unchanged_stretches", p.unchanged_chunks);
   visit("finishing_since_phi", p.finishing_since_phi);
-  visit("finishing_stretches", p.finishing_stretches);
+  visit("finishing_stretches", p.finishing_chunks);
   visit("next_polish", p.next_polish);
   visit("force_residual", p.force_residual);
 };

@@ -12,16 +12,16 @@ struct RelaxationProgress {
   int stage = moving;
   std::int64_t n_steps = 0;            ///< time steps of this relaxation so far
   double time = 0.0;                   ///< simulated time of this relaxation so far
-  double skin = 0.0;                   ///< of the Verlet list; 0 before the first stretch
-  std::vector<double> solid_fraction;  ///< at the end of each recent stretch, the oldest first
+  double skin = 0.0;                   ///< of the Verlet list; 0 before the first chunk
+  std::vector<double> solid_fraction;  ///< at the end of each recent chunk, the oldest first
   /// Of each axis: sign of stress - target at the start; 0 once it has changed.
   std::vector<double> imbalance_sign;
   std::uint64_t contact_set = 0;     ///< fingerprint of the contact list
-  int unchanged_stretches = 0;       ///< stretches since that last changed
+  int unchanged_chunks = 0;          ///< chunks since that last changed
   double finishing_since_phi = 0.0;  ///< solid fraction when finishing began
-  int finishing_stretches = 0;
-  int next_polish = 0;                 ///< stretch of the finish at which the static polisher is tried next
-  std::vector<double> force_residual;  ///< at the end of each recent stretch, for the decay rate
+  int finishing_chunks = 0;
+  int next_polish = 0;                 ///< chunk of the finish at which the static polisher is tried next
+  std::vector<double> force_residual;  ///< at the end of each recent chunk, for the decay rate
 };
 
 /// As text (JSON; numbers round-trip), and back. @throws InputError if the text is not one

@@ -155,7 +155,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
   packing_.contacts = {};  // dynamics has them now: a large packing is held once
   const bool finishing = progress_.stage == RelaxationProgress::finishing;
-  advance_observed(*dynamics, kStretch, finishing ? Motion::power_control : Motion::free, observer_,
+  advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
     ending_ = "diverged";
@@ -167,8 +167,8 @@ RelaxationStatus Relaxer<Dim>::advance() {
   packing_ = dynamics->packing();
   if (!options_.skin) progress_.skin = dynamics->skin();
   dynamics.reset();
-  progress_.n_steps += kStretch;
-  progress_.time += kStretch * time_step_;
+  progress_.n_steps += kStepsPerChunk;
+  progress_.time += kStepsPerChunk * time_step_;
 
   measure();
   progress_.force_residual.push_back(residuals_.force);
@@ -196,7 +196,7 @@ template <int Dim>
 bool Relaxer<Dim>::density_still() {
   std::vector<double>& phi = progress_.solid_fraction;
   phi.push_back(solid_fraction(packing_));
-  const std::size_t window = stretches_in(kStillWindow) + 1;
+  const std::size_t window = chunks_in(kStillWindow) + 1;
   if (phi.size() > window) phi.erase(phi.begin());
   const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
   return phi.size() == window && *high - *low < kStillPhi;
@@ -207,25 +207,24 @@ bool Relaxer<Dim>::density_still() {
 template <int Dim>
 bool Relaxer<Dim>::contacts_still() {
   const std::uint64_t set = contact_fingerprint(packing_);
-  progress_.unchanged_stretches = set == progress_.contact_set ? progress_.unchanged_stretches + 1 : 0;
+  progress_.unchanged_chunks = set == progress_.contact_set ? progress_.unchanged_chunks + 1 : 0;
   progress_.contact_set = set;
-  return progress_.unchanged_stretches >= static_cast<int>(stretches_in(kStillContactsWindow));
+  return progress_.unchanged_chunks >= static_cast<int>(chunks_in(kStillContactsWindow));
 }
 
 /// Whether grains of this mean kinetic energy that met nobody new for so long can only be vibrating.
 template <int Dim>
 bool Relaxer<Dim>::vibrates(double energy) const {
-  const double time = progress_.unchanged_stretches * kStretch * time_step_;
+  const double time = progress_.unchanged_chunks * kStepsPerChunk * time_step_;
   const double path = std::sqrt(2.0 * energy / heaviest(packing_)) * time;
   return path > kVibrationPath * force_scale(packing_, target_).length &&
-         progress_.unchanged_stretches >=
-             static_cast<int>(stretches_in(kVibrationWindows * kStillContactsWindow));
+         progress_.unchanged_chunks >= static_cast<int>(chunks_in(kVibrationWindows * kStillContactsWindow));
 }
 
 template <int Dim>
-std::size_t Relaxer<Dim>::stretches_in(double time_units) const {
+std::size_t Relaxer<Dim>::chunks_in(double time_units) const {
   return static_cast<std::size_t>(
-      std::ceil(options_.patience * time_units * time_unit_ / (kStretch * time_step_)));
+      std::ceil(options_.patience * time_units * time_unit_ / (kStepsPerChunk * time_step_)));
 }
 
 /// Motion has stopped when the packing is still, its kinetic energy small, and the cell has answered to its
@@ -245,7 +244,7 @@ RelaxationStatus Relaxer<Dim>::judge_motion() {
   if (energy < limit * scale.force * scale.length || vibrates(energy)) {
     progress_.stage = RelaxationProgress::finishing;
     progress_.finishing_since_phi = progress_.solid_fraction.back();
-    progress_.finishing_stretches = 0;
+    progress_.finishing_chunks = 0;
     progress_.next_polish = 1;
   }
   return RelaxationStatus::running;
@@ -253,7 +252,7 @@ RelaxationStatus Relaxer<Dim>::judge_motion() {
 
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::judge_finish() {
-  ++progress_.finishing_stretches;
+  ++progress_.finishing_chunks;
   if (std::abs(solid_fraction(packing_) - progress_.finishing_since_phi) > kFinishPhi) {
     progress_.stage = RelaxationProgress::moving;
     progress_.solid_fraction.clear();
@@ -261,10 +260,9 @@ RelaxationStatus Relaxer<Dim>::judge_finish() {
   }
   const bool within = residuals_.within(options_.tolerance);
   const bool may_polish = options_.finish != Finish::dynamic && residuals_.force < kPolishResidual;
-  if (may_polish && (within || progress_.finishing_stretches >= progress_.next_polish)) {
+  if (may_polish && (within || progress_.finishing_chunks >= progress_.next_polish)) {
     if (polish()) return RelaxationStatus::converged;
-    progress_.next_polish =
-        progress_.finishing_stretches + std::max(kPolishPause, progress_.finishing_stretches / 2);
+    progress_.next_polish = progress_.finishing_chunks + std::max(kPolishPause, progress_.finishing_chunks / 2);
   }
   if (!within) return RelaxationStatus::running;
   const int n_negative = count_negative_eigenvalues(packing_);
@@ -348,7 +346,7 @@ RelaxationReport Relaxer<Dim>::report() const {
   const std::vector<double>& history = progress_.force_residual;
   if (history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)
     report.decay_rate = std::log(history.front() / history.back()) /
-                        (static_cast<double>(history.size() - 1) * kStretch * time_step_);
+                        (static_cast<double>(history.size() - 1) * kStepsPerChunk * time_step_);
   return report;
 }
 

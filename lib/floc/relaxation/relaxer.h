@@ -14,7 +14,7 @@
 namespace floc {
 
 /// Takes a packing to equilibrium under a diagonal stress: by Newton steps where nothing rearranges, else by dynamics
-/// until motion has stopped, power control, then Newton steps (see Finish). State to state in stretches of a
+/// until motion has stopped, power control, then Newton steps (see Finish). State to state in chunks of a
 /// fixed number of time steps: a run that is stopped between two of them and continued gives the same bits.
 template <int Dim>
 class Relaxer final : public Equilibrator<Dim> {
@@ -22,7 +22,7 @@ class Relaxer final : public Equilibrator<Dim> {
   Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
           RelaxationProgress progress = {});
 
-  /// One stretch. Where the motion diverges, the packing is the one it began with, its springs at rest.
+  /// One chunk. Where the motion diverges, the packing is the one it began with, its springs at rest.
   RelaxationStatus advance() override;
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
@@ -37,7 +37,7 @@ class Relaxer final : public Equilibrator<Dim> {
   bool density_still();
   bool contacts_still();
   bool vibrates(double energy) const;
-  std::size_t stretches_in(double time_units) const;
+  std::size_t chunks_in(double time_units) const;
   RelaxationStatus judge_motion();
   RelaxationStatus judge_finish();
   bool polish();

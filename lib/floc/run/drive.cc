@@ -24,7 +24,7 @@ class Driver {
       const RunEvent event = run_.advance();
       if (event == RunEvent::equilibrium) save();
       if (event == RunEvent::gave_up) return give_up();
-      if (event == RunEvent::stretch && options_.stretch) options_.stretch(run_);
+      if (event == RunEvent::chunk && options_.chunk) options_.chunk(run_);
       if (options_.stop && options_.stop()) return leave({DriveReport::stopped, {}});
       if (seconds_since(last_checkpoint_) > options_.checkpoint_every) checkpoint();
     }

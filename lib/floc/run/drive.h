@@ -12,11 +12,11 @@ namespace floc {
 struct DriveOptions {
   double checkpoint_every = 60.0;               ///< wall time between two checkpoints (s)
   int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to make
-  /// Asked after each stretch of steps, such as for a signal: true stops the run at a checkpoint. Empty: never.
+  /// Asked after each chunk of steps, such as for a signal: true stops the run at a checkpoint. Empty: never.
   std::function<bool()> stop;
-  /// Told after each stretch that ends without an equilibrium. May be empty.
-  std::function<void(const Run<2>&)> stretch;
-  /// Told of each equilibrium once it is saved, with the wall time of its step (s). May be empty.
+  /// Called after each chunk that ends without an equilibrium. May be empty.
+  std::function<void(const Run<2>&)> chunk;
+  /// Called with each equilibrium once it is saved, with the wall time of its step (s). May be empty.
   std::function<void(const State<2>&, const RelaxationReport&, double seconds)> equilibrium;
 };
 

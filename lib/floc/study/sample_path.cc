@@ -36,7 +36,7 @@ void run_until(Run<2>& run, int end, const std::vector<int>& turns, const Deadli
         path.failure = fmt::format("step {} ({} P = {:.4g}) did not converge: {}", run.point().step,
                                    run.target().branch, run.target().pressure, run.report().blocking);
         break;
-      case RunEvent::stretch:
+      case RunEvent::chunk:
         path.out_of_time = deadline.passed();
     }
   }

@@ -19,10 +19,9 @@ using test::agitated_gas;
 using test::cohesive_law;
 using test::pressed;
 
-Packing<2> after(const Packing<2>& start, const DynamicsSettings& settings,
-                 std::initializer_list<int> stretches) {
+Packing<2> after(const Packing<2>& start, const DynamicsSettings& settings, std::initializer_list<int> chunks) {
   const auto dynamics = make_dynamics(start, pressed(start, 0.1), settings);
-  for (const int n : stretches) dynamics->advance(n, Motion::free);
+  for (const int n : chunks) dynamics->advance(n, Motion::free);
   return dynamics->packing();
 }
 

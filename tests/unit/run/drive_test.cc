@@ -33,8 +33,8 @@ TEST(Drive, ARunStoppedAtAnyStretchAndResumedIsTheUnbrokenRun) {
   const ScratchDirectory scratch;
   EXPECT_EQ(drive_in(scratch.file("whole"), {}).outcome, DriveReport::done);
   DriveOptions driving;
-  int n_stretches = 0, n_stops = 0;
-  driving.stop = [&] { return ++n_stretches % 37 == 0; };
+  int n_chunks = 0, n_stops = 0;
+  driving.stop = [&] { return ++n_chunks % 37 == 0; };
   while (drive_in(scratch.file("broken"), driving).outcome == DriveReport::stopped) ++n_stops;
   EXPECT_GT(n_stops, 3);
   test::expect_same_results(scratch.file("whole"), scratch.file("broken"), kEquilibria);
@@ -44,9 +44,9 @@ TEST(Drive, ARunStoppedAtAnyStretchAndResumedIsTheUnbrokenRun) {
 TEST(Drive, TellsOfEachStretchAndOfEachEquilibriumOnceItIsSaved) {
   const ScratchDirectory scratch;
   DriveOptions driving;
-  int n_stretches = 0;
+  int n_chunks = 0;
   std::vector<int> steps;
-  driving.stretch = [&](const floc::Run<2>& run) { n_stretches += !run.finished(); };
+  driving.chunk = [&](const floc::Run<2>& run) { n_chunks += !run.finished(); };
   driving.equilibrium = [&](const State<2>& state, const RelaxationReport& report, double seconds) {
     EXPECT_TRUE(std::filesystem::exists(state_file(scratch.file("run"), state.path.step)));
     EXPECT_EQ(report.ending, state.path.ending);
@@ -56,7 +56,7 @@ TEST(Drive, TellsOfEachStretchAndOfEachEquilibriumOnceItIsSaved) {
   driving.until = 1;
   EXPECT_EQ(drive_in(scratch.file("run"), driving).outcome, DriveReport::done);
   EXPECT_EQ(steps, (std::vector<int>{0, 1}));
-  EXPECT_GT(n_stretches, 0);
+  EXPECT_GT(n_chunks, 0);
 }
 
 TEST(Drive, SaysWhatBlocksAStepThatGivesUp) {

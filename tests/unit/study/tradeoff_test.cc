@@ -25,7 +25,7 @@ TEST(Tradeoff, KeepsItsBudgetAndSaysWhatItLeftOut) {
     options.budget = budget;
     const double start = processor_seconds();
     const Tradeoff tradeoff = study_tradeoff(small_scene(60), options);
-    // A run is broken off between two stretches of 500 steps (here a few ms); then a sample's moduli are taken.
+    // A run is broken off between two chunks of 500 steps (here a few ms); then a sample's moduli are taken.
     EXPECT_LT(processor_seconds() - start, budget + 0.2);
     EXPECT_FALSE(tradeoff.left_out.empty());
   }

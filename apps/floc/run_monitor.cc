@@ -19,11 +19,11 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-std::string stage_of(const Run<2>& run) {
+std::string phase_of(const Run<2>& run) {
   if (run.point().aggregating) return fmt::format("aggregating, {} clusters", run.n_clusters());
   const RelaxationReport report = run.report();
-  const bool finishing = report.stage == "finishing";
-  std::string text = fmt::format("{}, {}", report.stage, report.blocking);
+  const bool finishing = report.phase == "finishing";
+  std::string text = fmt::format("{}, {}", report.phase, report.blocking);
   if (finishing && report.decay_rate > 0.0)
     text += fmt::format(", falls at {:.2g} per unit time", report.decay_rate);
   return text;
@@ -47,7 +47,7 @@ void RunMonitor::chunk(const Run<2>& run) {
   const int step = run.point().step;
   std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {:.0f}, {}", step + 1, n_steps_,
                                  run.target().branch, run.target().pressure, solid_fraction(run.packing()),
-                                 run.point().time + run.point().equilibration_time, stage_of(run));
+                                 run.point().time + run.point().equilibration_time, phase_of(run));
   if (steps_done_ > 0) line += fmt::format("; about {} left", duration(expected_seconds_left(n_steps_ - step)));
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
   std::fflush(stderr);

@@ -81,7 +81,7 @@ RunOptions run_options(AssemblyOptions::Protocol protocol, const Units& u) {
   options.assembly.solid_fraction = 0.5;
   options.assembly.agitation = 5.0;
   options.assembly.pressure = 0.125 * u.stiffness();
-  LoadTurn load;
+  LoadStage load;
   load.to = 4.0 * u.stiffness();
   load.steps = 2;
   options.load = {load};

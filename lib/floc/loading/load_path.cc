@@ -20,15 +20,15 @@ std::vector<double> geometric(double from, double to, double log10_factor, int n
 
 }  // namespace
 
-std::vector<double> turn_pressures(double from, const LoadTurn& turn) {
-  assert(from >= 0 && turn.to >= 0);
-  if (from == turn.to || from == 0.0 || turn.to == 0.0) return {turn.to};
-  assert(turn.steps.has_value() != turn.steps_per_decade.has_value());
-  const double decades = std::log10(turn.to / from);
-  if (turn.steps) return geometric(from, turn.to, decades / *turn.steps, *turn.steps);
-  const double step = std::copysign(1.0 / *turn.steps_per_decade, decades);
+std::vector<double> stage_pressures(double from, const LoadStage& stage) {
+  assert(from >= 0 && stage.to >= 0);
+  if (from == stage.to || from == 0.0 || stage.to == 0.0) return {stage.to};
+  assert(stage.steps.has_value() != stage.steps_per_decade.has_value());
+  const double decades = std::log10(stage.to / from);
+  if (stage.steps) return geometric(from, stage.to, decades / *stage.steps, *stage.steps);
+  const double step = std::copysign(1.0 / *stage.steps_per_decade, decades);
   const int n = std::max(1, static_cast<int>(std::ceil(decades / step - kRoundingOfAStep)));
-  return geometric(from, turn.to, step, n);
+  return geometric(from, stage.to, step, n);
 }
 
 }  // namespace floc

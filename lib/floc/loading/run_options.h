@@ -17,7 +17,7 @@ struct RunOptions {
   GrainOptions grains;
   LawParameters law;
   AssemblyOptions assembly;
-  std::vector<LoadTurn> load;
+  std::vector<LoadStage> load;
   RelaxationOptions relaxation;
   std::uint64_t seed = 1;
   std::string text;  ///< the scene with overrides applied, as written into every state

@@ -24,15 +24,15 @@ void change_law(LawParameters& law, const std::string& key, double value) {
 }
 
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
-                                         const std::vector<LoadTurn>& load) {
+                                         const std::vector<LoadStage>& load) {
   std::vector<PlannedEquilibrium> plan;
   if (assembly.protocol == AssemblyOptions::Protocol::aggregation) plan.push_back({"assembly", 0.0, law});
   if (plan.empty() || assembly.pressure > 0.0) plan.push_back({"assembly", assembly.pressure, law});
   LawParameters present = law;
-  for (const LoadTurn& turn : load) {
-    for (const auto& [key, value] : turn.set) change_law(present, key, value);
-    for (const double pressure : turn_pressures(plan.back().pressure, turn))
-      plan.push_back({turn.name, pressure, present});
+  for (const LoadStage& stage : load) {
+    for (const auto& [key, value] : stage.set) change_law(present, key, value);
+    for (const double pressure : stage_pressures(plan.back().pressure, stage))
+      plan.push_back({stage.name, pressure, present});
   }
   for (const PlannedEquilibrium& equilibrium : plan)
     if (equilibrium.pressure == 0.0 && equilibrium.law.pull_off_force() == 0.0)

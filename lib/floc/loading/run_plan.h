@@ -11,16 +11,16 @@ namespace floc {
 
 /// One equilibrium a run will make.
 struct PlannedEquilibrium {
-  std::string branch;  ///< "assembly" or the name of the turn
+  std::string branch;  ///< "assembly" or the name of the stage
   double pressure;     ///< (unit of stress of the scene)
   LawParameters law;   ///< with the changes made so far
 };
 
 /// All equilibria of a run, in order: those of the assembly (aggregation: P = 0, then the first pressure), then
-/// every step of every turn.
-/// @throws InputError if a turn changes something the law does not have
+/// every step of every stage.
+/// @throws InputError if a stage changes something the law does not have
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
-                                         const std::vector<LoadTurn>& load);
+                                         const std::vector<LoadStage>& load);
 
 /// The number of a contact law that a key names, or null when its slot is absent or there is no such key.
 /// @param key  path below [contact], e.g. "adhesion.force"

@@ -19,7 +19,7 @@ struct RelaxationReport {
   std::string ending;        ///< "polished", "dynamic", "static", "diverged"; empty while it runs
   std::string blocking;      ///< criterion that is worst against its tolerance, with its grain
   double decay_rate = 0.0;   ///< of the force residual (1/time); positive when it falls
-  std::string stage;         ///< what it is doing: "moving", "finishing", ...
+  std::string phase;         ///< what it is doing: "moving", "finishing", ...
   double time = 0.0;         ///< simulated time of this relaxation so far
   std::int64_t n_steps = 0;  ///< time steps of this relaxation so far
 };

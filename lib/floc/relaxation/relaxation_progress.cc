@@ -7,7 +7,7 @@ namespace {
 
 /// Visits every member under the name that checkpoints have for it.
 constexpr auto kMembers = [](auto& p, const auto& visit) {
-  visit("stage", p.stage);
+  visit("stage", p.phase);
   visit("n_steps", p.n_steps);
   visit("time", p.time);
   visit("skin", p.skin);

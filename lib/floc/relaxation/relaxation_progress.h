@@ -8,8 +8,8 @@ namespace floc {
 
 /// Where a relaxation stands, beside the packing itself: all that decides how it goes on.
 struct RelaxationProgress {
-  enum Stage { moving, finishing };
-  int stage = moving;
+  enum Phase { moving, finishing };
+  int phase = moving;
   std::int64_t n_steps = 0;            ///< time steps of this relaxation so far
   double time = 0.0;                   ///< simulated time of this relaxation so far
   double skin = 0.0;                   ///< of the Verlet list; 0 before the first chunk

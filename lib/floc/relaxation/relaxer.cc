@@ -154,7 +154,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
       strain_rate_cap(options_, packing_, target_));
   auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
   packing_.contacts = {};  // dynamics has them now: a large packing is held once
-  const bool finishing = progress_.stage == RelaxationProgress::finishing;
+  const bool finishing = progress_.phase == RelaxationProgress::finishing;
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
@@ -242,7 +242,7 @@ RelaxationStatus Relaxer<Dim>::judge_motion() {
   const double limit = (unloaded && still_contacts ? kCoastingEnergy : 1.0) * options_.tolerance.energy;
   const double energy = energy_of_connected_grains(packing_, scales);
   if (energy < limit * scale.force * scale.length || vibrates(energy)) {
-    progress_.stage = RelaxationProgress::finishing;
+    progress_.phase = RelaxationProgress::finishing;
     progress_.finishing_since_phi = progress_.solid_fraction.back();
     progress_.finishing_chunks = 0;
     progress_.next_polish = 1;
@@ -254,7 +254,7 @@ template <int Dim>
 RelaxationStatus Relaxer<Dim>::judge_finish() {
   ++progress_.finishing_chunks;
   if (std::abs(solid_fraction(packing_) - progress_.finishing_since_phi) > kFinishPhi) {
-    progress_.stage = RelaxationProgress::moving;
+    progress_.phase = RelaxationProgress::moving;
     progress_.solid_fraction.clear();
     return RelaxationStatus::running;
   }
@@ -324,7 +324,7 @@ RelaxationReport Relaxer<Dim>::report() const {
   report.residuals = residuals_;
   report.n_negative = n_negative_;
   report.ending = ending_;
-  report.stage = progress_.stage == RelaxationProgress::finishing ? "finishing" : "moving";
+  report.phase = progress_.phase == RelaxationProgress::finishing ? "finishing" : "moving";
   report.time = progress_.time;
   report.n_steps = progress_.n_steps;
   struct Criterion {

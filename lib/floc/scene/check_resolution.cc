@@ -28,13 +28,13 @@ void check_pressures(TableReader& root, const Scene& scene) {
   TableReader assembly = root.table("assembly", "", Need::optional);
   if (assembly) check(assembly, "pressure", scene.assembly.pressure);
   if (scene.load.empty()) return;
-  std::vector<TableReader> turns = root.tables("load", "tables [[load]]");
-  for (std::size_t k = 0; k < std::min(turns.size(), scene.load.size()); ++k) {
+  std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
+  for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()); ++k) {
     // A change of the adhesion changes what a stress is measured in.
     if (std::any_of(scene.load[k].set.begin(), scene.load[k].set.end(),
                     [](const auto& change) { return change.first == "adhesion.force"; }))
       return;
-    check(turns[k], "to", scene.load[k].to);
+    check(stages[k], "to", scene.load[k].to);
   }
 }
 

@@ -34,10 +34,10 @@ struct Steps {
 Steps count_steps(const Scene& scene) {
   Steps steps;
   double from = scene.assembly.pressure;
-  for (const LoadTurn& turn : scene.load) {
-    const int n = static_cast<int>(turn_pressures(from, turn).size());
-    (turn.to < from ? steps.down : steps.up) += n;
-    from = turn.to;
+  for (const LoadStage& stage : scene.load) {
+    const int n = static_cast<int>(stage_pressures(from, stage).size());
+    (stage.to < from ? steps.down : steps.up) += n;
+    from = stage.to;
   }
   return steps;
 }
@@ -47,11 +47,11 @@ using Groups = std::vector<DerivedGroup>;
 void add_pressures(const Scene& scene, double unit, const char* name, const char* meaning, Groups& groups) {
   groups.push_back({name, scene.assembly.pressure / unit, fmt::format("{}, first pressure", meaning)});
   double from = scene.assembly.pressure;
-  for (const LoadTurn& turn : scene.load) {
-    groups.push_back(
-        {name, turn.to / unit,
-         fmt::format("{}, end of '{}' after {} steps", meaning, turn.name, turn_pressures(from, turn).size())});
-    from = turn.to;
+  for (const LoadStage& stage : scene.load) {
+    groups.push_back({name, stage.to / unit,
+                      fmt::format("{}, end of '{}' after {} steps", meaning, stage.name,
+                                  stage_pressures(from, stage).size())});
+    from = stage.to;
   }
 }
 

@@ -14,7 +14,7 @@ struct DerivedGroup {
   std::string meaning;
 };
 
-/// Dimensionless groups of a scene: kappa, P* of every turn, Ia, stiffness ratios, D0/a, h0/a, fraction of
+/// Dimensionless groups of a scene: kappa, P* of every stage, Ia, stiffness ratios, D0/a, h0/a, fraction of
 /// critical damping, V0/V*; then T0, the time step, the number of equilibria and the expected cost. The length
 /// a is the largest diameter, m the mass of a grain of that size. Groups of physics the scene leaves out are
 /// left out.

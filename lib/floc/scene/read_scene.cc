@@ -211,9 +211,9 @@ std::vector<std::string> law_keys(LawParameters law) {
   return keys;
 }
 
-/// Applies the changes of a turn to the law in force, with the faults they make.
-void apply_changes(TableReader& t, const LoadTurn& turn, LawParameters& law) {
-  for (const auto& [key, value] : turn.set) {
+/// Applies the changes of a stage to the law in force, with the faults they make.
+void apply_changes(TableReader& t, const LoadStage& stage, LawParameters& law) {
+  for (const auto& [key, value] : stage.set) {
     double* number = law_number(law, key);
     if (!number) {
       t.fault("set",
@@ -223,46 +223,46 @@ void apply_changes(TableReader& t, const LoadTurn& turn, LawParameters& law) {
     }
     *number = value;
   }
-  for (const std::string& fault : turn.set.empty() ? std::vector<std::string>{} : law.validate())
+  for (const std::string& fault : stage.set.empty() ? std::vector<std::string>{} : law.validate())
     t.fault("set", fmt::format("{}.set: {}", t.path(), fault));
 }
 
-LoadTurn read_turn(TableReader t, double from, LawParameters& law) {
-  LoadTurn turn;
+LoadStage read_stage(TableReader t, double from, LawParameters& law) {
+  LoadStage stage;
   const auto to = t.number("to", {not_negative, "a pressure >= 0 (compression positive)"});
-  turn.to = to.value_or(from);
-  turn.name = t.text("name", "a string", Need::optional)
-                  .value_or(turn.to > from   ? "load"
-                            : turn.to < from ? "unload"
-                                             : "hold");
-  turn.steps_per_decade = t.number(
+  stage.to = to.value_or(from);
+  stage.name = t.text("name", "a string", Need::optional)
+                   .value_or(stage.to > from   ? "load"
+                             : stage.to < from ? "unload"
+                                               : "hold");
+  stage.steps_per_decade = t.number(
       "steps_per_decade", {is_steps_per_decade, "a number of steps a factor ten of pressure, in (0, 1000]"},
       Need::optional);
   if (const auto steps =
           t.integer("steps", {1, kMostSteps, "a whole number of steps, 1 to 10000"}, Need::optional))
-    turn.steps = static_cast<int>(*steps);
+    stage.steps = static_cast<int>(*steps);
   const bool by_decade = t.has("steps_per_decade");
   const bool by_number = t.has("steps");
-  const bool is_one_step = turn.to == from || turn.to == 0 || from == 0;
+  const bool is_one_step = stage.to == from || stage.to == 0 || from == 0;
   if (by_decade && by_number)
     t.fault("steps", fmt::format("{}: expected either this or steps_per_decade, not both", t.path_of("steps")));
   if (to && !by_decade && !by_number && !is_one_step)
     t.fault("steps", fmt::format("{} is missing: expected it or steps", t.path_of("steps_per_decade")));
-  turn.set = t.flat_numbers("set");
-  apply_changes(t, turn, law);
-  if (to && turn.to == 0 && law.pull_off_force() == 0)
+  stage.set = t.flat_numbers("set");
+  apply_changes(t, stage, law);
+  if (to && stage.to == 0 && law.pull_off_force() == 0)
     t.fault("to",
             fmt::format("{} = 0: expected a positive pressure; nothing holds grains without adhesion together",
                         t.path_of("to")));
   t.refuse_other_keys();
-  return turn;
+  return stage;
 }
 
 void read_load(TableReader& root, Scene& scene) {
   LawParameters law = scene.law;
   double from = scene.assembly.pressure;
   for (TableReader& t : root.tables("load", "tables [[load]]")) {
-    scene.load.push_back(read_turn(t, from, law));
+    scene.load.push_back(read_stage(t, from, law));
     from = scene.load.back().to;
   }
 }

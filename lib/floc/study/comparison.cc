@@ -102,8 +102,8 @@ MeanDifference mean_of(const std::vector<double>& differences) {
 std::vector<bool> before_collapse(const SamplePath& reference, const SamplePath& path) {
   std::vector<bool> before(path.states.size(), false);
   for (std::size_t k = 1; k < path.states.size(); ++k) {
-    if (path.states[k].turn < 0) continue;
-    const bool first = path.states[k].turn != path.states[k - 1].turn;
+    if (path.states[k].stage < 0) continue;
+    const bool first = path.states[k].stage != path.states[k - 1].stage;
     const ObservedState& start = first ? reference.states[k - 1] : path.states[k - 1];
     before[k] = (first || before[k - 1]) && calm(reference.states[k - 1], reference.states[k]) &&
                 calm(start, path.states[k]) && path.states[k].touching == reference.states[k].touching;

@@ -34,7 +34,7 @@ MeanDifference mean_of(const std::vector<double>& differences);
 
 /// What a setting does to one observable.
 struct ObservableError {
-  Spread before;  ///< before the first collapse of a turn: against the reference's state, from the same start
+  Spread before;  ///< before the first collapse of a stage: against the reference's state, from the same start
   Spread after;   ///< other states: against the strict equilibrium that each goes to when it is relaxed further
   MeanDifference mean;  ///< of those states, against the mean of the reference's
 };
@@ -45,7 +45,7 @@ using ObservableErrors = std::array<ObservableError, kObservables + kFittedNames
 /// Lowest and highest pressure P* of a fit.
 using PressureWindow = std::pair<double, double>;
 
-/// For each state: since the turn began neither path has moved by more than elasticity explains (3 dP/B), and the same
+/// For each state: since the stage began neither path has moved by more than elasticity explains (3 dP/B), and the same
 /// grains have touched in both, so both are still at the same place of configuration space. A contact that
 /// opens or closes in one of them alone parts them as a collapse does. False for what is assembled.
 std::vector<bool> before_collapse(const SamplePath& reference, const SamplePath& path);

@@ -14,12 +14,12 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kFewestSamples = 3;
 using Fitted = std::array<double, kFittedNames.size()>;
 
-/// States of the first loading: the last one assembled, then those of the first turn, if it goes up.
+/// States of the first loading: the last one assembled, then those of the first stage, if it goes up.
 std::vector<std::size_t> first_loading(const SamplePath& path) {
   std::vector<std::size_t> at;
-  for (std::size_t k = 0; k < path.states.size() && path.states[k].turn <= 0; ++k) {
+  for (std::size_t k = 0; k < path.states.size() && path.states[k].stage <= 0; ++k) {
     const double pressure = path.states[k].state.target_stress.mean();
-    if (path.states[k].turn < 0) at.clear();
+    if (path.states[k].stage < 0) at.clear();
     if (!at.empty() && pressure <= path.states[at.back()].state.target_stress.mean()) return {};
     if (pressure > 0.0) at.push_back(k);
   }

@@ -10,26 +10,26 @@
 namespace floc {
 namespace {
 
-/// Index of the turn that makes each equilibrium of a plan, -1 for those of the assembly.
-std::vector<int> turn_of_steps(const RunOptions& options, std::size_t n_planned) {
+/// Index of the stage that makes each equilibrium of a plan, -1 for those of the assembly.
+std::vector<int> stage_of_steps(const RunOptions& options, std::size_t n_planned) {
   std::vector<int> of_loading;
   double from = options.assembly.pressure;
   for (int t = 0; t < static_cast<int>(options.load.size()); ++t) {
-    of_loading.insert(of_loading.end(), turn_pressures(from, options.load[t]).size(), t);
+    of_loading.insert(of_loading.end(), stage_pressures(from, options.load[t]).size(), t);
     from = options.load[t].to;
   }
-  std::vector<int> turns(n_planned - of_loading.size(), -1);
-  turns.insert(turns.end(), of_loading.begin(), of_loading.end());
-  return turns;
+  std::vector<int> stages(n_planned - of_loading.size(), -1);
+  stages.insert(stages.end(), of_loading.begin(), of_loading.end());
+  return stages;
 }
 
 /// Runs until the equilibrium of number `end` is made; the states go to `path`.
-void run_until(Run<2>& run, int end, const std::vector<int>& turns, const Deadline& deadline,
+void run_until(Run<2>& run, int end, const std::vector<int>& stages, const Deadline& deadline,
                SamplePath& path) {
   while (run.point().step < end && path.whole()) {
     switch (run.advance()) {
       case RunEvent::equilibrium:
-        path.states.push_back({turns[static_cast<std::size_t>(run.point().step)], run.state(), {}, {}, {}});
+        path.states.push_back({stages[static_cast<std::size_t>(run.point().step)], run.state(), {}, {}, {}});
         run.saved("");
         break;
       case RunEvent::gave_up:
@@ -63,15 +63,16 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
   const double start = processor_seconds();
   Run<2> assembly(options);
   const int n_planned = static_cast<int>(assembly.plan().size());
-  const std::vector<int> turns = turn_of_steps(options, assembly.plan().size());
-  const auto n_assembled = static_cast<int>(std::count(turns.begin(), turns.end(), -1));
-  run_until(assembly, reference ? n_assembled : n_planned, turns, deadline, path);
+  const std::vector<int> stages = stage_of_steps(options, assembly.plan().size());
+  const auto n_assembled = static_cast<int>(std::count(stages.begin(), stages.end(), -1));
+  run_until(assembly, reference ? n_assembled : n_planned, stages, deadline, path);
   for (int first = n_assembled; reference && first < n_planned;) {
     const auto last = static_cast<int>(
-        std::upper_bound(turns.begin(), turns.end(), turns[static_cast<std::size_t>(first)]) - turns.begin());
+        std::upper_bound(stages.begin(), stages.end(), stages[static_cast<std::size_t>(first)]) -
+        stages.begin());
     const State<2>& from = reference->states[static_cast<std::size_t>(first - 1)].state;
-    Run<2> turn(options, point_after(from.path, from.provenance.stream_state, ""), from.packing);
-    run_until(turn, last, turns, deadline, path);
+    Run<2> stage(options, point_after(from.path, from.provenance.stream_state, ""), from.packing);
+    run_until(stage, last, stages, deadline, path);
     first = last;
   }
   const double relaxed = processor_seconds();

@@ -14,7 +14,7 @@ namespace floc {
 
 /// One equilibrium of a sample.
 struct ObservedState {
-  int turn = -1;  ///< index of the turn of the load path; -1: assembly
+  int stage = -1;  ///< index of the stage of the load path; -1: assembly
   State<2> state;
   Observation observation;
   std::vector<std::pair<int, int>> touching;  ///< grains in contact, in the order of the contact list
@@ -35,9 +35,9 @@ struct SamplePath {
 /// Options of a run of the scene at a setting.
 RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::uint64_t seed);
 
-/// Makes a sample: assembly from the gas, then every turn of the load path. With `reference`, a whole path of
-/// the same seed, each turn starts from the state that the reference starts it from, so that states can be
-/// compared one by one until the first collapse of the turn.
+/// Makes a sample: assembly from the gas, then every stage of the load path. With `reference`, a whole path of
+/// the same seed, each stage starts from the state that the reference starts it from, so that states can be
+/// compared one by one until the first collapse of the stage.
 SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
                        const Deadline& deadline);
 

@@ -37,7 +37,7 @@ struct Tradeoff {
 /// Runs a scene at its finest settings and at several values of each knob, all from the same seeds (paired),
 /// and compares what is quoted of them.
 ///
-/// The reference assembles and loads a sample; every setting assembles its own, then starts each turn of the
+/// The reference assembles and loads a sample; every setting assembles its own, then starts each stage of the
 /// load path from the reference's state, so that states can be compared one by one until the first collapse.
 /// Budget: grains are made fewer until two samples of everything are expected to fit, by the measured cost of a
 /// small one; then samples go on until the next would not fit. Settings too expensive for the first sample are

@@ -18,12 +18,12 @@ AssemblyOptions assembly(AssemblyOptions::Protocol protocol) {
   return a;
 }
 
-LoadTurn hold(double at, const std::string& key, double value) {
-  LoadTurn turn;
-  turn.name = "hold";
-  turn.to = at;
-  turn.set = {{key, value}};
-  return turn;
+LoadStage hold(double at, const std::string& key, double value) {
+  LoadStage stage;
+  stage.name = "hold";
+  stage.to = at;
+  stage.set = {{key, value}};
+  return stage;
 }
 
 TEST(PlanRun, WithoutLoadIsTheAssemblyAlone) {
@@ -39,7 +39,7 @@ TEST(PlanRun, WithoutLoadIsTheAssemblyAlone) {
 }
 
 TEST(PlanRun, ChangesOfATurnHoldFromThereOn) {
-  LoadTurn up;
+  LoadStage up;
   up.name = "load";
   up.to = 1.0;
   up.steps = 2;

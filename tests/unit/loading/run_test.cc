@@ -18,7 +18,7 @@ RunOptions losing_adhesion() {
   RunOptions options;
   options.law = test::cohesive_law();
   options.assembly.pressure = 0.5;
-  LoadTurn hold;
+  LoadStage hold;
   hold.name = "hold";
   hold.to = 0.5;
   hold.set = {{"adhesion.force", 0.0}};

@@ -14,9 +14,9 @@ namespace {
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// A state of which only what the comparison reads is made.
-ObservedState state(int turn, double pressure, double phi, double B) {
+ObservedState state(int stage, double pressure, double phi, double B) {
   ObservedState s;
-  s.turn = turn;
+  s.stage = stage;
   s.state.target_stress.setConstant(pressure);
   s.observation.fill(kNoNumber);
   s.observation[kPhi] = phi;

@@ -62,7 +62,7 @@ TEST(Tradeoff, PairedPathsStartFromTheSameStatesAndTheReferenceEqualsItself) {
   SamplePath reference = make_sample(options, {}, nullptr, never);
   ASSERT_TRUE(reference.whole()) << reference.failure;
   settle(options.relaxation, never, reference);
-  // From each turn's start, the same options make the same bits.
+  // From each stage's start, the same options make the same bits.
   const SamplePath again = make_sample(options, {}, &reference, never);
   ASSERT_EQ(again.states.size(), reference.states.size());
   for (std::size_t k = 0; k < again.states.size(); ++k) {

@@ -35,16 +35,16 @@ class ClosedCurve {
   std::array<std::array<double, 2>, 3> coefficients_;
 };
 
-/// A closed loop of gap, slip and turn of one contact.
+/// A closed loop of gap, slip and rotation of one contact.
 template <int Dim>
 class Loop {
  public:
-  /// @param reach  scale of slip and turn: 1 passes the caps, 1e-3 stays far below them
+  /// @param reach  scale of slip and rotation: 1 passes the caps, 1e-3 stays far below them
   Loop(RandomStream& random, double mean_gap, double gap_amplitude, double reach)
       : gap_(random, mean_gap, gap_amplitude) {
     // Tangent plane of the normal e_3 in 3D; the whole line in 2D.
     for (int a = 0; a < Dim - 1; ++a) slip_.emplace_back(random, 0.0, 1e-4 * reach);
-    for (int a = 0; a < kRotations<Dim>; ++a) turn_.emplace_back(random, 0.0, 0.02 * reach);
+    for (int a = 0; a < kRotations<Dim>; ++a) rotation_.emplace_back(random, 0.0, 0.02 * reach);
   }
   double gap(double phase) const { return gap_.at(phase); }
   Shear<Dim> slip(double phase) const {
@@ -52,15 +52,15 @@ class Loop {
     for (int a = 0; a < Dim - 1; ++a) value[a] = slip_[a].at(phase);
     return value;
   }
-  Spin<Dim> turn(double phase) const {
-    Spin<Dim> value;
-    for (int a = 0; a < kRotations<Dim>; ++a) value[a] = turn_[a].at(phase);
+  RotationVector<Dim> rotation(double phase) const {
+    RotationVector<Dim> value;
+    for (int a = 0; a < kRotations<Dim>; ++a) value[a] = rotation_[a].at(phase);
     return value;
   }
 
  private:
   ClosedCurve gap_;
-  std::vector<ClosedCurve> slip_, turn_;
+  std::vector<ClosedCurve> slip_, rotation_;
 };
 
 /// Work done on a contact around a loop, by the trapezoidal rule in the springs: exact while they are elastic.
@@ -78,7 +78,7 @@ LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
   LoopWork work;
   testing::Remembered<Law, Dim> history;
   Shear<Dim> shear = Shear<Dim>::Zero();
-  Spin<Dim> rolling = Spin<Dim>::Zero();
+  RotationVector<Dim> rolling = RotationVector<Dim>::Zero();
   const double dt = 1e-3;
   for (int k = 1; k <= n_steps; ++k) {
     const double from = static_cast<double>(k - 1) / n_steps;
@@ -86,12 +86,12 @@ LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
     const double opening = loop.gap(to) - loop.gap(from);
     const ContactMotion<Dim> motion{pair_at(loop.gap(to)), opening / dt,
                                     law.damping_coefficient(CollisionMass::between(1.0, 0.5)),
-                                    loop.slip(to) - loop.slip(from), loop.turn(to) - loop.turn(from)};
+                                    loop.slip(to) - loop.slip(from), loop.rotation(to) - loop.rotation(from)};
     const ContactForces<Dim> f = law.respond(motion, history);
     work.normal += law.energy(pair_at(loop.gap(to))) - law.energy(pair_at(loop.gap(from)));
     work.viscous -= f.viscous * opening;
     work.tangential += 0.5 * (shear + f.shear).dot(motion.slip);
-    work.rolling += 0.5 * (rolling + f.rolling).dot(motion.relative_turn);
+    work.rolling += 0.5 * (rolling + f.rolling).dot(motion.relative_rotation);
     shear = f.shear;
     rolling = f.rolling;
     work.stored = 0.0;

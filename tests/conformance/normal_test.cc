@@ -187,7 +187,7 @@ TEST(Tail, CarriesNothingButTheNormalAttraction) {
       testing::Remembered<decltype(law), Dim> history;
       ContactMotion<Dim> motion = at_gap<Dim>(h);
       motion.slip = testing::slip_by<Dim>(1e-3);
-      motion.relative_turn.setConstant(0.01);
+      motion.relative_rotation.setConstant(0.01);
       motion.gap_rate = -1.0;
       motion.damping = law.damping_coefficient(CollisionMass::between(1.0, 1.0));
       const auto forces = law.respond(motion, history);

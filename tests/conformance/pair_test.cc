@@ -73,7 +73,7 @@ TEST(Pair, TorquesOfAllForcesAboutAnyPointVanish) {
     Packing<Dim> packing = stretched_pair<Dim>(testing::parameters_of(law));
     refresh_contacts(packing);
     const Balance<Dim> net = net_forces(packing);
-    Spin<Dim> total = net.moment[0] + net.moment[1];
+    RotationVector<Dim> total = net.moment[0] + net.moment[1];
     for (int i = 0; i < 2; ++i) total += moment<double>(packing.grains.position[i], net.force[i]);
     // Forces of 1e3 at 3 from the origin, so rounding of 1e-12; arms R in place of l would leave 1e-2 F_T =
     // 8e-3.
@@ -88,7 +88,7 @@ TEST(Pair, TorquesOfAllForcesAboutAnyPointVanish) {
 }
 
 template <int Dim>
-Mat<Dim> rotation(const Spin<Dim>& turn) {
+Mat<Dim> rotation(const RotationVector<Dim>& turn) {
   if constexpr (Dim == 2)
     return Eigen::Rotation2Dd(turn[0]).toRotationMatrix();
   else
@@ -99,12 +99,12 @@ Mat<Dim> rotation(const Spin<Dim>& turn) {
 /// about a point beside them, in n steps. Largest difference of the forces in the co-rotating frame, relative
 /// to the forces.
 template <class Law, int Dim>
-double force_change_on_turning(const Law& law, const Spin<Dim>& turn, int n) {
+double force_change_on_turning(const Law& law, const RotationVector<Dim>& turn, int n) {
   const Vec<Dim> xi = Vec<Dim>::Constant(0.2);
   MovingPair<Law, Dim> pair(law, xi, xi + (kRadiusI + kRadiusJ - 1e-2) * direction<Dim>(), kRadiusI, kRadiusJ);
   GrainStep<Dim> stretch;
   stretch.displacement.template head<2>() << -0.8e-5, 0.6e-5;
-  stretch.turn.setConstant(1e-5);
+  stretch.rotation.setConstant(1e-5);
   const ContactForces<Dim> start = pair.move(stretch, GrainStep<Dim>{});
   const Vec<Dim> shear_start = from_shear<double>(pair.normal(), start.shear);
 
@@ -124,7 +124,7 @@ double force_change_on_turning(const Law& law, const Spin<Dim>& turn, int n) {
     change = std::max(change, (shear - whole * shear_start).norm() / shear_start.norm());
   }
   if constexpr (Law::kHasRolling) {
-    Spin<Dim> expected = start.rolling;
+    RotationVector<Dim> expected = start.rolling;
     if constexpr (Dim == 3) expected = whole * expected;
     change = std::max(change, (end.rolling - expected).norm() / expected.norm());
   }
@@ -139,8 +139,8 @@ TEST(Objectivity, APairTurnedRigidlyIn2DKeepsItsForces) {
     // A chord stands for each arc of turn/n, short of it by a share turn^2/(24 n^2): over the whole turn 2.1e-8
     // for n = 5000, up to 6e-3 of a spring of 3.5e-6 or more, falling with n^2. Wrong lever arms would slip by
     // 1e-2 turn whatever n.
-    const double coarse = force_change_on_turning<Law, 2>(law, Spin<2>(2.5), 5000);
-    const double fine = force_change_on_turning<Law, 2>(law, Spin<2>(2.5), 20000);
+    const double coarse = force_change_on_turning<Law, 2>(law, RotationVector<2>(2.5), 5000);
+    const double fine = force_change_on_turning<Law, 2>(law, RotationVector<2>(2.5), 20000);
     EXPECT_LT(coarse, kChordError);
     EXPECT_LT(fine, kChordError / 16 + 1e-8);
   });
@@ -168,7 +168,7 @@ double collide(const Law& law, double speed, double step) {
   testing::Remembered<Law, 2> history;
   const auto acceleration = [&](double gap, double rate) {
     const auto f = law.template respond<2, double>(
-        {pair_at(gap), rate, damping, Shear<2>::Zero(), Spin<2>::Zero()}, history);
+        {pair_at(gap), rate, damping, Shear<2>::Zero(), RotationVector<2>::Zero()}, history);
     return (f.normal.force() + f.viscous) / mass;
   };
   const double dt = step * std::sqrt(mass / law.stiffness_bound().normal);

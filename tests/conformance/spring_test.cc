@@ -25,9 +25,9 @@ ContactMotion<Dim> sheared(double gap, double slip) {
 }
 
 template <int Dim>
-ContactMotion<Dim> rolled(double gap, double turn) {
+ContactMotion<Dim> rolled(double gap, double rotation) {
   ContactMotion<Dim> motion = at_gap<Dim>(gap);
-  motion.relative_turn[0] = turn;
+  motion.relative_rotation[0] = rotation;
   return motion;
 }
 
@@ -72,7 +72,7 @@ TEST(RollingStiffness, IsTheSlopeOfTheMoment) {
     using Dual = ceres::Jet<double, n>;
     testing::Remembered<Law, Dim, Dual> history;
     ContactMotion<Dim, Dual> motion = at_gap<Dim, Dual>(Dual(-kOverlap));
-    for (int a = 0; a < n; ++a) motion.relative_turn[a] = Dual(1e-5 * (a + 1), a);
+    for (int a = 0; a < n; ++a) motion.relative_rotation[a] = Dual(1e-5 * (a + 1), a);
     const auto forces = law.respond(motion, history);
     const double kr = stiffness_at(law, -kOverlap).rolling;
     if constexpr (Law::kHasRolling) {
@@ -147,7 +147,7 @@ TEST(Springs, AreCutBackWithTheCapAndDoNotComeBack) {
     using Law = std::decay_t<decltype(law)>;
     testing::Remembered<Law, Dim> history;
     ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1.0);
-    motion.relative_turn[0] = 1.0;
+    motion.relative_rotation[0] = 1.0;
     const auto full = law.respond(motion, history);
     const auto half = law.respond(at_gap<Dim>(-kOverlap / 2), history);
     const auto again = law.respond(at_gap<Dim>(-kOverlap), history);
@@ -165,7 +165,7 @@ TEST(Springs, BelowTheirCapsFeelNoChangeOfTheNormalForce) {
     using Law = std::decay_t<decltype(law)>;
     testing::Remembered<Law, Dim> history;
     ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1e-6);
-    motion.relative_turn[0] = 1e-5;
+    motion.relative_rotation[0] = 1e-5;
     const auto before = law.respond(motion, history);
     const auto after = law.respond(at_gap<Dim>(-3 * kOverlap), history);
     EXPECT_EQ(after.shear, before.shear);
@@ -181,7 +181,7 @@ TEST(Springs, AreClearedWhenTheSurfacesPart) {
       SCOPED_TRACE(parted);
       testing::Remembered<Law, Dim> history;
       ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1e-6);
-      motion.relative_turn[0] = 1e-5;
+      motion.relative_rotation[0] = 1e-5;
       law.respond(motion, history);
       law.respond(at_gap<Dim>(parted), history);
       const auto forces = law.respond(at_gap<Dim>(-kOverlap), history);

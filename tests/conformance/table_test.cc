@@ -113,15 +113,15 @@ TEST(Units, RescalingByPowersOfTwoChangesNoBit) {
     for (int k = 0; k < 500; ++k) {
       SCOPED_TRACE(k);
       ContactMotion<Dim> m{pair_at(random.uniform(-2e-4, 2e-4)), random.normal(), damping, Shear<Dim>::Zero(),
-                           Spin<Dim>::Zero()};
+                           RotationVector<Dim>::Zero()};
       for (double& x : m.slip) x = 2e-5 * random.normal();
-      for (double& x : m.relative_turn) x = 1e-3 * random.normal();
+      for (double& x : m.relative_rotation) x = 1e-3 * random.normal();
       const ContactMotion<Dim> other_m{
           {m.pair.gap * u.length, m.pair.reduced_radius * u.length, m.pair.reduced_mass * u.mass},
           m.gap_rate * u.length / u.time,
           other_damping,
           m.slip * u.length,
-          m.relative_turn};
+          m.relative_rotation};
       const auto f = law.respond(m, history);
       const auto other_f = other.respond(other_m, other_history);
       EXPECT_EQ(other_f.normal.elastic, f.normal.elastic * u.force);

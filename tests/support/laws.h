@@ -154,10 +154,10 @@ ContactStiffness stiffness_at(const Law& law, double gap) {
   return law.template stiffness<Dim>(pair_at(gap), Remembered<Law, Dim>{});
 }
 
-/// A motion of the normal alone: no slip, no turn, at rest.
+/// A motion of the normal alone: no slip, no rotation, at rest.
 template <int Dim, class T = double>
 ContactMotion<Dim, T> at_gap(const T& gap) {
-  return {pair_at(gap), T(0), T(0), Shear<Dim, T>::Zero(), Spin<Dim, T>::Zero()};
+  return {pair_at(gap), T(0), T(0), Shear<Dim, T>::Zero(), RotationVector<Dim, T>::Zero()};
 }
 
 /// A tangential displacement of a contact whose normal is the last axis of space (3D) or any (2D).

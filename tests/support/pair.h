@@ -11,7 +11,7 @@ namespace floc::testing {
 template <int Dim>
 struct GrainStep {
   Vec<Dim> displacement = Vec<Dim>::Zero();
-  Spin<Dim> turn = Spin<Dim>::Zero();
+  RotationVector<Dim> rotation = RotationVector<Dim>::Zero();
 };
 
 /// Two grains in contact moved by hand, their relative motion taken as in docs/physics.md, "Kinematics of a
@@ -32,12 +32,13 @@ class MovingPair {
     const Vec<Dim> half = (before + after) / 2;
     const Vec<Dim> n = half.normalized();
     const double arm = half.norm() / (ri_ + rj_);
-    const Spin<Dim> turns = ri_ * arm * i.turn + rj_ * arm * j.turn;
+    const RotationVector<Dim> rotations = ri_ * arm * i.rotation + rj_ * arm * j.rotation;
 
-    ContactMotion<Dim> motion{pair_at(after.norm() - ri_ - rj_), 0.0, 0.0, Shear<Dim>::Zero(), i.turn - j.turn};
-    motion.slip = to_shear<double>(n, after - before - cross<double>(turns, n));
+    ContactMotion<Dim> motion{pair_at(after.norm() - ri_ - rj_), 0.0, 0.0, Shear<Dim>::Zero(),
+                              i.rotation - j.rotation};
+    motion.slip = to_shear<double>(n, after - before - cross<double>(rotations, n));
     double twist = 0.0;
-    if constexpr (Dim == 3) twist = 0.5 * (i.turn + j.turn).dot(n);
+    if constexpr (Dim == 3) twist = 0.5 * (i.rotation + j.rotation).dot(n);
     carry(before.normalized(), normal(), twist);
     return law_.respond(motion, memory_);
   }

@@ -20,7 +20,7 @@ auto rolling_spring(Contact<Dim>& c) {
   return c.memory.template segment<kRotations<Dim>>(MemoryLayout<Dim>::kRolling);
 }
 template <int Dim>
-Spin<Dim> rolling_spring(const Contact<Dim>& c) {
+RotationVector<Dim> rolling_spring(const Contact<Dim>& c) {
   return c.memory.template segment<kRotations<Dim>>(MemoryLayout<Dim>::kRolling);
 }
 

@@ -90,7 +90,7 @@ void ClusterFlight::find_motions(const Packing<2>& packing) {
   for (int i = 0; i < g.size(); ++i) {
     const Cluster& cluster = clusters_[cluster_of_[i]];
     const Vec<2> rigid =
-        cluster.velocity + cross<double>(Spin<2>(cluster.spin), Vec<2>(place_[i] - cluster.centre));
+        cluster.velocity + cross<double>(RotationVector<2>(cluster.spin), Vec<2>(place_[i] - cluster.centre));
     twice_energy += g.mass[i] * (g.velocity[i] - rigid).squaredNorm() +
                     g.inertia(i) * std::pow(g.angular_velocity[i][0] - cluster.spin, 2);
   }
@@ -138,9 +138,9 @@ double ClusterFlight::fly(Packing<2>& packing, double nearest, double longest) c
   }
   for (int i = 0; i < g.size(); ++i) {
     const Cluster& cluster = clusters_[cluster_of_[i]];
-    const double turn = flown * cluster.spin;
-    g.velocity[i] = cluster.velocity + Eigen::Rotation2Dd(turn) * Vec<2>(g.velocity[i] - cluster.velocity);
-    g.orientation[i] += turn;
+    const double rotation = flown * cluster.spin;
+    g.velocity[i] = cluster.velocity + Eigen::Rotation2Dd(rotation) * Vec<2>(g.velocity[i] - cluster.velocity);
+    g.orientation[i] += rotation;
   }
   return flown;
 }

@@ -13,7 +13,7 @@ template <int Dim>
 Packing<Dim> start_from(Packing<Dim> saved, const LawParameters& law, const Vec<Dim, int>& copies) {
   Grains<Dim>& g = saved.grains;
   for (Vec<Dim>& v : g.velocity) v.setZero();
-  for (Spin<Dim>& w : g.angular_velocity) w.setZero();
+  for (RotationVector<Dim>& w : g.angular_velocity) w.setZero();
   saved.cell.velocity.setZero();
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);

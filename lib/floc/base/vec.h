@@ -20,9 +20,9 @@ inline constexpr int kRotations = Dim*(Dim - 1) / 2;
 template <int Dim>
 inline constexpr int kDofs = Dim + kRotations<Dim>;
 
-/// Angular velocities, moments and relative rotations.
+/// Components of an angular velocity, of a moment or of a small rotation.
 template <int Dim, class T = double>
-using Spin = Eigen::Matrix<T, kRotations<Dim>, 1>;
+using RotationVector = Eigen::Matrix<T, kRotations<Dim>, 1>;
 
 /// Number of diagonal strains of a cell, and of components of the symmetric strain.
 template <int Dim>

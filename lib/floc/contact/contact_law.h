@@ -16,21 +16,21 @@ namespace floc {
 /// Relative motion of the two surfaces of a contact.
 template <int Dim, class T = double>
 struct ContactMotion {
-  PairGeometry<T> pair;        ///< at the end of the motion
-  T gap_rate;                  ///< dh/dt (length/time)
-  T damping;                   ///< damping coefficient of the pair (force * time/length)
-  Shear<Dim, T> slip;          ///< tangential displacement of j against i since the memory was last updated
-  Spin<Dim, T> relative_turn;  ///< rotation of i against j since then (radians)
+  PairGeometry<T> pair;  ///< at the end of the motion
+  T gap_rate;            ///< dh/dt (length/time)
+  T damping;             ///< damping coefficient of the pair (force * time/length)
+  Shear<Dim, T> slip;    ///< tangential displacement of j against i since the memory was last updated
+  RotationVector<Dim, T> relative_rotation;  ///< rotation of i against j since then (radians)
 };
 
 /// What a contact does to its grains. On j act +normal along n and -shear; on i the opposite. On i acts the moment
 /// -rolling besides that of the shear force, on j +rolling.
 template <int Dim, class T = double>
 struct ContactForces {
-  NormalResponse<T> normal;  ///< static normal response
-  T viscous;                 ///< dashpot force, compression positive; no part of the static force
-  Shear<Dim, T> shear;       ///< tangential force on i, in the contact's frame (force)
-  Spin<Dim, T> rolling;      ///< moment on j (force * length)
+  NormalResponse<T> normal;        ///< static normal response
+  T viscous;                       ///< dashpot force, compression positive; no part of the static force
+  Shear<Dim, T> shear;             ///< tangential force on i, in the contact's frame (force)
+  RotationVector<Dim, T> rolling;  ///< moment on j (force * length)
 };
 
 /// Stiffnesses of one contact for the network: along the normal, across it, and against rolling.
@@ -121,7 +121,7 @@ struct ContactLaw {
     const PairGeometry<T>& pair = motion.pair;
     if constexpr (kRemembersOverlap) repulsion.remember(pair, memory.value);
     ContactForces<Dim, T> forces{normal(pair, normal_memory(memory)), T(0), Shear<Dim, T>::Zero(),
-                                 Spin<Dim, T>::Zero()};
+                                 RotationVector<Dim, T>::Zero()};
     if constexpr (kHasDamping)
       forces.viscous = lanes::select(pair.gap < T(0), T(-motion.damping * motion.gap_rate), T(0));
     // A parted contact has no elastic force, so the caps also clear its springs.
@@ -129,7 +129,7 @@ struct ContactLaw {
       forces.shear = friction.respond(pair, forces.normal, motion.slip, memory.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
       forces.rolling =
-          rolling.respond(pair, forces.normal, motion.relative_turn, memory.value + kRollingBegin<Dim>);
+          rolling.respond(pair, forces.normal, motion.relative_rotation, memory.value + kRollingBegin<Dim>);
     return forces;
   }
 
@@ -162,14 +162,14 @@ struct ContactLaw {
       m.sliding =
           friction.template is_mobilised<Shear<Dim>>(elastic, memory.value + kTangentialBegin<Dim>, tolerance);
     if constexpr (kHasRolling)
-      m.rolling =
-          rolling.template is_mobilised<Spin<Dim>>(elastic, memory.value + kRollingBegin<Dim>, tolerance);
+      m.rolling = rolling.template is_mobilised<RotationVector<Dim>>(elastic, memory.value + kRollingBegin<Dim>,
+                                                                     tolerance);
     return m;
   }
 
   /// Sets the springs to those that carry given forces (signs of ContactForces) at given stiffnesses.
   template <int Dim>
-  void carry(const Shear<Dim>& shear, const Spin<Dim>& moment, const ContactStiffness& k,
+  void carry(const Shear<Dim>& shear, const RotationVector<Dim>& moment, const ContactStiffness& k,
              PackedMemory<kMemorySize<Dim>>& memory) const {
     if constexpr (kHasFriction)
       if (k.tangential > 0.0) friction.carry(shear, k.tangential, memory.value + kTangentialBegin<Dim>);

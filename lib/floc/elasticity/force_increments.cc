@@ -75,7 +75,7 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
   for (const NetworkContact<Dim>& c : network.contacts) {
     // A dead end follows its holder; its contact stays as it is.
     if (response.free.dead_end[c.i] || response.free.dead_end[c.j]) {
-      increments.push_back({0.0, Eigen::Matrix<double, Dim - 1, 1>::Zero(), Spin<Dim>::Zero()});
+      increments.push_back({0.0, Eigen::Matrix<double, Dim - 1, 1>::Zero(), RotationVector<Dim>::Zero()});
       continue;
     }
     const ContactRows<Dim> g = contact_rows(c);

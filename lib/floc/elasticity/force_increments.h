@@ -12,7 +12,7 @@ template <int Dim>
 struct ForceIncrement {
   double normal;                            ///< (force)
   Eigen::Matrix<double, Dim - 1, 1> shear;  ///< on i, along the tangents of the contact's frame (force)
-  Spin<Dim> rolling_moment;                 ///< on i (force * length)
+  RotationVector<Dim> rolling_moment;       ///< on i (force * length)
 };
 
 /// Forces that a small strain adds in every contact, nothing sliding: k G U for the response U. Without prestress,

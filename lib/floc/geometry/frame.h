@@ -23,23 +23,23 @@ inline Vec<2, T> tangent(const Vec<2, T>& n) {
 
 /// spin x arm: velocity of the point at `arm` from a centre that turns at `spin`.
 template <class T>
-inline Vec<2, T> cross(const Spin<2, T>& spin, const Vec<2, T>& arm) {
+inline Vec<2, T> cross(const RotationVector<2, T>& spin, const Vec<2, T>& arm) {
   return spin[0] * tangent(arm);
 }
 template <class T>
-inline Vec<3, T> cross(const Spin<3, T>& spin, const Vec<3, T>& arm) {
+inline Vec<3, T> cross(const RotationVector<3, T>& spin, const Vec<3, T>& arm) {
   return {spin[1] * arm[2] - spin[2] * arm[1], spin[2] * arm[0] - spin[0] * arm[2],
           spin[0] * arm[1] - spin[1] * arm[0]};
 }
 
 /// arm x force: moment of a force that acts at `arm` from the centre.
 template <class T>
-inline Spin<2, T> moment(const Vec<2, T>& arm, const Vec<2, T>& force) {
-  return Spin<2, T>(arm[0] * force[1] - arm[1] * force[0]);
+inline RotationVector<2, T> moment(const Vec<2, T>& arm, const Vec<2, T>& force) {
+  return RotationVector<2, T>(arm[0] * force[1] - arm[1] * force[0]);
 }
 template <class T>
-inline Spin<3, T> moment(const Vec<3, T>& arm, const Vec<3, T>& force) {
-  return cross<T>(Spin<3, T>(arm), force);
+inline RotationVector<3, T> moment(const Vec<3, T>& arm, const Vec<3, T>& force) {
+  return cross<T>(RotationVector<3, T>(arm), force);
 }
 
 /// Component of a relative displacement that is tangential, in the contact's frame.

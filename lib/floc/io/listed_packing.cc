@@ -136,7 +136,7 @@ template <int Dim>
 struct GivenForces {
   std::optional<double> normal;
   std::optional<Vec<Dim>> shear;
-  std::optional<Spin<Dim>> rolling;
+  std::optional<RotationVector<Dim>> rolling;
 };
 
 template <int Dim>

@@ -98,14 +98,14 @@ class Relaxation {
   static constexpr double kShareOfRitz = 0.1;
 
   /// Lowest Ritz value of M^-1 K in the directions taken so far, from the tridiagonal matrix of Lanczos' process, which
-  /// the lengths and turns of conjugate gradients are; at most 1. 0 with too few.
+  /// follows from the coefficients alpha and beta of conjugate gradients; at most 1. 0 with too few.
   double estimated_ratio() const {
-    const auto n = static_cast<Eigen::Index>(lengths_.size());
+    const auto n = static_cast<Eigen::Index>(alphas_.size());
     if (n < kStepsOfEstimate) return 0.0;
     Eigen::VectorXd diagonal(n), beside(n - 1);
     for (Eigen::Index k = 0; k < n; ++k) {
-      diagonal[k] = 1.0 / lengths_[k] + (k > 0 ? turns_[k - 1] / lengths_[k - 1] : 0.0);
-      if (k + 1 < n) beside[k] = std::sqrt(turns_[k]) / lengths_[k];
+      diagonal[k] = 1.0 / alphas_[k] + (k > 0 ? betas_[k - 1] / alphas_[k - 1] : 0.0);
+      if (k + 1 < n) beside[k] = std::sqrt(betas_[k]) / alphas_[k];
     }
     return std::clamp(kShareOfRitz * tridiagonal_eigenvalues(diagonal, beside)[0], 0.0, 1.0);
   }
@@ -119,21 +119,21 @@ class Relaxation {
   }
 
   bool step() {
-    Real length = Real(1);
+    Real alpha = Real(1);
     if (inverse_.definite) {
       const Real energy = pull<Real>(springs_, direction_, -1).energy;
       if (!(energy > Real(0))) return false;
-      length = direction_.dot(r_) / energy;
+      alpha = direction_.dot(r_) / energy;
     }
-    u_ += length * direction_;
+    u_ += alpha * direction_;
     const Vector<Real> r = r_;
     const Real work = z_.dot(r_);
     balance();
     // Polak and Ribiere: the inverse is applied with rounding errors of its own.
-    const Real turn = inverse_.definite ? std::max(z_.dot(r_ - r) / work, Real(0)) : Real(0);
-    direction_ = z_ + turn * direction_;
-    lengths_.push_back(static_cast<double>(length));
-    turns_.push_back(static_cast<double>(turn));
+    const Real beta = inverse_.definite ? std::max(z_.dot(r_ - r) / work, Real(0)) : Real(0);
+    direction_ = z_ + beta * direction_;
+    alphas_.push_back(static_cast<double>(alpha));
+    betas_.push_back(static_cast<double>(beta));
     return true;
   }
 
@@ -145,7 +145,7 @@ class Relaxation {
   double work_ = 0.0;       // r^T M^-1 r, or |r|^2 of an indefinite system
   double load_ = 0.0;       // imbalance at u = 0
   int steps_ = 0;
-  std::vector<double> lengths_, turns_;  // of the steps
+  std::vector<double> alphas_, betas_;  // of the steps
 };
 
 /// S = (A U + B)^T k (A U + B), and what rounding of the entries of A and B can do to it.

@@ -17,7 +17,7 @@ namespace floc {
 namespace {
 
 /// Beyond it images do not fit an integer.
-constexpr double kMostTurns = 1e9;
+constexpr double kMostCells = 1e9;
 /// Trials of a search that are fast whatever the packing, and that a grain may take in a large one.
 constexpr double kTrialsAlways = 1e8;
 constexpr double kTrialsPerGrain = 1e5;
@@ -40,11 +40,11 @@ struct WrappedGrains {
     for (int i = 0; i < grains.size(); ++i) {
       const Vec<Dim> s = to_reduced * grains.position[i];
       for (int a = 0; a < Dim; ++a) {
-        const double turns = std::floor(s[a]);
-        if (!(std::abs(turns) < kMostTurns))
+        const double cells = std::floor(s[a]);
+        if (!(std::abs(cells) < kMostCells))
           throw InputError("grain " + std::to_string(i), "lies more than 1e9 cells away from the cell");
-        wrap[i][a] = -static_cast<int>(turns);
-        reduced[i][a] = s[a] - turns;
+        wrap[i][a] = -static_cast<int>(cells);
+        reduced[i][a] = s[a] - cells;
       }
       position[i] = rounded<Dim>(displaced<Dim>(grains.centre(i), cell, wrap[i]));
     }
@@ -110,7 +110,7 @@ class Bins {
     for (int a = 0; a < Dim; ++a) {
       const double s = grains_.reduced[i][a] * count_[a];
       // A billionth of a bin for rounding.
-      const double bins = std::min(reach / height_[a] * count_[a], kMostTurns) + 1e-9;
+      const double bins = std::min(reach / height_[a] * count_[a], kMostCells) + 1e-9;
       window.first[a] = static_cast<int>(std::floor(s - bins));
       window.last[a] = static_cast<int>(std::floor(s + bins));
     }
@@ -155,7 +155,7 @@ class Bins {
   template <class Visit>
   void visit_bin(Vec<Dim, int> target, const Visit& visit) const {
     Vec<Dim, int> image = Vec<Dim, int>::Zero();
-    for (int a = 0; a < Dim; ++a) {  // a few turns at most, and seldom any: dividing took a third of the search
+    for (int a = 0; a < Dim; ++a) {  // a few cells at most, and seldom any: dividing took a third of the search
       for (; target[a] < 0; target[a] += count_[a]) --image[a];
       for (; target[a] >= count_[a]; target[a] -= count_[a]) ++image[a];
     }
@@ -229,7 +229,7 @@ template <int Dim>
 Vec<Dim, int> image_in(const ReducedLattice<Dim>& lattice, const Vec<Dim, int>& image) {
   if (lattice.is_original) return image;
   const Vec<Dim, std::int64_t> wide = lattice.original(image);
-  if (static_cast<double>(wide.cwiseAbs().maxCoeff()) >= kMostTurns)
+  if (static_cast<double>(wide.cwiseAbs().maxCoeff()) >= kMostCells)
     throw InputError("cell", "lattice vectors are so slanted that neighbours are more than 1e9 of them apart");
   return wide.template cast<int>();
 }

@@ -10,21 +10,21 @@ namespace floc {
 /// it is and what it carries. Nothing here assumes round grains.
 template <int Dim>
 struct NetworkContact {
-  int i;                     ///< first grain
-  int j;                     ///< second grain; may equal i (a grain and its own image)
-  Vec<Dim, int> image;       ///< lattice vectors by which the image of j is displaced
-  Vec<Dim> branch;           ///< from the centre of i to that of the image of j (length)
-  Vec<Dim> arm_i;            ///< from the centre of i to the contact point (length)
-  Vec<Dim> arm_j;            ///< from the centre of the image of j to the contact point (length)
-  Mat<Dim> frame;            ///< columns: the unit normal from i to j, then the tangents
-  double kn;                 ///< K_N, or -F0/D0 of a distant attraction (force/length)
-  double kt;                 ///< K_T (force/length)
-  double kr;                 ///< K_R (force * length)
-  double normal_force;       ///< static, compression positive (force)
-  Vec<Dim> shear_force;      ///< tangential force on i (force)
-  Spin<Dim> rolling_moment;  ///< on i (force * length)
-  bool distant;              ///< acts across a gap
-  int source;                ///< index in the contact list it came from
+  int i;                               ///< first grain
+  int j;                               ///< second grain; may equal i (a grain and its own image)
+  Vec<Dim, int> image;                 ///< lattice vectors by which the image of j is displaced
+  Vec<Dim> branch;                     ///< from the centre of i to that of the image of j (length)
+  Vec<Dim> arm_i;                      ///< from the centre of i to the contact point (length)
+  Vec<Dim> arm_j;                      ///< from the centre of the image of j to the contact point (length)
+  Mat<Dim> frame;                      ///< columns: the unit normal from i to j, then the tangents
+  double kn;                           ///< K_N, or -F0/D0 of a distant attraction (force/length)
+  double kt;                           ///< K_T (force/length)
+  double kr;                           ///< K_R (force * length)
+  double normal_force;                 ///< static, compression positive (force)
+  Vec<Dim> shear_force;                ///< tangential force on i (force)
+  RotationVector<Dim> rolling_moment;  ///< on i (force * length)
+  bool distant;                        ///< acts across a gap
+  int source;                          ///< index in the contact list it came from
 
   Vec<Dim> normal() const { return frame.col(0); }
 };

@@ -19,11 +19,11 @@ template <int Dim>
 using GrainMotion = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
 /// Axes about which a component can turn without straining its images.
-std::vector<Spin<2>> free_axes(const Component<2>& part) {
+std::vector<RotationVector<2>> free_axes(const Component<2>& part) {
   if (!part.winding.empty()) return {};
-  return {Spin<2>(1.0)};
+  return {RotationVector<2>(1.0)};
 }
-std::vector<Spin<3>> free_axes(const Component<3>& part) {
+std::vector<RotationVector<3>> free_axes(const Component<3>& part) {
   if (part.winding.size() > 1) return {};
   if (part.winding.size() == 1) return {part.winding[0].normalized()};
   return {Vec<3>::UnitX(), Vec<3>::UnitY(), Vec<3>::UnitZ()};
@@ -222,7 +222,8 @@ class FreeMotionFinder {
   }
 
   /// Rigid motion of a part: `at` its grains, translation along an axis first, then turns.
-  GrainMotion<Dim> rigid_motion(const Vec<Dim>& place, int m, const std::vector<Spin<Dim>>& axes) const {
+  GrainMotion<Dim> rigid_motion(const Vec<Dim>& place, int m,
+                                const std::vector<RotationVector<Dim>>& axes) const {
     GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
     if (m < Dim)
       motion[m] = 1.0;
@@ -247,7 +248,7 @@ class FreeMotionFinder {
 
   /// Pins the unknown that each rigid motion moves most, once the motions before it are pinned.
   void pin(const Component<Dim>& part, const std::vector<CoreSpin>& spins, std::vector<int>& row_of) {
-    const std::vector<Spin<Dim>> axes = free_axes(part);
+    const std::vector<RotationVector<Dim>> axes = free_axes(part);
     const int n = static_cast<int>(part.grains.size());
     Eigen::MatrixXd motions(kDofs<Dim> * n, Dim + static_cast<int>(axes.size()));
     for (int k = 0; k < n; ++k) {

@@ -39,7 +39,7 @@ Mat<Dim> unit_strain(int column) {
 
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& c) {
-  constexpr int kTurn = kRotations<Dim>;
+  constexpr int kRotationDofs = kRotations<Dim>;
   ContactRows<Dim> g;
   g.on_i.setZero();
   g.on_j.setZero();
@@ -49,8 +49,8 @@ ContactRows<Dim> contact_rows(const NetworkContact<Dim>& c) {
     const Vec<Dim> axis = a == 0 ? Vec<Dim>(-c.frame.col(0)) : Vec<Dim>(c.frame.col(a));
     g.on_i.template block<1, Dim>(a, 0) = -axis.transpose();
     g.on_j.template block<1, Dim>(a, 0) = axis.transpose();
-    g.on_i.template block<1, kTurn>(a, Dim) = -moment<double>(c.arm_i, axis).transpose();
-    g.on_j.template block<1, kTurn>(a, Dim) = moment<double>(c.arm_j, axis).transpose();
+    g.on_i.template block<1, kRotationDofs>(a, Dim) = -moment<double>(c.arm_i, axis).transpose();
+    g.on_j.template block<1, kRotationDofs>(a, Dim) = moment<double>(c.arm_j, axis).transpose();
     // A strain E moves j against i by -E branch.
     for (int e = 0; e < Dim; ++e) g.on_strain(a, e) = -axis[e] * c.branch[e];
     for (int e = Dim; e < kSymmetric<Dim>; ++e) {
@@ -58,8 +58,8 @@ ContactRows<Dim> contact_rows(const NetworkContact<Dim>& c) {
       g.on_strain(a, e) = -0.5 * (axis[p] * c.branch[q] + axis[q] * c.branch[p]);
     }
   }
-  g.on_i.template bottomRightCorner<kTurn, kTurn>() = -Mat<kTurn>::Identity();
-  g.on_j.template bottomRightCorner<kTurn, kTurn>() = Mat<kTurn>::Identity();
+  g.on_i.template bottomRightCorner<kRotationDofs, kRotationDofs>() = -Mat<kRotationDofs>::Identity();
+  g.on_j.template bottomRightCorner<kRotationDofs, kRotationDofs>() = Mat<kRotationDofs>::Identity();
   if (c.i == c.j) {
     g.on_i += g.on_j;
     g.on_j.setZero();

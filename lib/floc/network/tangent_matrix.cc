@@ -29,7 +29,7 @@ Eigen::Matrix3d crossed_with(const Vec<3>& f) {
 /// Rows do work on the motion, columns are the motion; the sign is that of a stiffness.
 template <int Dim>
 MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
-  constexpr int kTurn = kRotations<Dim>;
+  constexpr int kRotationDofs = kRotations<Dim>;
   const Vec<Dim> n = c.normal();
   const double r = c.branch.norm();
   const Vec<Dim>& shear = c.shear_force;
@@ -40,8 +40,8 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
   MotionMatrix<Dim> k = MotionMatrix<Dim>::Zero();
   k.template topLeftCorner<Dim, Dim>() = -(c.normal_force * across + n * shear.transpose()) / r;
   const auto moment_by_displacement = crossed_with(shear).eval();
-  k.template block<kTurn, Dim>(Dim, 0) = -share_i * moment_by_displacement;
-  k.template block<kTurn, Dim>(Dim + kTurn, 0) = -share_j * moment_by_displacement;
+  k.template block<kRotationDofs, Dim>(Dim, 0) = -share_i * moment_by_displacement;
+  k.template block<kRotationDofs, Dim>(Dim + kRotationDofs, 0) = -share_j * moment_by_displacement;
   if constexpr (Dim == 3) {
     const Vec<3>& rolling = c.rolling_moment;
     const Mat<3> rolling_by_displacement = (n.dot(rolling) * across - n * (across * rolling).transpose()) / r;
@@ -174,11 +174,11 @@ void TangentMatrix<Dim>::reset(double hold) {
 template <int Dim>
 void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiffness<Dim>& d,
                              const BoundaryColumns<Dim>& boundary) {
-  constexpr int kTurn = kRotations<Dim>;
+  constexpr int kRotationDofs = kRotations<Dim>;
   Sum sum(*this);
   const double size_i = grain_size_[c.i], size_j = grain_size_[c.j];
   auto on_i = motion_of_grain<Dim>(-1.0, Dim, size_i);
-  auto on_j = motion_of_grain<Dim>(1.0, Dim + kTurn, size_j);
+  auto on_j = motion_of_grain<Dim>(1.0, Dim + kRotationDofs, size_j);
   // Of the boundary the contact feels a displacement, no rotation.
   using OnBoundary =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMotionRows<Dim>, BoundaryColumns<Dim>::kMost>;
@@ -188,8 +188,8 @@ void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiff
   OnBoundary felt = OnBoundary::Zero(kDofs<Dim>, n_boundary_);
   felt.row(0) = -c.frame.col(0).transpose() * boundary.displacement;
   for (int a = 1; a < Dim; ++a) felt.row(a) = c.frame.col(a).transpose() * boundary.displacement;
-  rows.on_i.template rightCols<kTurn>() /= size_i;
-  rows.on_j.template rightCols<kTurn>() /= size_j;
+  rows.on_i.template rightCols<kRotationDofs>() /= size_i;
+  rows.on_j.template rightCols<kRotationDofs>() /= size_j;
   if (c.i == c.j) {
     on_i += on_j;
     on_j.setZero();

@@ -6,7 +6,7 @@ template <int Dim>
 Balance<Dim> net_forces(const Packing<Dim>& packing) {
   const Grains<Dim>& g = packing.grains;
   Balance<Dim> net{std::vector<Vec<Dim>>(g.size(), Vec<Dim>::Zero()),
-                   std::vector<Spin<Dim>>(g.size(), Spin<Dim>::Zero())};
+                   std::vector<RotationVector<Dim>>(g.size(), RotationVector<Dim>::Zero())};
   for (const Contact<Dim>& c : packing.contacts) {
     const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal;
     const bool on_grain = !packing.is_wall(c.j);
@@ -15,7 +15,7 @@ Balance<Dim> net_forces(const Packing<Dim>& packing) {
     // Lever arms l = R r/(Ri + Rj) along the normal on both sides (docs/physics.md, "Kinematics of a contact"): angular
     // momentum is exact.
     const double arm_per_radius = 1.0 + c.gap / (g.radius[c.i] + packing.surface_radius(c.j));
-    const Spin<Dim> unit_moment = moment<double>(c.normal, c.shear_force);
+    const RotationVector<Dim> unit_moment = moment<double>(c.normal, c.shear_force);
     net.moment[c.i] += g.radius[c.i] * arm_per_radius * unit_moment + c.rolling_moment;
     if (on_grain) net.moment[c.j] += g.radius[c.j] * arm_per_radius * unit_moment - c.rolling_moment;
   }

@@ -9,8 +9,8 @@ namespace floc {
 /// Net static force and moment on every grain, from the forces stored in the contact list.
 template <int Dim>
 struct Balance {
-  std::vector<Vec<Dim>> force;    ///< (force)
-  std::vector<Spin<Dim>> moment;  ///< about the centre: sum l F_T + sum Gamma (force * length)
+  std::vector<Vec<Dim>> force;              ///< (force)
+  std::vector<RotationVector<Dim>> moment;  ///< about the centre: sum l F_T + sum Gamma (force * length)
 };
 
 template <int Dim>

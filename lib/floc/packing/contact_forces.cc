@@ -13,7 +13,7 @@ void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
   const DoubleDoubleVec<Dim> r = exact_branch(packing, c);
   c.gap = surface_gap<Dim>(r, packing.grains.radius[c.i], packing.surface_radius(c.j));
   c.normal = rounded<Dim>(r).normalized();
-  respond_to_motion<Law, Dim>(law, packing.grains, Shear<Dim>::Zero(), Spin<Dim>::Zero(), c);
+  respond_to_motion<Law, Dim>(law, packing.grains, Shear<Dim>::Zero(), RotationVector<Dim>::Zero(), c);
 }
 
 /// Of the contacts with walls, or of those between grains alone.

@@ -31,7 +31,7 @@ Pair swapped(Pair pair) {
 template <class Pair>
 bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;
-  const auto first = std::find_if(pair.image.begin(), pair.image.end(), [](int turns) { return turns != 0; });
+  const auto first = std::find_if(pair.image.begin(), pair.image.end(), [](int cells) { return cells != 0; });
   return first != pair.image.end() && *first > 0;
 }
 

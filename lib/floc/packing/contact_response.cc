@@ -48,15 +48,15 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
                                T(0),
                                T(0),
                                Shear<Dim, T>::Zero(),
-                               Spin<Dim, T>::Zero()};
+                               RotationVector<Dim, T>::Zero()};
   motion.pair.gap.derivative[0] = -1.0;
   for (int a = 0; a < kShearComponents<Dim>; ++a) {
     motion.slip[a] = T(kBeyondCap * surface.slip[a] + kHardlyMoved);
     for (int t = 0; t < Dim - 1; ++t) motion.slip[a].derivative[1 + t] = tangents(a, t);
   }
   for (int a = 0; a < kRotations<Dim>; ++a) {
-    motion.relative_turn[a] = T(kBeyondCap * surface.relative_turn[a] + kHardlyMoved);
-    motion.relative_turn[a].derivative[Dim + a] = -1.0;  // of i against j
+    motion.relative_rotation[a] = T(kBeyondCap * surface.relative_rotation[a] + kHardlyMoved);
+    motion.relative_rotation[a].derivative[Dim + a] = -1.0;  // of i against j
   }
   auto memory = dual_memory<Law, Dim>(factor.cwiseProduct(start.memory));
   const ContactForces<Dim, T> f = law.respond(motion, memory);
@@ -87,7 +87,7 @@ void carry(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& no
           contact.memory.template segment<Dim>(q.begin) =
               carried(contact.memory.template segment<Dim>(q.begin));
       motion.slip = carried(motion.slip);
-      motion.relative_turn = carried(motion.relative_turn);
+      motion.relative_rotation = carried(motion.relative_rotation);
     }
   }
   contact.normal = normal;
@@ -100,7 +100,7 @@ void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> mo
   std::visit(
       [&](const auto& composed) {
         for (std::size_t k = 0; k < contacts.size(); ++k)
-          respond_to_motion(composed, packing.grains, motion[k].slip, motion[k].relative_turn, contacts[k]);
+          respond_to_motion(composed, packing.grains, motion[k].slip, motion[k].relative_rotation, contacts[k]);
       },
       compose_law(packing.law));
 }

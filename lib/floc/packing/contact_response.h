@@ -10,8 +10,8 @@ namespace floc {
 /// Relative motion of the two surfaces of a contact since its memory was last updated, in the frame of its normal.
 template <int Dim>
 struct SurfaceMotion {
-  Shear<Dim> slip = Shear<Dim>::Zero();         ///< tangential displacement of j against i (length)
-  Spin<Dim> relative_turn = Spin<Dim>::Zero();  ///< rotation of i against j (radians)
+  Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of j against i (length)
+  RotationVector<Dim> relative_rotation = RotationVector<Dim>::Zero();  ///< rotation of i against j (radians)
 };
 
 /// Carries what a contact remembers, and its motion since, from its normal to another, which it then has.

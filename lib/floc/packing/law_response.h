@@ -30,9 +30,9 @@ void set_mobilised(const Law& law, const PackedMemory<Law::template kMemorySize<
 /// updated; its gap and normal are those after the motion.
 template <class Law, int Dim>
 void respond_to_motion(const Law& law, const Grains<Dim>& grains, const Shear<Dim>& slip,
-                       const Spin<Dim>& relative_turn, Contact<Dim>& c) {
+                       const RotationVector<Dim>& relative_rotation, Contact<Dim>& c) {
   auto memory = packed_memory<Law, Dim>(c.memory);
-  const ContactMotion<Dim> motion{pair_geometry(grains, c), 0.0, 0.0, slip, relative_turn};
+  const ContactMotion<Dim> motion{pair_geometry(grains, c), 0.0, 0.0, slip, relative_rotation};
   const ContactForces<Dim> f = law.respond(motion, memory);
   c.normal_force = f.normal.force();
   c.elastic_force = f.normal.elastic;

@@ -38,7 +38,7 @@ struct Grains {
   std::vector<double> radius;      ///< (length)
   std::vector<double> mass;        ///< (mass)
   std::vector<Orientation<Dim>> orientation;
-  std::vector<Spin<Dim>> angular_velocity;  ///< (1/time)
+  std::vector<RotationVector<Dim>> angular_velocity;  ///< (1/time)
 
   int size() const { return static_cast<int>(radius.size()); }
 
@@ -50,7 +50,7 @@ struct Grains {
     g.radius.assign(n, 0.0);
     g.mass.assign(n, 0.0);
     g.orientation.assign(n, no_rotation<Dim>());
-    g.angular_velocity.assign(n, Spin<Dim>::Zero());
+    g.angular_velocity.assign(n, RotationVector<Dim>::Zero());
     return g;
   }
 

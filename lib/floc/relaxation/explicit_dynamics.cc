@@ -495,10 +495,10 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
     wrap[k].setZero();
     for (int b = Dim - 1; b >= 0; --b) {  // the last lattice vector alone reaches along the last axis
       if (walls_.bounds(b)) continue;
-      const double turns = std::floor(x[b] / lattice_(b, b));
-      wrap[k][b] = -static_cast<int>(turns);
+      const double cells = std::floor(x[b] / lattice_(b, b));
+      wrap[k][b] = -static_cast<int>(cells);
       for (int a = 0; a <= b; ++a)
-        if (lattice_(a, b) != 0.0) x[a] -= turns * lattice_(a, b);
+        if (lattice_(a, b) != 0.0) x[a] -= cells * lattice_(a, b);
     }
     for (int a = 0; a < kRotations<Dim>; ++a) out.grains.angular_velocity[i][a] = grains_.spin[a][k];
     out.grains.orientation[i] = grains_.angle[k];

@@ -54,20 +54,21 @@ Vec<Dim> reduced(const Mat<Dim>& lower, const Vec<Dim>& x) {
   return s;
 }
 
-void turn(double& orientation, const Spin<2>& rotation) {
+void rotate(double& orientation, const RotationVector<2>& rotation) {
   orientation += rotation[0];
 }
-void turn(Eigen::Quaterniond& orientation, const Spin<3>& rotation) {
+void rotate(Eigen::Quaterniond& orientation, const RotationVector<3>& rotation) {
   const double angle = rotation.norm();
   if (angle > 0.0) orientation = Eigen::AngleAxisd(angle, rotation / angle) * orientation;
 }
 
 /// Rotation about the normal; the frame of a 2D contact has none.
-double twist_about(const Vec<2>&, const Spin<2>&, const Spin<2>&) {
+double twist_about(const Vec<2>&, const RotationVector<2>&, const RotationVector<2>&) {
   return 0.0;
 }
-double twist_about(const Vec<3>& normal, const Spin<3>& turn_i, const Spin<3>& turn_j) {
-  return 0.5 * normal.dot(turn_i + turn_j);
+double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation_i,
+                   const RotationVector<3>& rotation_j) {
+  return 0.5 * normal.dot(rotation_i + rotation_j);
 }
 
 /// Unknowns: position and rotation (times the radius) of each grain, then the free strains times a length,
@@ -118,19 +119,19 @@ class StaticProblem {
       const Vec<Dim> affine = strain * high;
       for (int a = 0; a < Dim; ++a)
         to.centre[i][a] = from.centre[i][a] + exact_sum(affine[a], step[first_unknown<Dim>(i) + a]);
-      turn(to.orientation[i], turn_of(step, i));
+      rotate(to.orientation[i], rotation_of(step, i));
     }
     for (std::size_t k = 0; k < to.remembered.size(); ++k) {
       Contact<Dim>& c = to.remembered[k];
       SurfaceMotion<Dim>& motion = to.motion[k];
       const Vec<Dim> normal = locate(to, k);
-      const Spin<Dim> turn_i = turn_of(step, c.i), turn_j = turn_of(step, c.j);
-      carry(quantities_, normal, twist_about(normal, turn_i, turn_j), c, motion);
+      const RotationVector<Dim> rotation_i = rotation_of(step, c.i), rotation_j = rotation_of(step, c.j);
+      carry(quantities_, normal, twist_about(normal, rotation_i, rotation_j), c, motion);
       const double share = share_i(c);
-      const Spin<Dim> mean_turn = share * turn_i + (1.0 - share) * turn_j;
+      const RotationVector<Dim> mean_rotation = share * rotation_i + (1.0 - share) * rotation_j;
       motion.slip += to_shear<double>(
-          normal, Vec<Dim>(relative_displacement(from, k, step) - cross<double>(mean_turn, to.branch[k])));
-      motion.relative_turn += turn_i - turn_j;
+          normal, Vec<Dim>(relative_displacement(from, k, step) - cross<double>(mean_rotation, to.branch[k])));
+      motion.relative_rotation += rotation_i - rotation_j;
     }
     evaluate(to);
     return to;
@@ -240,7 +241,7 @@ class StaticProblem {
     return -reduced<Dim>(at.cell.matrix, high).array().floor().matrix().template cast<int>();
   }
 
-  Spin<Dim> turn_of(const Eigen::VectorXd& step, int i) const {
+  RotationVector<Dim> rotation_of(const Eigen::VectorXd& step, int i) const {
     return step.segment<kRotations<Dim>>(first_unknown<Dim>(i) + Dim) / start_.grains.radius[i];
   }
   Mat<Dim> strain_of(const Eigen::VectorXd& step) const {
@@ -264,7 +265,7 @@ class StaticProblem {
   static Vec<Dim> force_on_i(const Contact<Dim>& c) { return c.shear_force - c.normal_force * c.normal; }
 
   void evaluate(Configuration<Dim>& at) const {
-    constexpr int kTurn = kRotations<Dim>;
+    constexpr int kRotationDofs = kRotations<Dim>;
     at.contacts = at.remembered;
     respond<Dim>(start_, at.motion, at.contacts);
     at.residual = Eigen::VectorXd::Zero(order());
@@ -282,9 +283,11 @@ class StaticProblem {
       at.residual.template segment<Dim>(first_j) -= on_i;
       // Lever arms are shares of the branch by the radii: over its radius, the moment of the shear force is the
       // same on both.
-      const Spin<Dim> shear_moment = moment<double>(at.branch[k], c.shear_force) / radii(c);
-      at.residual.template segment<kTurn>(first_i + Dim) += shear_moment + c.rolling_moment / radius[c.i];
-      at.residual.template segment<kTurn>(first_j + Dim) += shear_moment - c.rolling_moment / radius[c.j];
+      const RotationVector<Dim> shear_moment = moment<double>(at.branch[k], c.shear_force) / radii(c);
+      at.residual.template segment<kRotationDofs>(first_i + Dim) +=
+          shear_moment + c.rolling_moment / radius[c.i];
+      at.residual.template segment<kRotationDofs>(first_j + Dim) +=
+          shear_moment - c.rolling_moment / radius[c.j];
       for (int s = 0; s < n_strains(); ++s)
         stress_balance[s] -= on_i[strains_[s][0]] * at.branch[k][strains_[s][1]] / scale_.length;
       at.n_contacts += c.gap < 0.0;

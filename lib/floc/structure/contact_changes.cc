@@ -144,9 +144,9 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   out.wrapped.resize(n);
   for (int i = 0; i < n; ++i) {
     moved[i] -= common;
-    const Vec<Dim> turns = moved[i].array().round().matrix();
-    out.wrapped[i] = turns.template cast<int>();
-    moved[i] -= turns;
+    const Vec<Dim> cells = moved[i].array().round().matrix();
+    out.wrapped[i] = cells.template cast<int>();
+    moved[i] -= cells;
     mean += moved[i] / n;
   }
   for (int i = 0; i < n; ++i) out.displacement.push_back(out.cell_after.transpose() * (moved[i] - mean));

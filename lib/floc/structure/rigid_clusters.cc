@@ -12,10 +12,10 @@ namespace floc {
 namespace {
 
 /// Rotation of each grain between the two states.
-Eigen::Rotation2Dd turn_of(double before, double after) {
+Eigen::Rotation2Dd rotation_of(double before, double after) {
   return Eigen::Rotation2Dd(after - before);
 }
-Eigen::Quaterniond turn_of(const Eigen::Quaterniond& before, const Eigen::Quaterniond& after) {
+Eigen::Quaterniond rotation_of(const Eigen::Quaterniond& before, const Eigen::Quaterniond& after) {
   return after * before.conjugate();
 }
 
@@ -39,12 +39,12 @@ bool stuck(const Packing<Dim>& before, const Packing<Dim>& after, const KeptCont
   const Contact<Dim>& c = before.contacts[kept.before];
   const Vec<Dim> r = branch(before, c);
   const double share_i = before.grains.radius[c.i] / (before.grains.radius[c.i] + before.grains.radius[c.j]);
-  const auto turn_i = turn_of(before.grains.orientation[c.i], after.grains.orientation[c.i]);
-  const auto turn_j = turn_of(before.grains.orientation[c.j], after.grains.orientation[c.j]);
-  const Vec<Dim> point_of_i = turn_i * Vec<Dim>(share_i * r);
+  const auto rotation_i = rotation_of(before.grains.orientation[c.i], after.grains.orientation[c.i]);
+  const auto rotation_j = rotation_of(before.grains.orientation[c.j], after.grains.orientation[c.j]);
+  const Vec<Dim> point_of_i = rotation_i * Vec<Dim>(share_i * r);
   const Vec<Dim> point_of_j =
-      branch_after(after, c, after.contacts[kept.after]) + turn_j * Vec<Dim>((share_i - 1.0) * r);
-  return (point_of_j - point_of_i).norm() <= length && angle_between(turn_i, turn_j) <= angle;
+      branch_after(after, c, after.contacts[kept.after]) + rotation_j * Vec<Dim>((share_i - 1.0) * r);
+  return (point_of_j - point_of_i).norm() <= length && angle_between(rotation_i, rotation_j) <= angle;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ TEST(Frame, TangentIsTheNormalTurnedByPlus90Degrees) {
 
 TEST(Frame, CrossAndMomentIn2DAreThoseOf3DInThePlane) {
   const Vec<2> arm(0.3, -0.7), force(2.0, 5.0);
-  const Spin<2> spin(1.5);
+  const RotationVector<2> spin(1.5);
   const Vec<3> arm3(0.3, -0.7, 0), force3(2.0, 5.0, 0), spin3(0, 0, 1.5);
   EXPECT_NEAR((cross<double>(spin, arm) - spin3.cross(arm3).head<2>()).norm(), 0.0, 1e-15);
   EXPECT_NEAR(moment<double>(arm, force)[0], arm3.cross(force3)[2], 1e-15);

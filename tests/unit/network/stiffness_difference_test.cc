@@ -28,15 +28,15 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   for (Contact<Dim>& c : out.contacts) {
     const Vec<Dim> r = branch(packing, c);
     const double ratio = r.norm() / (packing.grains.radius[c.i] + packing.grains.radius[c.j]);
-    const auto turn = [&](int grain) {
-      return Spin<Dim>(u.template segment<kRotations<Dim>>(kDofs<Dim> * grain + Dim));
+    const auto rotation = [&](int grain) {
+      return RotationVector<Dim>(u.template segment<kRotations<Dim>>(kDofs<Dim> * grain + Dim));
     };
     const Vec<Dim> n_ij = r.normalized();
-    const Vec<Dim> arms = ratio * (packing.grains.radius[c.i] * cross<double>(turn(c.i), n_ij) +
-                                   packing.grains.radius[c.j] * cross<double>(turn(c.j), n_ij));
+    const Vec<Dim> arms = ratio * (packing.grains.radius[c.i] * cross<double>(rotation(c.i), n_ij) +
+                                   packing.grains.radius[c.j] * cross<double>(rotation(c.j), n_ij));
     const Vec<Dim> approach = branch(out, c) - r;
     test::shear_spring(c) = to_shear<double>(n_ij, Vec<Dim>(approach - arms));
-    test::rolling_spring(c) = turn(c.i) - turn(c.j);
+    test::rolling_spring(c) = rotation(c.i) - rotation(c.j);
   }
   refresh_contacts(out);
   return out;

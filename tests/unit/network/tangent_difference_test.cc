@@ -35,23 +35,24 @@ void stretch(Packing<Dim>& packing, double reach, unsigned seed) {
     Vec<Dim> direction;
     for (int a = 0; a < Dim; ++a) direction[a] = uniform(engine);
     const double shear_cap = friction.coefficient * c.elastic_force / friction.tangential_stiffness;
-    const double turn_cap = rolling.coefficient * c.elastic_force / rolling.rolling_stiffness;
+    const double rotation_cap = rolling.coefficient * c.elastic_force / rolling.rolling_stiffness;
     test::shear_spring(c) =
         reach * uniform(engine) * shear_cap * to_shear<double>(c.normal, direction).normalized();
-    for (int a = 0; a < kRotations<Dim>; ++a) test::rolling_spring(c)[a] = reach * uniform(engine) * turn_cap;
+    for (int a = 0; a < kRotations<Dim>; ++a)
+      test::rolling_spring(c)[a] = reach * uniform(engine) * rotation_cap;
   }
 }
 
 template <int Dim>
-Spin<Dim> turn_of(const Packing<Dim>& packing, const Eigen::VectorXd& u, int grain) {
+RotationVector<Dim> rotation_of(const Packing<Dim>& packing, const Eigen::VectorXd& u, int grain) {
   return u.segment<kRotations<Dim>>(kDofs<Dim> * grain + Dim) / packing.grains.radius[grain];
 }
 
-double twist_about(const Vec<2>&, const Spin<2>&) {
+double twist_about(const Vec<2>&, const RotationVector<2>&) {
   return 0.0;
 }
-double twist_about(const Vec<3>& normal, const Spin<3>& turn) {
-  return normal.dot(turn);
+double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation) {
+  return normal.dot(rotation);
 }
 
 /// The packing after small displacements and rotations (times the radius) of its grains, then symmetric strains
@@ -70,14 +71,17 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   for (std::size_t k = 0; k < out.contacts.size(); ++k) {
     Contact<Dim>& c = out.contacts[k];
     const double radii = packing.grains.radius[c.i] + packing.grains.radius[c.j];
-    const Spin<Dim> turn_i = turn_of(packing, u, c.i), turn_j = turn_of(packing, u, c.j);
+    const RotationVector<Dim> rotation_i = rotation_of(packing, u, c.i),
+                              rotation_j = rotation_of(packing, u, c.j);
     const Vec<Dim> r = branch(out, c);
     const Vec<Dim> normal = r.normalized();
-    const Spin<Dim> mean = (packing.grains.radius[c.i] * turn_i + packing.grains.radius[c.j] * turn_j) / radii;
+    const RotationVector<Dim> mean =
+        (packing.grains.radius[c.i] * rotation_i + packing.grains.radius[c.j] * rotation_j) / radii;
     c.gap = r.norm() - radii;
-    carry<Dim>(remembered, normal, twist_about(normal, Spin<Dim>(0.5 * (turn_i + turn_j))), c, motion[k]);
+    carry<Dim>(remembered, normal, twist_about(normal, RotationVector<Dim>(0.5 * (rotation_i + rotation_j))), c,
+               motion[k]);
     motion[k].slip = to_shear<double>(normal, Vec<Dim>(r - branch(packing, c) - cross<double>(mean, r)));
-    motion[k].relative_turn = turn_i - turn_j;
+    motion[k].relative_rotation = rotation_i - rotation_j;
   }
   respond<Dim>(out, motion, out.contacts);
   return out;

@@ -52,7 +52,7 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   t.contact.normal.normalize();
   t.contact.gap = -kOverlap;
   const Shear<Dim> along = to_shear<double>(t.contact.normal, other).normalized();
-  Spin<Dim> axis;
+  RotationVector<Dim> axis;
   for (int a = 0; a < kRotations<Dim>; ++a) axis[a] = normal(engine);
   axis.normalize();
   const double longest = 0.5 * elastic / 80.0;
@@ -60,7 +60,7 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   test::shear_spring(t.contact) = 0.3 * tangential * longest * along;
   t.motion.slip = 0.7 * tangential * longest * along;
   test::rolling_spring(t.contact) = 0.6 * rolling * furthest * axis;
-  t.motion.relative_turn = 0.4 * rolling * furthest * axis;
+  t.motion.relative_rotation = 0.4 * rolling * furthest * axis;
   t.frame.col(0) = t.contact.normal;
   if constexpr (Dim == 2) {
     t.frame.col(1) = tangent<double>(t.contact.normal);
@@ -93,7 +93,7 @@ ContactTangent<Dim> by_differences(const Touching<Dim>& t) {
     if (dof == 0) moved.contact.gap -= by;
     if (dof > 0 && dof < Dim)
       moved.motion.slip += by * to_shear<double>(t.contact.normal, Vec<Dim>(t.frame.col(dof)));
-    if (dof >= Dim) moved.motion.relative_turn[dof - Dim] -= by;  // of i against j
+    if (dof >= Dim) moved.motion.relative_rotation[dof - Dim] -= by;  // of i against j
     const Contact<Dim> c = after(moved);
     Row f;
     f[0] = c.normal_force;

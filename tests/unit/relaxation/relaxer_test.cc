@@ -166,7 +166,7 @@ TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
     trial.radius.push_back(0.02);
     trial.mass.push_back(0.0016);
     trial.orientation.push_back(0.0);
-    trial.angular_velocity.push_back(Spin<2>(30.0));
+    trial.angular_velocity.push_back(RotationVector<2>(30.0));
     if (find_pairs(start.cell, trial, 0.01).size() == find_pairs(rest.cell, rest.grains, 0.01).size())
       g = trial;
   }

@@ -24,7 +24,7 @@ Packing<2> with_forces(const std::vector<double>& normal, double F0) {
     c.normal_force = f;
     c.elastic_force = f + F0;
     c.shear_force = {0.3 * f, -0.4 * f};
-    c.rolling_moment = Spin<2>(-0.01 * f);
+    c.rolling_moment = RotationVector<2>(-0.01 * f);
     packing.contacts.push_back(c);
   }
   return packing;

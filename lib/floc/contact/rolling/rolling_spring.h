@@ -24,8 +24,9 @@ struct RollingSpring {
 
   /// Takes up the relative rotation of one motion. @param memory  as declared. @return moment on j
   template <class T, class V>
-  V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& relative_turn, T* memory) const {
-    return respond_capped(coefficient, rolling_stiffness, normal.elastic, relative_turn, memory);
+  V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& relative_rotation,
+            T* memory) const {
+    return respond_capped(coefficient, rolling_stiffness, normal.elastic, relative_rotation, memory);
   }
   template <class V>
   bool is_mobilised(double elastic, const double* memory, double tolerance) const {

@@ -26,8 +26,8 @@ inline constexpr double kDashpotShare = 0.8;
 inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
 
 /// Doubles of the row that a pair writes: force on j, and with friction the moments on i and on j.
-constexpr int row_size(bool turns) {
-  return turns ? 4 : 2;
+constexpr int row_size(bool rotates) {
+  return rotates ? 4 : 2;
 }
 
 /// The grains as kernels are handed them: pointers to the arrays of all.

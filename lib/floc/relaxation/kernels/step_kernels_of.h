@@ -12,10 +12,10 @@
 /// The kernels' text. Everything here is a template on the instruction set, and calls nothing inline that is not.
 namespace floc {
 
-template <class Isa, int Dim, LatticeShape kShape, bool kTurns>
+template <class Isa, int Dim, LatticeShape kShape, bool kRotates>
 struct GrainKernels {
   static_assert(Dim == 2, "orientations in 3D are not integrated yet");
-  static constexpr int kRow = row_size(kTurns);
+  static constexpr int kRow = row_size(kRotates);
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   using P = Pack<Isa>;
   using Row = typename VectorOf<kRow>::Type;
@@ -30,8 +30,8 @@ struct GrainKernels {
       if constexpr (!kTriangular) accelerate(grains, begin, kick, a);
       move(grains, begin, drift, a, moved_squared);
     }
-    if constexpr (kTurns) {
-      turn(grains, begin, kick.half_step);
+    if constexpr (kRotates) {
+      kick_rotation(grains, begin, kick.half_step);
       const double* const spin = grains.spin + begin;
       double* const angle = grains.angle + begin;
 #pragma GCC ivdep
@@ -60,8 +60,8 @@ struct GrainKernels {
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
         sums.momentum_flux[a][b] = block_sum(grains.v[a] + begin, grains.v[b] + begin, grains.mass + begin);
-    if constexpr (kTurns) {
-      turn(grains, begin, kick.half_step);
+    if constexpr (kRotates) {
+      kick_rotation(grains, begin, kick.half_step);
       const double* const spin = grains.spin + begin;
       sums.rotation = block_sum(spin, spin, grains.inertia + begin);
     }
@@ -141,7 +141,7 @@ struct GrainKernels {
     return virial;
   }
 
-  static void turn(const GrainView<Dim>& grains, int begin, double half_step) {
+  static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step) {
     const double* const inverse_inertia = grains.inverse_inertia + begin;
     const double* const torque = grains.torque + begin;
     double* const spin = grains.spin + begin;
@@ -197,7 +197,7 @@ struct GrainKernels {
     for (int k = 0; k < kGrainBlock; ++k) {
       const Row force = as_j[k] - as_i[k];
       for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = force[a];
-      if constexpr (kTurns) grains.torque[begin + k] = as_i[k][Dim] + as_j[k][Dim + 1];
+      if constexpr (kRotates) grains.torque[begin + k] = as_i[k][Dim] + as_j[k][Dim + 1];
     }
   }
 };
@@ -215,8 +215,8 @@ struct Walls {
 
 template <class Isa, int Dim, class Partner, class Law>
 struct PairKernel {
-  static constexpr bool kTurns = Law::kHasFriction;
-  static constexpr int kRow = row_size(kTurns);
+  static constexpr bool kRotates = Law::kHasFriction;
+  static constexpr int kRow = row_size(kRotates);
   using P = Pack<Isa>;
   using V = Vec<Dim, P>;
 
@@ -253,7 +253,7 @@ struct PairKernel {
   /// Position and velocities of the first, or the second, grain of each pair of a pack.
   struct GrainKinematics {
     V x, v;
-    Spin<Dim, P> spin;
+    RotationVector<Dim, P> spin;
   };
 
   template <class Gather>
@@ -263,7 +263,7 @@ struct PairKernel {
       gathered.x[a] = gather(grains.x[a], grain);
       gathered.v[a] = gather(grains.v[a], grain);
     }
-    if constexpr (kTurns) gathered.spin[0] = gather(grains.spin, grain);
+    if constexpr (kRotates) gathered.spin[0] = gather(grains.spin, grain);
     return gathered;
   }
 
@@ -288,10 +288,10 @@ struct PairKernel {
     PairKinematics a = approach_along(n, distance, centres, pairs, p);
     a.arm_i = P::load(pairs.share_i + p) * distance;
     a.arm_j = distance - a.arm_i;
-    if constexpr (kTurns) {
+    if constexpr (kRotates) {
       // Both turn their surfaces the same way round.
-      take_up_slip(a, centres, Spin<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), Spin<Dim, P>(i.spin - j.spin),
-                   cell);
+      take_up_slip(a, centres, RotationVector<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin),
+                   RotationVector<Dim, P>(i.spin - j.spin), cell);
     }
     return a;
   }
@@ -308,7 +308,7 @@ struct PairKernel {
     PairKinematics a = approach_along(n, distance, foot, pairs, p);
     a.arm_i = distance;
     a.arm_j = P(0.0);
-    if constexpr (kTurns) take_up_slip(a, foot, Spin<Dim, P>(distance * i.spin), i.spin, cell);
+    if constexpr (kRotates) take_up_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), i.spin, cell);
     return a;
   }
 
@@ -318,17 +318,17 @@ struct PairKernel {
     PairKinematics a;
     a.n = n;
     a.motion = {distance - P::load(pairs.radii + p), n.dot(velocity), P(0.0), Shear<Dim, P>::Zero(),
-                Spin<Dim, P>::Zero()};
+                RotationVector<Dim, P>::Zero()};
     if constexpr (Law::kNeedsReducedRadius) a.motion.pair.reduced_radius = P::load(pairs.reduced_radius + p);
     if constexpr (Law::kNeedsReducedMass) a.motion.pair.reduced_mass = P::load(pairs.reduced_mass + p);
     return a;
   }
 
   /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
-  static void take_up_slip(PairKinematics& a, const V& velocity, const Spin<Dim, P>& surfaces,
-                           const Spin<Dim, P>& turn, const PairCell<Dim>& cell) {
+  static void take_up_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
+                           const RotationVector<Dim, P>& kick_rotation, const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
-    a.motion.relative_turn = P(cell.slip_time) * turn;
+    a.motion.relative_rotation = P(cell.slip_time) * kick_rotation;
   }
 
   static void respond(const Law& law, const PairKinematics& a, const PairView<Dim>& pairs, int p) {
@@ -342,7 +342,7 @@ struct PairKernel {
     V on_j = f.normal.force() * a.n;
     if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous + p) * a.n;
     double* const row = pairs.row + static_cast<std::ptrdiff_t>(kRow) * p;
-    if constexpr (kTurns) {
+    if constexpr (kRotates) {
       const V shear = from_shear<P>(a.n, f.shear);
       on_j -= shear;
       const P unit = moment<P>(a.n, shear)[0];

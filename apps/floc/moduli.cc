@@ -236,7 +236,7 @@ std::vector<ModuliColumn> contract_columns() {
           {"units", [](const ModuliRow& r) { return r.units; }},
           {"n_rattlers", [](const ModuliRow& r) { return count(r.moduli.n_rattlers); }},
           {"n_free_rollers", [](const ModuliRow& r) { return count(r.moduli.n_free_rollers); }},
-          {"n_at_cap", [](const ModuliRow& r) { return count(r.moduli.n_at_cap); }},
+          {"n_at_cap", [](const ModuliRow& r) { return count(r.moduli.n_mobilised); }},
           {"error_C", [](const ModuliRow& r) { return r.moduli.C_error.maxCoeff(); }},
           {"error_B", [](const ModuliRow& r) { return r.moduli.B_error; }},
           {"error_B_S", [](const ModuliRow& r) { return r.moduli.B_S_error; }},

@@ -122,9 +122,9 @@ void add_warnings(Moduli& m) {
   if (m.n_negative > 0)
     m.warnings.push_back(
         fmt::format("unstable: {} negative eigenvalue(s) of the stiffness matrix", m.n_negative));
-  if (m.n_at_cap > 0)
+  if (m.n_mobilised > 0)
     m.warnings.push_back(
-        fmt::format("{} contact(s) slide or yield; the moduli treat them as elastic", m.n_at_cap));
+        fmt::format("{} contact(s) slide or yield; the moduli treat them as elastic", m.n_mobilised));
   if (std::isfinite(m.condition) && m.condition > kWarnCondition)
     m.warnings.push_back(fmt::format(
         "condition number {:.1e}: soft modes decide the moduli; see those with prestress", m.condition));
@@ -188,7 +188,7 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
   assert(options.validate().empty());
   Moduli m;
   m.pressure = load.stress.trace() / Dim;
-  m.n_at_cap = load.n_at_cap;
+  m.n_mobilised = load.n_mobilised;
   m.bounds = elastic_bounds(network, load.unloaded ? 0.0 : m.pressure, load.mean_field);
 
   if (options.method == ModuliMethod::bounds) {
@@ -232,10 +232,10 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
 
 template <int Dim>
 Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, const auto& respond) {
-  const auto n_at_cap = std::count_if(packing.contacts.begin(), packing.contacts.end(),
-                                      [](const auto& c) { return c.sliding || c.rolling_yield; });
+  const auto n_mobilised = std::count_if(packing.contacts.begin(), packing.contacts.end(),
+                                         [](const auto& c) { return c.sliding || c.rolling_yield; });
   const NetworkLoad<Dim> load{static_stress(packing), options.unloaded, mean_field(packing),
-                              static_cast<int>(n_at_cap)};
+                              static_cast<int>(n_mobilised)};
   return moduli_with(loaded(packing, options, load.stress), load, options, respond);
 }
 

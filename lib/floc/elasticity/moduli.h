@@ -50,7 +50,7 @@ struct NetworkLoad {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static, compression positive (force/length^(Dim-1))
   bool unloaded = false;               ///< see ModuliOptions
   MeanField mean_field{};              ///< for the bounds in their printed forms
-  int n_at_cap = 0;                    ///< contacts that slide or yield, which the network takes as elastic
+  int n_mobilised = 0;                 ///< contacts that slide or yield, which the network takes as elastic
 };
 
 /// Elastic moduli of one state, as stress (force/length^(Dim-1)), and what they rest on.
@@ -74,7 +74,7 @@ struct Moduli {
       0;  ///< those of them that strain the cell at no cost: the moduli along them are zero
   int n_rattlers = 0;
   int n_free_rollers = 0;
-  int n_at_cap = 0;        ///< contacts that slide or yield in rolling; C treats them as elastic
+  int n_mobilised = 0;     ///< contacts that slide or yield in rolling; C treats them as elastic
   double pressure = 0.0;   ///< mean of the diagonal of the static stress
   double residual = 0.0;   ///< backward error of the solution
   double condition = 1.0;  ///< of K, estimated; infinite with mechanisms

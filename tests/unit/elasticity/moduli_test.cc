@@ -64,7 +64,7 @@ TEST(Moduli, CountContactsAtTheirCap) {
   packing.contacts[0].sliding = true;
   packing.contacts[1].rolling_yield = true;
   const Moduli m = elastic_moduli(packing, {});
-  EXPECT_EQ(m.n_at_cap, 2);
+  EXPECT_EQ(m.n_mobilised, 2);
   EXPECT_EQ(m.warnings.size(), 1u);
 }
 

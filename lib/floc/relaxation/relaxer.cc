@@ -31,7 +31,7 @@ constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
 /// A load that is put on at once, undamped, carries a spring this many times as far as the equilibrium lies.
 constexpr double kOvershoot = 2.0;
-/// Newton iterations after which it shows whether only springs move: the first is the elastic answer.
+/// Newton iterations after which it shows whether a step is elastic: the first is the elastic response.
 constexpr int kTrialIterations = 2;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
 constexpr double kFinishPhi = 1e-4;
@@ -61,7 +61,7 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
 }
 
 template <class T>
-T overshot(const T& start, const T& end) {
+T extrapolated(const T& start, const T& end) {
   return start + kOvershoot * (end - start);
 }
 
@@ -69,21 +69,21 @@ T overshot(const T& start, const T& end) {
 template <int Dim>
 bool sticks(const LawParameters& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   Contact<Dim> beyond = to;
-  beyond.elastic_force = overshot(from.elastic_force, to.elastic_force);
-  beyond.memory = overshot(from.memory, to.memory);
+  beyond.elastic_force = extrapolated(from.elastic_force, to.elastic_force);
+  beyond.memory = extrapolated(from.memory, to.memory);
   const Mobilised there = mobilised(law, beyond, 0.0);
   return !there.sliding && !there.rolling && !to.sliding && !to.rolling_yield;
 }
 
-/// Whether the way from one equilibrium to another, and as far again beyond it, opens and closes no contact and brings
-/// none to its cap: the vibrations of a load put on at once then leave no trace either.
+/// Whether the step from one equilibrium to another is elastic: the way between them, and as far again beyond, opens and closes no
+/// contact and mobilises none. The vibrations of a load put on at once then leave no trace either.
 template <int Dim>
-bool only_springs_move(const Packing<Dim>& from, const Packing<Dim>& to) {
+bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to) {
   if (from.contacts.size() != to.contacts.size()) return false;
   for (std::size_t k = 0; k < to.contacts.size(); ++k) {
     const Contact<Dim>&p = from.contacts[k], &q = to.contacts[k];
     if (p.i != q.i || p.j != q.j || p.image != q.image || p.distant != q.distant) return false;
-    const double gap = overshot(p.gap, q.gap);
+    const double gap = extrapolated(p.gap, q.gap);
     if ((gap >= 0.0) != q.distant || gap >= from.law.range()) return false;
     if (!q.distant && !sticks(from.law, p, q)) return false;
   }
@@ -286,10 +286,10 @@ bool Relaxer<Dim>::solved_at_once() {
   trial.max_iterations = kTrialIterations;
   StaticSolution<Dim> solution = solve_statics(packing_, target_, any ? StaticSolverOptions{} : trial);
   if (!any) {
-    if (!only_springs_move(packing_, solution.packing)) return false;
+    if (!is_elastic_step(packing_, solution.packing)) return false;
     // No spring has reached a cap, so it makes no difference where the rest starts.
     solution = solve_statics(solution.packing, target_, StaticSolverOptions{});
-    if (!only_springs_move(packing_, solution.packing)) return false;
+    if (!is_elastic_step(packing_, solution.packing)) return false;
   }
   return take_if_equilibrium(std::move(solution), "static");
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command.h"
+#include "equilibrium_check.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/sha256.h"
@@ -15,7 +16,6 @@
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
 #include "output.h"
-#include "standing.h"
 
 namespace floc {
 namespace {
@@ -132,7 +132,7 @@ void report(const std::string& out, const State<Dim>& state, const std::vector<s
       "{}: {} grains in {}D, {} contacts, phi = {:.6g}, pressure = {:.6g}, largest net force = {:.2g} F1", out,
       state.packing.grains.size(), Dim, state.packing.contacts.size(), solid_fraction(state.packing),
       state.stress.diagonal().mean(), state.residuals.force);
-  if (const std::string faults = unbalance(state); !faults.empty())
+  if (const std::string faults = equilibrium_faults(state); !faults.empty())
     spdlog::warn("{}: warning: this is no equilibrium: {}", out, faults);
 }
 

@@ -11,10 +11,10 @@
 
 #include "columns.h"
 #include "command.h"
+#include "equilibrium_check.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/moduli.h"
 #include "output.h"
-#include "standing.h"
 
 namespace floc {
 namespace {
@@ -110,7 +110,7 @@ template <int Dim>
 void add_state(const std::string& file, const State<Dim>& state, const ModesCommand& command,
                std::vector<ModeRow>& rows) {
   const Packing<Dim>& packing = state.packing;
-  if (const std::string faults = unbalance(state); !faults.empty())
+  if (const std::string faults = equilibrium_faults(state); !faults.empty())
     say(file, "warning: this is no equilibrium: " + faults);
   ModuliOptions options;
   options.prestress = true;

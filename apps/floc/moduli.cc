@@ -12,6 +12,7 @@
 
 #include "columns.h"
 #include "command.h"
+#include "equilibrium_check.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/elasticity/error_budget.h"
@@ -23,7 +24,6 @@
 #include "floc/structure/coordination.h"
 #include "increments.h"
 #include "output.h"
-#include "standing.h"
 
 namespace floc {
 namespace {
@@ -365,8 +365,8 @@ bool promises_kept(const std::vector<ModuliRow>& rows, const std::optional<Modul
 }
 
 /// Whether a state is an equilibrium; if not, says so on stderr. A state not refused with `force` is warned about.
-bool stands(const std::string& file, const AnyState& any, bool force) {
-  const std::string faults = std::visit([](const auto& state) { return unbalance(state); }, any);
+bool check_equilibrium(const std::string& file, const AnyState& any, bool force) {
+  const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
   if (!faults.empty())
     std::cerr << "floc: " << file << ": " << (force ? "warning: " : "") << "this is no equilibrium: " << faults
               << (force ? "" : "; --force computes moduli all the same") << '\n';
@@ -379,7 +379,7 @@ int run_moduli(const ModuliCommand& command) {
   ModuliSequences sequences{ModuliSequence<2>(request.options), ModuliSequence<3>(request.options)};
   Table increments;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
-    if (!stands(file, any, command.force) && !command.force) return int{kVerificationFailed};
+    if (!check_equilibrium(file, any, command.force) && !command.force) return int{kVerificationFailed};
     std::vector<ModuliRow> computed = std::visit(
         [&](const auto& state) {
           return compute_rows(file, state, request, sequences,

@@ -7,6 +7,7 @@
 
 #include "columns.h"
 #include "command.h"
+#include "equilibrium_check.h"
 #include "floc/elasticity/force_correlation.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/network_mechanics.h"
@@ -18,7 +19,6 @@
 #include "floc/structure/particle_stress.h"
 #include "floc/structure/pressure_phases.h"
 #include "output.h"
-#include "standing.h"
 
 namespace floc {
 namespace {
@@ -123,7 +123,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
                        SideTables& side) {
   const auto start = std::chrono::steady_clock::now();
   const Packing<Dim>& packing = state.packing;
-  if (const std::string faults = unbalance(state); !faults.empty())
+  if (const std::string faults = equilibrium_faults(state); !faults.empty())
     std::cerr << "floc: " << file << ": warning: this is no equilibrium: " << faults << '\n';
   NetworkRow row;
   row.file = file;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "command.h"
+#include "equilibrium_check.h"
 #include "fit_parameters.h"
 #include "floc/base/error.h"
 #include "floc/base/sha256.h"
@@ -22,7 +23,6 @@
 #include "output.h"
 #include "path_plots.h"
 #include "run_states.h"
-#include "standing.h"
 #include "state_picture.h"
 #include "state_plots.h"
 
@@ -81,7 +81,7 @@ void add_state(const State<2>& state, Run& run) {
   run.elasticity.rows.push_back({step, P_star, m.bounds.B_reuss, m.B, m.B_error, m.bounds.B_voigt, m.G,
                                  m.G_error, m.bounds.G_voigt, m.isotropy_defect, std::int64_t{m.n_negative}});
   for (const std::string& warning : m.warnings) run.state_warnings[warning].push_back(state.path.step);
-  if (const std::string words = unbalance(state); !words.empty())
+  if (const std::string words = equilibrium_faults(state); !words.empty())
     run.state_warnings["no equilibrium: " + words].push_back(state.path.step);
 }
 

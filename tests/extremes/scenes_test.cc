@@ -8,7 +8,7 @@
 #include "support/run_program.h"
 
 /// Small scenes with a parameter at an end of its range, each run, verified from its files and taken to moduli by the
-/// program: equilibria that stand, in finite numbers, or a refusal in words.
+/// program: equilibria that verify, in finite numbers, or a refusal in words.
 namespace floc::test {
 namespace {
 
@@ -56,7 +56,7 @@ void PrintTo(const Extreme& extreme, std::ostream* out) {
 
 class Scene : public ::testing::TestWithParam<Extreme> {};
 
-TEST_P(Scene, ReachesEquilibriaThatStand) {
+TEST_P(Scene, ReachesEquilibriaThatVerify) {
   const ScratchDirectory scratch;
   write_text(scratch.file("scene.toml"), kScene);
   const Outcome run = run_floc("run scene.toml -o out" + settings(GetParam().set), scratch.path());

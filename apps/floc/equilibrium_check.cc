@@ -1,26 +1,26 @@
-#include "standing.h"
+#include "equilibrium_check.h"
 
 #include <fmt/format.h>
 
 namespace floc {
 
 template <int Dim>
-std::string unbalance(const State<Dim>& state) {
+std::string equilibrium_faults(const State<Dim>& state) {
   const Residuals r = residuals(state.packing, state.target_stress);
   const EquilibriumTolerance& t = state.tolerance;
-  std::string words;
+  std::string faults;
   const auto check = [&](const std::string& what, double value, double limit) {
     if (!(value < limit))
-      words += fmt::format("{}{} = {:.3g}, limit {:.3g}", words.empty() ? "" : "; ", what, value, limit);
+      faults += fmt::format("{}{} = {:.3g}, limit {:.3g}", faults.empty() ? "" : "; ", what, value, limit);
   };
   check(fmt::format("net force of grain {} / F1", r.worst_force_grain), r.force, t.force);
   check(fmt::format("net moment of grain {} / (F1 a)", r.worst_moment_grain), r.moment, t.moment);
   check("stress off the one imposed / (F1/a^(d-1))", r.stress, t.stress);
   check("kinetic energy a grain / (F1 a)", r.energy, t.energy);
-  return words;
+  return faults;
 }
 
-template std::string unbalance(const State<2>&);
-template std::string unbalance(const State<3>&);
+template std::string equilibrium_faults(const State<2>&);
+template std::string equilibrium_faults(const State<3>&);
 
 }  // namespace floc

@@ -17,7 +17,7 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("unchanged_stretches", p.unchanged_chunks);
   visit("finishing_since_phi", p.finishing_since_phi);
   visit("finishing_stretches", p.finishing_chunks);
-  visit("next_polish", p.next_polish);
+  visit("next_polish", p.next_refinement);
   visit("force_residual", p.force_residual);
 };
 

@@ -37,9 +37,9 @@ constexpr int kTrialIterations = 2;
 constexpr double kFinishPhi = 1e-4;
 /// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
 constexpr double kDefaultInertialNumber = 1e-3;
-/// The polisher is tried where it is known to succeed, and after a failure again a while later, each time a longer one.
-constexpr double kPolishResidual = 5e-3;
-constexpr int kPolishPause = 8;
+/// Newton refinement is tried where it is known to succeed, and after a failure again a while later, each time a longer one.
+constexpr double kRefinementResidual = 5e-3;
+constexpr int kRefinementPause = 8;
 
 template <int Dim>
 double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
@@ -245,7 +245,7 @@ RelaxationStatus Relaxer<Dim>::judge_motion() {
     progress_.phase = RelaxationProgress::finishing;
     progress_.finishing_since_phi = progress_.solid_fraction.back();
     progress_.finishing_chunks = 0;
-    progress_.next_polish = 1;
+    progress_.next_refinement = 1;
   }
   return RelaxationStatus::running;
 }
@@ -259,10 +259,11 @@ RelaxationStatus Relaxer<Dim>::judge_finish() {
     return RelaxationStatus::running;
   }
   const bool within = residuals_.within(options_.tolerance);
-  const bool may_polish = options_.finish != Finish::dynamic && residuals_.force < kPolishResidual;
-  if (may_polish && (within || progress_.finishing_chunks >= progress_.next_polish)) {
-    if (polish()) return RelaxationStatus::converged;
-    progress_.next_polish = progress_.finishing_chunks + std::max(kPolishPause, progress_.finishing_chunks / 2);
+  const bool may_refine = options_.finish != Finish::dynamic && residuals_.force < kRefinementResidual;
+  if (may_refine && (within || progress_.finishing_chunks >= progress_.next_refinement)) {
+    if (refine_by_newton()) return RelaxationStatus::converged;
+    progress_.next_refinement =
+        progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
   if (!within) return RelaxationStatus::running;
   const int n_negative = count_negative_eigenvalues(packing_);
@@ -273,7 +274,7 @@ RelaxationStatus Relaxer<Dim>::judge_finish() {
 }
 
 template <int Dim>
-bool Relaxer<Dim>::polish() {
+bool Relaxer<Dim>::refine_by_newton() {
   return take_if_equilibrium(solve_statics(packing_, target_, StaticSolverOptions{}), "polished");
 }
 

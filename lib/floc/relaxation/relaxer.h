@@ -40,7 +40,7 @@ class Relaxer final : public Equilibrator<Dim> {
   std::size_t chunks_in(double time_units) const;
   RelaxationStatus judge_motion();
   RelaxationStatus judge_finish();
-  bool polish();
+  bool refine_by_newton();
   bool solved_at_once();
   bool take_if_equilibrium(StaticSolution<Dim> solution, const char* ending);
   void measure();

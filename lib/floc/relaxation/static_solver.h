@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Limits within which Newton steps are trusted; measured as those that polish and do not jump to another equilibrium.
+/// Limits within which Newton steps are trusted; measured as those that refine an equilibrium and do not jump to another.
 struct StaticSolverOptions {
   double target = 1e-8;  ///< force, moment and stress residuals wanted, in units of F1 and a
   int max_iterations = 12;

@@ -69,7 +69,7 @@ std::vector<StudiedSetting> studied_settings(const Scene& scene) {
   using Setting = StudiedSetting;
   list.add("finish", "dynamic", [](Setting& s) { s.numerical.finish = Finish::dynamic; });
   list.add("finish", "static", [](Setting& s) { s.numerical.finish = Finish::statics; });
-  // Without the Newton polish, which reaches 1e-8 whatever is asked for.
+  // Without Newton refinement, which reaches 1e-8 whatever is asked for.
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8})
     list.add("tolerance", fmt::format("{:.0e} dynamic", tolerance), [&](Setting& s) {
       s.numerical.tolerance = tolerance;

@@ -43,14 +43,14 @@ const Packing<2>& equilibrium() {
 TEST(Relaxer, ReachesAllFourCriteria) {
   const Residuals r = residuals(equilibrium(), Vec<2>(0.1, 0.1));
   EXPECT_TRUE(r.within(EquilibriumTolerance{}));
-  EXPECT_LT(r.force, 1e-8);  // the polisher's target
+  EXPECT_LT(r.force, 1e-8);  // the target of Newton refinement
 }
 
 TEST(Relaxer, TheForcesAcrossTheFacesOfTheCellAreTheStress) {
   const Mat<2> stress = static_stress(equilibrium());
   // Net forces of 1e-8 on 60 grains within 5 of the middle of a cell of area 70 leave 5e-8.
   EXPECT_LT((boundary_stress(equilibrium()) - stress).cwiseAbs().maxCoeff(), 5e-8);
-  for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);  // what the polisher leaves, in F0/a
+  for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);  // what Newton refinement leaves, in F0/a
 }
 
 TEST(Relaxer, ContinuedFromItsProgressGivesTheSameBits) {

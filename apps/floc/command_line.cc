@@ -57,8 +57,8 @@ Option Option::between(double least, double most) {
   return *this;
 }
 
-Option Option::one_of(const std::vector<std::string>& words) {
-  option_->check(CLI::IsMember(words));
+Option Option::one_of(const std::vector<std::string>& keywords) {
+  option_->check(CLI::IsMember(keywords));
   return *this;
 }
 

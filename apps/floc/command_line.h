@@ -31,7 +31,7 @@ class Option {
   Option non_negative();
   Option between(int least, int most);
   Option between(double least, double most);
-  Option one_of(const std::vector<std::string>& words);
+  Option one_of(const std::vector<std::string>& keywords);
   Option one_of_integers(const std::vector<int>& numbers);
 
   Option excludes(Option other);

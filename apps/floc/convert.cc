@@ -55,9 +55,9 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {
   std::vector<double> values;
-  for (const std::string& word : split(text, ',')) {
-    const auto value = parse_number<double>(word);
-    if (!value) throw InputError(option, fmt::format("\"{}\", expected a finite number", word));
+  for (const std::string& item : split(text, ',')) {
+    const auto value = parse_number<double>(item);
+    if (!value) throw InputError(option, fmt::format("\"{}\", expected a finite number", item));
     values.push_back(*value);
   }
   return values;
@@ -66,11 +66,11 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
 std::map<std::string, std::string> parse_columns(const std::string& option, const std::string& text) {
   std::map<std::string, std::string> columns;
   if (text.empty()) return columns;
-  for (const std::string& word : split(text, ',')) {
-    const std::size_t equals = word.find('=');
-    if (equals == std::string::npos || equals + 1 == word.size())
-      throw InputError(option, fmt::format("\"{}\", expected name=column, as in x=X,y=Y,radius=R", word));
-    columns[std::string(trimmed(word.substr(0, equals)))] = trimmed(word.substr(equals + 1));
+  for (const std::string& item : split(text, ',')) {
+    const std::size_t equals = item.find('=');
+    if (equals == std::string::npos || equals + 1 == item.size())
+      throw InputError(option, fmt::format("\"{}\", expected name=column, as in x=X,y=Y,radius=R", item));
+    columns[std::string(trimmed(item.substr(0, equals)))] = trimmed(item.substr(equals + 1));
   }
   return columns;
 }
@@ -172,9 +172,9 @@ int run_convert(const ConvertArguments& arguments) {
 /// The keywords of a table of formats.
 template <class Format>
 std::string keywords(const std::vector<Format>& formats) {
-  std::string words;
-  for (const Format& format : formats) words += (words.empty() ? "" : ", ") + format.keyword;
-  return words;
+  std::string list;
+  for (const Format& format : formats) list += (list.empty() ? "" : ", ") + format.keyword;
+  return list;
 }
 
 void add_reading_options(CommandLine app, ConvertArguments& arguments) {

@@ -47,8 +47,8 @@ Shown shown_by(const DrawArguments& arguments) {
   return arguments.step == "isotropic" ? Shown::isotropic_step : Shown::deviatoric_step;
 }
 
-PictureFormat format_named(const std::string& word) {
-  return word == "pdf" ? PictureFormat::pdf : word == "png" ? PictureFormat::png : PictureFormat::svg;
+PictureFormat format_named(const std::string& keyword) {
+  return keyword == "pdf" ? PictureFormat::pdf : keyword == "png" ? PictureFormat::png : PictureFormat::svg;
 }
 
 /// Where pictures go: one file, stdout, or a file a state in a directory.

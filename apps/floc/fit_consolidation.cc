@@ -54,7 +54,7 @@ std::vector<int> left_out(const Sample& sample, PathStep step) {
 
 struct StepName {
   PathStep step;
-  const char *key, *words;
+  const char *key, *description;
 };
 constexpr StepName kLeftOut[] = {
     {PathStep::zero_pressure, "zero_pressure", "at P* = 0"},
@@ -70,11 +70,11 @@ Sample read_sample(const std::string& file, const Arguments& arguments) {
       read_path(file, parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}));
   Sample sample{path.name, first_loading(path.rows, arguments.loading == "virgin"), path_steps(path.rows),
                 path.unit};
-  std::vector<std::string> words;
+  std::vector<std::string> pieces;
   for (const StepName& s : kLeftOut)
     if (const std::vector<int> rows = left_out(sample, s.step); !rows.empty())
-      words.push_back(fmt::format("{} row(s) {} ({})", rows.size(), s.words, ranges(rows)));
-  if (!words.empty()) spdlog::info("{}: left out {}", sample.name, fmt::join(words, ", "));
+      pieces.push_back(fmt::format("{} row(s) {} ({})", rows.size(), s.description, ranges(rows)));
+  if (!pieces.empty()) spdlog::info("{}: left out {}", sample.name, fmt::join(pieces, ", "));
   return sample;
 }
 
@@ -234,8 +234,8 @@ void add_table_rows(const Sample& sample, const ConsolidationFit& fit, const Arg
   }
 }
 
-std::string change_in_words(const std::optional<ChangePoint>& change, const ConsolidationCurve& curve,
-                            const char* what) {
+std::string change_text(const std::optional<ChangePoint>& change, const ConsolidationCurve& curve,
+                        const char* what) {
   if (!change || change->first == 0) return "";
   const auto& P = curve.P_star;
   const auto at = [&](int i) {
@@ -261,10 +261,10 @@ void say(const Sample& sample, const ConsolidationFit& fit, int n_asked) {
       fit.n_plateau > 0 ? fmt::format("; the {} before them are the plateau of regime I", fit.n_plateau) : "",
       fit.rms, fit.errors_from_samples ? "the scatter between samples" : "the residuals");
   if (fit.regimes) {
-    const std::string words =
-        change_in_words(fit.regimes->plateau_end, sample.loading.curve, "the plateau ends") +
-        change_in_words(fit.regimes->onset_three, sample.loading.curve, "regime III sets in");
-    if (!words.empty()) spdlog::info("{}: {}", sample.name, words.substr(2));
+    const std::string pieces =
+        change_text(fit.regimes->plateau_end, sample.loading.curve, "the plateau ends") +
+        change_text(fit.regimes->onset_three, sample.loading.curve, "regime III sets in");
+    if (!pieces.empty()) spdlog::info("{}: {}", sample.name, pieces.substr(2));
   }
   std::vector<std::string> budget;
   for (const ErrorParts& parts : fit.error_parts)
@@ -275,10 +275,10 @@ void say(const Sample& sample, const ConsolidationFit& fit, int n_asked) {
                  fit.errors_from_samples ? "the scatter between samples" : "the residuals",
                  fmt::join(budget, ", "));
   if (!fit.window_shifts.empty()) {
-    std::vector<std::string> words;
+    std::vector<std::string> pieces;
     for (const WindowShift& s : fit.window_shifts)
-      words.push_back(fmt::format("{} ({})", s.lambda ? fmt::format("{:.4g}", *s.lambda) : "none", s.change));
-    spdlog::info("{}: lambda with the window moved by a row: {}", sample.name, fmt::join(words, ", "));
+      pieces.push_back(fmt::format("{} ({})", s.lambda ? fmt::format("{:.4g}", *s.lambda) : "none", s.change));
+    spdlog::info("{}: lambda with the window moved by a row: {}", sample.name, fmt::join(pieces, ", "));
   }
   if (n_asked > 0)
     spdlog::info("{}: bootstrap: {} of {} resampled fits have a regime II", sample.name, fit.n_bootstrapped,

@@ -58,15 +58,15 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
   ColumnNames columns;
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t end = std::min(rest.find(','), rest.size());
-    const std::string_view word = rest.substr(0, end);
+    const std::string_view item = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    const std::size_t equals = word.find('=');
-    const std::string name(trimmed(word.substr(0, equals)));
-    if (equals == std::string_view::npos || trimmed(word.substr(equals + 1)).empty() ||
+    const std::size_t equals = item.find('=');
+    const std::string name(trimmed(item.substr(0, equals)));
+    if (equals == std::string_view::npos || trimmed(item.substr(equals + 1)).empty() ||
         std::find(names.begin(), names.end(), name) == names.end())
-      throw InputError("--columns", fmt::format("\"{}\", expected name=column with name one of {}", word,
+      throw InputError("--columns", fmt::format("\"{}\", expected name=column with name one of {}", item,
                                                 fmt::join(names, ", ")));
-    columns[name] = trimmed(word.substr(equals + 1));
+    columns[name] = trimmed(item.substr(equals + 1));
   }
   return columns;
 }

@@ -88,8 +88,8 @@ std::string html_table(const Table& table) {
   return out + "</tbody></table></div>\n";
 }
 
-std::string html_figure(const std::string& svg, const std::string& words) {
-  const std::string text = html_text(words);
+std::string html_figure(const std::string& svg, const std::string& caption) {
+  const std::string text = html_text(caption);
   return "<figure><img alt=\"" + text + "\" src=\"data:image/svg+xml;charset=utf-8," + percent_encoded(svg) +
          "\"><figcaption>" + text + "</figcaption></figure>\n";
 }

@@ -16,8 +16,8 @@ std::string html_text(const std::string& text, const std::string& element);
 std::string html_table(const Table& table);
 
 /// A figure that carries its svg within itself, as a data address.
-/// @param words  what it shows: its caption, and what is read out in its place
-std::string html_figure(const std::string& svg, const std::string& words);
+/// @param caption  what it shows; it is read out in its place too
+std::string html_figure(const std::string& svg, const std::string& caption);
 
 /// A whole page that needs nothing else: style for screen and paper included.
 std::string html_page(const std::string& title, const std::string& body);

@@ -36,8 +36,8 @@ struct ModeRow {
   std::vector<int> grains;
 };
 
-void say(const std::string& file, const std::string& words) {
-  std::cerr << "floc: " << file << ": " << words << '\n';
+void print_message(const std::string& file, const std::string& message) {
+  std::cerr << "floc: " << file << ": " << message << '\n';
 }
 
 void add_free_motions(const std::string& file, const FreeMotions& free, std::vector<ModeRow>& rows) {
@@ -65,8 +65,8 @@ void add_strain_mechanisms(const std::string& file, const StrainMechanisms& foun
     rows.push_back(row);
   }
   if (!found.vanishing.empty())
-    say(file, fmt::format("warning: mechanisms strain the cell at no cost; zero: {}",
-                          fmt::join(found.vanishing, ", ")));
+    print_message(file, fmt::format("warning: mechanisms strain the cell at no cost; zero: {}",
+                                    fmt::join(found.vanishing, ", ")));
 }
 
 template <int Dim>
@@ -90,7 +90,8 @@ template <int Dim>
 void say_what_is_soft(const std::string& file, const ContactNetwork<Dim>& network, const Moduli& moduli,
                       const SoftModes<Dim>& soft) {
   if (moduli.response.n_mechanisms > 0)
-    say(file,
+    print_message(
+        file,
         fmt::format("{} mechanism(s) of the grains, {} of them by the way the contacts are connected, the "
                     "others by where the grains are",
                     moduli.response.n_mechanisms,
@@ -98,12 +99,14 @@ void say_what_is_soft(const std::string& file, const ContactNetwork<Dim>& networ
   const int listed = static_cast<int>(std::count_if(soft.modes.begin(), soft.modes.end(),
                                                     [](const auto& m) { return m.kind != ModeKind::elastic; }));
   if (soft.n_below_near_bound > 0)
-    say(file,
+    print_message(
+        file,
         fmt::format("{} mode(s) below max |F_N|/r = {:.3g}, {} listed: prestress may matter; B = {:.6g}, G = "
                     "{:.6g}, with it {:.6g}, {:.6g}",
                     soft.n_below_near_bound, soft.near_bound, listed, *moduli.B_without_prestress,
                     *moduli.G_without_prestress, moduli.B, moduli.G));
-  if (!soft.complete) say(file, "warning: copies of multiple eigenvalues are missing among the modes");
+  if (!soft.complete)
+    print_message(file, "warning: copies of multiple eigenvalues are missing among the modes");
 }
 
 template <int Dim>
@@ -111,7 +114,7 @@ void add_state(const std::string& file, const State<Dim>& state, const ModesComm
                std::vector<ModeRow>& rows) {
   const Packing<Dim>& packing = state.packing;
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    say(file, "warning: this is no equilibrium: " + faults);
+    print_message(file, "warning: this is no equilibrium: " + faults);
   ModuliOptions options;
   options.prestress = true;
   const ContactNetwork<Dim> network = options.loaded_network(packing);

@@ -51,16 +51,16 @@ void add_states_argument(CommandLine app, std::vector<std::string>& files) {
 int for_each_file(const std::vector<std::string>& files,
                   const std::function<int(const std::string& file)>& work) {
   int code = kDone;
-  const auto report = [&code](int failure, const std::string& words) {
-    std::cerr << "floc: " << words << '\n';
+  const auto report = [&code](int failure, const std::string& message) {
+    std::cerr << "floc: " << message << '\n';
     code = worse(code, failure);
   };
   for (const std::string& file : files) {
     try {
       code = worse(code, work(file));
     } catch (const InputError& error) {
-      const std::string words = error.what();  // what finds a fault in a packing may not know its file
-      report(kBadInput, words.find(file) == std::string::npos ? file + ": " + words : words);
+      const std::string message = error.what();  // what finds a fault in a packing may not know its file
+      report(kBadInput, message.find(file) == std::string::npos ? file + ": " + message : message);
     } catch (const IoError& error) {
       report(kFailure, error.what());
     } catch (const std::exception& error) {

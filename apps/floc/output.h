@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// Adds `--format table|csv|json`. `format` gets the word given, or stays empty.
+/// Adds `--format table|csv|json`. `format` gets the keyword given, or stays empty.
 void add_format_option(CommandLine app, std::string& format);
 
 /// What `--format` asks for; without it a table on a terminal, csv otherwise.

@@ -114,15 +114,15 @@ std::string density_tics(const Plot& plot) {
   return "set y2tics (" + tics + ")\n";
 }
 
-std::string parameters_in_words(const ConsolidationFit& fit) {
-  std::string words;
+std::string parameters_text(const ConsolidationFit& fit) {
+  std::string text;
   constexpr std::pair<const char*, const char*> kNames[] = {
       {"lambda", "λ"}, {"alpha", "α"}, {"Phi_max", "Φ_{max}"}};
   for (const auto& [name, symbol] : kNames)
     if (const FittedParameter* p = fit.find(name); p && p->value && p->standard_error)
-      words += fmt::format("{}{} = {}", words.empty() ? "" : "   ", symbol,
-                           value_and_error(*p->value, *p->standard_error));
-  return words;
+      text += fmt::format("{}{} = {}", text.empty() ? "" : "   ", symbol,
+                          value_and_error(*p->value, *p->standard_error));
+  return text;
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ set title {title}
       fmt::arg("ranges", range_script(plot, "x", all, 0, true) + y_range +
                              (y_range.empty() ? "" : "set y2" + y_range.substr(5)) + density_tics(plot)),
       fmt::arg("xlabel", gnuplot_quoted(unit.empty() ? "P*" : "pressure (" + unit + ")")),
-      fmt::arg("title", gnuplot_quoted(fitted.fit.found() ? parameters_in_words(fitted.fit) : "")),
+      fmt::arg("title", gnuplot_quoted(fitted.fit.found() ? parameters_text(fitted.fit) : "")),
       fmt::arg("regimes", fitted.fit.found() ? regimes_script(fitted.fit, low, high) : ""),
       fmt::arg("samples", samples.size() == 1 ? "notitle" : "title 'samples'"),
       fmt::arg("loading",

@@ -81,8 +81,8 @@ void add_state(const State<2>& state, Run& run) {
   run.elasticity.rows.push_back({step, P_star, m.bounds.B_reuss, m.B, m.B_error, m.bounds.B_voigt, m.G,
                                  m.G_error, m.bounds.G_voigt, m.isotropy_defect, std::int64_t{m.n_negative}});
   for (const std::string& warning : m.warnings) run.state_warnings[warning].push_back(state.path.step);
-  if (const std::string words = equilibrium_faults(state); !words.empty())
-    run.state_warnings["no equilibrium: " + words].push_back(state.path.step);
+  if (const std::string message = equilibrium_faults(state); !message.empty())
+    run.state_warnings["no equilibrium: " + message].push_back(state.path.step);
 }
 
 /// Reads all states, which must be as many as the path has rows.
@@ -107,7 +107,7 @@ Run read_run(const std::string& directory) {
   return run;
 }
 
-std::string pressure_in_words(const State<2>& state) {
+std::string pressure_text(const State<2>& state) {
   return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean()));
 }
 
@@ -175,8 +175,8 @@ std::string fit_section(const ConsolidationFit& fit, Run& run) {
 
 std::string plots_section(const FittedConsolidation& fitted, Run& run) {
   std::string out = "<h2>Plots</h2>\n<div class=\"plots\">\n";
-  const auto add = [&out](const Plot& plot, const std::string& words) {
-    out += html_figure(plot_as_svg(plot), words);
+  const auto add = [&out](const Plot& plot, const std::string& caption) {
+    out += html_figure(plot_as_svg(plot), caption);
   };
   add(consolidation_plot({run.path}, fitted), "Consolidation curve, its fit, unloading and elastic line.");
   add(moduli_plot(run.moduli, run.first->units == "reduced" ? "F_0/a" : run.first->units),
@@ -185,7 +185,7 @@ std::string plots_section(const FittedConsolidation& fitted, Run& run) {
   std::vector<ForceSample> forces;
   std::vector<ScatteringSample> scattering;
   for (std::size_t k = 0; k < run.shown.size(); ++k) {
-    const std::string name = pressure_in_words(run.shown[k]);
+    const std::string name = pressure_text(run.shown[k]);
     forces.push_back(
         force_sample(run.shown_files[k], name, run.shown[k].packing, ForceKind::normal, ForceUnit::mean));
     scattering.push_back(scattering_sample(name, run.shown[k].packing));
@@ -201,7 +201,7 @@ std::string pictures_section(const Run& run) {
   std::string out = "<h2>Force networks</h2>\n";
   for (std::size_t k = 0; k < run.shown.size(); ++k)
     out += html_figure(draw_sheet({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
-                       "Forces at " + pressure_in_words(run.shown[k]) + ", " +
+                       "Forces at " + pressure_text(run.shown[k]) + ", " +
                            fs::path(run.shown_files[k]).filename().string() +
                            ": lines join the centres of grains that interact, as wide as the force is large.");
   return out;
@@ -211,8 +211,8 @@ std::string warnings_section(const Run& run) {
   std::string out = "<h2>Warnings</h2>\n";
   if (run.warnings.empty() && run.state_warnings.empty()) return out + "<p>None.</p>\n";
   out += "<ul class=\"warnings\">\n";
-  for (const auto& [words, steps] : run.state_warnings)
-    out += html_text(fmt::format("state{} {}: {}", steps.size() == 1 ? "" : "s", ranges(steps), words), "li");
+  for (const auto& [message, steps] : run.state_warnings)
+    out += html_text(fmt::format("state{} {}: {}", steps.size() == 1 ? "" : "s", ranges(steps), message), "li");
   for (const std::string& warning : run.warnings) out += html_text(warning, "li");
   return out + "</ul>\n";
 }
@@ -225,7 +225,7 @@ std::string page_of(Run& run) {
                     plots = plots_section(fitted, run);
   std::string body = "<h1>" + html_text(title) + "</h1>\n";
   body += html_text(fmt::format("{} disks, {} equilibria, up to {}, Φ = {:.4f}.", dense.packing.grains.size(),
-                                run.files.size(), pressure_in_words(dense), solid_fraction(dense.packing)));
+                                run.files.size(), pressure_text(dense), solid_fraction(dense.packing)));
   body += warnings_section(run) + pictures_section(run) + plots + fit;
   body += "<h2>States</h2>\n" + html_table(run.packings);
   body += "<h2>Moduli</h2>\n<p>In " +

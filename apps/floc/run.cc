@@ -113,15 +113,15 @@ int run_seeds(const RunArguments& arguments) {
   if (used && !arguments.resume && !arguments.overwrite)
     throw InputError(directory,
                      "is not empty: give --resume to continue the runs in it or --overwrite to replace them");
-  std::vector<std::string> words = {arguments.scene};
-  for (const std::string& change : arguments.overrides) words.insert(words.end(), {"--set", change});
-  if (arguments.threads) words.insert(words.end(), {"--threads", std::to_string(*arguments.threads)});
-  if (arguments.until) words.insert(words.end(), {"--until", std::to_string(*arguments.until)});
+  std::vector<std::string> args = {arguments.scene};
+  for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
+  if (arguments.threads) args.insert(args.end(), {"--threads", std::to_string(*arguments.threads)});
+  if (arguments.until) args.insert(args.end(), {"--until", std::to_string(*arguments.until)});
   if (arguments.track_contacts)
-    words.insert(words.end(), {"--track-contacts", fmt::format("{}", *arguments.track_contacts)});
-  if (arguments.resume) words.emplace_back("--resume");
-  if (arguments.overwrite) words.emplace_back("--overwrite");
-  return run_ensemble(directory, seeds, arguments.jobs, words, arguments.resume);
+    args.insert(args.end(), {"--track-contacts", fmt::format("{}", *arguments.track_contacts)});
+  if (arguments.resume) args.emplace_back("--resume");
+  if (arguments.overwrite) args.emplace_back("--overwrite");
+  return run_ensemble(directory, seeds, arguments.jobs, args, arguments.resume);
 }
 
 }  // namespace

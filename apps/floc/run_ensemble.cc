@@ -41,12 +41,12 @@ class Ensemble {
 
   void start(std::uint64_t seed) {
     const std::string sample = fmt::format("{}/seed-{}", directory_, seed);
-    std::vector<std::string> words = {program_, "run"};
-    words.insert(words.end(), arguments_.begin(), arguments_.end());
-    for (const std::string& word : {std::string("-o"), sample, std::string("--seed"), std::to_string(seed)})
-      words.push_back(word);
+    std::vector<std::string> args = {program_, "run"};
+    args.insert(args.end(), arguments_.begin(), arguments_.end());
+    for (const std::string& arg : {std::string("-o"), sample, std::string("--seed"), std::to_string(seed)})
+      args.push_back(arg);
     std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
+    for (std::string& arg : args) argv.push_back(arg.data());
     argv.push_back(nullptr);
     const std::string log = sample + ".log";
     const pid_t parent = ::getpid();

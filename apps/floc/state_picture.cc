@@ -73,8 +73,8 @@ PackingPicture picture_of(const std::string& file, const State<2>& state, Shown 
 
 PackingPicture picture_of_changes(const std::string& before_file, const State<2>& before,
                                   const std::string& after_file, const State<2>& after) {
-  if (const std::string words = incomparable(before.packing, after.packing); !words.empty())
-    throw InputError(after_file, "cannot be compared with " + before_file + ": " + words);
+  if (const std::string reason = incomparable(before.packing, after.packing); !reason.empty())
+    throw InputError(after_file, "cannot be compared with " + before_file + ": " + reason);
   const ContactChanges<2> changes = contact_changes(before.packing, after.packing);
   PackingPicture picture = contacts_changed(before.packing, after.packing, changes);
   picture.caption = {

@@ -131,12 +131,12 @@ void print_tradeoff(Table table, const std::string& format) {
 
 int run_tradeoff(TradeoffCommand& command) {
   const Scene scene = read_scene(command.scene, command.overrides);
-  command.options.progress = [](const std::string& words) { std::cerr << words << '\n'; };
+  command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const Tradeoff tradeoff = study_tradeoff(scene, command.options);
   std::cerr
       << "not knobs of their own: power control is what finish = dynamic does, and the force loop has double "
          "precision only\n";
-  for (const std::string& words : tradeoff.left_out) std::cerr << "left out: " << words << '\n';
+  for (const std::string& message : tradeoff.left_out) std::cerr << "left out: " << message << '\n';
   if (tradeoff.settings.empty()) {
     std::cerr << "floc: " << command.scene
               << ": nothing could be compared: not even one sample at the finest settings was made; --budget "

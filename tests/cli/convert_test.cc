@@ -63,11 +63,11 @@ TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
   std::ofstream(scratch.file("g.csv")) << kTwoGrains;
   std::ofstream(scratch.file("g.xyz")) << kTwoGrains;
   const std::string out = scratch.file("s.h5");
-  const auto expect = [&](int code, const std::string& words, std::vector<std::string> arguments) {
+  const auto expect = [&](int code, const std::string& message, std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "convert");
     const Outcome result = floc_arguments(arguments);
     EXPECT_EQ(result.code, code) << result.err;
-    EXPECT_THAT(result.err, HasSubstr(words));
+    EXPECT_THAT(result.err, HasSubstr(message));
     EXPECT_FALSE(std::filesystem::exists(out));
   };
   expect(4, "nowhere.csv: No such file",

@@ -15,7 +15,7 @@ struct BadTable {
   const char* what;
   std::string text;
   int code;
-  const char* words;
+  const char* message;
 };
 
 std::string flat_table() {
@@ -69,7 +69,7 @@ TEST(FitConsolidation, EveryBadTableIsRefusedByNameAndCode) {
   for (const BadTable& table : tables) {
     const Outcome o = run_floc("fit consolidation - --format json", ".", table.text);
     EXPECT_EQ(o.code, table.code) << table.what << ": " << o.err;
-    EXPECT_THAT(o.err, HasSubstr(table.words)) << table.what;
+    EXPECT_THAT(o.err, HasSubstr(table.message)) << table.what;
   }
 }
 

@@ -32,7 +32,7 @@ class ForeignPacking : public testing::Test {
     return scratch_.file(name);
   }
   /// What `floc convert` says of a csv of grains and a csv of contacts; nothing may be left behind.
-  void expect_refusal(const std::string& grains, const std::string& contacts, const std::string& words,
+  void expect_refusal(const std::string& grains, const std::string& contacts, const std::string& message,
                       const std::string& cell = "4,0;0,4") {
     std::vector<std::string> arguments = {
         "convert", file("g.csv", grains), scratch_.file("s.h5"), "--law", "normal.stiffness=2", "--cell", cell};
@@ -42,7 +42,7 @@ class ForeignPacking : public testing::Test {
     }
     const Outcome o = floc_arguments(arguments);
     EXPECT_EQ(o.code, 4);
-    EXPECT_THAT(o.err, HasSubstr(words));
+    EXPECT_THAT(o.err, HasSubstr(message));
     EXPECT_FALSE(std::filesystem::exists(scratch_.file("s.h5")));
   }
   Outcome shell(const std::string& command) {

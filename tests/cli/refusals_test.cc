@@ -10,7 +10,7 @@
 #include "support/places.h"
 #include "support/run_program.h"
 
-/// What the program refuses, and the words in which it does: where (file, line, array, option), what, and what
+/// What the program refuses, and the message with which it does: where (file, line, array, option), what, and what
 /// was expected.
 namespace floc::test {
 namespace {
@@ -45,7 +45,7 @@ struct Refusal {
   const char* name;
   std::vector<std::pair<std::string, std::string>> files;  ///< name and content
   std::vector<std::string> commands;                       ///< the last is refused
-  const char* words;
+  const char* message;
 };
 void PrintTo(const Refusal& refusal, std::ostream* out) {
   *out << refusal.name;
@@ -65,7 +65,7 @@ TEST_P(Refused, InWordsThatSayWhereAndWhat) {
     last = run_floc(command, scratch.path());
   }
   EXPECT_EQ(last.code, 4) << last.err;
-  EXPECT_THAT(last.err, HasSubstr(GetParam().words));
+  EXPECT_THAT(last.err, HasSubstr(GetParam().message));
 }
 
 const Refusal kOfPackings[] = {

@@ -77,10 +77,10 @@ Outcome info_of_header(const std::string& format, std::int64_t version, std::int
 
 TEST(BadState, OfAnotherFormatVersionOrShapeIsRefusedWithExitCode4) {
   const auto nothing = [](Hdf5Writer&) {};
-  const auto expect_refusal = [](const Outcome& result, const std::string& words) {
+  const auto expect_refusal = [](const Outcome& result, const std::string& message) {
     EXPECT_EQ(result.code, 4);
     EXPECT_EQ(result.out, "");
-    EXPECT_THAT(result.err, AllOf(HasSubstr("s.h5"), HasSubstr(words)));
+    EXPECT_THAT(result.err, AllOf(HasSubstr("s.h5"), HasSubstr(message)));
   };
   expect_refusal(info_of_header("other-state", 1, 2, nothing),
                  "format = \"other-state\", expected \"floc-state\"");

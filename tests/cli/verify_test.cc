@@ -32,13 +32,13 @@ Outcome verify_spoiled(const Spoil& spoil) {
   return floc_arguments({"verify", path, "--format", "json"});
 }
 
-/// Expects exit code 5, the criteria that fail, and words on stderr.
-void expect_failed(const Outcome& result, const std::string& criteria, const std::string& words) {
+/// Expects exit code 5, the criteria that fail, and a message on stderr.
+void expect_failed(const Outcome& result, const std::string& criteria, const std::string& message) {
   EXPECT_EQ(result.code, 5);
   const auto row = nlohmann::json::parse(result.out).at(0);
   EXPECT_EQ(row["equilibrium"], false);
   EXPECT_EQ(row["failed"], criteria);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("s.h5"), HasSubstr(words)));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("s.h5"), HasSubstr(message)));
 }
 
 TEST(Verify, PassesARealPacking) {

@@ -105,7 +105,7 @@ struct Refusal {
   const char* name;
   std::vector<const char*> set;
   int code;
-  const char* words;
+  const char* message;
 };
 void PrintTo(const Refusal& refusal, std::ostream* out) {
   *out << refusal.name;
@@ -118,7 +118,7 @@ TEST_P(Refused, InWords) {
   write_text(scratch.file("scene.toml"), kScene);
   const Outcome run = run_floc("run scene.toml -o out" + settings(GetParam().set), scratch.path());
   EXPECT_EQ(run.code, GetParam().code) << run.err;
-  EXPECT_THAT(run.err, HasSubstr(GetParam().words));
+  EXPECT_THAT(run.err, HasSubstr(GetParam().message));
 }
 
 const Refusal kRefusals[] = {

@@ -40,37 +40,37 @@ void keep_input(int signal) {
   _exit(1);
 }
 
-/// Numbers and words that readers may trip over.
-const char* const kWords[] = {"0",
-                              "-1",
-                              "1e308",
-                              "-1e308",
-                              "1e-320",
-                              "nan",
-                              "inf",
-                              "2147483648",
-                              "4294967296",
-                              "9223372036854775807",
-                              "-9223372036854775808",
-                              "1e19",
-                              "1e9",
-                              "",
-                              "\"",
-                              "{",
-                              "}",
-                              "[",
-                              "]",
-                              "=",
-                              ",",
-                              ";",
-                              "\t",
-                              "\n",
-                              "#",
-                              "\r",
-                              "ITEM: ",
-                              "\xef\xbb\xbf",
-                              "1.2.3",
-                              "0x10"};
+/// Numbers and tokens that readers may trip over.
+const char* const kTokens[] = {"0",
+                               "-1",
+                               "1e308",
+                               "-1e308",
+                               "1e-320",
+                               "nan",
+                               "inf",
+                               "2147483648",
+                               "4294967296",
+                               "9223372036854775807",
+                               "-9223372036854775808",
+                               "1e19",
+                               "1e9",
+                               "",
+                               "\"",
+                               "{",
+                               "}",
+                               "[",
+                               "]",
+                               "=",
+                               ",",
+                               ";",
+                               "\t",
+                               "\n",
+                               "#",
+                               "\r",
+                               "ITEM: ",
+                               "\xef\xbb\xbf",
+                               "1.2.3",
+                               "0x10"};
 
 class Mutator {
  public:
@@ -103,7 +103,7 @@ class Mutator {
         text.insert(at, text.substr(below(text.size() + 1), below(200)));
         break;
       case 4:
-        text.insert(at, kWords[below(std::size(kWords))]);
+        text.insert(at, kTokens[below(std::size(kTokens))]);
         break;
       case 5:
         replace_number(text, at);
@@ -124,7 +124,7 @@ class Mutator {
     const std::size_t begin = text.find_first_of("0123456789", at);
     if (begin == std::string::npos) return;
     const std::size_t end = std::min(text.find_first_not_of(kDigits, begin), text.size());
-    text.replace(begin, end - begin, kWords[below(std::size(kWords))]);
+    text.replace(begin, end - begin, kTokens[below(std::size(kTokens))]);
   }
 
   std::vector<std::string> seeds_;

@@ -8,15 +8,15 @@
 
 namespace floc::test {
 
-/// Runs a program with words that no shell reads, so that file names may hold any character.
+/// Runs a program with arguments that no shell reads, so that file names may hold any character.
 /// @param input  what the program finds on stdin
 inline Outcome run_arguments(const std::string& program, const std::vector<std::string>& arguments,
                              const std::string& input = "") {
   const ScratchDirectory scratch;
   write_text(scratch.file("in"), input);
-  const auto quoted = [](const std::string& word) {
+  const auto quoted = [](const std::string& argument) {
     std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return text + "'";
   };
   std::string command = quoted(program);

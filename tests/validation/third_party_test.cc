@@ -39,8 +39,8 @@ std::vector<std::vector<double>> rows_of(const std::string& path, const std::str
   std::vector<std::vector<double>> rows;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || skipped.find(line[0]) != std::string::npos) continue;
-    std::istringstream words(line);
-    rows.emplace_back(std::istream_iterator<double>(words), std::istream_iterator<double>());
+    std::istringstream tokens(line);
+    rows.emplace_back(std::istream_iterator<double>(tokens), std::istream_iterator<double>());
   }
   return rows;
 }
@@ -50,8 +50,8 @@ std::vector<double> numbers_behind_colon(const std::string& path) {
   std::ifstream in(path);
   std::string line;
   std::getline(in, line);
-  std::istringstream words(line.substr(line.find(':') + 1));
-  return {std::istream_iterator<double>(words), std::istream_iterator<double>()};
+  std::istringstream tokens(line.substr(line.find(':') + 1));
+  return {std::istream_iterator<double>(tokens), std::istream_iterator<double>()};
 }
 
 Imported read_lammps() {

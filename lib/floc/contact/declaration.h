@@ -48,11 +48,11 @@ struct Number {
   Requirement at_first = requirement;
 };
 
-/// One choice among words, optional in a scene: the first word where nothing is said.
+/// One choice among keywords, optional in a scene: the first where nothing is said.
 template <class Model>
 struct Choice {
   const char* key;
-  const char* const* words;  ///< ended by a null pointer
+  const char* const* keywords;  ///< ended by a null pointer
   int (*get)(const Model&);
   void (*set)(Model&, int);
 };

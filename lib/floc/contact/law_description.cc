@@ -11,7 +11,8 @@ void describe_fields(DeclaredModel& model) {
   if constexpr (requires { Model::kChoices; })
     for (const Choice<Model>& c : Model::kChoices) {
       DeclaredChoice choice{c.key, {}};
-      for (const char* const* word = c.words; *word != nullptr; ++word) choice.words.emplace_back(*word);
+      for (const char* const* keyword = c.keywords; *keyword != nullptr; ++keyword)
+        choice.keywords.emplace_back(*keyword);
       model.choices.push_back(choice);
     }
 }
@@ -104,12 +105,12 @@ std::vector<LawChoice> choices_of(const LawParameters& law) {
   return choices;
 }
 
-void choose(LawParameters& law, const std::string& slot, const std::string& key, int word) {
+void choose(LawParameters& law, const std::string& slot, const std::string& key, int chosen) {
   for_each_model(law, [&]<class Model>(const std::string& slot_key, const DeclaredModel&, Model& model) {
     if constexpr (requires { Model::kChoices; }) {
       if (slot_key != slot) return;
       for (const Choice<Model>& c : Model::kChoices)
-        if (c.key == key) c.set(model, word);
+        if (c.key == key) c.set(model, chosen);
     }
   });
 }

@@ -20,7 +20,7 @@ struct DeclaredNumber {
 
 struct DeclaredChoice {
   std::string key;
-  std::vector<std::string> words;  ///< the first is taken where nothing is said
+  std::vector<std::string> keywords;  ///< the first is taken where nothing is said
 };
 
 /// A model that can stand in a slot.
@@ -59,13 +59,13 @@ std::vector<LawNumber> numbers_of(LawParameters& law);
 /// A choice that a law has made.
 struct LawChoice {
   std::string key;  ///< path below [contact]: "damping.mass"
-  int chosen;       ///< of the words
+  int chosen;       ///< index of its keyword
   const DeclaredChoice* declared;
 };
 
 std::vector<LawChoice> choices_of(const LawParameters& law);
 
-/// Makes a choice of the model that stands in a slot. @pre it has a choice of that key with so many words
-void choose(LawParameters& law, const std::string& slot, const std::string& key, int word);
+/// Makes a choice of the model that stands in a slot. @pre it has a choice of that key with so many keywords
+void choose(LawParameters& law, const std::string& slot, const std::string& key, int chosen);
 
 }  // namespace floc

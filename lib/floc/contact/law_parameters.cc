@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-const char* words(Requirement requirement) {
+const char* requirement_text(Requirement requirement) {
   switch (requirement) {
     case Requirement::positive:
       return "must be positive and finite";
@@ -46,7 +46,8 @@ std::vector<std::string> LawParameters::validate() const {
   LawParameters law = *this;
   for (const LawNumber& n : numbers_of(law)) {
     if (std::isfinite(*n.value) && holds(n.declared->requirement, *n.value)) continue;
-    faults.push_back(fmt::format("contact.{} = {}: {}", n.key, *n.value, words(n.declared->requirement)));
+    faults.push_back(
+        fmt::format("contact.{} = {}: {}", n.key, *n.value, requirement_text(n.declared->requirement)));
   }
   if (rolling && !friction)
     faults.emplace_back("contact.rolling: needs contact.friction; grains that slide freely need not roll");

@@ -88,15 +88,15 @@ std::vector<std::string> columns_of(const std::string& place, const std::string&
 }
 
 std::vector<std::vector<double>> lattice_of(const std::string& place, const std::string& text, int dimension) {
-  const std::vector<std::string> words = words_of(text);
-  if (words.size() != 9)
-    throw InputError(place, fmt::format("Lattice has {} numbers, expected 9", words.size()));
+  const std::vector<std::string> tokens = tokenize(text);
+  if (tokens.size() != 9)
+    throw InputError(place, fmt::format("Lattice has {} numbers, expected 9", tokens.size()));
   std::vector<std::vector<double>> cell(dimension);
   for (int a = 0; a < dimension; ++a)
     for (int b = 0; b < dimension; ++b) {
-      const auto value = parse_number<double>(words[3 * a + b]);
+      const auto value = parse_number<double>(tokens[3 * a + b]);
       if (!value)
-        throw InputError(place, fmt::format("Lattice has \"{}\", expected a finite number", words[3 * a + b]));
+        throw InputError(place, fmt::format("Lattice has \"{}\", expected a finite number", tokens[3 * a + b]));
       cell[a].push_back(*value);
     }
   return cell;
@@ -124,7 +124,7 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   if (!keys.contains("Properties")) throw InputError(place, "has no Properties=");
   CsvTable table(path, columns_of(place, keys["Properties"]));
   for (std::size_t k = 0; k < frame.rows.size(); ++k)
-    table.add_row(frame.line + 2 + static_cast<int>(k), words_of(frame.rows[k]));
+    table.add_row(frame.line + 2 + static_cast<int>(k), tokenize(frame.rows[k]));
 
   ListedPacking listed;
   listed.place = path;

@@ -28,11 +28,11 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
   while (true) {
     text.remove_prefix(std::min(text.find_first_not_of(kSeparators), text.size()));
     if (text.empty()) return values;
-    const std::string_view word = text.substr(0, text.find_first_of(kSeparators));
-    const auto value = parse_number<double>(word);
-    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", word));
+    const std::string_view token = text.substr(0, text.find_first_of(kSeparators));
+    const auto value = parse_number<double>(token);
+    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", token));
     values.push_back(*value);
-    text.remove_prefix(word.size());
+    text.remove_prefix(token.size());
   }
 }
 

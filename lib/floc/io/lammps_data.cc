@@ -33,15 +33,15 @@ std::string without_comment(const std::string& line) {
   return std::string(trimmed(line.substr(0, line.find('#'))));
 }
 
-/// Takes one line of the header, "numbers words".
-void read_header_line(const std::string& place, const std::vector<std::string>& words, DataFile& data) {
+/// Takes one line of the header, "numbers keywords".
+void read_header_line(const std::string& place, const std::vector<std::string>& tokens, DataFile& data) {
   std::vector<double> values;
   std::string key;
-  for (const std::string& word : words) {
-    if (const auto value = parse_number<double>(word); value && key.empty())
+  for (const std::string& token : tokens) {
+    if (const auto value = parse_number<double>(token); value && key.empty())
       values.push_back(*value);
     else
-      key += (key.empty() ? "" : " ") + word;
+      key += (key.empty() ? "" : " ") + token;
   }
   const auto expect = [&](std::size_t count) {
     if (values.size() != count)
@@ -84,22 +84,22 @@ DataFile read_data(const std::string& path) {
     const std::string place = fmt::format("{}:{}", path, ++number);
     const std::string text = without_comment(line);
     if (number == 1 || text.empty()) continue;  // The first line is a title.
-    std::vector<std::string> words = words_of(text);
+    std::vector<std::string> tokens = tokenize(text);
     if (std::isalpha(static_cast<unsigned char>(text[0]))) {
       section = text;
       if (section == "Atoms") check_style(place, line);
     } else if (section.empty()) {
-      read_header_line(place, words, data);
+      read_header_line(place, tokens, data);
     } else if (section == "Atoms") {
-      if (words.size() != 7 && words.size() != 10)
+      if (tokens.size() != 7 && tokens.size() != 10)
         throw InputError(place,
                          fmt::format("has {} cells, expected id type diameter density x y z [ix iy iz] of "
                                      "atom_style sphere",
-                                     words.size()));
-      words.resize(7);
+                                     tokens.size()));
+      tokens.resize(7);
       if (data.atoms.columns().empty())
         data.atoms = CsvTable(path, {"id", "type", "diameter", "density", "x", "y", "z"});
-      data.atoms.add_row(number, std::move(words));
+      data.atoms.add_row(number, std::move(tokens));
     }
   }
   if (data.box_place.empty()) throw InputError(path, "has no box: no line \"... xlo xhi\"");

@@ -61,21 +61,21 @@ std::vector<std::size_t> frame_starts(const DumpLines& dump) {
 
 /// Reads the three lines of a box whose header begins at `at`: bounds of what it occupies, then its tilts.
 void read_box(const DumpLines& dump, std::size_t at, Frame& frame) {
-  std::vector<std::string> words = words_of(dump.lines[at].substr(std::string("ITEM: BOX BOUNDS").size()));
-  const bool tilted = !words.empty() && words[0] == "xy";
-  if (words.size() != (tilted ? 6u : 3u) || (tilted && (words[1] != "xz" || words[2] != "yz")))
+  std::vector<std::string> tokens = tokenize(dump.lines[at].substr(std::string("ITEM: BOX BOUNDS").size()));
+  const bool tilted = !tokens.empty() && tokens[0] == "xy";
+  if (tokens.size() != (tilted ? 6u : 3u) || (tilted && (tokens[1] != "xz" || tokens[2] != "yz")))
     throw InputError(
         dump.place(at),
         fmt::format("\"{}\", expected BOX BOUNDS [xy xz yz] and three periodicities as pp", dump.lines[at]));
-  frame.flags = fmt::format("{}", fmt::join(words.end() - 3, words.end(), " "));
+  frame.flags = fmt::format("{}", fmt::join(tokens.end() - 3, tokens.end(), " "));
   frame.box_place = dump.place(at);
   std::array<std::vector<double>, 3> rows;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::string what = tilted ? "lower bound, upper bound and tilt" : "lower and upper bound";
-    for (const std::string& word : words_of(dump.line(at + 1 + a, what))) {
-      const auto value = parse_number<double>(word);
+    for (const std::string& token : tokenize(dump.line(at + 1 + a, what))) {
+      const auto value = parse_number<double>(token);
       if (!value)
-        throw InputError(dump.place(at + 1 + a), fmt::format("\"{}\", expected a finite number", word));
+        throw InputError(dump.place(at + 1 + a), fmt::format("\"{}\", expected a finite number", token));
       rows[a].push_back(*value);
     }
     if (rows[a].size() != (tilted ? 3u : 2u))
@@ -117,12 +117,12 @@ Frame read_frame(const DumpLines& dump, std::size_t at, const std::string& items
   }
   if (n < 0 || frame.box_place.empty())
     throw InputError(dump.place(at), "the frame does not say its number of rows and its box");
-  frame.table = CsvTable(dump.path, words_of(dump.lines[at].substr(6 + items.size())));
+  frame.table = CsvTable(dump.path, tokenize(dump.lines[at].substr(6 + items.size())));
   for (std::size_t row = at + 1; row <= at + static_cast<std::size_t>(n); ++row) {
     const std::string what = fmt::format("row {} of {}", row - at, n);
     if (dump.line(row, what).starts_with("ITEM:"))
       throw InputError(dump.place(row), fmt::format("\"{}\", expected {}", dump.lines[row], what));
-    frame.table.add_row(static_cast<int>(row + 1), words_of(dump.lines[row]));
+    frame.table.add_row(static_cast<int>(row + 1), tokenize(dump.lines[row]));
   }
   return frame;
 }
@@ -180,7 +180,7 @@ std::vector<ListedGrain> grains_of(const Frame& frame, const ImportOptions& opti
 
 /// Lattice vectors of the frame's box.
 std::vector<std::vector<double>> cell_of(const Frame& frame, int dimension) {
-  const std::vector<std::string> flags = words_of(frame.flags);
+  const std::vector<std::string> flags = tokenize(frame.flags);
   for (int a = 0; a < dimension; ++a)
     if (flags[a] != "pp")
       throw InputError(frame.box_place,

@@ -13,8 +13,8 @@ namespace {
 
 const std::string kGroup = "law";
 
-/// Which of the known words an attribute of the law holds.
-int word(const Hdf5Reader& file, const std::string& attribute, const std::vector<std::string>& known) {
+/// Index of the keyword that an attribute of the law holds.
+int keyword_index(const Hdf5Reader& file, const std::string& attribute, const std::vector<std::string>& known) {
   std::string given;
   file.attribute(kGroup, attribute, given);
   const auto found = std::find(known.begin(), known.end(), given);
@@ -57,7 +57,7 @@ void write_slot(Hdf5Writer& file, const DeclaredSlot& slot, LawParameters& law) 
     const auto c = std::find_if(choices.begin(), choices.end(),
                                 [&](const LawChoice& choice) { return choice.key == slot.key + "." + key; });
     file.attribute(kGroup, attribute_name(slot.key, key),
-                   c == choices.end() ? std::string("none") : c->declared->words[c->chosen]);
+                   c == choices.end() ? std::string("none") : c->declared->keywords[c->chosen]);
   }
 }
 
@@ -65,7 +65,7 @@ void read_slot(const Hdf5Reader& file, const DeclaredSlot& slot, LawParameters& 
   std::vector<std::string> known;
   if (slot.optional) known.emplace_back("none");
   for (const DeclaredModel& model : slot.models) known.push_back(model.keyword);
-  const int chosen = word(file, slot.key, known) - (slot.optional ? 1 : 0);
+  const int chosen = keyword_index(file, slot.key, known) - (slot.optional ? 1 : 0);
   if (chosen < 0) return;
   const DeclaredModel& model = slot.models[chosen];
   model.choose(law);
@@ -75,7 +75,7 @@ void read_slot(const Hdf5Reader& file, const DeclaredSlot& slot, LawParameters& 
       file.attribute(kGroup, attribute_name(slot.key, n.key.substr(prefix.size())), *n.value);
   }
   for (const DeclaredChoice& c : model.choices)
-    choose(law, slot.key, c.key, word(file, attribute_name(slot.key, c.key), c.words));
+    choose(law, slot.key, c.key, keyword_index(file, attribute_name(slot.key, c.key), c.keywords));
 }
 
 }  // namespace

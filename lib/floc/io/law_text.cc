@@ -69,7 +69,7 @@ class LawText {
 
   bool has(const std::string& key) const { return values_.contains(key); }
 
-  std::string word(const std::string& key) const { return values_.at(key); }
+  std::string keyword(const std::string& key) const { return values_.at(key); }
 
   /// Keys given for a slot, without its name and without that of its model.
   std::vector<std::string> keys_of(const std::string& slot) const {
@@ -104,12 +104,12 @@ class LawText {
   std::map<std::string, std::string> values_;
 };
 
-int word_given(const std::string& place, const LawText& given, const std::string& key,
-               const std::vector<std::string>& words) {
-  const auto found = std::find(words.begin(), words.end(), given.word(key));
-  if (found != words.end()) return static_cast<int>(found - words.begin());
-  throw InputError(place,
-                   fmt::format("{} = \"{}\", expected {}", key, given.word(key), fmt::join(words, " or ")));
+int keyword_index(const std::string& place, const LawText& given, const std::string& key,
+                  const std::vector<std::string>& keywords) {
+  const auto found = std::find(keywords.begin(), keywords.end(), given.keyword(key));
+  if (found != keywords.end()) return static_cast<int>(found - keywords.begin());
+  throw InputError(
+      place, fmt::format("{} = \"{}\", expected {}", key, given.keyword(key), fmt::join(keywords, " or ")));
 }
 
 const DeclaredModel& model_given(const std::string& place, const LawText& given, const DeclaredSlot& slot,
@@ -118,7 +118,7 @@ const DeclaredModel& model_given(const std::string& place, const LawText& given,
   if (!given.has(name)) return described_model(slot, keys);
   std::vector<std::string> keywords;
   for (const DeclaredModel& m : slot.models) keywords.push_back(m.keyword);
-  const DeclaredModel& model = slot.models[word_given(place, given, name, keywords)];
+  const DeclaredModel& model = slot.models[keyword_index(place, given, name, keywords)];
   for (const std::string& key : keys)
     if (!has_key(model, key))
       throw InputError(place,
@@ -135,7 +135,7 @@ void read_slot(const std::string& place, const LawText& given, const DeclaredSlo
     if (n.key.starts_with(slot.key + ".")) *n.value = given.number(n.key);
   for (const DeclaredChoice& c : model.choices) {
     const std::string key = slot.key + "." + c.key;
-    if (given.has(key)) choose(law, slot.key, c.key, word_given(place, given, key, c.words));
+    if (given.has(key)) choose(law, slot.key, c.key, keyword_index(place, given, key, c.keywords));
   }
 }
 
@@ -164,7 +164,7 @@ std::string law_text(const LawParameters& law) {
       if (n.key.starts_with(slot.key + ".")) said.push_back(fmt::format("{}={}", n.key, *n.value));
     for (const LawChoice& c : choices_of(law))
       if (c.key.starts_with(slot.key + ".") && c.chosen != 0)
-        said.push_back(fmt::format("{}={}", c.key, c.declared->words[c.chosen]));
+        said.push_back(fmt::format("{}={}", c.key, c.declared->keywords[c.chosen]));
   }
   return fmt::format("{}", fmt::join(said, ", "));
 }

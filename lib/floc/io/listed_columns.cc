@@ -149,15 +149,15 @@ void check_contact_columns(const std::string& option, const std::map<std::string
                 given);
 }
 
-std::vector<std::string> words_of(std::string_view line) {
+std::vector<std::string> tokenize(std::string_view line) {
   constexpr std::string_view kSpace = " \t\r";
-  std::vector<std::string> words;
+  std::vector<std::string> tokens;
   for (std::size_t at = line.find_first_not_of(kSpace); at != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(kSpace, at), line.size());
-    words.emplace_back(line.substr(at, end - at));
+    tokens.emplace_back(line.substr(at, end - at));
     at = line.find_first_not_of(kSpace, end);
   }
-  return words;
+  return tokens;
 }
 
 }  // namespace floc

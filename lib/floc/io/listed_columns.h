@@ -49,6 +49,6 @@ void check_grain_columns(const std::string& option, const std::map<std::string, 
 void check_contact_columns(const std::string& option, const std::map<std::string, std::string>& given);
 
 /// Splits a line at white space.
-std::vector<std::string> words_of(std::string_view line);
+std::vector<std::string> tokenize(std::string_view line);
 
 }  // namespace floc

@@ -90,8 +90,8 @@ void write_aligned(std::ostream& out, const Table& table) {
   for (const auto& line : cells) {
     std::string text;
     for (std::size_t k = 0; k < line.size(); ++k) {
-      const bool words = !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[k]);
-      text += words ? fmt::format("{:<{}}  ", line[k], width[k]) : fmt::format("{:>{}}  ", line[k], width[k]);
+      const bool is_text = !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[k]);
+      text += is_text ? fmt::format("{:<{}}  ", line[k], width[k]) : fmt::format("{:>{}}  ", line[k], width[k]);
     }
     out << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
   }

@@ -64,9 +64,9 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
   std::vector<double> values;
   for (std::size_t at = text.find_first_not_of(kSpace); at != std::string_view::npos;) {
     const std::size_t end = std::min(text.find_first_of(kSpace, at), text.size());
-    const std::string_view word = text.substr(at, end - at);
-    const auto value = parse_number<double>(word);
-    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", word));
+    const std::string_view token = text.substr(at, end - at);
+    const auto value = parse_number<double>(token);
+    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", token));
     values.push_back(*value);
     at = text.find_first_not_of(kSpace, end);
   }

@@ -21,28 +21,28 @@ struct YadeTable {
   std::string cell_place;
 };
 
-/// Words of a comment line; those of "#format x_y_z_r" are the columns alone.
-std::vector<std::string> comment_words(std::string line) {
+/// Tokens of a comment line; those of "#format x_y_z_r" are the columns alone.
+std::vector<std::string> comment_tokens(std::string line) {
   line.erase(0, line.find_first_not_of("# \t"));
   if (line.starts_with("format ")) {
     line.erase(0, 7);
     std::replace(line.begin(), line.end(), '_', ' ');
   }
-  return words_of(line);
+  return tokenize(line);
 }
 
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+bool contains(const std::vector<std::string>& tokens, const std::string& token) {
+  return std::find(tokens.begin(), tokens.end(), token) != tokens.end();
 }
 
-std::vector<std::vector<double>> parse_cell(const std::string& place, const std::vector<std::string>& words) {
-  if (words.size() != 10)
-    throw InputError(place,
-                     fmt::format("the cell has {} numbers, expected three vectors of three", words.size() - 1));
+std::vector<std::vector<double>> parse_cell(const std::string& place, const std::vector<std::string>& tokens) {
+  if (tokens.size() != 10)
+    throw InputError(
+        place, fmt::format("the cell has {} numbers, expected three vectors of three", tokens.size() - 1));
   std::vector<std::vector<double>> cell(3);
   for (std::size_t k = 0; k < 9; ++k) {
-    const auto value = parse_number<double>(words[k + 1]);
-    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", words[k + 1]));
+    const auto value = parse_number<double>(tokens[k + 1]);
+    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", tokens[k + 1]));
     cell[k / 3].push_back(*value);
   }
   return cell;
@@ -60,12 +60,12 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
     const std::string text(trimmed(line));
     if (text.empty()) continue;
     if (text.starts_with('#')) {
-      const std::vector<std::string> words = comment_words(text);
-      if (!words.empty() && words[0] == "cell") {
+      const std::vector<std::string> tokens = comment_tokens(text);
+      if (!tokens.empty() && tokens[0] == "cell") {
         result.cell_place = fmt::format("{}:{}", path, number);
-        result.cell = parse_cell(result.cell_place, words);
-      } else if (!begun && contains(words, mark)) {
-        columns = words;
+        result.cell = parse_cell(result.cell_place, tokens);
+      } else if (!begun && contains(tokens, mark)) {
+        columns = tokens;
       }
       continue;
     }
@@ -74,7 +74,7 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
                        fmt::format("no comment line before it names the columns, \"# ... {} ...\"", mark));
     if (!begun) result.table = CsvTable(path, columns);
     begun = true;
-    result.table.add_row(number, words_of(text));
+    result.table.add_row(number, tokenize(text));
   }
   if (!begun) result.table = CsvTable(path, columns);
   return result;
@@ -126,10 +126,10 @@ bool is_yade_text(const std::string& path) {
   std::istringstream in(read_file(path));
   std::string line;
   std::getline(in, line);
-  const std::vector<std::string> words = comment_words(std::string(trimmed(line)));
-  if (words.empty()) return false;
-  return (words[0] == "cell" && words.size() == 10) ||
-         (contains(words, "x") && contains(words, "y") && contains(words, "z") && contains(words, "r"));
+  const std::vector<std::string> tokens = comment_tokens(std::string(trimmed(line)));
+  if (tokens.empty()) return false;
+  return (tokens[0] == "cell" && tokens.size() == 10) ||
+         (contains(tokens, "x") && contains(tokens, "y") && contains(tokens, "z") && contains(tokens, "r"));
 }
 
 Imported read_yade_text(const std::string& path, const ImportOptions& options) {

@@ -102,7 +102,7 @@ LegendItem color_bar(const GrainShade& shade) {
       fmt::format("{} from −{} to {}", shade.name, short_number(shade.largest), short_number(shade.largest))};
 }
 
-LegendItem words(const std::string& text) {
+LegendItem text_item(const std::string& text) {
   return {-kAfterSample, [](cairo_t*, double, double) {}, text};
 }
 
@@ -196,7 +196,7 @@ std::vector<LegendItem> legend_of(const std::vector<PackingPicture>& pictures, c
   if (moved != pictures.end()) items.push_back(arrow_item(*moved, scale));
   if (!first.shade.value.empty()) items.push_back(color_bar(first.shade));
   for (const PackingPicture& picture : pictures)
-    if (!picture.note.empty() && pictures.size() == 1) items.push_back(words(picture.note));
+    if (!picture.note.empty() && pictures.size() == 1) items.push_back(text_item(picture.note));
   return items;
 }
 

@@ -24,7 +24,7 @@ void draw_text(cairo_t* page, double x, double y, const std::string& text);
 /// Width of a text (points), the same for every format.
 double text_width(const std::string& text);
 
-/// One thing a legend explains: a sample and words after it.
+/// One thing a legend explains: a sample and text after it.
 struct LegendItem {
   double sample_width;  ///< (points)
   std::function<void(cairo_t* page, double x, double y)>

@@ -53,11 +53,11 @@ std::string plain_svg(std::string_view svg) {
     return true;
   };
   const auto take_name = [&] {
-    for (const std::string_view word : kCounted) {
-      if (!take(word)) continue;
+    for (const std::string_view prefix : kCounted) {
+      if (!take(prefix)) continue;
       const std::size_t first = i;
       while (i < svg.size() && is_digit(svg[i])) ++i;
-      const std::string name = std::string(word) + std::string(svg.substr(first, i - first));
+      const std::string name = std::string(prefix) + std::string(svg.substr(first, i - first));
       out += std::to_string(numbers.emplace(name, numbers.size() + 1).first->second);
       return;
     }

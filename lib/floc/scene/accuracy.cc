@@ -80,12 +80,12 @@ std::string reason_of(const Candidate& chosen, const WantedAccuracy& wanted) {
   for (const auto& [key, asked] : wanted)
     for (const std::string& observable : observables_of(key)) {
       const MeasuredAccuracy& row = *chosen.of.at(observable);
-      std::string words = observable;
-      if (std::isfinite(row.error)) words += fmt::format(" {:.1e} in 95 % of states", row.error);
+      std::string text = observable;
+      if (std::isfinite(row.error)) text += fmt::format(" {:.1e} in 95 % of states", row.error);
       if (std::isfinite(row.mean_error))
-        words += fmt::format("{} {:+.1e} +- {:.1e} in means over samples after a collapse",
-                             std::isfinite(row.error) ? "," : "", row.mean_difference, row.mean_error);
-      errors.push_back(words);
+        text += fmt::format("{} {:+.1e} +- {:.1e} in means over samples after a collapse",
+                            std::isfinite(row.error) ? "," : "", row.mean_difference, row.mean_error);
+      errors.push_back(text);
     }
   const NumericalSettings& s = chosen.settings;
   return fmt::format(
@@ -94,38 +94,38 @@ std::string reason_of(const Candidate& chosen, const WantedAccuracy& wanted) {
       finish_name(s.finish), s.time_step, s.tolerance, s.patience, chosen.cost_ratio, fmt::join(errors, "; "));
 }
 
-std::vector<std::string> words_of(const std::string& line) {
-  std::vector<std::string> words;
+std::vector<std::string> split_cells(const std::string& line) {
+  std::vector<std::string> cells;
   std::istringstream in(line);
-  for (std::string word; std::getline(in, word, ',');) words.push_back(word);
-  if (line.ends_with(',')) words.emplace_back();
-  return words;
+  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+  if (line.ends_with(',')) cells.emplace_back();
+  return cells;
 }
 
 /// One line of the table, its values by the names of the columns.
 class Row {
  public:
-  Row(const std::map<std::string, std::size_t>& columns, std::vector<std::string> words, std::string place)
-      : columns_(columns), words_(std::move(words)), place_(std::move(place)) {}
+  Row(const std::map<std::string, std::size_t>& columns, std::vector<std::string> cells, std::string place)
+      : columns_(columns), cells_(std::move(cells)), place_(std::move(place)) {}
 
   const std::string& text(const std::string& column) const {
     const auto at = columns_.find(column);
-    if (at == columns_.end() || at->second >= words_.size())
+    if (at == columns_.end() || at->second >= cells_.size())
       throw InputError(place_, "column " + column + " is missing: expected a table of floc tradeoff");
-    return words_[at->second];
+    return cells_[at->second];
   }
   /// Not a number where the table has none.
   double number(const std::string& column) const {
-    const std::string& word = text(column);
-    if (word.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto value = parse_number<double>(word);
-    if (!value) throw InputError(place_, fmt::format("{} = {}: expected a number", column, word));
+    const std::string& cell = text(column);
+    if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto value = parse_number<double>(cell);
+    if (!value) throw InputError(place_, fmt::format("{} = {}: expected a number", column, cell));
     return *value;
   }
 
  private:
   const std::map<std::string, std::size_t>& columns_;
-  std::vector<std::string> words_;
+  std::vector<std::string> cells_;
   std::string place_;
 };
 
@@ -164,10 +164,11 @@ std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const 
   std::string line;
   std::getline(in, line);
   std::map<std::string, std::size_t> columns;
-  for (const std::string& name : words_of(line)) columns.emplace(name, columns.size());
+  for (const std::string& name : split_cells(line)) columns.emplace(name, columns.size());
   std::vector<MeasuredAccuracy> table;
   for (int number = 2; std::getline(in, line); ++number) {
-    const MeasuredAccuracy row = accuracy_of(Row(columns, words_of(line), fmt::format("{}:{}", place, number)));
+    const MeasuredAccuracy row =
+        accuracy_of(Row(columns, split_cells(line), fmt::format("{}:{}", place, number)));
     if (std::find(kSettable.begin(), kSettable.end(), row.knob) != kSettable.end()) table.push_back(row);
   }
   return table;

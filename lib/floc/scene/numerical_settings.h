@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// The word of a scene: "auto", "dynamic" or "static".
+/// The keyword of a scene: "auto", "dynamic" or "static".
 constexpr const char* finish_name(Finish finish) {
   return finish == Finish::automatic ? "auto" : finish == Finish::dynamic ? "dynamic" : "static";
 }

@@ -60,8 +60,8 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
     *n.value = t.number(n.declared->key, rule_of(*n.declared)).value_or(kStandIn);
   }
   for (const DeclaredChoice& c : model.choices)
-    if (const auto word = t.choice(c.key, c.words, Need::optional))
-      choose(law, slot.key, c.key, static_cast<int>(*word));
+    if (const auto index = t.choice(c.key, c.keywords, Need::optional))
+      choose(law, slot.key, c.key, static_cast<int>(*index));
   refuse_keys_of_others(t, slot, model);
   t.refuse_other_keys();
 }

@@ -63,7 +63,7 @@ GrainOptions grains_of(const Grains<2>& grains, int n_tiles) {
   return out;
 }
 
-std::string words_on(const State<2>& state, const std::string& file, const Scene& scene) {
+std::string start_description(const State<2>& state, const std::string& file, const Scene& scene) {
   const LawParameters& law = state.packing.law;
   const Vec<2, int>& copies = scene.assembly.saved.copies;
   return fmt::format("{}, {} grains at phi = {:.6g} under P = {:.4g}, {} x {} copies; contact law {}", file,
@@ -99,7 +99,7 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
     }
     scene.grains = grains_of(state.packing.grains, start.copies.prod());
     scene.assembly.solid_fraction = solid_fraction(state.packing);
-    scene.start = words_on(state, file, scene);
+    scene.start = start_description(state, file, scene);
     start.read = [file, sha256 = start.sha256] { return read_again(file, sha256); };
   } catch (const InputError& error) {
     t.fault("state", fmt::format("assembly.state: {}", error.what()));

@@ -73,15 +73,15 @@ std::vector<double> read_list_file(const std::string& path, SceneSource& source)
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    std::istringstream words(line.substr(0, line.find('#')));
-    for (std::string word; words >> word;) {
+    std::istringstream tokens(line.substr(0, line.find('#')));
+    for (std::string token; tokens >> token;) {
       char* end = nullptr;
-      const double value = std::strtod(word.c_str(), &end);
+      const double value = std::strtod(token.c_str(), &end);
       if (*end == '\0' && std::isfinite(value) && value > 0)
         values.push_back(value);
       else
         source.fault_at(fmt::format("{}:{}", path, number),
-                        fmt::format("'{}': expected a positive number", word));
+                        fmt::format("'{}': expected a positive number", token));
     }
   }
   if (in.eof() && values.empty()) source.fault_at(path, "holds no diameters: expected one a line");
@@ -218,7 +218,7 @@ void apply_changes(TableReader& t, const LoadStage& stage, LawParameters& law) {
     if (!number) {
       t.fault("set",
               fmt::format("{}.set.{}: the scene's contact law has no such number; the nearest it has is {}",
-                          t.path(), key, nearest_word(key, law_keys(law))));
+                          t.path(), key, nearest_key(key, law_keys(law))));
       return;
     }
     *number = value;

@@ -104,7 +104,7 @@ void SceneSource::apply(const std::string& override_text) {
   if (!table) throw InputError(place, "expected the name of a key in a table");
   const toml::table value = parse_value(trimmed(override_text.substr(equals + 1)));
   value.get("v")->visit([&](const auto& v) { table->insert_or_assign(parts.back(), v); });
-  // The last word on a key is the one to blame for it.
+  // The last override of a key is the one to blame for it.
   overrides_.insert(overrides_.begin(), {key, override_text});
 }
 
@@ -158,10 +158,10 @@ std::string as_written(const toml::node& node) {
   return out.str();
 }
 
-std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
+std::string nearest_key(std::string_view key, const std::vector<std::string>& candidates) {
   const auto nearest = std::min_element(
       candidates.begin(), candidates.end(),
-      [&](const auto& a, const auto& b) { return edit_distance(word, a) < edit_distance(word, b); });
+      [&](const auto& a, const auto& b) { return edit_distance(key, a) < edit_distance(key, b); });
   return nearest == candidates.end() ? std::string{} : *nearest;
 }
 

@@ -56,7 +56,7 @@ class SceneSource {
 /// A value as the user would write it, for messages.
 std::string as_written(const toml::node& node);
 
-/// The candidate with the smallest edit distance to `word`; empty without candidates.
-std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
+/// The candidate with the smallest edit distance to `key`; empty without candidates.
+std::string nearest_key(std::string_view key, const std::vector<std::string>& candidates);
 
 }  // namespace floc

@@ -144,7 +144,7 @@ void TableReader::refuse_other_keys() {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     source_->fault(path_of(key), &node,
                    fmt::format("unknown key {}; the nearest valid key {}is {}", path_of(key),
-                               path_.empty() ? "" : "in [" + path_ + "] ", nearest_word(key, known_)));
+                               path_.empty() ? "" : "in [" + path_ + "] ", nearest_key(key, known_)));
   }
 }
 

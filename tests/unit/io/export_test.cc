@@ -159,13 +159,13 @@ class VtuEncodings : public testing::Test {
     EXPECT_EQ(p.grains.position[1], Vec<3>(1.5, 2, 2.5));
     EXPECT_EQ(p.grains.radius, radius_);
   }
-  void expect_refusal(const std::string& text, const std::string& words) {
+  void expect_refusal(const std::string& text, const std::string& message) {
     test::write_text(scratch_.file("p.vtu"), text);
     ImportOptions options;
     options.law.emplace().normal = LinearRepulsion{1.0};
     options.cell = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
     EXPECT_THAT([&] { read_vtu(scratch_.file("p.vtu"), options); },
-                ThrowsMessage<InputError>(HasSubstr(words)));
+                ThrowsMessage<InputError>(HasSubstr(message)));
   }
 
   const std::vector<double> x_ = {0, 1, 1, 1.5, 2, 2.5};
@@ -222,12 +222,12 @@ TEST_F(VtuEncodings, NameWhatIsWrong) {
 }
 
 void expect_refusal(Imported (*read)(const std::string&, const ImportOptions&), const std::string& text,
-                    const std::string& words) {
+                    const std::string& message) {
   const test::ScratchDirectory scratch;
   test::write_text(scratch.file("p"), text);
   ImportOptions options;
   options.law.emplace().normal = LinearRepulsion{1.0};
-  EXPECT_THAT([&] { read(scratch.file("p"), options); }, ThrowsMessage<InputError>(HasSubstr(words)));
+  EXPECT_THAT([&] { read(scratch.file("p"), options); }, ThrowsMessage<InputError>(HasSubstr(message)));
 }
 
 TEST(ExtendedXyz, NamesWhatIsWrong) {

@@ -88,12 +88,12 @@ TEST(Accuracy, TheTableSpeaksForGrainsAboutAsStiff) {
 }
 
 TEST(Accuracy, ATableThatIsNoneIsRefusedByLine) {
-  const auto fails = [](const std::string& csv, const std::string& words) {
+  const auto fails = [](const std::string& csv, const std::string& message) {
     try {
       (void)read_accuracy_table(csv, "t.csv");
       ADD_FAILURE() << csv;
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr(words));
+      EXPECT_THAT(error.what(), HasSubstr(message));
     }
   };
   fails("knob,value\nscene,1\n", "t.csv:2: column finish is missing");

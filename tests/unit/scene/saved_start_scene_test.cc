@@ -137,9 +137,9 @@ TEST_F(SceneOfAState, RefusesWhatContradictsTheState) {
       {{"assembly.state=4"}, "assembly.state = 4: expected the name of a state file"},
       {{"assembly.pressure=0"}, "assembly.pressure = 0: expected a positive number"},
       {{"assembly.agitation=-1"}, "assembly.agitation = -1: expected a positive number"}};
-  for (const auto& [overrides, words] : cases) {
+  for (const auto& [overrides, message] : cases) {
     const std::string all = faults(overrides);
-    EXPECT_THAT(all, HasSubstr(words));
+    EXPECT_THAT(all, HasSubstr(message));
     EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 0) << "one mistake, several faults:\n" << all;
   }
 }

@@ -46,7 +46,7 @@ struct StudiedScene {
 std::vector<TableValue> row_of(const StudiedScene& run, const MeasuredSetting& m, const std::string& observable,
                                const ObservableError& e, bool pareto) {
   const NumericalSettings& s = m.setting.numerical;
-  return {m.setting.knob,
+  return {m.setting.parameter,
           m.setting.value,
           observable,
           m.cost_ratio,
@@ -134,7 +134,7 @@ int run_tradeoff(TradeoffCommand& command) {
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const Tradeoff tradeoff = study_tradeoff(scene, command.options);
   std::cerr
-      << "not knobs of their own: power control is what finish = dynamic does, and the force loop has double "
+      << "not varied on their own: power control is what finish = dynamic does, and the force loop has double "
          "precision only\n";
   for (const std::string& message : tradeoff.left_out) std::cerr << "left out: " << message << '\n';
   if (tradeoff.settings.empty()) {

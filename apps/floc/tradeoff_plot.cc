@@ -14,9 +14,9 @@ namespace {
 /// Errors below are drawn here: zero has no place on a logarithmic axis.
 constexpr double kSmallest = 1e-10;
 
-/// A curve: the settings of one knob, the scene's own among them, in the order of their cost.
+/// A curve: the settings of one parameter, the scene's own among them, in the order of their cost.
 struct Curve {
-  std::string knob;
+  std::string parameter;
   std::vector<const MeasuredSetting*> settings;
 };
 
@@ -24,10 +24,10 @@ std::vector<Curve> curves_of(const Tradeoff& tradeoff) {
   std::vector<Curve> curves;
   for (const MeasuredSetting& m : tradeoff.settings) {
     const bool compared = std::isfinite(single_state_error(m.errors[kB]));
-    if (!compared || m.setting.is_reference() || m.setting.knob == "scene") continue;
-    auto curve =
-        std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return c.knob == m.setting.knob; });
-    if (curve == curves.end()) curve = curves.insert(curves.end(), {m.setting.knob, {}});
+    if (!compared || m.setting.is_reference() || m.setting.parameter == "scene") continue;
+    auto curve = std::find_if(curves.begin(), curves.end(),
+                              [&](const Curve& c) { return c.parameter == m.setting.parameter; });
+    if (curve == curves.end()) curve = curves.insert(curves.end(), {m.setting.parameter, {}});
     curve->settings.push_back(&m);
   }
   for (Curve& c : curves)
@@ -45,7 +45,7 @@ Plot blocks_of(const std::vector<Curve>& curves) {
   for (const Curve& c : curves) {
     std::vector<std::vector<double>> rows;
     for (const MeasuredSetting* m : c.settings) rows.push_back({m->cost_ratio, drawn(*m, kPhi), drawn(*m, kB)});
-    plot.add(c.knob + ": cost_ratio error_phi error_B", rows);
+    plot.add(c.parameter + ": cost_ratio error_phi error_B", rows);
   }
   return plot;
 }
@@ -55,7 +55,7 @@ std::string panel(const std::vector<Curve>& curves, int column) {
   for (std::size_t i = 0; i < curves.size(); ++i)
     text += fmt::format(
         "{}data index {} using 1:{} with linespoints linewidth 1.5 pointtype {} linecolor {} title {}",
-        i == 0 ? "plot " : ", \\\n     ", i, column, 5 + i % 9, i + 1, gnuplot_quoted(curves[i].knob));
+        i == 0 ? "plot " : ", \\\n     ", i, column, 5 + i % 9, i + 1, gnuplot_quoted(curves[i].parameter));
   return text;
 }
 

@@ -50,7 +50,7 @@ TEST(TradeoffCommand, MeasuresEverySettingAgainstTheStrictest) {
     EXPECT_TRUE(std::filesystem::exists(scratch.file(file))) << file;
 }
 
-TEST(TradeoffCommand, FirstColumnIsTheKnobAndObservablesCanBeChosen) {
+TEST(TradeoffCommand, FirstColumnIsTheParameterAndObservablesCanBeChosen) {
   const Outcome o = run_floc("tradeoff " + kSmall + "--samples 1 --budget 60 --observables phi,B --format csv");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.out, StartsWith("knob,value,observable,"));

@@ -36,21 +36,22 @@ const std::vector<std::string>& observables_of(const std::string& key) {
 
 /// A setting of the table and its rows, by observable.
 struct Candidate {
-  std::string knob, value;
+  std::string parameter, value;
   NumericalSettings settings;
   double cost_ratio;
   std::map<std::string, const MeasuredAccuracy*> of;
 
-  bool is_reference() const { return knob == "strict"; }
+  bool is_reference() const { return parameter == "strict"; }
 };
 
 std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table) {
   std::vector<Candidate> candidates;
   for (const MeasuredAccuracy& row : table) {
-    auto at = std::find_if(candidates.begin(), candidates.end(),
-                           [&](const Candidate& c) { return c.knob == row.knob && c.value == row.value; });
+    auto at = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+      return c.parameter == row.parameter && c.value == row.value;
+    });
     if (at == candidates.end())
-      at = candidates.insert(candidates.end(), {row.knob, row.value, row.settings, row.cost_ratio, {}});
+      at = candidates.insert(candidates.end(), {row.parameter, row.value, row.settings, row.cost_ratio, {}});
     at->of[row.observable] = &row;
   }
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -169,7 +170,7 @@ std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const 
   for (int number = 2; std::getline(in, line); ++number) {
     const MeasuredAccuracy row =
         accuracy_of(Row(columns, split_cells(line), fmt::format("{}:{}", place, number)));
-    if (std::find(kSettable.begin(), kSettable.end(), row.knob) != kSettable.end()) table.push_back(row);
+    if (std::find(kSettable.begin(), kSettable.end(), row.parameter) != kSettable.end()) table.push_back(row);
   }
   return table;
 }
@@ -198,7 +199,7 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
   for (const Candidate& c : candidates)
     if (std::all_of(wanted.begin(), wanted.end(),
                     [&](const auto& w) { return least_promise_of_key(c, w.first) <= w.second; })) {
-      choice.name = c.knob + " " + c.value;
+      choice.name = c.parameter + " " + c.value;
       choice.settings = c.settings;
       choice.reason = reason_of(c, wanted);
       return choice;

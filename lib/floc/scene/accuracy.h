@@ -10,7 +10,7 @@ namespace floc {
 
 /// How a table of `floc tradeoff` saw one observable at one setting. Errors are relative.
 struct MeasuredAccuracy {
-  std::string knob, value;  ///< name of the setting
+  std::string parameter, value;  ///< name of the setting
   NumericalSettings settings;
   std::string observable;
   double cost_ratio;       ///< to the strictest settings
@@ -38,7 +38,7 @@ std::vector<std::string> accuracy_keys();
 struct AccuracyChoice {
   std::string refused_key;  ///< the first that no setting reaches; empty when there is a choice
   std::string refusal;      ///< what was expected of it
-  std::string name;         ///< knob and value of the setting
+  std::string name;         ///< parameter and value of the setting
   NumericalSettings settings;
   std::string reason;  ///< its cost and measured errors, in words
 

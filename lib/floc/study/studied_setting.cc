@@ -11,16 +11,17 @@ class SettingList {
   explicit SettingList(const Scene& scene) { base_.numerical = NumericalSettings::of(scene.relaxation); }
 
   template <class Change>
-  void add(const std::string& knob, const std::string& value, const Change& change) {
+  void add(const std::string& parameter, const std::string& value, const Change& change) {
     StudiedSetting setting = base_;
-    setting.knob = knob;
+    setting.parameter = parameter;
     setting.value = value;
     change(setting);
     settings_.push_back(setting);
   }
 
-  void add_numerical(const std::string& knob, const std::string& value, const NumericalSettings& numerical) {
-    add(knob, value, [&](StudiedSetting& s) { s.numerical = numerical; });
+  void add_numerical(const std::string& parameter, const std::string& value,
+                     const NumericalSettings& numerical) {
+    add(parameter, value, [&](StudiedSetting& s) { s.numerical = numerical; });
   }
 
   std::vector<StudiedSetting> take() { return std::move(settings_); }

@@ -9,18 +9,18 @@
 
 namespace floc {
 
-/// One value of one knob, everything else as in the scene. The reference has the finest value of every knob.
+/// One value of one parameter, everything else as in the scene. The reference has the finest value of each.
 struct StudiedSetting {
-  std::string knob;   ///< "tolerance", "time_step", ...; "together" where several are changed
-  std::string value;  ///< as a user would write it
+  std::string parameter;  ///< "tolerance", "time_step", ...; "together" where several are changed
+  std::string value;      ///< as a user would write it
   NumericalSettings numerical;
   double rate_cap_factor = 1.0;  ///< on the cap of the strain rate
   int n_grains = 0;              ///< 0: those of the scene
   ModuliOptions moduli;
 
-  bool is_reference() const { return knob == "strict"; }
+  bool is_reference() const { return parameter == "strict"; }
   /// The path is that of the scene's own settings; only what is computed from its states differs.
-  bool is_moduli_level() const { return knob == "moduli"; }
+  bool is_moduli_level() const { return parameter == "moduli"; }
   /// Another system, compared in the mean only.
   bool is_other_size() const { return n_grains != 0; }
 };
@@ -30,7 +30,7 @@ struct StudiedSetting {
 NumericalSettings strict_settings();
 
 /// All settings that a study of this scene compares, the reference first, then those that matter most. "power control"
-/// is what the dynamic finish does, and the force loop has double precision only, so neither is a knob of its own.
+/// is what the dynamic finish does, and the force loop has double precision only, so neither is varied on its own.
 std::vector<StudiedSetting> studied_settings(const Scene& scene);
 
 }  // namespace floc

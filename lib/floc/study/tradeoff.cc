@@ -131,7 +131,7 @@ class Study {
     RelaxationOptions strict = run_options(scene_, settings_[0], seed).relaxation;
     if (path.whole()) settle(strict, deadline_, path);
     options_.progress(
-        fmt::format("seed {}: {} {}: {:.2f} s", seed, setting.knob, setting.value, path.core_seconds));
+        fmt::format("seed {}: {} {}: {:.2f} s", seed, setting.parameter, setting.value, path.core_seconds));
     return path;
   }
 
@@ -143,14 +143,15 @@ class Study {
     if (kMargin * expected < deadline_.left()) return true;
     if (samples_[i].empty()) {
       skipped_.insert(i);
-      left_out_.push_back(fmt::format("{} {}: it would take {:.0f} s, {:.0f} s are left", settings_[i].knob,
-                                      settings_[i].value, expected, std::max(0.0, deadline_.left())));
+      left_out_.push_back(fmt::format("{} {}: it would take {:.0f} s, {:.0f} s are left",
+                                      settings_[i].parameter, settings_[i].value, expected,
+                                      std::max(0.0, deadline_.left())));
     }
     return false;
   }
 
   void fail(std::size_t i, std::uint64_t seed, const SamplePath& path) {
-    left_out_.push_back(fmt::format("{} {}, seed {}: {}", settings_[i].knob, settings_[i].value, seed,
+    left_out_.push_back(fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed,
                                     path.out_of_time ? "broken off at the end of the budget" : path.failure));
     if (path.out_of_time) return;
     skipped_.insert(i);  // one sample that fails tells that the others may
@@ -216,7 +217,7 @@ class Study {
     if (references.size() < 2) return;
     for (int n = 1; n <= static_cast<int>(references.size()); n *= 2) {
       StudiedSetting setting = settings_[0];
-      setting.knob = "samples";
+      setting.parameter = "samples";
       setting.value = std::to_string(n);
       MeasuredSetting m = cost_of(setting, references, references);
       m.core_seconds *= n;

@@ -19,8 +19,8 @@ struct TradeoffOptions {
 struct MeasuredSetting {
   StudiedSetting setting;
   int n_grains = 0;
-  int n_samples = 0;            ///< seeds compared
-  double core_seconds = 0.0;    ///< processor time of a sample, mean; of all samples for the knob "samples"
+  int n_samples = 0;          ///< seeds compared
+  double core_seconds = 0.0;  ///< processor time of a sample, mean; of all samples for the parameter "samples"
   double moduli_seconds = 0.0;  ///< of it, for moduli
   double cost_ratio = 0.0;      ///< to the reference, of the same seeds in the same study
   ObservableErrors errors;
@@ -34,7 +34,7 @@ struct Tradeoff {
       left_out;  ///< settings, samples or grains that the budget did not allow, runs that failed
 };
 
-/// Runs a scene at its finest settings and at several values of each knob, all from the same seeds (paired),
+/// Runs a scene at its finest settings and at several values of each parameter, all from the same seeds (paired),
 /// and compares what is quoted of them.
 ///
 /// The reference assembles and loads a sample; every setting assembles its own, then starts each stage of the

@@ -17,7 +17,7 @@ const std::string kHeader =
     "time_step,"
     "finish,patience,kappa\n";
 
-/// Three settings of growing cost, the reference last, and one of a knob that no scene can set.
+/// Three settings of growing cost, the reference last, and one of a parameter that no scene can set.
 const std::string kTable = kHeader +
                            "strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5\n"
                            "strict,all,lambda,,,0,0,1,1e-8,0.1,auto,2,1e5\n"
@@ -103,9 +103,10 @@ TEST(Accuracy, ATableThatIsNoneIsRefusedByLine) {
 
 TEST(Accuracy, TheShippedTableHasTheReferenceAndTheSceneItself) {
   const auto& table = shipped_accuracy_table();
-  for (const char* knob : {"strict", "scene", "together"})
-    EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const auto& row) { return row.knob == knob; }))
-        << knob;
+  for (const char* parameter : {"strict", "scene", "together"})
+    EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const auto& row) {
+      return row.parameter == parameter;
+    })) << parameter;
 }
 
 // In scenes.

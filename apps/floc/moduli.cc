@@ -351,10 +351,10 @@ std::optional<ModuliAccuracy> accuracy_of(const ModuliCommand& command) {
 }
 
 /// Whether rows keep what was asked for; if not, says so on stderr.
-bool promises_kept(const std::vector<ModuliRow>& rows, const std::optional<ModuliAccuracy>& accuracy) {
+bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<ModuliAccuracy>& accuracy) {
   if (!accuracy) return true;
   return std::ranges::all_of(rows, [&](const ModuliRow& row) {
-    if (accuracy->kept_by(row.moduli)) return true;
+    if (accuracy->met_by(row.moduli)) return true;
     std::cerr << fmt::format(
         "floc: {}: no method tells B and G as accurately as asked: the error bounds of the factor are {:.1e} "
         "of "
@@ -386,7 +386,7 @@ int run_moduli(const ModuliCommand& command) {
                               command.increments.empty() ? nullptr : &increments);
         },
         any);
-    const int outcome = promises_kept(computed, request.accuracy) ? kDone : kNotConverged;
+    const int outcome = accuracy_met(computed, request.accuracy) ? kDone : kNotConverged;
     std::ranges::move(computed, std::back_inserter(rows));
     return outcome;
   });

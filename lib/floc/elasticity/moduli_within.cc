@@ -35,7 +35,7 @@ bool told_in_full(const Moduli& m) {
 
 }  // namespace
 
-bool ModuliAccuracy::kept_by(const Moduli& m) const {
+bool ModuliAccuracy::met_by(const Moduli& m) const {
   const auto kept = [&m](double value, double error, double asked) {
     const bool vanishes = m.n_coupled_mechanisms > 0 && std::abs(value) <= error;
     return !std::isfinite(asked) || vanishes || error <= asked * (std::abs(value) - error);
@@ -69,7 +69,7 @@ Moduli moduli_within(const Packing<Dim>& packing, ModuliOptions options, const M
     if (method == ModuliMethod::bounds && !bounds_say_all(packing, options, accuracy)) continue;
     options.method = method;
     moduli = elastic_moduli(packing, options);
-    if (accuracy.kept_by(moduli) && told_in_full(moduli)) break;
+    if (accuracy.met_by(moduli) && told_in_full(moduli)) break;
   }
   return moduli;
 }

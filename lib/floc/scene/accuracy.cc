@@ -59,8 +59,8 @@ std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table)
   return candidates;
 }
 
-/// The smallest error that can be promised of an observable at a setting; infinite where nothing was measured.
-double least_promise(const Candidate& candidate, const std::string& observable) {
+/// The smallest error that is guaranteed of an observable at a setting; infinite where nothing was measured.
+double guaranteed_error(const Candidate& candidate, const std::string& observable) {
   const auto found = candidate.of.find(observable);
   if (found == candidate.of.end()) return std::numeric_limits<double>::infinity();
   const MeasuredAccuracy& row = *found->second;
@@ -69,10 +69,10 @@ double least_promise(const Candidate& candidate, const std::string& observable) 
   return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
 }
 
-double least_promise_of_key(const Candidate& candidate, const std::string& key) {
+double guaranteed_error_of_key(const Candidate& candidate, const std::string& key) {
   double least = 0.0;
   for (const std::string& observable : observables_of(key))
-    least = std::max(least, least_promise(candidate, observable));
+    least = std::max(least, guaranteed_error(candidate, observable));
   return least;
 }
 
@@ -187,7 +187,7 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
   for (const auto& [key, asked] : wanted) {
     double floor = std::numeric_limits<double>::infinity();
     for (const Candidate& c : candidates)
-      if (!c.is_reference()) floor = std::min(floor, least_promise_of_key(c, key));
+      if (!c.is_reference()) floor = std::min(floor, guaranteed_error_of_key(c, key));
     if (asked >= floor && floor < std::numeric_limits<double>::infinity()) continue;
     choice.refused_key = key;
     choice.refusal =
@@ -198,14 +198,15 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
   }
   for (const Candidate& c : candidates)
     if (std::all_of(wanted.begin(), wanted.end(),
-                    [&](const auto& w) { return least_promise_of_key(c, w.first) <= w.second; })) {
+                    [&](const auto& w) { return guaranteed_error_of_key(c, w.first) <= w.second; })) {
       choice.name = c.parameter + " " + c.value;
       choice.settings = c.settings;
       choice.reason = reason_of(c, wanted);
       return choice;
     }
   choice.refused_key = wanted.front().first;
-  choice.refusal = "expected larger errors: no setting of the shipped table keeps all these promises together";
+  choice.refusal =
+      "expected larger errors: no setting of the shipped table has errors below all of these at once";
   return choice;
 }
 

@@ -34,7 +34,7 @@ using WantedAccuracy = std::vector<std::pair<std::string, double>>;
 /// What can be asked for.
 std::vector<std::string> accuracy_keys();
 
-/// The cheapest setting that keeps a promise, or why there is none.
+/// The cheapest setting within the errors asked for, or why there is none.
 struct AccuracyChoice {
   std::string refused_key;  ///< the first that no setting reaches; empty when there is a choice
   std::string refusal;      ///< what was expected of it

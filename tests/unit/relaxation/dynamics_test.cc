@@ -225,7 +225,7 @@ double mean_restitution(double diameter_i, double diameter_j) {
   return sum / kPhases;
 }
 
-/// What RelaxationOptions::time_step promises.
+/// What RelaxationOptions::time_step states.
 TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
   EXPECT_NEAR(mean_restitution(1.0, 1.0), 0.015, 0.02 * 0.015);
   EXPECT_NEAR(mean_restitution(0.5, 1.0), 0.018, 0.001);

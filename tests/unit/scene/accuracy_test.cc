@@ -61,13 +61,13 @@ TEST(Accuracy, WhatIsFittedToAPathHasTheErrorOfItsMeanAndItsSampling) {
   EXPECT_THAT(choice({{"lambda", 0.1}}).refusal, HasSubstr("expected at least 0.11"));
 }
 
-TEST(Accuracy, BelowAllMeasuredErrorsNothingIsPromised) {
+TEST(Accuracy, BelowAllMeasuredErrorsNothingIsGuaranteed) {
   // The reference, of error zero against itself, is no measure.
   EXPECT_EQ(choice({{"phi", 2e-6}}).name, "scene as it is");
   EXPECT_THAT(choice({{"phi", 1.9e-6}}).refusal, HasSubstr("expected at least 2e-06"));
 }
 
-TEST(Accuracy, WhatWasNotMeasuredIsNotPromised) {
+TEST(Accuracy, WhatWasNotMeasuredIsNotGuaranteed) {
   EXPECT_THAT(choice({{"forces", 0.5}}).refusal, HasSubstr("has no error of it"));
 }
 
@@ -155,7 +155,7 @@ TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
   EXPECT_EQ(again.text, scene.text);
 }
 
-TEST(AccuracyOfAScene, RefusesPromisesBeyondTheTable) {
+TEST(AccuracyOfAScene, RefusesErrorsBelowThoseOfTheTable) {
   EXPECT_THAT(refusal(kScene + "[accuracy]\nphi = 1e-14\n"),
               testing::AllOf(HasSubstr("s.toml:21: accuracy.phi = 1e-14: expected at least"),
                              HasSubstr("the smallest error of it in the shipped table")));

@@ -10,8 +10,8 @@
 #include "floc/study/comparison.h"
 #include "support/places.h"
 
-// The promise of [accuracy], on scenes and seeds that did not make the shipped table. By itself:
-//   build/release/tests/long_tests --gtest_filter='AccuracyPromise.*'
+// What [accuracy] guarantees, on scenes and seeds that did not make the shipped table. By itself:
+//   build/release/tests/long_tests --gtest_filter='AccuracyGuarantee.*'
 
 namespace floc {
 namespace {
@@ -27,12 +27,12 @@ constexpr HeldOut kHeldOut[] = {{"demo", 501},
                                 {"type1_no_rolling", 505}};
 constexpr int kSamples = 4;
 
-/// A promise, as asked for in a scene, and what it says of each observable.
-struct Promise {
+/// An accuracy, as asked for in a scene, and the error it guarantees of each observable.
+struct Guarantee {
   WantedAccuracy wanted;
   std::vector<std::pair<int, double>> of_observables;
 
-  // Over all scenes: values of single states and of means over samples, and those that keep the promise.
+  // Over all scenes: values of single states and of means over samples, and those within it.
   int n = 0, kept = 0, n_means = 0, means_kept = 0;
   double core_seconds = 0.0, strict_seconds = 0.0;
 
@@ -47,28 +47,28 @@ std::vector<const SamplePath*> pointers(const std::vector<SamplePath>& paths) {
 }
 
 /// The values of one observable over the states of a pair.
-void count_states(int k, double error_promised, const SamplePath& reference, const SamplePath& path,
-                  Promise& promise) {
+void count_states(int k, double guaranteed_error, const SamplePath& reference, const SamplePath& path,
+                  Guarantee& guarantee) {
   const std::vector<bool> same = before_collapse(reference, path);
   for (std::size_t i = 0; i < path.states.size(); ++i) {
     const ObservedState& state = path.states[i];
     const Observation& truth = same[i] ? reference.states[i].observation : state.settled;
     const double error = std::abs(state.observation[k] - truth[k]);
     if (!std::isfinite(error)) continue;
-    ++promise.n;
-    promise.kept += error <= error_promised * size_of(k, state.observation, truth);
+    ++guarantee.n;
+    guarantee.kept += error <= guaranteed_error * size_of(k, state.observation, truth);
   }
 }
 
 void count_means(const std::vector<SamplePath>& references, const std::vector<SamplePath>& paths,
-                 Promise& promise) {
+                 Guarantee& guarantee) {
   const ObservableErrors errors = compare(pointers(references), pointers(paths), std::nullopt);
-  for (const auto& [k, error_promised] : promise.of_observables) {
+  for (const auto& [k, guaranteed_error] : guarantee.of_observables) {
     const MeanDifference& mean = errors[static_cast<std::size_t>(k)].mean;
     if (mean.n < kSamples) continue;
     constexpr double kStudent = 3.18;  // four samples, 95 %
-    ++promise.n_means;
-    promise.means_kept += std::abs(mean.difference) <= error_promised + kStudent * mean.standard_error;
+    ++guarantee.n_means;
+    guarantee.means_kept += std::abs(mean.difference) <= guaranteed_error + kStudent * mean.standard_error;
   }
 }
 
@@ -88,7 +88,7 @@ SamplePath sample(const RunOptions& options, const RelaxationOptions& strict, co
   return path;
 }
 
-void hold_out(const HeldOut& held, std::vector<Promise>& promises) {
+void hold_out(const HeldOut& held, std::vector<Guarantee>& guarantees) {
   StudiedSetting finest;
   finest.numerical = strict_settings();
   const Scene scene = scene_of(held, {});
@@ -97,40 +97,41 @@ void hold_out(const HeldOut& held, std::vector<Promise>& promises) {
     const RunOptions options = run_options(scene, finest, held.seed + s);
     references.push_back(sample(options, options.relaxation, nullptr));
   }
-  for (Promise& promise : promises) {
+  for (Guarantee& guarantee : guarantees) {
     StudiedSetting chosen;
-    chosen.numerical = NumericalSettings::of(scene_of(held, promise.wanted).relaxation);
+    chosen.numerical = NumericalSettings::of(scene_of(held, guarantee.wanted).relaxation);
     std::vector<SamplePath> paths;
     for (int s = 0; s < kSamples; ++s) {
       const RelaxationOptions strict = run_options(scene, finest, held.seed + s).relaxation;
       paths.push_back(sample(run_options(scene, chosen, held.seed + s), strict, &references[s]));
-      promise.strict_seconds += references[s].core_seconds;
-      promise.core_seconds += paths[s].core_seconds;
-      for (const auto& [k, error] : promise.of_observables)
-        count_states(k, error, references[s], paths[s], promise);
+      guarantee.strict_seconds += references[s].core_seconds;
+      guarantee.core_seconds += paths[s].core_seconds;
+      for (const auto& [k, error] : guarantee.of_observables)
+        count_states(k, error, references[s], paths[s], guarantee);
     }
-    count_means(references, paths, promise);
+    count_means(references, paths, guarantee);
   }
 }
 
-void print(const Promise& promise) {
-  for (const auto& [key, error] : promise.wanted) std::printf("%s = %g, ", key.c_str(), error);
+void print(const Guarantee& guarantee) {
+  for (const auto& [key, error] : guarantee.wanted) std::printf("%s = %g, ", key.c_str(), error);
   std::printf(
       "kept by %d of %d values of states (%.1f %%) and %d of %d means; %.1f times cheaper than strict\n",
-      promise.kept, promise.n, 100.0 * promise.kept_share(), promise.means_kept, promise.n_means,
-      promise.gain());
+      guarantee.kept, guarantee.n, 100.0 * guarantee.kept_share(), guarantee.means_kept, guarantee.n_means,
+      guarantee.gain());
 }
 
-TEST(AccuracyPromise, HoldsForScenesAndSeedsThatDidNotMakeTheTable) {
-  std::vector<Promise> promises = {{{{"phi", 1e-3}, {"moduli", 0.01}}, {{kPhi, 1e-3}, {kB, 0.01}, {kG, 0.01}}},
-                                   {{{"phi", 0.01}, {"moduli", 0.05}}, {{kPhi, 0.01}, {kB, 0.05}, {kG, 0.05}}}};
-  for (const HeldOut& held : kHeldOut) hold_out(held, promises);
-  for (const Promise& promise : promises) {
-    print(promise);
-    EXPECT_GE(promise.kept_share(), 0.95);
+TEST(AccuracyGuarantee, HoldsForScenesAndSeedsThatDidNotMakeTheTable) {
+  std::vector<Guarantee> guarantees = {
+      {{{"phi", 1e-3}, {"moduli", 0.01}}, {{kPhi, 1e-3}, {kB, 0.01}, {kG, 0.01}}},
+      {{{"phi", 0.01}, {"moduli", 0.05}}, {{kPhi, 0.01}, {kB, 0.05}, {kG, 0.05}}}};
+  for (const HeldOut& held : kHeldOut) hold_out(held, guarantees);
+  for (const Guarantee& guarantee : guarantees) {
+    print(guarantee);
+    EXPECT_GE(guarantee.kept_share(), 0.95);
   }
   // Phi at 1 % and moduli at 5 % are cheap.
-  EXPECT_GE(promises.back().gain(), 5.0);
+  EXPECT_GE(guarantees.back().gain(), 5.0);
 }
 
 }  // namespace

@@ -27,9 +27,9 @@ inline bool similar_sizes(const std::vector<double>& radius) {
   return *most <= kSimilarSizes * *least;
 }
 
-/// Diameter that the thickness of neighbour lists goes by: the largest, or the smallest where they differ much,
+/// Length that the skin of neighbour lists is measured in: the largest, or the smallest where they differ much,
 /// since a skin that is thin for the largest holds whole layers of the smallest.
-inline double size_of_skins(const std::vector<double>& radius) {
+inline double skin_length_unit(const std::vector<double>& radius) {
   return similar_sizes(radius) ? largest_diameter(radius)
                                : 2.0 * *std::min_element(radius.begin(), radius.end());
 }

@@ -21,7 +21,7 @@ namespace {
 constexpr double kListCost = 23.0;
 /// What grains at rest get of the skin of the fastest: they may be hit.
 constexpr double kLeastSkinShare = 0.25;
-constexpr double kThinnestSkin = 1e-3;  // of the largest diameter, or the smallest where they differ much
+constexpr double kMinSkin = 1e-3;  // of the largest diameter, or the smallest where they differ much
 
 template <int Dim>
 LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control) {
@@ -48,8 +48,8 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
       dt_(settings.time_step),
       skin_(settings.skin),
       threads_(settings.threads),
-      largest_(largest_diameter(packing.grains)),
-      thinnest_skin_(kThinnestSkin * size_of_skins(packing.grains.radius)),
+      largest_diameter_(largest_diameter(packing.grains)),
+      min_skin_(kMinSkin * skin_length_unit(packing.grains.radius)),
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
       lattice_(packing.cell.matrix.transpose()),
       lattice_rate_(packing.cell.velocity.transpose()),
@@ -162,7 +162,7 @@ void ExplicitDynamics<Dim>::kick_walls() {
 /// Generalised forces on the components of the lattice under stress: their work in a small strain is that of W - V Sigma, W
 /// the sum of momentum fluxes and of forces times branches. Where all are, that is the upper part of (W - V Sigma) h^-T.
 template <int Dim>
-Mat<Dim> ExplicitDynamics<Dim>::unbalanced_work() const {
+Mat<Dim> ExplicitDynamics<Dim>::lattice_force() const {
   Mat<Dim> work = Mat<Dim>::Zero();
   for (const BlockSums<Dim>& s : sums_)
     for (int a = 0; a < Dim; ++a)
@@ -189,7 +189,7 @@ Mat<Dim> ExplicitDynamics<Dim>::unbalanced_work() const {
 template <int Dim>
 void ExplicitDynamics<Dim>::kick_lattice() {
   if (control_.any_stress()) {
-    const Mat<Dim> force = unbalanced_work();
+    const Mat<Dim> force = lattice_force();
     for (int k = 0; k < kSymmetric<Dim>; ++k) {
       const auto [a, b] = component_axes<Dim>(k);
       if (control_.imposed[k] != Imposed::stress || !moves_with_lattice(a, b)) continue;
@@ -253,8 +253,8 @@ void ExplicitDynamics<Dim>::kick_and_drift(int block) {
   interactions_[0].kernels().kick_and_drift(grain_view_, block * kGrainBlock, kick_, drift_, sums_[block]);
 }
 
-/// The share of the time that the list has cost so far, against that of the pairs which it carries for nothing:
-/// the skin is right where they are of one size.
+/// The share of the time that the list has cost so far, against that of its pairs out of range: the
+/// skin is right where the two are equal.
 template <int Dim>
 double ExplicitDynamics<Dim>::list_cost_share() const {
   return kListCost / steps_since_list_;
@@ -263,11 +263,11 @@ double ExplicitDynamics<Dim>::list_cost_share() const {
 /// What motion has taken of the skin since the list was built: the largest displacement in halves of each grain's own skin, and
 /// the affine shrinking.
 template <int Dim>
-double ExplicitDynamics<Dim>::eaten_skin() const {
+double ExplicitDynamics<Dim>::consumed_skin() const {
   double squared = 0.0;
   for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.consumed_squared);
   return std::max(std::sqrt(squared) * skin_, 2.0 * walls_.moved_since_mark()) +
-         shrink_since_list() * (largest_ + interactions_[0].range() + skin_) / kLeastSkinShare;
+         shrink_since_list() * (largest_diameter_ + interactions_[0].range() + skin_) / kLeastSkinShare;
 }
 
 /// Of the skin, for each grain: a list that all grains hold for the same time gives more to those that are faster.
@@ -304,11 +304,11 @@ Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const {
   return shift;
 }
 
-/// The list carries too many idle pairs, or something outside it might interact.
+/// The list holds too many pairs out of range, or a pair outside it might interact.
 template <int Dim>
 bool ExplicitDynamics<Dim>::list_is_stale() const {
-  if (list_cost_share() < 0.5 * idle_share_ && skin_ > thinnest_skin_) return true;
-  return eaten_skin() >= skin_;
+  if (list_cost_share() < 0.5 * out_of_range_share_ && skin_ > min_skin_) return true;
+  return consumed_skin() >= skin_;
 }
 
 template <int Dim>
@@ -316,22 +316,23 @@ void ExplicitDynamics<Dim>::adapt_skin() {
   if (interactions_[0].pairs().size() == 0 || steps_since_list_ == 0) return;
   on_first_list_ = false;
   const double cost = list_cost_share();
-  if (cost > idle_share_) skin_ = std::min((cost > 4.0 * idle_share_ ? 2.0 : 1.25) * skin_, 0.5 * largest_);
-  if (cost < 0.5 * idle_share_) skin_ = std::max(0.8 * skin_, thinnest_skin_);
+  if (cost > out_of_range_share_)
+    skin_ = std::min((cost > 4.0 * out_of_range_share_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
+  if (cost < 0.5 * out_of_range_share_) skin_ = std::max(0.8 * skin_, min_skin_);
 }
 
 /// The next chunk begins with a new list in any case: where one list has served for all of this one, twice
-/// what motion took of its skin is enough.
+/// what motion consumed of its skin is enough.
 template <int Dim>
 double ExplicitDynamics<Dim>::skin() const {
   if (!on_first_list_ || steps_since_list_ == 0) return skin_;
-  return std::min(skin_, std::max(2.0 * eaten_skin(), thinnest_skin_));
+  return std::min(skin_, std::max(2.0 * consumed_skin(), min_skin_));
 }
 
 /// Share of a step that goes into pairs out of each other's range: a grain costs about as much as a pair.
 template <int Dim>
-double ExplicitDynamics<Dim>::share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const {
-  std::size_t idle = 0;
+double ExplicitDynamics<Dim>::out_of_range_share(const std::vector<NeighborPair<Dim>>& pairs) const {
+  std::size_t out_of_range = 0;
   for (const NeighborPair<Dim>& p : pairs) {
     const Vec<Dim> shift = image_shift(p.image);
     double squared = 0.0;
@@ -340,9 +341,9 @@ double ExplicitDynamics<Dim>::share_of_idle(const std::vector<NeighborPair<Dim>>
       squared += r * r;
     }
     const double reach = grains_.radius[p.i] + grains_.radius[p.j] + interactions_[0].range();
-    idle += squared >= reach * reach;
+    out_of_range += squared >= reach * reach;
   }
-  return static_cast<double>(idle) /
+  return static_cast<double>(out_of_range) /
          static_cast<double>(pairs.size() + static_cast<std::size_t>(grains_.size()));
 }
 
@@ -362,7 +363,7 @@ void ExplicitDynamics<Dim>::rebuild_list() {
     const bool of_grains = interaction.partner() == Partner::grain;
     const std::vector<NeighborPair<Dim>> close =
         of_grains ? close_pairs(now, share) : find_wall_pairs(walls_.walls(), now, interaction.range() + skin_);
-    if (of_grains) idle_share_ = share_of_idle(close);
+    if (of_grains) out_of_range_share_ = out_of_range_share(close);
     interaction.set_pairs({close, interaction.partner(), now.radius, grains_.mass, interaction.law(), dt_});
     lists.push_back(&interaction.pairs());
   }
@@ -386,7 +387,7 @@ std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(Grains<Dim> no
     if (walls_.bounds(a)) cell.matrix(a, a) = walls_.distance(a);
   const double range = interactions_[0].range();
   for (std::size_t k = 0; k < share.size(); ++k) now.radius[k] += 0.5 * skin_ * share[k];
-  return find_pairs(search_cell(cell, walls_.walls(), largest_ + range + skin_), now, range);
+  return find_pairs(search_cell(cell, walls_.walls(), largest_diameter_ + range + skin_), now, range);
 }
 
 template <int Dim>

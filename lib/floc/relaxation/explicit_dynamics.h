@@ -39,7 +39,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void kick_lattice();
   void kick_walls();
   void impose_rates();
-  Mat<Dim> unbalanced_work() const;
+  Mat<Dim> lattice_force() const;
   void begin_step();
   PairCell<Dim> pair_cell(double slip_time) const;
   Kick<Dim> kick_over(double half_step) const;
@@ -50,12 +50,12 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void end_step(Motion motion);
   void refresh_forces();
   double list_cost_share() const;
-  double eaten_skin() const;
+  double consumed_skin() const;
   std::vector<double> skin_shares() const;
   double shrink_since_list() const;
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   bool list_is_stale() const;
-  double share_of_idle(const std::vector<NeighborPair<Dim>>& pairs) const;
+  double out_of_range_share(const std::vector<NeighborPair<Dim>>& pairs) const;
   void rebuild_list();
   std::vector<NeighborPair<Dim>> close_pairs(Grains<Dim> now, const std::vector<double>& share) const;
   void append_contacts(const Interaction<Dim>& interaction, const std::vector<Vec<Dim, int>>& wrap,
@@ -69,8 +69,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double dt_;
   double skin_;
   int threads_;
-  double largest_;        ///< diameter
-  double thinnest_skin_;  ///< (length)
+  double largest_diameter_;  ///< diameter
+  double min_skin_;          ///< (length)
 
   GrainArrays<Dim> grains_;
   GrainView<Dim> grain_view_;
@@ -90,7 +90,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Mat<Dim> list_stretch_;  ///< deformation since the list was built
   int steps_since_list_ = 0;
   bool on_first_list_ = true;
-  double idle_share_ = 0.0;  ///< of a step, when the list was built
+  double out_of_range_share_ = 0.0;  ///< of a step, when the list was built
 };
 
 }  // namespace floc

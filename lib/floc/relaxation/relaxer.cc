@@ -43,7 +43,7 @@ constexpr int kRefinementPause = 8;
 
 template <int Dim>
 double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
-  return options.skin ? *options.skin * largest_diameter(grains) : 0.05 * size_of_skins(grains.radius);
+  return options.skin ? *options.skin * largest_diameter(grains) : 0.05 * skin_length_unit(grains.radius);
 }
 
 template <int Dim>

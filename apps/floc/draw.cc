@@ -106,7 +106,7 @@ void add_row(const Drawn& drawn, const std::string& name, Table& table) {
   for (const TableValue& cell : drawn.cells) row.push_back(cell);
   row.emplace_back(static_cast<std::int64_t>(drawn.picture.position.size()));
   for (const LineKind kind : {LineKind::compression, LineKind::tension, LineKind::zero, LineKind::distant,
-                              LineKind::idle, LineKind::lost, LineKind::gained})
+                              LineKind::background, LineKind::lost, LineKind::gained})
     row.emplace_back(count_kind(drawn.picture, kind));
   table.rows.push_back(std::move(row));
 }

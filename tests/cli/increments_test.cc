@@ -142,16 +142,16 @@ TEST_F(Increments, OfRattlersAreNone) {
   EXPECT_EQ(row.at("z_star").get<double>(), 2.0 * 8.0 / 7.0);
   const auto rows = written();
   ASSERT_THAT(rows, SizeIs(1 + 8 + 1));
-  int n_idle = 0;
+  int n_unchanged = 0;
   for (std::size_t k = 1; k < rows.size(); ++k) {
     if (rows[k][2] != "7" && rows[k][3] != "7") continue;
-    ++n_idle;
+    ++n_unchanged;
     EXPECT_EQ(std::stod(rows[k][7]), 0.0);
     EXPECT_EQ(rows[k][12], "");
     EXPECT_EQ(rows[k][21], "true");
     EXPECT_EQ(rows[k][22], "false");
   }
-  EXPECT_EQ(n_idle, 1);
+  EXPECT_EQ(n_unchanged, 1);
 }
 
 TEST_F(Increments, StateWithAMechanismNamesTheModuliThatVanish) {

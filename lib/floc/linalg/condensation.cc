@@ -58,12 +58,13 @@ class Relaxation {
   }
 
   void run(const CondensationOptions& options) {
-    int idle = 0;
+    int stalled = 0;
     double best_work = work_;
     Vector<Real> best = u_;
-    for (; steps_ < options.max_steps && idle < options.patience && !converged(options.tolerance); ++steps_) {
+    for (; steps_ < options.max_steps && stalled < options.patience && !converged(options.tolerance);
+         ++steps_) {
       if (!step()) break;
-      idle = work_ < 0.5 * best_work ? 0 : idle + 1;
+      stalled = work_ < 0.5 * best_work ? 0 : stalled + 1;
       if (work_ < best_work) best_work = work_, best = u_;
     }
     if (best_work < work_) u_ = best, balance();

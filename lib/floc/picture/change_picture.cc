@@ -13,12 +13,12 @@ ContactLine line_of(const Packing<2>& packing, const Contact<2>& c, const Vec<2>
 PackingPicture contacts_changed(const Packing<2>& before, const Packing<2>& after,
                                 const ContactChanges<2>& changes) {
   PackingPicture picture = grains_of(before);
-  picture.idle_name = "contact kept";
+  picture.background_name = "contact kept";
   const auto add_before = [&](int c, LineKind kind) {
     const Contact<2>& contact = before.contacts[c];
     picture.lines.push_back(line_of(before, contact, branch(before, contact), kind));
   };
-  for (const KeptContact& kept : changes.kept) add_before(kept.before, LineKind::idle);
+  for (const KeptContact& kept : changes.kept) add_before(kept.before, LineKind::background);
   for (const int c : changes.lost) add_before(c, LineKind::lost);
   const Mat<2> back = changes.deformation.inverse();
   for (const int c : changes.gained) {

@@ -62,7 +62,7 @@ PackingPicture increment_forces(const Packing<2>& packing, const ContactNetwork<
                              100.0 * step.energy_share_95);
   for (std::size_t k = 0; k < network.contacts.size(); ++k) {
     const ForceIncrement<2>& f = step.increments[k];
-    const LineKind kind = step.rank[k] >= step.n_holding ? LineKind::idle
+    const LineKind kind = step.rank[k] >= step.n_holding ? LineKind::background
                           : f.normal >= 0.0              ? LineKind::compression
                                                          : LineKind::tension;
     picture.lines.push_back(line_of(packing, packing.contacts[network.contacts[k].source], kind,

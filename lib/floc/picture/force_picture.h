@@ -13,7 +13,7 @@ namespace floc {
 PackingPicture equilibrium_forces(const Packing<2>& packing, double zero_force);
 
 /// What a small step of stress adds to the forces: lines as above for the contacts that hold 95 % of its
-/// elastic energy, compression where the normal force grows; the others stand back. The unit is the largest
+/// elastic energy, compression where the normal force grows; the others are background. The unit is the largest
 /// diameter times the stress.
 /// @param network  of the packing   @param step  of the network
 PackingPicture increment_forces(const Packing<2>& packing, const ContactNetwork<2>& network,

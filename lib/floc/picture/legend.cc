@@ -17,8 +17,8 @@ constexpr double kAfterSample = 4.0;
 
 std::string name_of(LineKind kind, const PackingPicture& picture) {
   switch (kind) {
-    case LineKind::idle:
-      return picture.idle_name;
+    case LineKind::background:
+      return picture.background_name;
     case LineKind::zero:
       return "zero";
     case LineKind::distant:

@@ -167,8 +167,8 @@ void set_color(cairo_t* page, const Color& color) {
 
 Color color_of(LineKind kind) {
   switch (kind) {
-    case LineKind::idle:
-      return palette::kIdle;
+    case LineKind::background:
+      return palette::kBackground;
     case LineKind::zero:
       return palette::kZero;
     case LineKind::distant:

@@ -11,8 +11,8 @@ namespace floc {
 
 /// What a line between two grains stands for; drawn in this order, the last on top.
 enum class LineKind {
-  idle,  ///< a contact that stands back: outside the set shown
-  zero,  ///< no normal force within the tolerance
+  background,  ///< a contact in the background: outside the set shown
+  zero,        ///< no normal force within the tolerance
   distant,
   tension,
   compression,
@@ -54,7 +54,7 @@ struct PackingPicture {
   // Names of kinds of lines in the legend.
   std::string compression_name = "compression";
   std::string tension_name = "tension";
-  std::string idle_name = "other contacts";
+  std::string background_name = "other contacts";
   std::vector<DisplacementArrow> arrows;
   GrainShade shade;  ///< without values: grains are grey
   /// Above the picture, broken between these parts where they do not stand in one line.

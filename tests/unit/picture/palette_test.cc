@@ -52,7 +52,7 @@ double least_difference(const Color& a, const Color& b) {
 
 TEST(Palette, KindsOfContactsStayApartForColourBlindReaders) {
   const std::vector<Color> kinds = {palette::kCompression, palette::kTension, palette::kZero, palette::kDistant,
-                                    palette::kIdle};
+                                    palette::kBackground};
   for (std::size_t i = 0; i < kinds.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_GT(least_difference(kinds[i], kinds[j]), 20.0) << i << " and " << j;

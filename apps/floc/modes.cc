@@ -87,8 +87,8 @@ void add_modes(const std::string& file, const SoftModes<Dim>& soft, std::vector<
 }
 
 template <int Dim>
-void say_what_is_soft(const std::string& file, const ContactNetwork<Dim>& network, const Moduli& moduli,
-                      const SoftModes<Dim>& soft) {
+void report_soft_modes(const std::string& file, const ContactNetwork<Dim>& network, const Moduli& moduli,
+                       const SoftModes<Dim>& soft) {
   if (moduli.response.n_mechanisms > 0)
     print_message(
         file,
@@ -126,7 +126,7 @@ void add_state(const std::string& file, const State<Dim>& state, const ModesComm
   add_strain_mechanisms(
       file, strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)), rows);
   add_modes(file, soft, rows);
-  say_what_is_soft(file, network, moduli, soft);
+  report_soft_modes(file, network, moduli, soft);
 }
 
 TableValue entry(const Eigen::VectorXd& values, int a) {

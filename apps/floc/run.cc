@@ -46,7 +46,7 @@ RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
 }
 
 /// Says how a run ended. @return exit code
-int tell(const DriveReport& report, const Run<2>& run, const std::string& directory) {
+int report_outcome(const DriveReport& report, const Run<2>& run, const std::string& directory) {
   switch (report.outcome) {
     case DriveReport::stopped:
       fmt::print(stderr, "\ninterrupted; --resume continues from here\n");
@@ -96,7 +96,7 @@ int run_scene(const RunArguments& arguments) {
   driving.stop = [] { return g_interrupted != 0; };
   driving.chunk = [&monitor](const Run<2>& moving) { monitor.chunk(moving); };
   driving.equilibrium = [&monitor](const auto&... reached) { monitor.equilibrium(reached...); };
-  return tell(drive(run, directory, driving, tracker.get()), run, arguments.directory);
+  return report_outcome(drive(run, directory, driving, tracker.get()), run, arguments.directory);
 }
 
 /// One process a seed, each a run of this scene with these arguments.

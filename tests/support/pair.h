@@ -39,7 +39,7 @@ class MovingPair {
     motion.slip = to_shear<double>(n, after - before - cross<double>(rotations, n));
     double twist = 0.0;
     if constexpr (Dim == 3) twist = 0.5 * (i.rotation + j.rotation).dot(n);
-    carry(before.normalized(), normal(), twist);
+    transport_memory(before.normalized(), normal(), twist);
     return law_.respond(motion, memory_);
   }
 
@@ -48,8 +48,8 @@ class MovingPair {
   const Vec<Dim>& position_j() const { return xj_; }
 
  private:
-  void carry([[maybe_unused]] const Vec<Dim>& from, [[maybe_unused]] const Vec<Dim>& to,
-             [[maybe_unused]] double twist) {
+  void transport_memory([[maybe_unused]] const Vec<Dim>& from, [[maybe_unused]] const Vec<Dim>& to,
+                        [[maybe_unused]] double twist) {
     if constexpr (Dim == 3)
       for (const RememberedQuantity& q : remembered_quantities(parameters_of(law_), Dim)) {
         if (q.size != 3) continue;

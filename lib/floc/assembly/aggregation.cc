@@ -15,7 +15,7 @@ namespace {
 constexpr double kStepsAcrossTail = 3.0;
 /// Beyond the range of the law, how near clusters come in flight before they are moved step by step again, in largest
 /// diameters.
-constexpr double kBerth = 1e-3;
+constexpr double kFlightClearance = 1e-3;
 
 /// The step of the options, shortened where the fastest grain would jump over the tail of the adhesion.
 template <int Dim>
@@ -68,7 +68,7 @@ double Aggregation<Dim>::fly() {
   const ForceScale scale = force_scale(packing_, no_load);
   const double still = kCoastingEnergy * options_.tolerance.energy * scale.force * scale.length;
   if (flight.inner_energy() >= still) return 0.0;
-  return flight.fly(packing_, packing_.law.range() + kBerth * scale.length,
+  return flight.fly(packing_, packing_.law.range() + kFlightClearance * scale.length,
                     options_.max_time * inertial_time(packing_, no_load));
 }
 

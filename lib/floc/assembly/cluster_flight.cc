@@ -10,10 +10,10 @@
 namespace floc {
 namespace {
 
-/// Surfaces that are looked at when clusters may meet, in largest diameters: beyond it they have as far to go at least.
-constexpr double kLookout = 0.1;
+/// Distance to which surfaces are searched for when clusters may meet, in largest diameters: beyond it they have as far to go at least.
+constexpr double kSearchDistance = 0.1;
 /// Bounds from below on the time to the next meeting that are flown one after another.
-constexpr int kMostLegs = 1000;
+constexpr int kMostFlights = 1000;
 
 /// A grain that another touches, in the image in which it does.
 struct Neighbor {
@@ -100,15 +100,15 @@ void ClusterFlight::find_motions(const Packing<2>& packing) {
 /// A bound from below: no two surfaces approach faster than their clusters do and turn.
 double ClusterFlight::time_to_meet(const Packing<2>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;
-  const double lookout = nearest + kLookout * largest_diameter(radius);
+  const double search_distance = nearest + kSearchDistance * largest_diameter(radius);
   double fastest = 0.0;
   for (const Cluster& c : clusters_)
     fastest = std::max(fastest, c.velocity.norm() + std::abs(c.spin) * c.reach);
   const auto time = [](double way, double speed) {
     return speed > 0.0 ? std::max(0.0, way) / speed : std::numeric_limits<double>::infinity();
   };
-  double soonest = time(lookout - nearest, 2.0 * fastest);
-  for (const NeighborPair<2>& pair : find_pairs(packing.cell, packing.grains, lookout)) {
+  double soonest = time(search_distance - nearest, 2.0 * fastest);
+  for (const NeighborPair<2>& pair : find_pairs(packing.cell, packing.grains, search_distance)) {
     if (cluster_of_[pair.i] == cluster_of_[pair.j]) continue;
     const Cluster &a = clusters_[cluster_of_[pair.i]], &b = clusters_[cluster_of_[pair.j]];
     const Vec<2> branch =
@@ -125,7 +125,7 @@ double ClusterFlight::fly(Packing<2>& packing, double nearest, double longest) c
   Grains<2>& g = packing.grains;
   const std::vector<Vec<2>> start = g.position;
   double flown = 0.0;
-  for (int leg = 0; leg < kMostLegs && flown < longest; ++leg) {
+  for (int flight = 0; flight < kMostFlights && flown < longest; ++flight) {
     const double time = std::min(time_to_meet(packing, nearest), longest - flown);
     if (!(time > 0.0)) break;
     flown += time;

@@ -169,12 +169,12 @@ struct ContactLaw {
 
   /// Sets the springs to those that carry given forces (signs of ContactForces) at given stiffnesses.
   template <int Dim>
-  void carry(const Shear<Dim>& shear, const RotationVector<Dim>& moment, const ContactStiffness& k,
-             PackedMemory<kMemorySize<Dim>>& memory) const {
+  void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& moment, const ContactStiffness& k,
+                 PackedMemory<kMemorySize<Dim>>& memory) const {
     if constexpr (kHasFriction)
-      if (k.tangential > 0.0) friction.carry(shear, k.tangential, memory.value + kTangentialBegin<Dim>);
+      if (k.tangential > 0.0) friction.set_force(shear, k.tangential, memory.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
-      if (k.rolling > 0.0) rolling.carry(moment, k.rolling, memory.value + kRollingBegin<Dim>);
+      if (k.rolling > 0.0) rolling.set_force(moment, k.rolling, memory.value + kRollingBegin<Dim>);
   }
 
  private:

@@ -103,7 +103,7 @@ SpringInverse invert(const SpringSystem& springs, SymmetricFactor& factor) {
   factor.set_matrix(stiffness);
   if (auto found = invert_positive(factor)) return *found;
   constexpr double kUnused = 0.0;  // no stiffness is negative
-  return invert_otherwise(factor, springs, kUnused);
+  return invert_singular(factor, springs, kUnused);
 }
 
 /// Compliances and their error bounds from the stiffness of the end.

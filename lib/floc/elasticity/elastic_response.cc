@@ -121,7 +121,7 @@ ElasticResponse solve_by_factor(Problem<Dim>& problem, SymmetricFactor& factor) 
   std::optional<SpringInverse> inverse = invert_positive(factor);
   problem.positive = inverse.has_value();
   const SpringSystem springs = problem.springs();
-  if (!inverse) inverse = invert_otherwise(factor, springs, problem.options.mechanism_bound);
+  if (!inverse) inverse = invert_singular(factor, springs, problem.options.mechanism_bound);
   ElasticResponse& out = problem.answer;
   out.n_negative = inverse->n_negative;
   out.n_mechanisms = inverse->n_mechanisms;
@@ -144,11 +144,11 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
 /// as long as some 30 steps).
 constexpr int kMostSteps = 40;
 
-/// Refinement with an inverse of which nothing is known; nothing where it does not get there.
+/// Refinement with an approximate inverse of which nothing is known; no value where it does not converge.
 template <int Dim>
-std::optional<ElasticResponse> solve_crudely(Problem<Dim>& problem, const SpringSystem& springs,
-                                             std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply,
-                                             const Eigen::MatrixXd& start) {
+std::optional<ElasticResponse> solve_by_approximate_inverse(
+    Problem<Dim>& problem, const SpringSystem& springs,
+    std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply, const Eigen::MatrixXd& start) {
   /// Below it rounding of residuals in double precision shows.
   constexpr double kDoubleSuffices = 1e-9;
   ApproximateInverse inverse;
@@ -171,7 +171,8 @@ template <int Dim>
 std::optional<ElasticResponse> solve_by_single_factor(Problem<Dim>& problem) {
   const SingleFactor factor(problem.stiffness());
   if (!factor.positive()) return std::nullopt;
-  return solve_crudely(problem, problem.springs(), [&](const auto& b) { return factor.solve(b); }, {});
+  return solve_by_approximate_inverse(problem, problem.springs(),
+                                      [&](const auto& b) { return factor.solve(b); }, {});
 }
 
 /// The factor of another network as an inverse: on the unknowns both have, the others by the diagonal.
@@ -217,7 +218,8 @@ std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<
   for (Eigen::Index a = 0; a < start.rows(); ++a)
     start.row(a) = memory.fluctuation.row(unknowns.unknown[static_cast<std::size_t>(a)]) / unknowns.length[a];
   const SpringSystem springs = problem.springs();
-  return solve_crudely(problem, springs, InheritedInverse(memory, unknowns, diagonal_of(springs)), start);
+  return solve_by_approximate_inverse(problem, springs,
+                                      InheritedInverse(memory, unknowns, diagonal_of(springs)), start);
 }
 
 }  // namespace

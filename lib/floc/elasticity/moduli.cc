@@ -21,10 +21,10 @@ namespace {
 constexpr double kVanishingModulus = 1e-11;
 /// Condition number beyond which soft modes decide the moduli.
 constexpr double kWarnCondition = 1e10;
-/// Share of the tolerance of the moduli that the refinement is given: a step squares the error, so it costs nothing.
+/// Share of the tolerance of the moduli that the refinement is given: a step squares the error, so that it costs no more.
 constexpr double kToleranceOfSolution = 1e-3;
 /// The same of a solver that takes steps of no such gain: each costs.
-constexpr double kToleranceOfCrudeSolution = 0.1;
+constexpr double kToleranceOfIterativeSolution = 0.1;
 /// Relative rounding of the volume of the cell and of the forces that convect.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -36,7 +36,7 @@ double vanishing_bound(double scale, const Moduli& m) {
 }
 
 /// Counts vanishing and negative eigenvalues of C and sets the vanishing ones to zero.
-void settle_coupled_mechanisms(double bound, Moduli& m) {
+void count_coupled_mechanisms(double bound, Moduli& m) {
   const SymmetricEigen eigen = symmetric_eigen(m.C);
   Eigen::VectorXd values = eigen.values;
   for (Eigen::Index k = 0; k < values.size(); ++k) {
@@ -78,7 +78,7 @@ void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::Matrix
 template <int Dim>
 void derive_constants(double scale, Moduli& m) {
   const double bound = vanishing_bound(scale, m);
-  settle_coupled_mechanisms(bound, m);
+  count_coupled_mechanisms(bound, m);
   const Eigen::MatrixXd block = m.C.topLeftCorner(Dim, Dim);
   const Eigen::MatrixXd error = m.C_error.topLeftCorner(Dim, Dim);
   const Eigen::VectorXd diagonal = block.diagonal();
@@ -92,7 +92,7 @@ void derive_constants(double scale, Moduli& m) {
 }
 
 /// Says where the error bounds stay above what was asked for, and takes back what has no digit.
-void judge_errors(bool resolved, double tolerance, Moduli& m) {
+void check_errors(bool resolved, double tolerance, Moduli& m) {
   if (!resolved) {
     m.warnings.push_back(
         "rounding leaves no digit of the moduli, by the factor of the rigidity matrix either: none are given");
@@ -172,7 +172,7 @@ namespace {
 
 /// The middle between the bounds of the network, B_reuss <= B <= B_voigt and 0 <= G <= G_voigt, and half their
 /// distance.
-void take_middle_of_bounds(int n_strains, Moduli& m) {
+void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   m.method = ModuliMethod::bounds;
   m.C = m.C_error = Eigen::MatrixXd::Constant(n_strains, n_strains, std::numeric_limits<double>::quiet_NaN());
   m.B = m.B_S = 0.5 * (m.bounds.B_reuss + m.bounds.B_voigt);
@@ -192,7 +192,7 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
   m.bounds = elastic_bounds(network, load.unloaded ? 0.0 : m.pressure, load.mean_field);
 
   if (options.method == ModuliMethod::bounds) {
-    take_middle_of_bounds(n_strains<Dim>(options.strains), m);
+    set_midpoint_of_bounds(n_strains<Dim>(options.strains), m);
     return m;
   }
   const ResponseOptions response_options{
@@ -201,8 +201,9 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
       .strains = options.strains,
       .prestress = options.prestress,
       .ordering = options.ordering,
-      .tolerance = (options.method == ModuliMethod::factor ? kToleranceOfSolution : kToleranceOfCrudeSolution) *
-                   options.tolerance};
+      .tolerance =
+          (options.method == ModuliMethod::factor ? kToleranceOfSolution : kToleranceOfIterativeSolution) *
+          options.tolerance};
   ElasticResponse response = respond(network, response_options);
   m.C = response.relaxed / network.volume;
   if (options.prestress) m.C += convected_stress<Dim>(load.stress, static_cast<int>(m.C.rows()));
@@ -216,7 +217,7 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
   m.residual = response.residual;
   m.condition = response.condition;
   derive_constants<Dim>(m.bounds.B_voigt + m.bounds.G_voigt, m);
-  judge_errors(response.resolved, options.tolerance, m);
+  check_errors(response.resolved, options.tolerance, m);
   if (options.prestress) {
     ModuliOptions plain = options;
     plain.prestress = false;

@@ -20,7 +20,7 @@ constexpr int kMostForSingle = 1000;
 
 /// Whether the middle between the bounds can be given as B, with half their distance as its error.
 template <int Dim>
-bool bounds_say_all(const Packing<Dim>& packing, const ModuliOptions& options, const ModuliAccuracy& accuracy) {
+bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, const ModuliAccuracy& accuracy) {
   if (std::isfinite(accuracy.G) || options.prestress || options.strains == StrainSet::full) return false;
   if (std::any_of(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.distant; }))
     return false;
@@ -29,7 +29,7 @@ bool bounds_say_all(const Packing<Dim>& packing, const ModuliOptions& options, c
 }
 
 /// A vanishing or negative eigenvalue is counted by the full factor alone.
-bool told_in_full(const Moduli& m) {
+bool fully_counted(const Moduli& m) {
   return m.method == ModuliMethod::factor || (m.n_mechanisms == 0 && m.n_negative == 0);
 }
 
@@ -66,10 +66,10 @@ Moduli moduli_within(const Packing<Dim>& packing, ModuliOptions options, const M
   options.tolerance = std::min(accuracy.B, accuracy.G);
   Moduli moduli;
   for (const ModuliMethod method : moduli_methods_by_cost(packing.grains.size())) {
-    if (method == ModuliMethod::bounds && !bounds_say_all(packing, options, accuracy)) continue;
+    if (method == ModuliMethod::bounds && !bounds_suffice(packing, options, accuracy)) continue;
     options.method = method;
     moduli = elastic_moduli(packing, options);
-    if (accuracy.met_by(moduli) && told_in_full(moduli)) break;
+    if (accuracy.met_by(moduli) && fully_counted(moduli)) break;
   }
   return moduli;
 }

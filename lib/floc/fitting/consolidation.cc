@@ -186,22 +186,22 @@ void add_parameters(const LawEstimate& estimate, const Covariance& covariance, C
 }
 
 /// The data end before P1*: lambda is that of the law they can tell, the rest is bounded.
-void bound_regime_three(const LawEstimate& told, const Covariance& covariance, double last_phi,
+void bound_regime_three(const LawEstimate& reported, const Covariance& covariance, double last_phi,
                         ConsolidationFit& fit) {
-  const std::vector<Quantity> quantities = quantities_of(told);
+  const std::vector<Quantity> quantities = quantities_of(reported);
   fit.parameters.push_back(fitted_parameter(quantities.front(), covariance));
   fit.parameters.push_back(bounded_below("alpha", std::nullopt));
   fit.parameters.push_back(bounded_below("Phi_max", last_phi));
   fit.parameters.push_back(bounded_below("P1_star", fit.window_high));
   for (const Quantity& q : quantities)
     if (q.name == "Phi0" || q.name == "P0_star") fit.parameters.push_back(fitted_parameter(q, covariance));
-  if (!told.has_plateau()) fit.parameters.push_back(held_at("P0_star", fit.window_low));
+  if (!reported.has_plateau()) fit.parameters.push_back(held_at("P0_star", fit.window_low));
   fit.correlated = {"lambda"};
   fit.correlation = Eigen::MatrixXd::Ones(1, 1);
   fit.warnings.push_back(
       fmt::format("the data end at P* = {:.6g}, before P1*: alpha is not identified, P1_star and Phi_max are "
                   "bounds, and lambda is that of {}",
-                  fit.window_high, told.law == Law::full ? "the full law" : "the line of regime II"));
+                  fit.window_high, reported.law == Law::full ? "the full law" : "the line of regime II"));
 }
 
 /// Residuals that follow each other make the errors of a single curve too small.
@@ -280,10 +280,10 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
 }
 
 /// What the spread over places added to the standard error of each parameter.
-std::vector<ErrorParts> parts_of_errors(const LawEstimate& told, const Covariance& scatter,
+std::vector<ErrorParts> parts_of_errors(const LawEstimate& reported, const Covariance& scatter,
                                         const Covariance& all) {
   std::vector<ErrorParts> parts;
-  for (const Quantity& quantity : quantities_of(told)) {
+  for (const Quantity& quantity : quantities_of(reported)) {
     const auto own = fitted_parameter(quantity, scatter).standard_error;
     const auto total = fitted_parameter(quantity, all).standard_error;
     if (own && total)
@@ -292,8 +292,8 @@ std::vector<ErrorParts> parts_of_errors(const LawEstimate& told, const Covarianc
   return parts;
 }
 
-/// The law that the points of the estimate tell: the line where no bend is detected.
-LawEstimate told_by(LawEstimate estimate) {
+/// The estimate of the law that the points can identify: of the line where no bend is detected.
+LawEstimate identifiable_estimate(LawEstimate estimate) {
   if (estimate.law == Law::full && !detects_regime_three(estimate.points, estimate.solution) &&
       !detects_bend(estimate.points, estimate.solution)) {
     estimate.law = Law::log;
@@ -302,19 +302,19 @@ LawEstimate told_by(LawEstimate estimate) {
   return estimate;
 }
 
-void describe_solution(const LawEstimate& told, ConsolidationFit& fit) {
-  const Eigen::VectorXd misfit = told.solution.residuals.cwiseQuotient(told.points.weight);
+void describe_solution(const LawEstimate& reported, ConsolidationFit& fit) {
+  const Eigen::VectorXd misfit = reported.solution.residuals.cwiseQuotient(reported.points.weight);
   fit.rms = std::sqrt(misfit.squaredNorm() / static_cast<double>(misfit.size()));
-  fit.told = told.law;
-  fit.theta = told.solution.theta;
-  fit.fitted = told.points.y + misfit;
-  fit.weights = told.points.weight;
+  fit.reported_law = reported.law;
+  fit.theta = reported.solution.theta;
+  fit.fitted = reported.points.y + misfit;
+  fit.weights = reported.points.weight;
 }
 
-void add_bootstrap(const LawEstimate& told, const Eigen::MatrixXd& samples, const ConsolidationOptions& options,
-                   ConsolidationFit& fit) {
+void add_bootstrap(const LawEstimate& reported, const Eigen::MatrixXd& samples,
+                   const ConsolidationOptions& options, ConsolidationFit& fit) {
   if (options.n_bootstrap == 0) return;
-  const Resampled resampled = resample(told, samples, options.n_bootstrap, options.seed);
+  const Resampled resampled = resample(reported, samples, options.n_bootstrap, options.seed);
   fit.n_bootstrapped = resampled.n;
   fit.bootstrap = resampled.parameters;
 }
@@ -336,27 +336,27 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
                                     "--law power",
                                     n_before_regime_three(points, estimate.solution),
                                     std::exp(estimate.solution.theta[3]), kFewestInRegimeTwo));
-  const LawEstimate told = told_by(estimate);
+  const LawEstimate reported = identifiable_estimate(estimate);
   describe_window(curve, window, fit);
-  describe_solution(told, fit);
+  describe_solution(reported, fit);
 
   const Eigen::MatrixXd samples =
       curve.samples.cols() >= 2
           ? Eigen::MatrixXd(curve.samples.middleRows(window.first - n_plateau, window.n + n_plateau))
           : Eigen::MatrixXd();
   fit.errors_from_samples = samples.cols() >= kFewestSamples;
-  Covariance covariance = fit.errors_from_samples ? covariance_from_samples(told, deviations_of(samples))
-                                                  : covariance_from_residuals(told);
+  Covariance covariance = fit.errors_from_samples ? covariance_from_samples(reported, deviations_of(samples))
+                                                  : covariance_from_residuals(reported);
   const Covariance scatter = covariance;
-  if (fit.regimes) add_spread_over_places(told, all, window, *fit.regimes, covariance);
-  fit.error_parts = parts_of_errors(told, scatter, covariance);
+  if (fit.regimes) add_spread_over_places(reported, all, window, *fit.regimes, covariance);
+  fit.error_parts = parts_of_errors(reported, scatter, covariance);
   if (ends_early)
-    bound_regime_three(told, covariance, curve.phi[fit.used.back()], fit);
+    bound_regime_three(reported, covariance, curve.phi[fit.used.back()], fit);
   else
-    add_parameters(told, covariance, fit);
-  if (!fit.errors_from_samples) check_independence(told, fit);
-  shift_window(told, all, window, fit);
-  add_bootstrap(told, samples, options, fit);
+    add_parameters(reported, covariance, fit);
+  if (!fit.errors_from_samples) check_independence(reported, fit);
+  shift_window(reported, all, window, fit);
+  add_bootstrap(reported, samples, options, fit);
   return fit;
 }
 
@@ -369,7 +369,7 @@ const FittedParameter* ConsolidationFit::find(const std::string& name) const {
 }
 
 double ConsolidationFit::value(double log_P) const {
-  return law_value(told, theta, log_P, std::log(window_low));
+  return law_value(reported_law, theta, log_P, std::log(window_low));
 }
 
 ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const ConsolidationOptions& options) {

@@ -69,11 +69,11 @@ struct ConsolidationFit {
   std::vector<std::string> correlated;         ///< names of the rows and columns of `correlation`
   Eigen::MatrixXd correlation;                 ///< free parameters x free parameters
   double rms = 0.0;                            ///< root mean square residual of 1/Phi over the points fitted
-  ConsolidationLaw told =
-      ConsolidationLaw::full;  ///< the law that `theta` belongs to: the line, where no bend is detected
-  Eigen::VectorXd theta;       ///< coordinates of the solution, see `solve_law`
-  Eigen::VectorXd fitted;      ///< 1/Phi by the law at the points fitted
-  Eigen::VectorXd weights;     ///< of the points fitted, as the solution counts them
+  /// The law that `theta` belongs to, which the points can identify: the line, where no bend is detected.
+  ConsolidationLaw reported_law = ConsolidationLaw::full;
+  Eigen::VectorXd theta;                       ///< coordinates of the solution, see `solve_law`
+  Eigen::VectorXd fitted;                      ///< 1/Phi by the law at the points fitted
+  Eigen::VectorXd weights;                     ///< of the points fitted, as the solution counts them
   Weighting weighting = Weighting::automatic;  ///< the one used
   bool errors_from_samples = false;        ///< standard errors from the scatter between samples, not residuals
   std::vector<ErrorParts> error_parts;     ///< of the parameters that have a standard error

@@ -166,12 +166,12 @@ int n_parameters(ConsolidationLaw law) {
                     FullResidual::kParameters}[static_cast<std::size_t>(law)];
 }
 
-std::optional<double> left_by_line(const LawPoints& points) {
+std::optional<double> residual_of_line(const LawPoints& points) {
   const Line line = fit_line(points.log_P, points);
   return line.slope < 0.0 ? std::optional(line.sum_of_squares) : std::nullopt;
 }
 
-std::optional<double> left_by_power_law(const LawPoints& points) {
+std::optional<double> residual_of_power_law(const LawPoints& points) {
   const auto left = [&](double log_alpha) {
     const Line line = power_line(points, log_alpha);
     return line.slope > 0.0 ? line.sum_of_squares : std::numeric_limits<double>::infinity();
@@ -227,7 +227,7 @@ std::optional<LawSolution> solve_law_from(ConsolidationLaw law, const LawPoints&
   return std::nullopt;
 }
 
-double approach_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta) {
+double minimize_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta) {
   switch (law) {
     case ConsolidationLaw::log:
       return descend(residuals_of<LogResidual>(points), theta);
@@ -246,7 +246,7 @@ std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoint
   starts.resize(std::min(starts.size(), static_cast<std::size_t>(n_tried)));
   for (Start& start : starts) {
     Eigen::VectorXd end = start.theta;
-    const double left = approach_law(law, points, end);
+    const double left = minimize_law(law, points, end);
     if (left < start.sum_of_squares) start = {end, left};
   }
   const auto best = std::min_element(starts.begin(), starts.end(), less);

@@ -59,11 +59,11 @@ double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_
                                                           int n_tried);
 
 /// Moves theta to the nearest minimum. @return the sum of squares there
-double approach_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta);
+double minimize_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta);
 
 /// What the line of regime II and the power law leave, from their linear projection alone. Absent if the
 /// density does not grow with pressure.
-[[nodiscard]] std::optional<double> left_by_line(const LawPoints& points);
-[[nodiscard]] std::optional<double> left_by_power_law(const LawPoints& points);
+[[nodiscard]] std::optional<double> residual_of_line(const LawPoints& points);
+[[nodiscard]] std::optional<double> residual_of_power_law(const LawPoints& points);
 
 }  // namespace floc

@@ -29,7 +29,7 @@ int n_below(const LawPoints& points, double log_P) {
 }
 
 /// What a constant leaves.
-double left_by_constant(const LawPoints& points) {
+double residual_of_constant(const LawPoints& points) {
   if (points.size() == 0) return 0.0;
   const Eigen::ArrayXd w2 = points.weight.array().square();
   const double mean = (w2 * points.y.array()).sum() / w2.sum();
@@ -70,7 +70,7 @@ ChangePoint change_among(std::vector<Place> places, int shift) {
 
 /// What a plateau of the first `k` points leaves that ends where the law after it reaches its level: between
 /// its last point and the next one. `theta` solves the law on the rest.
-double left_by_plateau(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta) {
+double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta) {
   if (k == 0) return 0.0;
   const double first = points.log_P[k];
   const double level = std::clamp(mean_level(points.range(0, k)), law_value(law, theta, first, first),
@@ -81,7 +81,7 @@ double left_by_plateau(Law law, const LawPoints& points, int k, const Eigen::Vec
 /// The split before point `k`, whose law leaves `left` of the rest.
 Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta, double left) {
   // Beside the law, the end of the plateau is fitted.
-  return {k, information(left + left_by_plateau(law, points, k, theta), points.size(),
+  return {k, information(left + residual_of_plateau(law, points, k, theta), points.size(),
                          n_parameters(law) + (k > 0 ? 1 : 0))};
 }
 
@@ -97,10 +97,10 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
     const LawPoints rest = points.range(k, n - k);
     // The law bends where it did with one point more, unless that point kept it from bending at all.
     double left = kInfinity;
-    if (theta) left = approach_law(Law::full, rest, *theta);
+    if (theta) left = minimize_law(Law::full, rest, *theta);
     if (auto other = start_of_law(Law::full, rest, theta ? 1 : 4)) {
-      const double left_by_other = approach_law(Law::full, rest, *other);
-      if (!(left <= left_by_other)) left = left_by_other, theta = other;
+      const double residual_of_other = minimize_law(Law::full, rest, *other);
+      if (!(left <= residual_of_other)) left = residual_of_other, theta = other;
     }
     ++n_failed;
     if (!std::isfinite(left) || n_below(rest, (*theta)[3]) < kFewestInRegimeTwo) continue;
@@ -116,7 +116,7 @@ std::vector<Place> ends_before_line(const LawPoints& points) {
   const int n = points.size();
   for (int k = 0; n - k >= kFewestInRegimeTwo; ++k)
     if (const auto theta = start_of_law(Law::log, points.range(k, n - k), 1))
-      places.push_back(plateau_end(Law::log, points, k, *theta, *left_by_line(points.range(k, n - k))));
+      places.push_back(plateau_end(Law::log, points, k, *theta, *residual_of_line(points.range(k, n - k))));
   return places;
 }
 
@@ -125,8 +125,8 @@ std::vector<Place> onsets_of_three(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
   for (int k = kFewestInRegimeTwo; n - k > n_parameters(Law::power); ++k) {
-    const auto line = left_by_line(points.range(0, k));
-    const auto power = left_by_power_law(points.range(k, n - k));
+    const auto line = residual_of_line(points.range(0, k));
+    const auto power = residual_of_power_law(points.range(k, n - k));
     // Two numbers of the line, three of the power law, and the place.
     if (line && power) places.push_back({k, information(*line + *power, n, 6)});
   }
@@ -134,7 +134,7 @@ std::vector<Place> onsets_of_three(const LawPoints& points) {
 }
 
 /// What 1/Phi linear in P* leaves.
-double left_by_elasticity(const LawPoints& points) {
+double residual_of_elasticity(const LawPoints& points) {
   Eigen::MatrixXd columns(points.size(), 2);
   columns.col(0) = points.weight;
   columns.col(1) = points.weight.cwiseProduct(points.log_P.array().exp().matrix());
@@ -167,8 +167,8 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
   const int n = points.size();
   std::vector<Place> ends = ends_before_full_law(points);
   const std::vector<Place> line_ends = ends_before_line(points);
-  const double flat =
-      std::min(information(left_by_constant(points), n, 1), information(left_by_elasticity(points), n, 2));
+  const double flat = std::min(information(residual_of_constant(points), n, 1),
+                               information(residual_of_elasticity(points), n, 2));
   const auto explains_more = [flat](const Place& p) { return p.information < flat; };
   Regimes regimes;
   regimes.all_in_one = std::none_of(ends.begin(), ends.end(), explains_more) &&
@@ -190,7 +190,7 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
   const std::vector<Place> onsets = onsets_of_three(rest);
   if (onsets.empty()) return regimes;
   const auto best = std::min_element(onsets.begin(), onsets.end(), less_information);
-  const auto line = left_by_line(rest);
+  const auto line = residual_of_line(rest);
   if (line && information(*line, rest.size(), n_parameters(Law::log)) <= best->information) return regimes;
   regimes.onset_three = change_among(onsets, end.first);
   regimes.end_of_two = regimes.onset_three->first;

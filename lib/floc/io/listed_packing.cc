@@ -170,7 +170,7 @@ void set_forces(const LawParameters& law, const ListedContact& listed, const Giv
     throw InputError(listed.place, "a rolling moment is given, but the law has no rolling");
   if (given.rolling) c.rolling_moment = *given.rolling;
   if (given.normal || given.shear || given.rolling)
-    carry_given_forces(law, listed.kn, listed.kt, kCapTolerance, c);
+    set_given_forces(law, listed.kn, listed.kt, kCapTolerance, c);
 }
 
 /// Fills the contact from the law, then lays the forces that were given over it.

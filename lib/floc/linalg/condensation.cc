@@ -18,15 +18,15 @@ using Extended = Vector<long double>;
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 template <class Real>
-struct Pull {
+struct SpringForces {
   Vector<Real> force;  // A^T k (A u + B e)
   Real energy;         // sum of k (A u + B e)^2
 };
 
-/// Forces that pull at the free unknowns displaced by u, for e the unit of one boundary unknown, or e = 0 if negative.
+/// Forces on the free unknowns displaced by u, for e the unit of one boundary unknown, or e = 0 if negative.
 template <class Real>
-Pull<Real> pull(const SpringSystem& s, const Vector<Real>& u, int boundary) {
-  Pull<Real> out{Vector<Real>::Zero(s.on_free.cols()), 0};
+SpringForces<Real> spring_forces(const SpringSystem& s, const Vector<Real>& u, int boundary) {
+  SpringForces<Real> out{Vector<Real>::Zero(s.on_free.cols()), 0};
   const int* start = s.on_free.outerIndexPtr();
   const int* column = s.on_free.innerIndexPtr();
   const double* a = s.on_free.valuePtr();
@@ -82,7 +82,7 @@ class Relaxation {
     return inverse_.definite ? work_ / inverse_.smallest_ratio : work_ * inverse_.inverse_norm;
   }
 
-  /// At least one step, so that what a crude inverse gives is refined once; where the error is estimated from the steps
+  /// At least one step, so that what an approximate inverse gives is refined once; where the error is estimated from the steps
   /// themselves, as many as that takes.
   bool converged(double tolerance) const {
     if (work_ == 0.0) return true;
@@ -112,9 +112,9 @@ class Relaxation {
   }
 
   void balance() {
-    const Pull<Real> pulled = pull<Real>(springs_, u_, boundary_);
-    stiffness_ = static_cast<double>(std::abs(pulled.energy));
-    r_ = -pulled.force;
+    const SpringForces<Real> forces = spring_forces<Real>(springs_, u_, boundary_);
+    stiffness_ = static_cast<double>(std::abs(forces.energy));
+    r_ = -forces.force;
     z_ = r_.size() == 0 ? r_ : inverse_.apply(r_.template cast<double>()).template cast<Real>();
     work_ = static_cast<double>(inverse_.definite ? std::abs(r_.dot(z_)) : r_.squaredNorm());
   }
@@ -122,7 +122,7 @@ class Relaxation {
   bool step() {
     Real alpha = Real(1);
     if (inverse_.definite) {
-      const Real energy = pull<Real>(springs_, direction_, -1).energy;
+      const Real energy = spring_forces<Real>(springs_, direction_, -1).energy;
       if (!(energy > Real(0))) return false;
       alpha = direction_.dot(r_) / energy;
     }

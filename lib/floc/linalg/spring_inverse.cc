@@ -84,7 +84,7 @@ std::optional<SpringInverse> invert_positive(SymmetricFactor& factor) {
   return out;
 }
 
-SpringInverse invert_otherwise(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound) {
+SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound) {
   const bool has_root = springs.stiffness.size() == 0 || springs.stiffness.minCoeff() >= 0.0;
   return has_root ? invert_root(factor, springs) : invert_shifted(factor, mechanism_bound);
 }

@@ -16,14 +16,14 @@ struct SpringInverse {
 };
 
 /// By Cholesky's factor of K, if there is one that can be trusted. One that succeeds on a K of a condition beyond some
-/// 1e12 cannot: it may hide a mechanism, and is too crude to bound errors with.
+/// 1e12 cannot: it may hide a mechanism, and is too inaccurate to bound errors with.
 /// @param factor  holds K; `inverse` refers to it
 std::optional<SpringInverse> invert_positive(SymmetricFactor& factor);
 
-/// For a K that this fails on. Springs without negative stiffness have a square root sqrt(k) A, which keeps the digits
+/// For a K on which invert_positive() fails. Springs without negative stiffness have a square root sqrt(k) A, which keeps the digits
 /// that K has lost and tells mechanisms by its rank (SuiteSparseQR). Else by L D L^T: eigenvalues within
 /// `mechanism_bound` of zero are counted as mechanisms, those below as negative, and a shift stands in for the first.
 /// @param factor  holds K; `inverse` may refer to it
-SpringInverse invert_otherwise(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound);
+SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound);
 
 }  // namespace floc

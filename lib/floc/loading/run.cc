@@ -162,7 +162,7 @@ State<Dim> Run<Dim>::state() const {
 }
 
 template <int Dim>
-State<Dim> Run<Dim>::lend_state() {
+State<Dim> Run<Dim>::release_state() {
   State<Dim> state = state_without_packing();
   const bool measured = equilibrator_ != nullptr;
   take_packing_back();
@@ -173,7 +173,7 @@ State<Dim> Run<Dim>::lend_state() {
 
 /// Between two chunks the state of a run is its point and its packing.
 template <int Dim>
-void Run<Dim>::go_on(Packing<Dim> packing) {
+void Run<Dim>::restore_packing(Packing<Dim> packing) {
   packing_ = std::move(packing);
   start_step();
 }

@@ -61,10 +61,10 @@ class Run {
   RunEvent advance();
   /// The equilibrium just reached.
   State<Dim> state() const;
-  /// The state as it is now, without a copy: the run gives its packing away, and has to get it back by `go_on()` before
+  /// The state as it is now, without a copy: the run releases its packing, and has to get it back by `restore_packing()` before
   /// anything else is asked of it.
-  State<Dim> lend_state();
-  void go_on(Packing<Dim> packing);
+  State<Dim> release_state();
+  void restore_packing(Packing<Dim> packing);
   /// Goes on to the next step. @param sha256 of the file the state was saved in
   void saved(const std::string& sha256);
 

@@ -166,9 +166,9 @@ void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
 }
 
 template <int Dim>
-void TangentMatrix<Dim>::reset(double hold) {
+void TangentMatrix<Dim>::reset(double regularisation) {
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
-  matrix_.diagonal().array() += hold;
+  matrix_.diagonal().array() += regularisation;
 }
 
 template <int Dim>

@@ -39,8 +39,8 @@ class TangentMatrix {
   /// @param graph  contact_graph() of the contacts that may be added
   TangentMatrix(std::vector<double> grain_size, const ContactGraph& graph, int n_boundary);
 
-  /// Zero everywhere but `hold` on the diagonal.
-  void reset(double hold);
+  /// Zero everywhere but `regularisation` on the diagonal.
+  void reset(double regularisation);
 
   /// Adds a contact of two round grains: its arms lie along the branch, in constant shares of it, and what it
   /// remembers turns with the branch and, about it, with the mean rotation of the two.

@@ -32,8 +32,8 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
 
 /// What was read lies a little beside the law, and the pull of an adhesive contact is none of its elastic force.
 template <class Law, int Dim>
-void carry(const Law& law, double pull_off_force, std::optional<double> kn, std::optional<double> kt,
-           double tolerance, Contact<Dim>& c) {
+void set_forces(const Law& law, double pull_off_force, std::optional<double> kn, std::optional<double> kt,
+                double tolerance, Contact<Dim>& c) {
   c.distant = c.gap >= 0.0 && law.interacts(c.gap);
   if (c.distant) return;
   c.elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
@@ -42,8 +42,8 @@ void carry(const Law& law, double pull_off_force, std::optional<double> kn, std:
   c.kt = Law::kHasFriction ? kt.value_or(k.tangential) : 0.0;
   c.kr = k.rolling;
   auto memory = packed_memory<Law, Dim>(c.memory);
-  law.template carry<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, {c.kn, c.kt, c.kr},
-                          memory);
+  law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, {c.kn, c.kt, c.kr},
+                              memory);
   set_mobilised(law, memory, tolerance, c);
   c.memory = unpacked_memory<Law, Dim>(memory);
 }
@@ -74,18 +74,18 @@ Mobilised mobilised(const LawParameters& parameters, const Contact<Dim>& contact
 }
 
 template <int Dim>
-void carry_given_forces(const LawParameters& parameters, std::optional<double> kn, std::optional<double> kt,
-                        double tolerance, Contact<Dim>& contact) {
-  std::visit([&](const auto& law) { carry(law, parameters.pull_off_force(), kn, kt, tolerance, contact); },
+void set_given_forces(const LawParameters& parameters, std::optional<double> kn, std::optional<double> kt,
+                      double tolerance, Contact<Dim>& contact) {
+  std::visit([&](const auto& law) { set_forces(law, parameters.pull_off_force(), kn, kt, tolerance, contact); },
              compose_law(parameters));
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                                                  \
-  template void refresh_contact(const Packing<Dim>&, Contact<Dim>&);                                           \
-  template void refresh_contacts(Packing<Dim>&);                                                               \
-  template Mobilised mobilised(const LawParameters&, const Contact<Dim>&, double tolerance);                   \
-  template void carry_given_forces(const LawParameters&, std::optional<double>, std::optional<double>, double, \
-                                   Contact<Dim>&);
+#define FLOC_INSTANTIATE(Dim)                                                                                \
+  template void refresh_contact(const Packing<Dim>&, Contact<Dim>&);                                         \
+  template void refresh_contacts(Packing<Dim>&);                                                             \
+  template Mobilised mobilised(const LawParameters&, const Contact<Dim>&, double tolerance);                 \
+  template void set_given_forces(const LawParameters&, std::optional<double>, std::optional<double>, double, \
+                                 Contact<Dim>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

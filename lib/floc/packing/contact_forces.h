@@ -27,7 +27,7 @@ Mobilised mobilised(const LawParameters& law, const Contact<Dim>& contact, doubl
 /// @param kn, kt  stiffnesses of the contact (force/length), those of the law where absent
 /// @pre the contact touches, or is to be taken as touching; normal_force, shear_force and rolling_moment are set
 template <int Dim>
-void carry_given_forces(const LawParameters& law, std::optional<double> kn, std::optional<double> kt,
-                        double tolerance, Contact<Dim>& contact);
+void set_given_forces(const LawParameters& law, std::optional<double> kn, std::optional<double> kt,
+                      double tolerance, Contact<Dim>& contact);
 
 }  // namespace floc

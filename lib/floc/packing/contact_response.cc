@@ -13,7 +13,7 @@ namespace {
 constexpr double kBeyondCap = 1.0 + 2e-12;
 /// And with surfaces that have moved by this, which is lost in any other motion: a spring of length zero under
 /// a cap of zero (surfaces that have parted) is beyond its cap then. The square of it is no underflow.
-constexpr double kHardlyMoved = 1e-150;
+constexpr double kTinyMotion = 1e-150;
 
 /// Factor of each number that contacts remember: springs are made longer, anything else is left as it is.
 template <int Dim>
@@ -51,11 +51,11 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
                                RotationVector<Dim, T>::Zero()};
   motion.pair.gap.derivative[0] = -1.0;
   for (int a = 0; a < kShearComponents<Dim>; ++a) {
-    motion.slip[a] = T(kBeyondCap * surface.slip[a] + kHardlyMoved);
+    motion.slip[a] = T(kBeyondCap * surface.slip[a] + kTinyMotion);
     for (int t = 0; t < Dim - 1; ++t) motion.slip[a].derivative[1 + t] = tangents(a, t);
   }
   for (int a = 0; a < kRotations<Dim>; ++a) {
-    motion.relative_rotation[a] = T(kBeyondCap * surface.relative_rotation[a] + kHardlyMoved);
+    motion.relative_rotation[a] = T(kBeyondCap * surface.relative_rotation[a] + kTinyMotion);
     motion.relative_rotation[a].derivative[Dim + a] = -1.0;  // of i against j
   }
   auto memory = dual_memory<Law, Dim>(factor.cwiseProduct(start.memory));
@@ -75,8 +75,8 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
 }  // namespace
 
 template <int Dim>
-void carry(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
-           Contact<Dim>& contact, SurfaceMotion<Dim>& motion) {
+void transport_memory(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
+                      Contact<Dim>& contact, SurfaceMotion<Dim>& motion) {
   if constexpr (Dim == 3) {
     if (!contact.normal.isZero(0.0)) {
       const auto carried = [&](const Vec<3>& v) {
@@ -120,8 +120,8 @@ void contact_tangents(const Packing<Dim>& packing, std::span<const Contact<Dim>>
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                               \
-  template void carry(const std::vector<RememberedQuantity>&, const Vec<Dim>&, double, Contact<Dim>&,       \
-                      SurfaceMotion<Dim>&);                                                                 \
+  template void transport_memory(const std::vector<RememberedQuantity>&, const Vec<Dim>&, double,           \
+                                 Contact<Dim>&, SurfaceMotion<Dim>&);                                       \
   template void respond(const Packing<Dim>&, std::span<const SurfaceMotion<Dim>>, std::span<Contact<Dim>>); \
   template void contact_tangents(const Packing<Dim>&, std::span<const Contact<Dim>>,                        \
                                  std::span<const SurfaceMotion<Dim>>, std::span<const Mat<Dim>>,            \

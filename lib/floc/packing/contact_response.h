@@ -20,8 +20,8 @@ struct SurfaceMotion {
 /// @param remembered  what the law remembers (remembered_quantities)
 /// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
 template <int Dim>
-void carry(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
-           Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
+void transport_memory(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
+                      Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
 
 /// Static response of contacts by the law of a packing, of whose grains they are: from `gap`, `normal` and memory of
 /// each, which moves by `motion`, follow forces, stiffnesses, flags and the memory after. The law is resolved once for

@@ -19,9 +19,9 @@ namespace {
 
 /// Motion has stopped when the solid fraction moved less than this in a window of this many time units and the
 /// kinetic energy is within its tolerance (damping before that changes which rearrangement happens).
-constexpr double kStillPhi = 2e-5;
-constexpr double kStillWindow = 5.0;
-constexpr double kStillContactsWindow = 20.0;
+constexpr double kSteadyPhi = 2e-5;
+constexpr double kSteadyWindow = 5.0;
+constexpr double kSteadyContactsWindow = 20.0;
 /// Springs that never yield vibrate for ever. Grains that have covered so many largest diameters at their
 /// r.m.s. speed, and so many windows of still contacts, without one contact opening or closing go to and fro,
 /// and their energy does not matter. What coasts meets another grain before: the furthest that five shipped
@@ -47,7 +47,7 @@ double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
 }
 
 template <int Dim>
-double heaviest(const Packing<Dim>& packing) {
+double largest_mass(const Packing<Dim>& packing) {
   return *std::max_element(packing.grains.mass.begin(), packing.grains.mass.end());
 }
 
@@ -108,14 +108,14 @@ std::uint64_t contact_fingerprint(const Packing<Dim>& packing) {
 template <int Dim>
 double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
   const ForceScale scale = force_scale(packing, target_stress);
-  return std::sqrt(scale.length * heaviest(packing) / scale.force);
+  return std::sqrt(scale.length * largest_mass(packing) / scale.force);
 }
 
 template <int Dim>
 double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
                        const Vec<Dim>& target_stress) {
   const double a = force_scale(packing, target_stress).length;
-  const double m = heaviest(packing);
+  const double m = largest_mass(packing);
   if (options.strain_rate_cap && packing.law.pull_off_force() > 0.0)
     return *options.strain_rate_cap * std::sqrt(packing.law.pull_off_force() / (a * m));
   if (options.inertial_number_cap || packing.law.pull_off_force() == 0.0)
@@ -146,7 +146,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   // Newton steps know no velocities: a packing that moves goes its way.
   const bool at_rest = residuals_.energy < options_.tolerance.energy;
   if (options_.finish != Finish::dynamic && progress_.n_steps == 0 && at_rest && !target_.isZero(0.0) &&
-      solved_at_once())
+      solve_without_motion())
     return RelaxationStatus::converged;
   const auto control = BoundaryControl<Dim>::normal_stress(
       target_,
@@ -173,7 +173,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   measure();
   progress_.force_residual.push_back(residuals_.force);
   if (progress_.force_residual.size() > 10) progress_.force_residual.erase(progress_.force_residual.begin());
-  const RelaxationStatus status = finishing ? judge_finish() : judge_motion();
+  const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status == RelaxationStatus::running && progress_.time > options_.max_time * time_unit_)
     return RelaxationStatus::gave_up;
   return status;
@@ -182,43 +182,43 @@ RelaxationStatus Relaxer<Dim>::advance() {
 /// The imbalance of stress on each axis has changed sign since the start, or is within tolerance. Without this a small
 /// increment would count as equilibrium before anything has moved.
 template <int Dim>
-bool Relaxer<Dim>::answered_to_load() {
+bool Relaxer<Dim>::responded_to_load() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;
-  bool answered = true;
+  bool responded = true;
   for (int a = 0; a < Dim; ++a) {
     if (imbalance[a] * progress_.imbalance_sign[a] < 0.0) progress_.imbalance_sign[a] = 0.0;
-    answered = answered && progress_.imbalance_sign[a] == 0.0;
+    responded = responded && progress_.imbalance_sign[a] == 0.0;
   }
-  return answered || residuals_.stress < options_.tolerance.stress;
+  return responded || residuals_.stress < options_.tolerance.stress;
 }
 
 template <int Dim>
-bool Relaxer<Dim>::density_still() {
+bool Relaxer<Dim>::density_is_steady() {
   std::vector<double>& phi = progress_.solid_fraction;
   phi.push_back(solid_fraction(packing_));
-  const std::size_t window = chunks_in(kStillWindow) + 1;
+  const std::size_t window = chunks_in(kSteadyWindow) + 1;
   if (phi.size() > window) phi.erase(phi.begin());
   const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
-  return phi.size() == window && *high - *low < kStillPhi;
+  return phi.size() == window && *high - *low < kSteadyPhi;
 }
 
 /// Vibrations that nothing damps, and the coasting of a floppy packing without load, may move the density for
 /// ever; that no contact opens or closes for long is then what tells that nothing rearranges any more.
 template <int Dim>
-bool Relaxer<Dim>::contacts_still() {
+bool Relaxer<Dim>::contacts_are_steady() {
   const std::uint64_t set = contact_fingerprint(packing_);
   progress_.unchanged_chunks = set == progress_.contact_set ? progress_.unchanged_chunks + 1 : 0;
   progress_.contact_set = set;
-  return progress_.unchanged_chunks >= static_cast<int>(chunks_in(kStillContactsWindow));
+  return progress_.unchanged_chunks >= static_cast<int>(chunks_in(kSteadyContactsWindow));
 }
 
 /// Whether grains of this mean kinetic energy that met nobody new for so long can only be vibrating.
 template <int Dim>
 bool Relaxer<Dim>::vibrates(double energy) const {
   const double time = progress_.unchanged_chunks * kStepsPerChunk * time_step_;
-  const double path = std::sqrt(2.0 * energy / heaviest(packing_)) * time;
+  const double path = std::sqrt(2.0 * energy / largest_mass(packing_)) * time;
   return path > kVibrationPath * force_scale(packing_, target_).length &&
-         progress_.unchanged_chunks >= static_cast<int>(chunks_in(kVibrationWindows * kStillContactsWindow));
+         progress_.unchanged_chunks >= static_cast<int>(chunks_in(kVibrationWindows * kSteadyContactsWindow));
 }
 
 template <int Dim>
@@ -230,16 +230,16 @@ std::size_t Relaxer<Dim>::chunks_in(double time_units) const {
 /// Motion has stopped when the packing is still, its kinetic energy small, and the cell has answered to its
 /// load; or when it does nothing but vibrate.
 template <int Dim>
-RelaxationStatus Relaxer<Dim>::judge_motion() {
-  const bool answered = answered_to_load();
-  const bool still_density = density_still();
-  const bool still_contacts = contacts_still();
+RelaxationStatus Relaxer<Dim>::check_motion() {
+  const bool responded = responded_to_load();
+  const bool steady_density = density_is_steady();
+  const bool steady_contacts = contacts_are_steady();
   const bool unloaded = target_.isZero(0.0);
-  const bool still = (answered && still_density) || ((answered || unloaded) && still_contacts);
-  if (!still) return RelaxationStatus::running;
+  const bool steady = (responded && steady_density) || ((responded || unloaded) && steady_contacts);
+  if (!steady) return RelaxationStatus::running;
   const GrainScales<Dim> scales(packing_, target_);
   const ForceScale& scale = scales.of_packing();
-  const double limit = (unloaded && still_contacts ? kCoastingEnergy : 1.0) * options_.tolerance.energy;
+  const double limit = (unloaded && steady_contacts ? kCoastingEnergy : 1.0) * options_.tolerance.energy;
   const double energy = energy_of_connected_grains(packing_, scales);
   if (energy < limit * scale.force * scale.length || vibrates(energy)) {
     progress_.phase = RelaxationProgress::finishing;
@@ -251,7 +251,7 @@ RelaxationStatus Relaxer<Dim>::judge_motion() {
 }
 
 template <int Dim>
-RelaxationStatus Relaxer<Dim>::judge_finish() {
+RelaxationStatus Relaxer<Dim>::check_finish() {
   ++progress_.finishing_chunks;
   if (std::abs(solid_fraction(packing_) - progress_.finishing_since_phi) > kFinishPhi) {
     progress_.phase = RelaxationProgress::moving;
@@ -275,13 +275,13 @@ RelaxationStatus Relaxer<Dim>::judge_finish() {
 
 template <int Dim>
 bool Relaxer<Dim>::refine_by_newton() {
-  return take_if_equilibrium(solve_statics(packing_, target_, StaticSolverOptions{}), "polished");
+  return accept_if_equilibrium(solve_statics(packing_, target_, StaticSolverOptions{}), "polished");
 }
 
 /// A static step without dynamics, where dynamics would end in the same state, or where the scene takes any
 /// equilibrium.
 template <int Dim>
-bool Relaxer<Dim>::solved_at_once() {
+bool Relaxer<Dim>::solve_without_motion() {
   const bool any = options_.finish == Finish::statics;
   StaticSolverOptions trial;
   trial.max_iterations = kTrialIterations;
@@ -292,13 +292,13 @@ bool Relaxer<Dim>::solved_at_once() {
     solution = solve_statics(solution.packing, target_, StaticSolverOptions{});
     if (!is_elastic_step(packing_, solution.packing)) return false;
   }
-  return take_if_equilibrium(std::move(solution), "static");
+  return accept_if_equilibrium(std::move(solution), "static");
 }
 
 /// An equilibrium is within tolerance and stable (docs/physics.md, "Equilibrium"). A static solution need not
 /// be stable: with a tail, a grain that could roll onto its neighbour has a saddle on the way.
 template <int Dim>
-bool Relaxer<Dim>::take_if_equilibrium(StaticSolution<Dim> solution, const char* ending) {
+bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending) {
   if (!solution.converged) return false;
   const Mat<Dim> stress = static_stress(solution.packing);
   const Residuals reached = residuals(solution.packing, target_, stress);

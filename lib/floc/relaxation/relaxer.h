@@ -33,16 +33,16 @@ class Relaxer final : public Equilibrator<Dim> {
   std::string progress() const override { return as_text(progress_); }
 
  private:
-  bool answered_to_load();
-  bool density_still();
-  bool contacts_still();
+  bool responded_to_load();
+  bool density_is_steady();
+  bool contacts_are_steady();
   bool vibrates(double energy) const;
   std::size_t chunks_in(double time_units) const;
-  RelaxationStatus judge_motion();
-  RelaxationStatus judge_finish();
+  RelaxationStatus check_motion();
+  RelaxationStatus check_finish();
   bool refine_by_newton();
-  bool solved_at_once();
-  bool take_if_equilibrium(StaticSolution<Dim> solution, const char* ending);
+  bool solve_without_motion();
+  bool accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending);
   void measure();
 
   RelaxationOptions options_;

@@ -21,9 +21,9 @@
 namespace floc {
 namespace {
 
-/// Stiffness, over the stiffest contact's, that holds motions without any: far below the softest mode (5e-6), far above
+/// Regularisation: stiffness, over the stiffest contact's, of motions without any: far below the softest mode (5e-6), far above
 /// rounding.
-constexpr double kHold = 1e-10;
+constexpr double kRegularisation = 1e-10;
 
 /// A configuration: where the grains are, how far the surfaces of each candidate contact moved since the start, what it
 /// answers and the residual there.
@@ -85,7 +85,7 @@ class StaticProblem {
     for (int k = 0; k < kSymmetric<Dim>; ++k) {
       if (control.imposed[k] != Imposed::stress) continue;
       strains_.push_back(component_axes<Dim>(k));
-      wanted_stress_.push_back(control.target[k]);
+      target_stress_.push_back(control.target[k]);
     }
     initial_ = start_from(2.0 * options.largest_displacement * scale_.length);
     stiffness_ = 0.0;
@@ -126,7 +126,7 @@ class StaticProblem {
       SurfaceMotion<Dim>& motion = to.motion[k];
       const Vec<Dim> normal = locate(to, k);
       const RotationVector<Dim> rotation_i = rotation_of(step, c.i), rotation_j = rotation_of(step, c.j);
-      carry(quantities_, normal, twist_about(normal, rotation_i, rotation_j), c, motion);
+      transport_memory(quantities_, normal, twist_about(normal, rotation_i, rotation_j), c, motion);
       const double share = share_i(c);
       const RotationVector<Dim> mean_rotation = share * rotation_i + (1.0 - share) * rotation_j;
       motion.slip += to_shear<double>(
@@ -149,7 +149,7 @@ class StaticProblem {
     for (const Contact<Dim>& c : at.contacts) frames.push_back(contact_frame(c.normal));
     std::vector<ContactTangent<Dim>> tangents(frames.size());
     contact_tangents<Dim>(start_, at.remembered, at.motion, frames, tangents);
-    matrix.reset(kHold * stiffness_);
+    matrix.reset(kRegularisation * stiffness_);
     for (std::size_t k = 0; k < frames.size(); ++k)
       if (interacts(at.contacts[k]))
         matrix.add(network_contact(at, k, frames[k]), tangents[k], boundary_columns(at, k));
@@ -157,7 +157,7 @@ class StaticProblem {
     for (int p = 0; p < n_strains(); ++p)
       for (int q = 0; q < n_strains(); ++q)
         if (strains_[q][0] == strains_[q][1])
-          load(p, q) = at.cell.volume() * wanted_stress_[p] / (scale_.length * scale_.length);
+          load(p, q) = at.cell.volume() * target_stress_[p] / (scale_.length * scale_.length);
     matrix.add_boundary(load);
   }
 
@@ -167,12 +167,12 @@ class StaticProblem {
     out.cell = at.cell;
     out.cell.velocity.setZero();
     out.contacts = at.contacts;
-    for (Contact<Dim>& c : out.contacts) c.image += inward(at, c.i) - inward(at, c.j);
+    for (Contact<Dim>& c : out.contacts) c.image += image_into_cell(at, c.i) - image_into_cell(at, c.j);
     std::vector<DoubleDoubleVec<Dim>> centres;
     for (int i = 0; i < n_grains(); ++i) {
       out.grains.velocity[i].setZero();
       out.grains.angular_velocity[i].setZero();
-      centres.push_back(displaced<Dim>(at.centre[i], out.cell, inward(at, i)));
+      centres.push_back(displaced<Dim>(at.centre[i], out.cell, image_into_cell(at, i)));
     }
     out.grains.orientation = at.orientation;
     out.grains.set_centres(centres);
@@ -197,7 +197,7 @@ class StaticProblem {
     c.motion.resize(c.remembered.size());
     c.branch.resize(c.remembered.size());
     for (std::size_t k = 0; k < c.remembered.size(); ++k)
-      carry(quantities_, locate(c, k), 0.0, c.remembered[k], c.motion[k]);
+      transport_memory(quantities_, locate(c, k), 0.0, c.remembered[k], c.motion[k]);
     evaluate(c);
     return c;
   }
@@ -235,7 +235,7 @@ class StaticProblem {
   }
 
   /// Image that brings a grain into the cell.
-  Vec<Dim, int> inward(const Configuration<Dim>& at, int i) const {
+  Vec<Dim, int> image_into_cell(const Configuration<Dim>& at, int i) const {
     Vec<Dim> high;
     for (int a = 0; a < Dim; ++a) high[a] = at.centre[i][a].high;
     return -reduced<Dim>(at.cell.matrix, high).array().floor().matrix().template cast<int>();
@@ -272,7 +272,7 @@ class StaticProblem {
     at.n_contacts = at.n_yielding = 0;
     auto stress_balance = at.residual.tail(n_strains());
     for (int k = 0; k < n_strains(); ++k)
-      stress_balance[k] = -at.cell.volume() * wanted_stress_[k] / scale_.length;
+      stress_balance[k] = -at.cell.volume() * target_stress_[k] / scale_.length;
     const std::vector<double>& radius = start_.grains.radius;
     for (std::size_t k = 0; k < at.contacts.size(); ++k) {
       const Contact<Dim>& c = at.contacts[k];
@@ -341,7 +341,7 @@ class StaticProblem {
   ForceScale scale_;
   std::vector<RememberedQuantity> quantities_;  // of contacts, by the law
   std::vector<std::array<int, 2>> strains_;     // the free ones
-  std::vector<double> wanted_stress_;           // of them
+  std::vector<double> target_stress_;           // of them
   Configuration<Dim> initial_;
   double stiffness_;  // of the stiffest contact
 };

@@ -25,7 +25,7 @@ class Driver {
       if (event == RunEvent::equilibrium) save();
       if (event == RunEvent::gave_up) return give_up();
       if (event == RunEvent::chunk && options_.chunk) options_.chunk(run_);
-      if (options_.stop && options_.stop()) return leave({DriveReport::stopped, {}});
+      if (options_.stop && options_.stop()) return stop_with({DriveReport::stopped, {}});
       if (seconds_since(last_checkpoint_) > options_.checkpoint_every) checkpoint();
     }
     directory_.remove_checkpoint();
@@ -48,17 +48,17 @@ class Driver {
   void checkpoint() {
     if (tracker_ != nullptr) tracker_->write();
     if (!run_.finished()) {
-      State<2> state = run_.lend_state();
+      State<2> state = run_.release_state();
       directory_.save_checkpoint(state, run_.point());
-      run_.go_on(std::move(state.packing));
+      run_.restore_packing(std::move(state.packing));
     }
     last_checkpoint_ = Clock::now();
   }
 
   /// A checkpoint takes the step up anew, so what blocks it is asked before.
-  DriveReport give_up() { return leave({DriveReport::gave_up, run_.report()}); }
+  DriveReport give_up() { return stop_with({DriveReport::gave_up, run_.report()}); }
 
-  DriveReport leave(DriveReport report) {
+  DriveReport stop_with(DriveReport report) {
     checkpoint();
     return report;
   }

@@ -16,10 +16,10 @@
 namespace floc {
 namespace {
 
-constexpr std::size_t kNamed = 5;  ///< how many offenders a message names
+constexpr std::size_t kMostListed = 5;  ///< how many violations a message names
 
-/// Offenders of a criterion and how bad each is.
-class Offenders {
+/// What violates a criterion, and by how much.
+class Violations {
  public:
   void add(double how_bad, std::string name) { found_.emplace_back(how_bad, std::move(name)); }
 
@@ -27,9 +27,9 @@ class Offenders {
     std::stable_sort(found_.begin(), found_.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     std::string text;
-    for (std::size_t k = 0; k < std::min(kNamed, found_.size()); ++k)
+    for (std::size_t k = 0; k < std::min(kMostListed, found_.size()); ++k)
       text += fmt::format("{}{}", k == 0 ? "" : ", ", found_[k].second);
-    if (found_.size() > kNamed) text += fmt::format(" and {} more", found_.size() - kNamed);
+    if (found_.size() > kMostListed) text += fmt::format(" and {} more", found_.size() - kMostListed);
     return text;
   }
 
@@ -53,16 +53,16 @@ double distance_error(const Packing<Dim>& packing) {
 template <int Dim>
 Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
   Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
-  Offenders offenders;
+  Violations violations;
   for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
     const Contact<Dim>& c = stored.contacts[k];
     const Contact<Dim>& r = recomputed.contacts[k];
     const double error =
         std::max(std::abs(c.gap - r.gap), (c.normal - r.normal).norm() * branch(recomputed, r).norm());
     result.value = std::max(result.value, error);
-    if (!(error <= result.limit)) offenders.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
+    if (!(error <= result.limit)) violations.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
   }
-  result.where = offenders.worst_first();
+  result.where = violations.worst_first();
   result.holds = result.where.empty();
   return result;
 }
@@ -86,11 +86,11 @@ template <int Dim>
 Criterion check_list(const Packing<Dim>& recomputed) {
   const double open = distance_error(recomputed);
   const double range = recomputed.law.range();
-  Offenders offenders;
+  Violations violations;
   std::set<std::pair<Identity<Dim>, int>> listed;
   std::set<Identity<Dim>> pairs;
   int n_wrong = 0;
-  const auto wrong = [&](const std::string& what) { offenders.add(0.0, what), ++n_wrong; };
+  const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
   for (const Contact<Dim>& c : recomputed.contacts) {
     const Identity<Dim> id = identity<Dim>(c.i, c.j, c.image);
     pairs.insert(id);
@@ -104,7 +104,7 @@ Criterion check_list(const Packing<Dim>& recomputed) {
     if (c.gap < range - open && !pairs.contains(identity<Dim>(c.i, c.j, c.image)))
       wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(c), c.gap));
   }
-  return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, offenders.worst_first()};
+  return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
 /// What positions leave open of a force.
@@ -122,7 +122,7 @@ double force_error(const Packing<Dim>& packing) {
 template <int Dim>
 Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
   Criterion result{"law", 0.0, force_error(recomputed), true, ""};
-  Offenders offenders;
+  Violations violations;
   for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
     const Contact<Dim>& c = stored.contacts[k];
     const Contact<Dim>& r = recomputed.contacts[k];
@@ -133,11 +133,11 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
     result.value = std::max(result.value, error);
     const bool same_state = std::tie(c.kn, c.kt, c.kr, c.distant) == std::tie(r.kn, r.kt, r.kr, r.distant);
     if (!(error <= result.limit))
-      offenders.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
+      violations.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
     else if (!same_state)
-      offenders.add(0.0, fmt::format("{} in a stiffness", name_of(c)));
+      violations.add(0.0, fmt::format("{} in a stiffness", name_of(c)));
   }
-  result.where = offenders.worst_first();
+  result.where = violations.worst_first();
   result.holds = result.where.empty();
   return result;
 }
@@ -145,12 +145,12 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
 /// Grains whose net force or moment, measured in unit(grain), is not below `limit`.
 template <class Vector, class Unit>
 std::string unbalanced(const std::vector<Vector>& net, const Unit& unit, double limit) {
-  Offenders offenders;
+  Violations violations;
   for (std::size_t i = 0; i < net.size(); ++i) {
     const double value = net[i].norm() / unit(static_cast<int>(i));
-    if (value >= limit) offenders.add(value, fmt::format("grain {} with {:.2g}", i, value));
+    if (value >= limit) violations.add(value, fmt::format("grain {} with {:.2g}", i, value));
   }
-  return offenders.worst_first();
+  return violations.worst_first();
 }
 
 template <int Dim>

@@ -9,8 +9,8 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// A number that stands in for one that was refused, so that what follows can still be checked.
-constexpr double kStandIn = 1.0;
+/// A placeholder for a number that was refused, so that what follows can still be checked.
+constexpr double kPlaceholder = 1.0;
 
 NumberRule rule_of(const DeclaredNumber& n) {
   static constexpr bool (*kHolds[])(double) = {[](double x) { return holds(Requirement::positive, x); },
@@ -57,7 +57,7 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
   model.choose(law);
   for (const LawNumber& n : numbers_of(law)) {
     if (!n.key.starts_with(slot.key + ".")) continue;
-    *n.value = t.number(n.declared->key, rule_of(*n.declared)).value_or(kStandIn);
+    *n.value = t.number(n.declared->key, rule_of(*n.declared)).value_or(kPlaceholder);
   }
   for (const DeclaredChoice& c : model.choices)
     if (const auto index = t.choice(c.key, c.keywords, Need::optional))

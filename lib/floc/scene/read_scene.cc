@@ -310,7 +310,7 @@ void read_run(TableReader& root, Scene& scene) {
 }
 
 /// What tables must agree on.
-void check_together(TableReader& root, SceneSource& source, const Scene& scene) {
+void check_consistency(TableReader& root, SceneSource& source, const Scene& scene) {
   const bool cohesive = scene.law.adhesion || source.is_faulty("contact.adhesion.law");
   TableReader contact = root.table("contact", "", Need::optional);
   TableReader cell = root.table("cell", "", Need::optional);
@@ -371,7 +371,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   read_load(root, scene);
   read_equilibrium(root, scene.relaxation);
   read_run(root, scene);
-  check_together(root, source, scene);
+  check_consistency(root, source, scene);
   const bool has_chosen = read_accuracy(root, source, scene);
   check_resolution(root, scene);
   root.refuse_other_keys();

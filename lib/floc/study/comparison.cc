@@ -33,8 +33,8 @@ double relative_difference(int k, const Observation& x, const Observation& refer
   return difference == 0.0 ? 0.0 : difference / size;
 }
 
-/// Nothing but elasticity from one state to the next.
-bool calm(const ObservedState& from, const ObservedState& to) {
+/// Whether the step from one state to the next is elastic.
+bool is_elastic(const ObservedState& from, const ObservedState& to) {
   const double change = std::abs(std::log(to.observation[kPhi] / from.observation[kPhi]));
   const double step = std::abs(to.state.target_stress.mean() - from.state.target_stress.mean());
   const double modulus = std::min(from.observation[kB], to.observation[kB]);
@@ -105,8 +105,8 @@ std::vector<bool> before_collapse(const SamplePath& reference, const SamplePath&
     if (path.states[k].stage < 0) continue;
     const bool first = path.states[k].stage != path.states[k - 1].stage;
     const ObservedState& start = first ? reference.states[k - 1] : path.states[k - 1];
-    before[k] = (first || before[k - 1]) && calm(reference.states[k - 1], reference.states[k]) &&
-                calm(start, path.states[k]) && path.states[k].touching == reference.states[k].touching;
+    before[k] = (first || before[k - 1]) && is_elastic(reference.states[k - 1], reference.states[k]) &&
+                is_elastic(start, path.states[k]) && path.states[k].touching == reference.states[k].touching;
   }
   return before;
 }

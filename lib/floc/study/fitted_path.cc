@@ -68,7 +68,7 @@ Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
 std::optional<PressureWindow> fit_window(const std::vector<const SamplePath*>& references) {
   if (references.size() < kFewestSamples || first_loading(*references.front()).empty()) return std::nullopt;
   const ConsolidationFit whole = fit_consolidation(curve_without(references, std::nullopt), {});
-  if (!whole.found() || whole.told != ConsolidationLaw::full) return std::nullopt;
+  if (!whole.found() || whole.reported_law != ConsolidationLaw::full) return std::nullopt;
   return PressureWindow(whole.window_low, whole.window_high);
 }
 

@@ -39,7 +39,7 @@ class Study {
     fit_size_to_budget();
     settings_ = studied_settings(scene_);
     samples_.resize(settings_.size());
-    for (int k = 0; k < options_.max_samples && next_sample_fits(k); ++k) make_round(k);
+    for (int k = 0; k < options_.max_samples && next_sample_fits(k); ++k) run_seed(k);
     Tradeoff out;
     out.n_grains = scene_.grains.count;
     measure(out);
@@ -49,14 +49,14 @@ class Study {
 
  private:
   struct Sample {
-    int round;
+    int index;
     SamplePath path;
     std::vector<Observation> levels;  // of a level of moduli: what it makes of the reference's states
     double base_seconds = 0.0;        // of the path it is added to
   };
 
-  /// Expected seconds of one sample of everything at a size.
-  double round_cost(int n_grains, double speed) const {
+  /// Expected seconds of one sample of every setting at a size.
+  double sample_cost(int n_grains, double speed) const {
     Scene sized = scene_;
     sized.grains.count = n_grains;
     double units = kReferenceCost;
@@ -80,7 +80,7 @@ class Study {
     if (!pilot.whole() || scene_.grains.diameter.kind == DiameterDistribution::Kind::list) return;
     const int wanted = scene_.grains.count;
     while (scene_.grains.count > kFewestGrains &&
-           kSamplesWanted * round_cost(scene_.grains.count, speed) > deadline_.left())
+           kSamplesWanted * sample_cost(scene_.grains.count, speed) > deadline_.left())
       scene_.grains.count = std::max(kFewestGrains, static_cast<int>(0.9 * scene_.grains.count));
     if (scene_.grains.count < wanted)
       left_out_.push_back(
@@ -89,16 +89,16 @@ class Study {
 
   bool next_sample_fits(int k) {
     if (k == 0) return true;
-    if (!last_round_whole_) return false;
-    if (kMargin * last_round_seconds_ < deadline_.left()) return true;
+    if (!last_seed_whole_) return false;
+    if (kMargin * last_seed_seconds_ < deadline_.left()) return true;
     left_out_.push_back(fmt::format("samples beyond {} of {}: the next would take {:.0f} s, {:.0f} s are left",
-                                    k, options_.max_samples, last_round_seconds_, deadline_.left()));
+                                    k, options_.max_samples, last_seed_seconds_, deadline_.left()));
     return false;
   }
 
-  void make_round(int k) {
+  void run_seed(int k) {
     const Deadline start(0.0);
-    last_round_whole_ = false;
+    last_seed_whole_ = false;
     const std::uint64_t seed = scene_.seed + static_cast<std::uint64_t>(k);
     SamplePath reference = make_path(0, seed, nullptr);
     if (!reference.whole()) return fail(0, seed, reference);
@@ -121,8 +121,8 @@ class Study {
     }
     for (ObservedState& s : reference.states) s.state.packing.contacts.clear();
     samples_[0].push_back({k, std::move(reference), {}, 0.0});
-    last_round_whole_ = !deadline_.passed();
-    last_round_seconds_ = -start.left();
+    last_seed_whole_ = !deadline_.passed();
+    last_seed_seconds_ = -start.left();
   }
 
   SamplePath make_path(std::size_t i, std::uint64_t seed, const SamplePath* reference) {
@@ -172,14 +172,14 @@ class Study {
   void measure(Tradeoff& out) const {
     std::map<int, const SamplePath*> reference_of;
     std::vector<const SamplePath*> all;
-    for (const Sample& s : samples_[0]) all.push_back(reference_of[s.round] = &s.path);
+    for (const Sample& s : samples_[0]) all.push_back(reference_of[s.index] = &s.path);
     const std::optional<PressureWindow> window = fit_window(all);
     for (std::size_t i = 0; i < settings_.size(); ++i) {
       std::vector<const SamplePath*> references, paths;
       std::vector<std::vector<Observation>> levels;
       for (const Sample& s : samples_[i]) {
-        if (!reference_of.contains(s.round)) continue;
-        references.push_back(reference_of[s.round]);
+        if (!reference_of.contains(s.index)) continue;
+        references.push_back(reference_of[s.index]);
         paths.push_back(&s.path);
         levels.push_back(s.levels);
       }
@@ -236,8 +236,8 @@ class Study {
   std::vector<std::vector<Sample>> samples_;  // of each setting
   std::set<std::size_t> skipped_;
   std::vector<std::string> left_out_;
-  double last_round_seconds_ = 0.0;
-  bool last_round_whole_ = true;
+  double last_seed_seconds_ = 0.0;
+  bool last_seed_whole_ = true;
 };
 
 }  // namespace

@@ -77,9 +77,9 @@ TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
         continue;
       }
       EXPECT_EQ(state.n_negative, -1);
-      State<2> lent = run.lend_state();
-      expect_measured(lent);
-      run.go_on(std::move(lent.packing));
+      State<2> released = run.release_state();
+      expect_measured(released);
+      run.restore_packing(std::move(released.packing));
     }
   }
 }

@@ -78,8 +78,9 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
     const RotationVector<Dim> mean =
         (packing.grains.radius[c.i] * rotation_i + packing.grains.radius[c.j] * rotation_j) / radii;
     c.gap = r.norm() - radii;
-    carry<Dim>(remembered, normal, twist_about(normal, RotationVector<Dim>(0.5 * (rotation_i + rotation_j))), c,
-               motion[k]);
+    transport_memory<Dim>(remembered, normal,
+                          twist_about(normal, RotationVector<Dim>(0.5 * (rotation_i + rotation_j))), c,
+                          motion[k]);
     motion[k].slip = to_shear<double>(normal, Vec<Dim>(r - branch(packing, c) - cross<double>(mean, r)));
     motion[k].relative_rotation = rotation_i - rotation_j;
   }

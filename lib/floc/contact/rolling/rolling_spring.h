@@ -34,7 +34,7 @@ struct RollingSpring {
   }
   /// Sets the memory to what carries a moment on j. @param stiffness  of the contact, > 0
   template <class V>
-  void carry(const V& force, double stiffness, double* memory) const {
+  void set_force(const V& force, double stiffness, double* memory) const {
     Eigen::Map<V>{memory} = force / stiffness;
   }
   /// K_R while nothing yields, of a contact whose surfaces touch.

@@ -35,7 +35,7 @@ struct CoulombFriction {
   }
   /// Sets the memory to what carries a force. @param stiffness  of the contact, > 0
   template <class V>
-  void carry(const V& force, double stiffness, double* memory) const {
+  void set_force(const V& force, double stiffness, double* memory) const {
     Eigen::Map<V>{memory} = force / stiffness;
   }
   /// K_T while nothing slides, of a contact whose surfaces touch.

@@ -21,8 +21,8 @@
 namespace floc::fuzz {
 namespace {
 
-constexpr time_t kMostSeconds = 10;              ///< of processor time that an input may take
-constexpr rlim_t kMostMemory = rlim_t{1} << 30;  ///< address space of the process, bytes
+constexpr time_t kMaxSeconds = 10;              ///< of processor time that an input may take
+constexpr rlim_t kMaxMemory = rlim_t{1} << 30;  ///< address space of the process, bytes
 constexpr std::size_t kLongestInput = 1 << 16;
 
 std::string current;  ///< what is being read, for the handler
@@ -144,7 +144,7 @@ void set_timer(time_t seconds) {
 
 void read_one(const Reader& reader, std::string bytes) {
   current = std::move(bytes);
-  set_timer(kMostSeconds);
+  set_timer(kMaxSeconds);
   reader.read(current);
   set_timer(0);
 }
@@ -162,7 +162,7 @@ int write_seeds(const std::filesystem::path& directory) {
 int run(const Reader& reader, int argc, char** argv) {
   reader_name = reader.name;
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGPROF}) std::signal(signal, keep_input);
-  const rlimit limit{kMostMemory, kMostMemory};
+  const rlimit limit{kMaxMemory, kMaxMemory};
   ::setrlimit(RLIMIT_AS, &limit);
   char* end = nullptr;
   const long runs = std::strtol(argv[2], &end, 10);

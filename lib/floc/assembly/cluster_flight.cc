@@ -13,7 +13,7 @@ namespace {
 /// Distance to which surfaces are searched for when clusters may meet, in largest diameters: beyond it they have as far to go at least.
 constexpr double kSearchDistance = 0.1;
 /// Bounds from below on the time to the next meeting that are flown one after another.
-constexpr int kMostFlights = 1000;
+constexpr int kMaxFlights = 1000;
 
 /// A grain that another touches, in the image in which it does.
 struct Neighbor {
@@ -125,7 +125,7 @@ double ClusterFlight::fly(Packing<2>& packing, double nearest, double longest) c
   Grains<2>& g = packing.grains;
   const std::vector<Vec<2>> start = g.position;
   double flown = 0.0;
-  for (int flight = 0; flight < kMostFlights && flown < longest; ++flight) {
+  for (int flight = 0; flight < kMaxFlights && flown < longest; ++flight) {
     const double time = std::min(time_to_meet(packing, nearest), longest - flown);
     if (!(time > 0.0)) break;
     flown += time;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kRandomPlacingLimit =
     0.4;                             ///< solid fraction that placing one by one reaches without long searches
 constexpr int kShuffleSweeps = 200;  ///< moves a grain: several mean free paths, the placing is forgotten
-constexpr int kMostSweeps = 20000;   ///< beyond this growing has failed
+constexpr int kMaxSweeps = 20000;    ///< beyond this growing has failed
 constexpr double kGrowth = 1.01;     ///< of all diameters, whenever no grains overlap
 
 template <int Dim>
@@ -103,12 +103,12 @@ void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diamete
   std::vector<int> order(diameter.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
   std::stable_sort(order.begin(), order.end(), [&](int p, int q) { return diameter[p] > diameter[q]; });
-  constexpr int kMostTries = 100000;
+  constexpr int kMaxTries = 100000;
   for (const int i : order) {
     int tries = 0;
     Vec<Dim> x = random_point<Dim>(side, random);
     while (!grains.free_at(i, x, scale)) {
-      if (++tries > kMostTries)
+      if (++tries > kMaxTries)
         throw InputError("assembly", "cell.solid_fraction: no room left to place the grains");
       x = random_point<Dim>(side, random);
     }
@@ -174,7 +174,7 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
   const double mean_diameter =
       std::pow(solid_volume<Dim>(diameter) / static_cast<double>(diameter.size()), 1.0 / Dim);
   for (int sweep = 0, at_size = 0; at_size < kShuffleSweeps; ++sweep) {
-    if (sweep > kMostSweeps)
+    if (sweep > kMaxSweeps)
       throw InputError("assembly",
                        fmt::format("cell.solid_fraction = {}: grains without overlap got stuck at {:.3f}",
                                    solid_fraction, solid_fraction * std::pow(scale, Dim)));

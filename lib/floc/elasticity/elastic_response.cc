@@ -142,7 +142,7 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
 
 /// Steps after which a factor of its own is cheaper than going on with one of another network (N = 1400: a factor takes
 /// as long as some 30 steps).
-constexpr int kMostSteps = 40;
+constexpr int kMaxSteps = 40;
 
 /// Refinement with an approximate inverse of which nothing is known; no value where it does not converge.
 template <int Dim>
@@ -156,9 +156,9 @@ std::optional<ElasticResponse> solve_by_approximate_inverse(
   inverse.estimated_ratio = true;
   const double tolerance = problem.options.tolerance;
   const CondensationOptions options{.tolerance = tolerance,
-                                    .max_steps = kMostSteps,
+                                    .max_steps = kMaxSteps,
                                     .extended = tolerance < kDoubleSuffices,
-                                    .patience = kMostSteps,
+                                    .patience = kMaxSteps,
                                     .start = start};
   const Condensation condensed = condense(springs, inverse, options);
   if (!condensed.converged) return std::nullopt;

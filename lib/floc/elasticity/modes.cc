@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-constexpr int kFewest = 10;
-constexpr int kMost = 100;
+constexpr int kMinCount = 10;
+constexpr int kMaxCount = 100;
 
 /// Unknowns of the grains that have contacts, rotations times the grain's size.
 template <int Dim>
@@ -116,7 +116,7 @@ void add_participation(const ContactNetwork<Dim>& network, int n_connected, Mode
   mode.participation = sum * sum / (n_connected * fourth);
   std::vector<int> order(network.n_grains);
   std::iota(order.begin(), order.end(), 0);
-  const auto last = order.begin() + std::min(Mode<Dim>::kMostNamed, network.n_grains);
+  const auto last = order.begin() + std::min(Mode<Dim>::kMaxNamed, network.n_grains);
   std::partial_sort(order.begin(), last, order.end(), [&](int i, int j) { return square[i] > square[j]; });
   double held = 0.0;
   for (auto i = order.begin(); i != last && held < 0.5 * sum; ++i) {
@@ -176,7 +176,7 @@ SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions&
   factor.set_matrix(scaled_stiffness(network, unknowns, options.strains));
   const double bound = std::max(out.near_bound / stiffness_scale(network), options.mechanism_bound);
   out.n_below_near_bound = factor.count_eigenvalues_below(bound) - static_cast<int>(free_motions.cols());
-  const int count = options.count.value_or(std::clamp(out.n_below_near_bound, kFewest, kMost));
+  const int count = options.count.value_or(std::clamp(out.n_below_near_bound, kMinCount, kMaxCount));
   const Eigenpairs pairs = lowest_eigenpairs(factor, free_motions, count);
   out.complete = pairs.complete;
   for (Eigen::Index m = 0; m < pairs.values.size(); ++m)

@@ -38,10 +38,10 @@ struct Mode {
   Eigen::VectorXd coupling;
   double softens_B = 0.0;  ///< what it takes off the affine bulk modulus (stress)
   double softens_G = 0.0;  ///< off the affine shear modulus (C11 + C22 - 2 C12)/4 (stress)
-  /// Fewest grains that hold half of the squared amplitude, the most mobile first, at most `kMostNamed`.
+  /// Fewest grains that hold half of the squared amplitude, the most mobile first, at most `kMaxNamed`.
   std::vector<int> grains;
 
-  static constexpr int kMostNamed = 12;
+  static constexpr int kMaxNamed = 12;
 };
 
 struct ModeOptions {

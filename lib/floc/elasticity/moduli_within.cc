@@ -11,12 +11,12 @@ namespace floc {
 namespace {
 
 /// The rounding error of the cell's volume alone.
-constexpr double kLeastError = 1e-14;
+constexpr double kMinError = 1e-14;
 /// Share of the accuracy asked for by which principal stresses may differ where B_reuss is to bound B_S: with
 /// sigma_a = P (1 + delta_a) it is off by the order of delta.
 constexpr double kAnisotropyShare = 0.01;
 /// Grains up to which a factor in single precision is cheaper than one in double.
-constexpr int kMostForSingle = 1000;
+constexpr int kMaxForSingle = 1000;
 
 /// Whether the middle between the bounds can be given as B, with half their distance as its error.
 template <int Dim>
@@ -46,9 +46,9 @@ bool ModuliAccuracy::met_by(const Moduli& m) const {
 std::vector<std::string> ModuliAccuracy::validate() const {
   std::vector<std::string> faults;
   const auto check = [&](const char* name, double asked) {
-    if (!(asked >= kLeastError))
+    if (!(asked >= kMinError))
       faults.push_back(fmt::format("accuracy of {} = {}: must be at least {}, which rounding leaves", name,
-                                   asked, kLeastError));
+                                   asked, kMinError));
   };
   check("B", B);
   check("G", G);
@@ -57,7 +57,7 @@ std::vector<std::string> ModuliAccuracy::validate() const {
 }
 
 std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains) {
-  if (n_grains > kMostForSingle) return {ModuliMethod::bounds, ModuliMethod::factor};
+  if (n_grains > kMaxForSingle) return {ModuliMethod::bounds, ModuliMethod::factor};
   return {ModuliMethod::bounds, ModuliMethod::single_factor, ModuliMethod::factor};
 }
 

@@ -15,7 +15,7 @@ namespace {
 using Law = ConsolidationLaw;
 
 /// Samples whose scatter gives weights and errors.
-constexpr Eigen::Index kFewestSamples = 3;
+constexpr Eigen::Index kMinSamples = 3;
 
 const char* name_of(Law law) {
   return law == Law::log ? "log" : law == Law::power ? "power" : "full";
@@ -27,7 +27,7 @@ const char* place_of(Law law) {
 
 Weighting weighting_of(const ConsolidationCurve& curve, const ConsolidationOptions& options) {
   if (options.weighting != Weighting::automatic) return options.weighting;
-  return curve.samples.cols() >= kFewestSamples ? Weighting::scatter : Weighting::relative;
+  return curve.samples.cols() >= kMinSamples ? Weighting::scatter : Weighting::relative;
 }
 
 /// Deviations of the samples from their mean, points x samples.
@@ -39,7 +39,7 @@ Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& samples) {
 /// over five neighbours, and none counts less than a tenth of their mean.
 Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   constexpr Eigen::Index kReach = 2;
-  constexpr double kLeast = 0.1;
+  constexpr double kMinRelativeVariance = 0.1;
   const Eigen::VectorXd own =
       deviations_of(samples).rowwise().squaredNorm() / static_cast<double>(samples.cols() - 1);
   const Eigen::Index n = own.size();
@@ -48,7 +48,7 @@ Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
     const Eigen::Index first = std::max<Eigen::Index>(i - kReach, 0);
     smooth[i] = own.segment(first, std::min(i + kReach + 1, n) - first).mean();
   }
-  return smooth.cwiseMax(kLeast * smooth.mean());
+  return smooth.cwiseMax(kMinRelativeVariance * smooth.mean());
 }
 
 /// Weights of mean square one.
@@ -335,7 +335,7 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
     return refused(law, fmt::format("only {} of the pressures lie before P1* = {:.4g}, regime II needs {}: try "
                                     "--law power",
                                     n_before_regime_three(points, estimate.solution),
-                                    std::exp(estimate.solution.theta[3]), kFewestInRegimeTwo));
+                                    std::exp(estimate.solution.theta[3]), kMinInRegimeTwo));
   const LawEstimate reported = identifiable_estimate(estimate);
   describe_window(curve, window, fit);
   describe_solution(reported, fit);
@@ -344,7 +344,7 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
       curve.samples.cols() >= 2
           ? Eigen::MatrixXd(curve.samples.middleRows(window.first - n_plateau, window.n + n_plateau))
           : Eigen::MatrixXd();
-  fit.errors_from_samples = samples.cols() >= kFewestSamples;
+  fit.errors_from_samples = samples.cols() >= kMinSamples;
   Covariance covariance = fit.errors_from_samples ? covariance_from_samples(reported, deviations_of(samples))
                                                   : covariance_from_residuals(reported);
   const Covariance scatter = covariance;
@@ -396,7 +396,7 @@ ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const Consol
       return refused(law,
                      fmt::format("no range of at least {} pressures over which the solid fraction grows as in "
                                  "regime II: try --law log with --window lo,hi",
-                                 kFewestInRegimeTwo));
+                                 kMinInRegimeTwo));
     window = window_of(law, *fit.regimes, n);
   }
   if (window.n <= n_parameters(law)) return refused(law, too_few(law, window.n));

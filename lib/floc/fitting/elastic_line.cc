@@ -34,11 +34,11 @@ bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
 
 ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& phi) {
   assert(P.size() == phi.size());
-  constexpr int kFewest = 3;
+  constexpr int kMinPressures = 3;
   ElasticFit fit;
   const auto n = static_cast<Eigen::Index>(P.size());
-  if (n < kFewest) {
-    fit.refusal = fmt::format("{} pressures on the branch, expected at least {}", n, kFewest);
+  if (n < kMinPressures) {
+    fit.refusal = fmt::format("{} pressures on the branch, expected at least {}", n, kMinPressures);
     return fit;
   }
   const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(P.data(), n);

@@ -11,7 +11,7 @@
 namespace floc {
 namespace {
 
-constexpr int kFewest = 10;
+constexpr int kMinForces = 10;
 /// Half the 95 % quantile of chi squared with one degree of freedom: drop of the log-likelihood at an
 /// interval's end.
 constexpr double kDrop95 = 0.5 * 3.841458820694124;
@@ -99,7 +99,7 @@ ForceFit refused(const std::string& form, int n, const char* what) {
   ForceFit fit;
   fit.form = form;
   fit.n = n;
-  fit.refusal = fmt::format("{} forces {}, expected at least {}", n, what, kFewest);
+  fit.refusal = fmt::format("{} forces {}, expected at least {}", n, what, kMinForces);
   return fit;
 }
 
@@ -108,7 +108,7 @@ ForceFit refused(const std::string& form, int n, const char* what) {
 ForceFit fit_compressive_forces(const ForceLaw& law, std::vector<double> forces,
                                 const ForceFitOptions& options) {
   const auto n = static_cast<int>(forces.size());
-  if (n < kFewest) return refused(law.name, n, "> 0");
+  if (n < kMinForces) return refused(law.name, n, "> 0");
   ForceFit fit;
   fit.form = law.name;
   fit.n = n;
@@ -141,7 +141,7 @@ ForceFit fit_exponential_tail(const std::string& form, const std::vector<double>
   for (const double f : forces)
     if (f > threshold) excess.push_back(f - threshold);
   const auto n = static_cast<int>(excess.size());
-  if (n < kFewest) return refused(form, n, "beyond the threshold");
+  if (n < kMinForces) return refused(form, n, "beyond the threshold");
   ForceFit fit;
   fit.form = form;
   fit.n = n;

@@ -45,11 +45,11 @@ PreconsolidationFit refused(std::string why) {
 
 PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std::vector<double>& phi) {
   assert(P.size() == phi.size());
-  constexpr int kFewest = 5;  // four numbers are fitted
+  constexpr int kMinPressures = 5;  // four numbers are fitted
   const auto n = static_cast<Eigen::Index>(P.size());
-  if (n < kFewest)
+  if (n < kMinPressures)
     return refused(
-        fmt::format("{} pressures on the reloading branch and beyond, expected at least {}", n, kFewest));
+        fmt::format("{} pressures on the reloading branch and beyond, expected at least {}", n, kMinPressures));
   const Eigen::ArrayXd x = Eigen::Map<const Eigen::ArrayXd>(P.data(), n).log();
   const Eigen::VectorXd y = Eigen::Map<const Eigen::ArrayXd>(phi.data(), n).inverse();
   const BendProfile profile(x, y);

@@ -103,7 +103,7 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
       if (!(left <= residual_of_other)) left = residual_of_other, theta = other;
     }
     ++n_failed;
-    if (!std::isfinite(left) || n_below(rest, (*theta)[3]) < kFewestInRegimeTwo) continue;
+    if (!std::isfinite(left) || n_below(rest, (*theta)[3]) < kMinInRegimeTwo) continue;
     places.push_back(plateau_end(Law::full, points, k, *theta, left));
     n_failed = 0;
   }
@@ -114,7 +114,7 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
 std::vector<Place> ends_before_line(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
-  for (int k = 0; n - k >= kFewestInRegimeTwo; ++k)
+  for (int k = 0; n - k >= kMinInRegimeTwo; ++k)
     if (const auto theta = start_of_law(Law::log, points.range(k, n - k), 1))
       places.push_back(plateau_end(Law::log, points, k, *theta, *residual_of_line(points.range(k, n - k))));
   return places;
@@ -124,7 +124,7 @@ std::vector<Place> ends_before_line(const LawPoints& points) {
 std::vector<Place> onsets_of_three(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
-  for (int k = kFewestInRegimeTwo; n - k > n_parameters(Law::power); ++k) {
+  for (int k = kMinInRegimeTwo; n - k > n_parameters(Law::power); ++k) {
     const auto line = residual_of_line(points.range(0, k));
     const auto power = residual_of_power_law(points.range(k, n - k));
     // Two numbers of the line, three of the power law, and the place.
@@ -160,7 +160,7 @@ int n_before_regime_three(const LawPoints& points, const LawSolution& full) {
 }
 
 bool keeps_regime_two(Law law, const LawPoints& points, const LawSolution& solution) {
-  return law != Law::full || n_before_regime_three(points, solution) >= kFewestInRegimeTwo;
+  return law != Law::full || n_before_regime_three(points, solution) >= kMinInRegimeTwo;
 }
 
 std::optional<Regimes> find_regimes(const LawPoints& points) {

@@ -51,6 +51,6 @@ struct Regimes {
 [[nodiscard]] bool keeps_regime_two(ConsolidationLaw law, const LawPoints& points, const LawSolution& solution);
 
 /// Regime II needs this many pressures before its slope is one.
-inline constexpr int kFewestInRegimeTwo = 3;
+inline constexpr int kMinInRegimeTwo = 3;
 
 }  // namespace floc

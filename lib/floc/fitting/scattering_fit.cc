@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-constexpr int kFewestBins = 6;
+constexpr int kMinBins = 6;
 /// Mean squares of residuals, in those of speckles, beyond which the law is not that of the data.
 constexpr double kFarOff = 9.0;
 
@@ -75,9 +75,9 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   ScatteringFit fit;
   const std::vector<ScatteringResidual> data = residuals_of(points, low, high);
   fit.n_points = static_cast<int>(data.size());
-  if (fit.n_points < kFewestBins) {
+  if (fit.n_points < kMinBins) {
     fit.refusal = fmt::format("{} bins of k between {:.4g} and {:.4g}, the law needs {}", fit.n_points, low,
-                              high, kFewestBins);
+                              high, kMinBins);
     return fit;
   }
   fit.low = data.front().k;

@@ -30,9 +30,9 @@ ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
   ReducedLattice<Dim> lattice{cell};
   std::array<DoubleDoubleVec<Dim>, Dim> row;
   for (int a = 0; a < Dim; ++a) row[a] = double_double<Dim>(cell.matrix.row(a).transpose(), Vec<Dim>::Zero());
-  constexpr int kMostRounds = 1000;
+  constexpr int kMaxRounds = 1000;
   bool shorter = true;
-  for (int round = 0; shorter && round < kMostRounds; ++round) {
+  for (int round = 0; shorter && round < kMaxRounds; ++round) {
     shorter = false;
     for (int a = 0; a < Dim; ++a)
       for (int b = 0; b < Dim; ++b) {

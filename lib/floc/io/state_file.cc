@@ -386,13 +386,13 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
 }
 
 /// More of them do not fit the indices of grains and contacts, nor images the whole cells they count.
-constexpr std::uint64_t kMostRows = 1'000'000'000;
+constexpr std::uint64_t kMaxRows = 1'000'000'000;
 constexpr int kFarthestImage = 1'000'000'000;
 
 std::uint64_t counted_rows(const Hdf5Reader& file, const char* path) {
   const std::uint64_t n = file.n_rows(path);
-  if (n > kMostRows)
-    throw InputError(file.place(path), fmt::format("has {} rows, expected at most {}", n, kMostRows));
+  if (n > kMaxRows)
+    throw InputError(file.place(path), fmt::format("has {} rows, expected at most {}", n, kMaxRows));
   return n;
 }
 

@@ -6,10 +6,10 @@ namespace floc {
 
 double inverse_norm_estimate(Eigen::Index n,
                              const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply_inverse) {
-  constexpr int kMostSteps = 5;  // Higham: more than that never pays
+  constexpr int kMaxSteps = 5;  // Higham: more than that never pays
   Eigen::VectorXd x = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
   double norm = 0.0;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const Eigen::VectorXd y = apply_inverse(x);
     const double estimate = y.lpNorm<1>();
     if (!(estimate > norm)) break;

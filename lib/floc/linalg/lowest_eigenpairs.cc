@@ -20,7 +20,7 @@ constexpr double kLastShift = 1e6;
 /// Relative change of the inverse's eigenvalues at which Lanczos' iteration ends. Vectors are then right to its root
 /// over the relative distance of the next eigenvalue, values to itself.
 constexpr double kConverged = 1e-11;
-constexpr int kMostRestarts = 300;
+constexpr int kMaxRestarts = 300;
 /// Distance at which the inertia of A - bound * 1 is not touched by rounding.
 constexpr double kClear = 1e-13;
 /// Orders up to which the dense eigenproblem costs nothing.
@@ -81,7 +81,7 @@ Eigenpairs search(const SymmetricFactor& factor, const Projector& project, doubl
   for (Eigen::Index k = 0; k < n; ++k) start[k] = std::sin(1.0 + 1.7 * static_cast<double>(k % 100003));
   start = project(start);
   solver.init(start.data());
-  solver.compute(Spectra::SortRule::LargestMagn, kMostRestarts, kConverged, Spectra::SortRule::SmallestAlge);
+  solver.compute(Spectra::SortRule::LargestMagn, kMaxRestarts, kConverged, Spectra::SortRule::SmallestAlge);
   Eigenpairs found;
   found.values = solver.eigenvalues();
   found.vectors = solver.eigenvectors();

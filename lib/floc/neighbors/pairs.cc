@@ -17,7 +17,7 @@ namespace floc {
 namespace {
 
 /// Beyond it images do not fit an integer.
-constexpr double kMostCells = 1e9;
+constexpr double kMaxCells = 1e9;
 /// Trials of a search that are fast whatever the packing, and that a grain may take in a large one.
 constexpr double kTrialsAlways = 1e8;
 constexpr double kTrialsPerGrain = 1e5;
@@ -25,7 +25,7 @@ constexpr double kTrialsPerGrain = 1e5;
 constexpr std::size_t kPairsAlways = 10'000;
 constexpr std::size_t kPairsPerGrain = 1000;
 /// Sizes smaller by a larger power of two are not told apart.
-constexpr int kMostLevels = 32;
+constexpr int kMaxLevels = 32;
 
 /// Grains brought into the cell.
 template <int Dim>
@@ -41,7 +41,7 @@ struct WrappedGrains {
       const Vec<Dim> s = to_reduced * grains.position[i];
       for (int a = 0; a < Dim; ++a) {
         const double cells = std::floor(s[a]);
-        if (!(std::abs(cells) < kMostCells))
+        if (!(std::abs(cells) < kMaxCells))
           throw InputError("grain " + std::to_string(i), "lies more than 1e9 cells away from the cell");
         wrap[i][a] = -static_cast<int>(cells);
         reduced[i][a] = s[a] - cells;
@@ -110,7 +110,7 @@ class Bins {
     for (int a = 0; a < Dim; ++a) {
       const double s = grains_.reduced[i][a] * count_[a];
       // A billionth of a bin for rounding.
-      const double bins = std::min(reach / height_[a] * count_[a], kMostCells) + 1e-9;
+      const double bins = std::min(reach / height_[a] * count_[a], kMaxCells) + 1e-9;
       window.first[a] = static_cast<int>(std::floor(s - bins));
       window.last[a] = static_cast<int>(std::floor(s + bins));
     }
@@ -189,10 +189,10 @@ std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>
   // Half widths, so that a radius near the largest number there is does not overflow.
   const double widest = *most + 0.5 * gap;
   const bool one = widest <= kSimilarSizes * (*least + 0.5 * gap);
-  std::vector<std::vector<int>> members(kMostLevels);
+  std::vector<std::vector<int>> members(kMaxLevels);
   for (int i = 0; i < grains.size(); ++i) {
     const double width = std::max(0.0, grains.radius[i] + 0.5 * gap);
-    members[one ? 0 : std::clamp(std::ilogb(widest / width), 0, kMostLevels - 1)].push_back(i);
+    members[one ? 0 : std::clamp(std::ilogb(widest / width), 0, kMaxLevels - 1)].push_back(i);
   }
   std::vector<SizeLevel<Dim>> levels;
   for (std::vector<int>& of_level : members) {
@@ -229,7 +229,7 @@ template <int Dim>
 Vec<Dim, int> image_in(const ReducedLattice<Dim>& lattice, const Vec<Dim, int>& image) {
   if (lattice.is_original) return image;
   const Vec<Dim, std::int64_t> wide = lattice.original(image);
-  if (static_cast<double>(wide.cwiseAbs().maxCoeff()) >= kMostCells)
+  if (static_cast<double>(wide.cwiseAbs().maxCoeff()) >= kMaxCells)
     throw InputError("cell", "lattice vectors are so slanted that neighbours are more than 1e9 of them apart");
   return wide.template cast<int>();
 }

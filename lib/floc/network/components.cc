@@ -9,11 +9,11 @@ namespace floc {
 namespace {
 
 /// Cells beyond which a way around and back to the same grain is not followed; exact up to here.
-constexpr std::int64_t kMostCells = std::int64_t{1} << 40;
+constexpr std::int64_t kMaxCells = std::int64_t{1} << 40;
 
-using Wide = __int128;  // products of three numbers up to kMostCells
+using Wide = __int128;  // products of three numbers up to kMaxCells
 
-/// Independent integer vectors up to kMostCells, at most Dim of them, found by exact arithmetic.
+/// Independent integer vectors up to kMaxCells, at most Dim of them, found by exact arithmetic.
 template <int Dim>
 class Lattice {
  public:
@@ -27,7 +27,7 @@ class Lattice {
  private:
   bool independent(const CellCount<Dim>& w) const {
     if (rank_ == 0) return !w.isZero();
-    if (w.cwiseAbs().maxCoeff() > kMostCells || vectors_[0].cwiseAbs().maxCoeff() > kMostCells)
+    if (w.cwiseAbs().maxCoeff() > kMaxCells || vectors_[0].cwiseAbs().maxCoeff() > kMaxCells)
       throw InputError("contacts/image",
                        "lead around more than 2^40 cells to where they began: one of them is wrong");
     const CellCount<Dim>& u = vectors_[0];

@@ -107,8 +107,8 @@ class TangentMatrix<Dim>::Sum {
 
  private:
   static auto strided(double* first, int rows, int columns, int stride) {
-    constexpr int kMost = BoundaryColumns<Dim>::kMost;
-    using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+    constexpr int kMaxColumns = BoundaryColumns<Dim>::kMaxColumns;
+    using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxColumns, kMaxColumns>;
     return Eigen::Map<Values, 0, Eigen::OuterStride<>>(first, rows, columns, Eigen::OuterStride<>(stride));
   }
 
@@ -180,8 +180,8 @@ void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiff
   auto on_i = motion_of_grain<Dim>(-1.0, Dim, size_i);
   auto on_j = motion_of_grain<Dim>(1.0, Dim + kRotationDofs, size_j);
   // Of the boundary the contact feels a displacement, no rotation.
-  using OnBoundary =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMotionRows<Dim>, BoundaryColumns<Dim>::kMost>;
+  using OnBoundary = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMotionRows<Dim>,
+                                   BoundaryColumns<Dim>::kMaxColumns>;
   OnBoundary moved = OnBoundary::Zero(kMotionRows<Dim>, n_boundary_);
   moved.template topRows<Dim>() = boundary.displacement;
   ContactRows<Dim> rows = contact_rows(c);

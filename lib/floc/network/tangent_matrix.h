@@ -16,13 +16,13 @@ using ConsistentStiffness = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 /// The unknowns of whatever bounds a packing, as one contact feels them: strains of the cell, walls.
 template <int Dim>
 struct BoundaryColumns {
-  static constexpr int kMost = 2 * kSymmetric<Dim>;
+  static constexpr int kMaxColumns = 2 * kSymmetric<Dim>;
   /// Displacement of j against i for a unit of each unknown: Dim rows, a column an unknown.
-  Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMost> displacement;
+  Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMaxColumns> displacement;
   /// Derivative of displacement^T (force on i) by the displacement of j against i while the force stays as it
   /// is: a row an unknown, Dim columns. Zero for a wall; the force itself where a strain displaces along it by
   /// a component of the branch.
-  Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMost, Dim> follow;
+  Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMaxColumns, Dim> follow;
 };
 
 /// Derivative of the forces on grains and boundary by their unknowns, sum of G^T D G over contacts and of all

@@ -15,10 +15,10 @@ namespace {
 constexpr double kMargin = 5.0;   ///< (points)
 constexpr double kGap = 12.0;     ///< between the pictures of a strip
 constexpr double kTallest = 1.3;  ///< height of a picture over the width of the page
-constexpr double kFewestPixels = 200.0 / 72.0;
-constexpr double kMostPixelsASide = 3000.0;
+constexpr double kMinPixels = 200.0 / 72.0;
+constexpr double kMaxPixelsASide = 3000.0;
 constexpr double kPixelsADiameter = 6.0;
-constexpr std::size_t kMostVectors = 15000;
+constexpr std::size_t kMaxVectors = 15000;
 
 /// Where everything of a sheet stands (points).
 class Layout {
@@ -49,8 +49,8 @@ class Layout {
     double smallest = scale_.points_per_length * mean_diameter(pictures_.front());
     for (const PackingPicture& p : pictures_)
       smallest = std::min(smallest, scale_.points_per_length * mean_diameter(p));
-    const double most = kMostPixelsASide / std::max(options_.width, height_);
-    return std::min(std::max(kFewestPixels, kPixelsADiameter / smallest), std::max(most, kFewestPixels));
+    const double most = kMaxPixelsASide / std::max(options_.width, height_);
+    return std::min(std::max(kMinPixels, kPixelsADiameter / smallest), std::max(most, kMinPixels));
   }
 
   const std::vector<Placement>& placements() const { return placements_; }
@@ -168,7 +168,7 @@ std::string draw_sheet(const std::vector<PackingPicture>& pictures, const SheetO
   const Layout layout(pictures, options);
   const double pixels = layout.pixels_per_point();
   const bool as_image =
-      options.format != PictureFormat::png && options.as_image.value_or(count_marks(pictures) > kMostVectors);
+      options.format != PictureFormat::png && options.as_image.value_or(count_marks(pictures) > kMaxVectors);
   Page page(options.format, options.width, layout.height(), pixels);
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     const Placement& at = layout.placements()[k];

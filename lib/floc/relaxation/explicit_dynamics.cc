@@ -20,7 +20,7 @@ namespace {
 /// What a new list of pairs costs, in time steps (measured at N = 1400 and 100 000).
 constexpr double kListCost = 23.0;
 /// What grains at rest get of the skin of the fastest: they may be hit.
-constexpr double kLeastSkinShare = 0.25;
+constexpr double kMinSkinShare = 0.25;
 constexpr double kMinSkin = 1e-3;  // of the largest diameter, or the smallest where they differ much
 
 template <int Dim>
@@ -267,7 +267,7 @@ double ExplicitDynamics<Dim>::consumed_skin() const {
   double squared = 0.0;
   for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.consumed_squared);
   return std::max(std::sqrt(squared) * skin_, 2.0 * walls_.moved_since_mark()) +
-         shrink_since_list() * (largest_diameter_ + interactions_[0].range() + skin_) / kLeastSkinShare;
+         shrink_since_list() * (largest_diameter_ + interactions_[0].range() + skin_) / kMinSkinShare;
 }
 
 /// Of the skin, for each grain: a list that all grains hold for the same time gives more to those that are faster.
@@ -281,7 +281,7 @@ std::vector<double> ExplicitDynamics<Dim>::skin_shares() const {
   }
   const double fastest = speed.empty() ? 0.0 : *std::max_element(speed.begin(), speed.end());
   const bool comparable = fastest > 0.0 && std::isfinite(fastest);  // not where the motion diverges
-  for (double& share : speed) share = comparable ? std::max(share / fastest, kLeastSkinShare) : 1.0;
+  for (double& share : speed) share = comparable ? std::max(share / fastest, kMinSkinShare) : 1.0;
   return speed;
 }
 

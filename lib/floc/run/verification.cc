@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-constexpr std::size_t kMostListed = 5;  ///< how many violations a message names
+constexpr std::size_t kMaxListed = 5;  ///< how many violations a message names
 
 /// What violates a criterion, and by how much.
 class Violations {
@@ -27,9 +27,9 @@ class Violations {
     std::stable_sort(found_.begin(), found_.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     std::string text;
-    for (std::size_t k = 0; k < std::min(kMostListed, found_.size()); ++k)
+    for (std::size_t k = 0; k < std::min(kMaxListed, found_.size()); ++k)
       text += fmt::format("{}{}", k == 0 ? "" : ", ", found_[k].second);
-    if (found_.size() > kMostListed) text += fmt::format(" and {} more", found_.size() - kMostListed);
+    if (found_.size() > kMaxListed) text += fmt::format(" and {} more", found_.size() - kMaxListed);
     return text;
   }
 

@@ -27,7 +27,7 @@ Packing<2> read_again(const std::string& file, const std::string& sha256) {
 /// Number of copies along each axis.
 Vec<2, int> read_copies(TableReader& t) {
   const std::vector<double> copies =
-      t.numbers("copies", {[](double n) { return n >= 1 && n <= kMostGrains && n == std::floor(n); },
+      t.numbers("copies", {[](double n) { return n >= 1 && n <= kMaxGrains && n == std::floor(n); },
                            "two whole numbers of copies, along the first and the second axis, e.g. [10, 10]"});
   if (copies.size() == 2) return {static_cast<int>(copies[0]), static_cast<int>(copies[1])};
   if (!copies.empty())
@@ -93,7 +93,7 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
                           *expected, file, start.sha256));
     const State<2>& state = std::get<State<2>>(any);
     const double n_grains = 1.0 * start.copies[0] * start.copies[1] * state.packing.grains.size();
-    if (n_grains < 2 || n_grains > kMostGrains) {
+    if (n_grains < 2 || n_grains > kMaxGrains) {
       start.copies.setOnes();
       t.fault("copies", fmt::format("assembly.copies: {:g} grains, expected 2 to 1e8", n_grains));
     }

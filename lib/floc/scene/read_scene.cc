@@ -49,8 +49,8 @@ constexpr bool is_steps_per_decade(double x) {
   return x > 0 && x <= 1000;
 }
 constexpr std::int64_t kLargestInt = std::numeric_limits<int>::max();
-constexpr std::int64_t kMostSteps = 10'000;
-constexpr std::int64_t kMostThreads = 1024;
+constexpr std::int64_t kMaxSteps = 10'000;
+constexpr std::int64_t kMaxThreads = 1024;
 
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 
@@ -136,7 +136,7 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
   if (scene.starts_from_state())
     return root.refuse("grains", "[grains]: the grains are those of assembly.state; expected no such table");
   TableReader t = root.table("grains", "a table [grains]");
-  const auto count = t.integer("count", {2, kMostGrains, "a whole number of grains, 2 to 1e8"});
+  const auto count = t.integer("count", {2, kMaxGrains, "a whole number of grains, 2 to 1e8"});
   scene.grains.count = static_cast<int>(count.value_or(0));
   scene.grains.density = t.number("density", {positive, "a positive number (mass per area in 2D)"},
                                   scene.units == "SI" ? Need::required : Need::optional);
@@ -239,7 +239,7 @@ LoadStage read_stage(TableReader t, double from, LawParameters& law) {
       "steps_per_decade", {is_steps_per_decade, "a number of steps a factor ten of pressure, in (0, 1000]"},
       Need::optional);
   if (const auto steps =
-          t.integer("steps", {1, kMostSteps, "a whole number of steps, 1 to 10000"}, Need::optional))
+          t.integer("steps", {1, kMaxSteps, "a whole number of steps, 1 to 10000"}, Need::optional))
     stage.steps = static_cast<int>(*steps);
   const bool by_decade = t.has("steps_per_decade");
   const bool by_number = t.has("steps");
@@ -295,7 +295,7 @@ void read_run(TableReader& root, Scene& scene) {
       t.integer("seed", {0, std::numeric_limits<std::int64_t>::max(), "a whole number >= 0"}, Need::optional);
   scene.seed = static_cast<std::uint64_t>(seed.value_or(static_cast<std::int64_t>(scene.seed)));
   const auto threads =
-      t.integer("threads", {1, kMostThreads, "a whole number of threads, 1 to 1024"}, Need::optional);
+      t.integer("threads", {1, kMaxThreads, "a whole number of threads, 1 to 1024"}, Need::optional);
   scene.relaxation.threads = static_cast<int>(threads.value_or(scene.relaxation.threads));
   scene.relaxation.time_step =
       t.number("time_step", {is_stable_step, "a number in (0, 0.4) (in sqrt(m_min/K); unstable beyond)"},

@@ -8,7 +8,7 @@
 namespace floc {
 
 /// The unknowns of a packing, three a grain, are counted in an int.
-inline constexpr std::int64_t kMostGrains = 100'000'000;
+inline constexpr std::int64_t kMaxGrains = 100'000'000;
 
 /// A scene file, parsed: the options of a run, and what concerns who makes it.
 struct Scene : RunOptions {

@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-constexpr double kMostBins = 1e5;
+constexpr double kMaxBins = 1e5;
 
 double mean_size(const std::vector<double>& forces) {
   double sum = 0.0;
@@ -80,7 +80,7 @@ ForceDistribution force_distribution(const Packing<Dim>& packing, ForceKind kind
   out.width = width;
   if (forces.empty() || !(out.unit > 0.0)) return out;
   const auto bin_of = [&](double f) {
-    return static_cast<int>(std::clamp(std::floor(f / (out.unit * width)), -kMostBins, kMostBins));
+    return static_cast<int>(std::clamp(std::floor(f / (out.unit * width)), -kMaxBins, kMaxBins));
   };
   const auto [low, high] = std::minmax_element(forces.begin(), forces.end());
   out.first = bin_of(*low);

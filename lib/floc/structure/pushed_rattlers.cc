@@ -67,9 +67,9 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,
                                double length) {
-  constexpr int kMostSteps = 200;
+  constexpr int kMaxSteps = 200;
   Vec<Dim> x = Vec<Dim>::Zero();
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double room = 0.5 * length;
     std::vector<HalfSpace<Dim>> spaces;
     for (int a = 0; a < Dim; ++a)

@@ -11,7 +11,7 @@ namespace floc {
 namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kFewestSamples = 3;
+constexpr std::size_t kMinSamples = 3;
 using Fitted = std::array<double, kFittedNames.size()>;
 
 /// States of the first loading: the last one assembled, then those of the first stage, if it goes up.
@@ -66,7 +66,7 @@ Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
 }  // namespace
 
 std::optional<PressureWindow> fit_window(const std::vector<const SamplePath*>& references) {
-  if (references.size() < kFewestSamples || first_loading(*references.front()).empty()) return std::nullopt;
+  if (references.size() < kMinSamples || first_loading(*references.front()).empty()) return std::nullopt;
   const ConsolidationFit whole = fit_consolidation(curve_without(references, std::nullopt), {});
   if (!whole.found() || whole.reported_law != ConsolidationLaw::full) return std::nullopt;
   return PressureWindow(whole.window_low, whole.window_high);
@@ -77,7 +77,7 @@ std::array<MeanDifference, kFittedNames.size()> compare_fits(const std::vector<c
                                                              const PressureWindow& window) {
   std::array<MeanDifference, kFittedNames.size()> out;
   const std::size_t n = references.size();
-  if (n < kFewestSamples) return out;
+  if (n < kMinSamples) return out;
   const auto differences = [&](std::optional<std::size_t> left_out) {
     const Fitted truth = fit(curve_without(references, left_out), window);
     Fitted values = fit(curve_without(paths, left_out), window);

@@ -16,7 +16,7 @@ namespace floc {
 namespace {
 
 /// Grains of the sample that measures how fast the machine is, and the fewest that a study is made with.
-constexpr int kFewestGrains = 40;
+constexpr int kMinGrains = 40;
 /// Samples of everything that have to fit before grains are taken away: errors of means need two.
 constexpr double kSamplesWanted = 2.0;
 /// Cost of the reference over that of the scene's own settings, before it is measured: the ratio of the time steps, and
@@ -70,7 +70,7 @@ class Study {
   /// Runs a small sample, which tells the speed of this machine, then takes as many grains as the budget allows.
   void fit_size_to_budget() {
     Scene small = scene_;
-    small.grains.count = std::min(scene_.grains.count, kFewestGrains);
+    small.grains.count = std::min(scene_.grains.count, kMinGrains);
     const StudiedSetting plain = settings_[1];
     const Deadline start(0.0);
     const SamplePath pilot = make_sample(run_options(small, plain, scene_.seed), {}, nullptr, deadline_);
@@ -79,9 +79,9 @@ class Study {
         fmt::format("{} grains, as the scene has them: {:.1f} s", small.grains.count, -start.left()));
     if (!pilot.whole() || scene_.grains.diameter.kind == DiameterDistribution::Kind::list) return;
     const int wanted = scene_.grains.count;
-    while (scene_.grains.count > kFewestGrains &&
+    while (scene_.grains.count > kMinGrains &&
            kSamplesWanted * sample_cost(scene_.grains.count, speed) > deadline_.left())
-      scene_.grains.count = std::max(kFewestGrains, static_cast<int>(0.9 * scene_.grains.count));
+      scene_.grains.count = std::max(kMinGrains, static_cast<int>(0.9 * scene_.grains.count));
     if (scene_.grains.count < wanted)
       left_out_.push_back(
           fmt::format("{} grains instead of {}: the budget does not allow more", scene_.grains.count, wanted));

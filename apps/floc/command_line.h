@@ -50,7 +50,7 @@ class Option {
 /// The command line of the program or of one of its commands. Handles may be copied; ProgramLine owns what they
 /// name.
 ///
-/// This class and Option stand between the commands and CLI11, whose headers and option templates cost each file
+/// This class and Option hide CLI11 from the commands, whose headers and option templates cost each file
 /// that includes them about as much as all else in it: command_line.cc alone does.
 class CommandLine {
  public:

@@ -246,7 +246,7 @@ std::string change_text(const std::optional<ChangePoint>& change, const Consolid
 }
 
 /// @param n_asked  resampled fits asked for
-void say(const Sample& sample, const ConsolidationFit& fit, int n_asked) {
+void log_fit(const Sample& sample, const ConsolidationFit& fit, int n_asked) {
   if (!fit.found()) {
     spdlog::warn("{}: no fit: {}", sample.name, fit.refusal);
     return;
@@ -325,7 +325,7 @@ int fit_tables(const Arguments& arguments) {
       own.weighting = Weighting::scatter;
     start_at_P0(arguments.P0, sample.loading.curve, own);
     fit = fit_consolidation(sample.loading.curve, own);
-    say(sample, fit, arguments.n_bootstrap);
+    log_fit(sample, fit, arguments.n_bootstrap);
     if (!fit.found()) code = worse(code, kNotConverged);
     array.push_back(as_json(sample, fit, arguments));
     add_table_rows(sample, fit, arguments, table);

@@ -37,7 +37,7 @@ struct ReportArguments {
   std::string format;
 };
 
-/// A run as a report sees it, read once.
+/// What a report needs of a run, read once.
 struct Run {
   std::string directory;
   PathTable path;

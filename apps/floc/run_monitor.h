@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Tells the user on stderr where a run stands: on a terminal one line that is redrawn, else a line now and then.
+/// Reports the progress of a run on stderr: on a terminal one line that is redrawn, else a line now and then.
 class RunMonitor {
  public:
   explicit RunMonitor(int n_steps);

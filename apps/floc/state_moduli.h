@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Bulk moduli of a saved state, and where it stands: the line ln Phi = ln phi + (P - pressure)/B.
+/// Bulk moduli of a saved state, and the elastic line through it: ln Phi = ln phi + (P - pressure)/B.
 struct StateModuli {
   std::string file;
   double B, B_S, pressure, phi;

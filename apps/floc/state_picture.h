@@ -21,7 +21,7 @@ enum class Shown {
 const State<2>& disks_of(const std::string& file, const AnyState& state);
 
 /// The picture of a state, its numbers as caption.
-/// @throws InputError where a mechanism leaves a step of stress no answer
+/// @throws InputError where a mechanism leaves a step of stress without a solution
 PackingPicture picture_of(const std::string& file, const State<2>& state, Shown shown);
 
 /// What changed from one state to another, on the geometry of the first: contacts lost and gained, where the

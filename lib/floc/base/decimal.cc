@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-constexpr int kDigitsOfDouble = 17;  ///< that tell any two doubles apart
+constexpr int kDigitsOfDouble = 17;  ///< that distinguish any two doubles
 constexpr int kDigitsKept = 34;      ///< more than a double-double holds
 constexpr int kExactPower = 22;      ///< 10^22 is the largest power of ten that is a double
 

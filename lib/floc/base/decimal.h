@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// The number that a decimal text stands for, where a double is not precise enough: the nearest double and
+/// The number of a decimal text, where a double is not precise enough: the nearest double and
 /// what is left. Texts of up to 17 significant digits are those of a double, which programs print so: nothing
 /// is left.
 ///

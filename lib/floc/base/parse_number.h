@@ -18,7 +18,7 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// The number that all of `text` but white space around it stands for, independent of the locale; nothing if it
+/// The number that all of `text` but white space around it represents, independent of the locale; nothing if it
 /// is no number, or a real number that is not finite.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {

@@ -5,7 +5,7 @@
 
 #include "floc/contact/law_parameters.h"
 
-/// The declarations of all slots without their types, for whoever reads or writes laws by name.
+/// The declarations of all slots without their types, for code that reads or writes laws by name.
 namespace floc {
 
 struct DeclaredNumber {
@@ -23,7 +23,7 @@ struct DeclaredChoice {
   std::vector<std::string> keywords;  ///< the first is taken where nothing is said
 };
 
-/// A model that can stand in a slot.
+/// A model that a slot can hold.
 struct DeclaredModel {
   std::string keyword;
   std::vector<DeclaredNumber> numbers;
@@ -39,7 +39,7 @@ struct DeclaredSlot {
   bool optional;                      ///< a law may leave it empty
   std::vector<DeclaredModel> models;  ///< without its absence
 
-  /// Which of `models` stands in this slot of a law, -1 if none.
+  /// Index in `models` of what this slot of a law holds, -1 if nothing.
   int present(const LawParameters& law) const;
 };
 
@@ -65,7 +65,7 @@ struct LawChoice {
 
 std::vector<LawChoice> choices_of(const LawParameters& law);
 
-/// Makes a choice of the model that stands in a slot. @pre it has a choice of that key with so many keywords
+/// Makes a choice of the model that a slot holds. @pre it has a choice of that key with so many keywords
 void choose(LawParameters& law, const std::string& slot, const std::string& key, int chosen);
 
 }  // namespace floc

@@ -15,7 +15,7 @@
 namespace floc {
 
 /// A contact law as a scene or a saved state names it: a model with its numbers in each slot, absent where nothing is
-/// said. THE lists of models: what stands here is known to scenes, law texts, state files and the law table
+/// said. THE lists of models: what is listed here is known to scenes, law texts, state files and the law table
 /// (law_table.h), which turns a LawParameters into the composed type.
 struct LawParameters {
   LawSlot<LinearRepulsion> normal;

@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// One slot of a contact law as a scene or a saved state names it: one of the models that can stand in it, with its
+/// One slot of a contact law as a scene or a saved state names it: one of the models that it can hold, with its
 /// numbers. An optional slot lists its absence first.
 template <class... Models>
 class LawSlot {
@@ -20,7 +20,7 @@ class LawSlot {
   requires(std::is_same_v<Model, Models> || ...) LawSlot(const Model& model)
       : model_(model) {}  // NOLINT(google-explicit-constructor)
 
-  /// Whether something stands in it.
+  /// Whether it holds a model.
   explicit operator bool() const {
     return visit([]<class Model>(const Model&) { return !kIsAbsent<Model>; });
   }

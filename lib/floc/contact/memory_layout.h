@@ -8,7 +8,7 @@
 #include "floc/contact/contact_memory.h"
 #include "floc/contact/law_parameters.h"
 
-/// Where the quantities that contacts remember stand in a contact, and in the arrays of pairs in motion: each
+/// Where the quantities that contacts remember are kept in a contact, and in the arrays of pairs in motion: each
 /// slot has a place of its own, wide enough for any of its models, so that a change of the law moves nothing. A
 /// law evaluates, loads and stores the numbers of its own models alone.
 namespace floc {

@@ -84,7 +84,7 @@ Mat<3> end_motions(const Chord& chord) {
   return motion;
 }
 
-/// Disk 1 held, the last one moved by hand, those between free.
+/// Disk 1 held, the last one prescribed, those between free.
 SpringSystem chain_springs(const ContactNetwork<2>& network, const Mat<3>& motions) {
   const Eigen::SparseMatrix<double> rigidity = rigidity_matrix(network, StrainSet::diagonal);
   SpringSystem springs;

@@ -131,7 +131,7 @@ ElasticResponse solve_by_factor(Problem<Dim>& problem, SymmetricFactor& factor) 
                       factor.norm());
 }
 
-/// Diagonal of K, the stiffness that each unknown feels with all others held.
+/// Diagonal of K: the stiffness of each unknown with all others held.
 Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(springs.on_free.cols());
   for (Eigen::Index r = 0; r < springs.on_free.rows(); ++r)

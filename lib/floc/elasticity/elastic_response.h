@@ -25,7 +25,7 @@ struct ResponseOptions {
   /// is reached. The default is seldom more than one step away.
   double tolerance = 1e-11;
   /// Eigenvalues of K within this of zero, in units of the largest contact stiffness (rotations times the
-  /// grain's size), are mechanisms where K may be indefinite; else the rank of its square root tells. Rounding of
+  /// grain's size), are mechanisms where K may be indefinite; else the rank of its square root decides. Rounding of
   /// K moves an eigenvalue by some 1e-15; near-mechanisms of real packings have been seen down to 6e-13 and carry
   /// 3 % of B, so they must stay above.
   double mechanism_bound = 1e-13;
@@ -54,7 +54,7 @@ struct ElasticResponse {
   int steps = 0;  ///< of refinement
 };
 
-/// Solves for the response. A singular or indefinite K is an answer; without prestress and distant bonds a
+/// Solves for the response. A singular or indefinite K is a result, not an error; without prestress and distant bonds a
 /// mechanism of the grains cannot couple to strain, so `relaxed` is right beside it.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
@@ -66,8 +66,8 @@ template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options, SymmetricFactor& factor);
 
-/// What the response of one state leaves for that of the next: its solution to start from, and a factor that stands in
-/// for that of the next K as long as few contacts have changed.
+/// What the response of one state leaves for that of the next: its solution to start from, and a factor that
+/// serves as a preconditioner as long as few contacts have changed.
 struct ResponseMemory {
   std::unique_ptr<SymmetricFactor> factor;
   std::vector<int> unknown;     ///< of K, for each row of the factor

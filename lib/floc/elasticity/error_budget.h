@@ -14,10 +14,10 @@ struct ErrorBudget {
   double solver = 0.0;  ///< bound of what solving and rounding leave (Moduli::B_error), in the unit of B
   /// What is not decided about the network: contacts whose elastic force is below the state's residual, or
   /// below its rounding floor where that is higher, might as well be open. Their part of B: the energy they
-  /// hold in an isotropic step. Nothing where that step has no answer.
+  /// hold in an isotropic step. Nothing where that step has no solution.
   std::optional<double> equilibrium;
   int n_undecided = 0;  ///< those contacts
-  /// Scatter between samples as one sample tells it: C11 and C22 (, C33) are equal but for it, and their range
+  /// Scatter between samples as estimated from one: C11 and C22 (, C33) are equal but for it, and their range
   /// over Dim^2, the number of entries that B is the mean of, is of the order of its worth in B.
   double sampling = 0.0;
   RoundingFloor floor;    ///< of the state (F1, F1/a^(Dim-1))

@@ -83,7 +83,7 @@ struct Moduli {
   std::optional<double> G_without_prestress;
   /// The response without prestress, of loaded_network(): mechanisms, increments and backbone follow from it.
   ElasticResponse response;
-  /// What gave them: the factor where that of the options had to be left for it. The others tell neither negative
+  /// What gave them: the factor where that of the options had to be left for it. The others count neither negative
   /// eigenvalues nor mechanisms, and their errors are estimates or, with bounds, half the distance.
   ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< of refinement
@@ -91,11 +91,11 @@ struct Moduli {
 };
 
 /// Moduli of a state in which nothing slides or yields. Without prestress C = relaxed K/V. With it, the
-/// Cauchy stress sigma answers the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) + sigma tr E:
+/// Cauchy stress sigma responds to the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) + sigma tr E:
 /// for diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the relaxed
 /// Hessian of the energy in ln L, so B gains P and G nothing over H. Where the stress is not isotropic this is
 /// not symmetric; the symmetric part is given.
-/// A vanishing modulus, one that its error bound does not tell from zero, is given as zero and counted as a coupled
+/// A vanishing modulus, one that its error bound does not distinguish from zero, is given as zero and counted as a coupled
 /// mechanism. Moduli that have lost all digits are NaN, with a warning.
 /// @param network  the contacts that count; `options` changes none of them
 /// @pre options.validate() is empty.

@@ -13,8 +13,8 @@ struct ModuliAccuracy {
   double B = std::numeric_limits<double>::infinity();
   double G = std::numeric_limits<double>::infinity();
 
-  /// Whether the errors that moduli come with are within. A modulus that is told to vanish has no relative
-  /// error, and is.
+  /// Whether the errors that moduli come with are within. A modulus that is known to vanish has no
+  /// relative error, and is.
   bool met_by(const Moduli& moduli) const;
   /// Every fault as "name = value: requirement": one of the two is asked for, and no less than rounding leaves.
   std::vector<std::string> validate() const;
@@ -28,8 +28,8 @@ std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains);
 
 /// Moduli by the cheapest of these methods whose own errors are within what is asked: bounds where they are
 /// those of B (no prestress, nothing in tension across a gap, equal principal stresses) and nothing else is
-/// wanted, a single-precision factor where it tells of no mechanism, the full factor otherwise. The last is
-/// given even where it is not within, which `accuracy.met_by()` then tells.
+/// wanted, a single-precision factor where it finds no mechanism, the full factor otherwise. The last is
+/// given even where it is not within, see `accuracy.met_by()`.
 /// @param options  of the solution; method and tolerance are chosen
 /// @pre options.validate() and accuracy.validate() are empty
 template <int Dim>

@@ -13,7 +13,8 @@ namespace floc {
 /// What each contact of a network does in a small step, isotropic and deviatoric.
 template <int Dim>
 struct ContactMechanics {
-  std::optional<StepResponse<Dim>> isotropic;   ///< nothing where a mechanism leaves the stress no answer
+  std::optional<StepResponse<Dim>>
+      isotropic;  ///< nothing where a mechanism leaves the stress without a solution
   std::optional<StepResponse<Dim>> deviatoric;  ///< likewise
   Percolation percolation;
   std::vector<bool> backbone;  ///< carries an increment in one step or the other; empty if there is neither

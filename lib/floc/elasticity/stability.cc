@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// Share of the affine stiffness below which what the strains feel is zero: a mechanism that strains the cell.
+/// Share of the affine stiffness below which that of the strains is zero: a mechanism that strains the cell.
 constexpr double kVanishing = 1e-11;
 /// A Cholesky factor of a larger condition may hide a mechanism, which has no sign.
 constexpr double kSuspiciousCondition = 1e12;
@@ -30,9 +30,9 @@ int count_below(const Eigen::MatrixXd& symmetric, double bound) {
   return static_cast<int>((symmetric_eigenvalues(symmetric).array() < bound).count());
 }
 
-/// Haynsworth: the inertia of K is that of the block of the grains and that of what the strains feel once the
-/// grains have relaxed. The factor's rounding is that of a matrix close to K, so that no refinement would tell
-/// more.
+/// Haynsworth: the inertia of K is that of the block of the grains and that of its Schur complement, the stiffness of the strains
+/// once the grains have relaxed. The factor's rounding is that of a matrix close to K, so that no refinement would
+/// add to it.
 template <int Dim>
 int inertia(const ContactNetwork<Dim>& whole, const std::optional<Mat<Dim>>& stress) {
   const FreeMotions free = find_free_motions(whole);

@@ -185,7 +185,7 @@ void add_parameters(const LawEstimate& estimate, const Covariance& covariance, C
   fit.correlation = correlation_of(quantities, n_free, covariance.matrix);
 }
 
-/// The data end before P1*: lambda is that of the law they can tell, the rest is bounded.
+/// The data end before P1*: lambda is that of the law they can identify, the rest is bounded.
 void bound_regime_three(const LawEstimate& reported, const Covariance& covariance, double last_phi,
                         ConsolidationFit& fit) {
   const std::vector<Quantity> quantities = quantities_of(reported);

@@ -55,7 +55,7 @@ struct CompactionFit {
 };
 
 /// Least squares in e from starts computed on a grid. Samples with p_crit < p_0 are left out. Refused with
-/// fewer than eight samples; parameters that the samples do not tell (De and C, where p_crit hardly varies) are
+/// fewer than eight samples; parameters that the samples do not identify (De and C, where p_crit hardly varies) are
 /// said.
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);

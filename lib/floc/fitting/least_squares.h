@@ -23,7 +23,7 @@ struct ParameterLimits {
   double low, high;
 };
 
-/// (J^T J)^-1, parameters x parameters; a parameter with a part along a direction that the data do not see has
+/// (J^T J)^-1, parameters x parameters; a parameter with a part along a direction that the data do not determine has
 /// infinite variance.
 [[nodiscard]] Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian);
 

@@ -27,18 +27,18 @@ struct Regimes {
   bool all_in_one = false;
   int n_plateau = 0;                       ///< points of regime I
   std::optional<ChangePoint> plateau_end;  ///< present if there is, or may be, a plateau
-  std::optional<ChangePoint> onset_three;  ///< present if the points tell regime III from the line
+  std::optional<ChangePoint> onset_three;  ///< present if the points distinguish regime III from the line
   int end_of_two = 0;                      ///< index after the last point of regime II
 };
 
 /// Change-point search by least squares. The end of the plateau is that split into a constant and the full law
-/// (or the line, where that tells more) which leaves least by the Bayesian information criterion, the level of
+/// (or the line, where that explains more) which leaves least by the Bayesian information criterion, the level of
 /// the plateau being one that the law has between its last point and the next; the onset of III is that split
 /// of the rest into a line and a power law. Places are weighted by exp(-criterion/2). Absent if no split leaves
 /// three points to regime II.
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 
-/// True if the points tell the full law, whose solution on them is given, from the line of regime II.
+/// True if the points distinguish the full law, whose solution on them is given, from the line of regime II.
 [[nodiscard]] bool detects_bend(const LawPoints& points, const LawSolution& full);
 
 /// True if they also reach beyond its P1*.

@@ -52,7 +52,7 @@ inline Shear<3, T> to_shear(const Vec<3, T>& n, const Vec<3, T>& displacement) {
   return displacement - n * n.dot(displacement);
 }
 
-/// The vector of space that a tangential quantity in the contact's frame stands for.
+/// The vector of space of a tangential quantity given in the contact's frame.
 template <class T>
 inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
   return tangent(n) * shear[0];

@@ -11,7 +11,7 @@ namespace floc {
 
 /// A table of text cells with named columns, as read from a csv file: the first line names the columns,
 /// separated by commas, tabs or semicolons (the first of these that it contains). Empty lines and lines that
-/// begin with # are skipped; a cell with separators stands in double quotes. Readers of other text formats fill
+/// begin with # are skipped; a cell with separators is in double quotes. Readers of other text formats fill
 /// one line by line.
 class CsvTable {
  public:

@@ -148,7 +148,7 @@ std::vector<hsize_t> extent_of(hid_t dataset) {
   return extent;
 }
 
-/// Refuses what claims to be longer than the file it stands in: no claim of a damaged file is worth its memory.
+/// Refuses what claims to be longer than its file: no claim of a damaged file is worth its memory.
 void check_length(hid_t file, const std::string& place, double bytes) {
   hsize_t size = 0;
   checked(H5Fget_filesize(file, &size));

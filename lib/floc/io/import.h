@@ -30,7 +30,7 @@ struct Imported {
   AnyState state;                    ///< without residuals; `provenance.source` is set
   std::vector<std::string> remarks;  ///< choices the reader made, in words for the user
   bool complete = false;             ///< a state of floc: nothing to add to it
-  bool contacts_known = false;       ///< the file listed them; otherwise the geometry has to tell
+  bool contacts_known = false;       ///< the file listed them; otherwise they follow from the geometry
   bool target_stress_known = false;  ///< the file says which stress it was loaded with
 };
 

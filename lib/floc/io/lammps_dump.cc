@@ -152,7 +152,7 @@ CsvTable read_contact_frame(const std::string& path, std::int64_t timestep) {
                                      fmt::join(timesteps.rbegin(), timesteps.rend(), ", ")));
 }
 
-/// Names of the columns of positions: x, or what stands for it in this dump. @return whether they are scaled
+/// Names of the columns of positions: x, or what this dump has in its place. @return whether they are scaled
 bool find_positions(const CsvTable& table, std::map<std::string, std::string>& names) {
   for (const char* suffix : {"", "u", "s", "su"}) {
     if (names.contains("x") || !table.has(std::string("x") + suffix)) continue;

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// The key that names the model of a slot; needed only where its numbers do not tell.
+/// The key that names the model of a slot; needed only where its numbers do not identify it.
 constexpr const char* kLaw = "law";
 
 bool has_key(const DeclaredModel& model, const std::string& key) {

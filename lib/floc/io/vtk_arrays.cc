@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// Bytes that base64 text stands for, up to a character that is none of base64. Padding may stand inside: VTK encodes
+/// Bytes of base64 text, up to a character that is none of base64. Padding may be inside: VTK encodes
 /// the length of a block and its data one after the other.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -73,7 +73,7 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
   return values;
 }
 
-/// How many characters of base64 a block takes at most: its length stands in front, encoded by itself or with the data.
+/// How many characters of base64 a block takes at most: its length comes first, encoded by itself or with the data.
 std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   const std::string header = from_base64(text.substr(0, 12)).substr(0, header_size);
   std::uint64_t length = 0;

@@ -12,7 +12,7 @@ struct SpringSystem {
   Eigen::VectorXd stiffness;  ///< k; negative ones are allowed
 };
 
-/// What stands for the inverse of K = A^T k A, and how far it may be trusted.
+/// An approximation of the inverse of K = A^T k A, and how far it may be trusted.
 struct ApproximateInverse {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< M^-1 b
   /// K and M are positive semidefinite: the refinement minimises the energy by conjugate gradients.
@@ -21,7 +21,7 @@ struct ApproximateInverse {
   /// is given.
   double smallest_ratio = 0.0;
   /// Definite, and nothing is known of that bound: it is taken from the Ritz values of the refinement, which makes the
-  /// error an estimate. A soft motion that the loads hardly feel may be missed by both.
+  /// error an estimate. A soft motion that the loads hardly excite may be missed by both.
   bool estimated_ratio = false;
   /// Otherwise: upper bound of the 2-norm of K^-1; infinite if nothing is known.
   double inverse_norm = 0.0;
@@ -37,7 +37,7 @@ struct CondensationOptions {
   Eigen::MatrixXd start = {};
 };
 
-/// The stiffness that the boundary feels once the free unknowns have relaxed.
+/// The stiffness of the boundary once the free unknowns have relaxed (Schur complement).
 struct Condensation {
   Eigen::MatrixXd stiffness;  ///< S: 1/2 e^T S e = min over u of the energy; its stationary value if indefinite
   Eigen::MatrixXd error;      ///< bound of |S - exact|, entry by entry; infinite where none can be given

@@ -21,8 +21,8 @@ struct SpringInverse {
 std::optional<SpringInverse> invert_positive(SymmetricFactor& factor);
 
 /// For a K on which invert_positive() fails. Springs without negative stiffness have a square root sqrt(k) A, which keeps the digits
-/// that K has lost and tells mechanisms by its rank (SuiteSparseQR). Else by L D L^T: eigenvalues within
-/// `mechanism_bound` of zero are counted as mechanisms, those below as negative, and a shift stands in for the first.
+/// that K has lost and shows mechanisms by its rank (SuiteSparseQR). Else by L D L^T: eigenvalues within
+/// `mechanism_bound` of zero are counted as mechanisms, those below as negative, and a shift regularises the first.
 /// @param factor  holds K; `inverse` may refer to it
 SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound);
 

@@ -21,7 +21,7 @@ namespace {
 
 /// Replaces an exactly vanishing pivot of L D L^T so that the elimination goes on; far below any rounding.
 constexpr double kSmallestPivot = 1e-30;
-/// CHOLMOD asks for teams of four threads whatever it is told, each of which waits in a loop for panels of some
+/// CHOLMOD asks for teams of four threads whatever it is set to, each of which waits in a loop for panels of some
 /// columns: it is faster with one.
 class OneThread {
  public:

@@ -9,7 +9,7 @@
 namespace floc {
 
 /// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite
-/// matrices are factorized by supernodes; that a matrix is not positive definite is an answer, and its
+/// matrices are factorized by supernodes; that a matrix is not positive definite is a result, not an error, and its
 /// eigenvalues can be counted. Lengths of the unknowns should be chosen so that A has a diagonal of order one:
 /// pivots and shifts are absolute.
 class SymmetricFactor {

@@ -27,7 +27,7 @@ struct UnsymmetricFactor::Factors {
     prepare_blas();
     umfpack_di_defaults(control.data());
     control[UMFPACK_PRL] = 0;
-    // Patterns are symmetric and diagonals strong, even where values are not; UMFPACK, which sees no values,
+    // Patterns are symmetric and diagonals strong, even where values are not; UMFPACK, which gets no values,
     // would order for the unsymmetric case and take three to five times as long (measured at 1400 grains).
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   }

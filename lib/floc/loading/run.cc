@@ -93,7 +93,7 @@ void Run<Dim>::start_step() {
     return;
   }
   if (packing_.law != target().law) {
-    // The relaxer takes the imbalance it has to answer from the forces in the contact list.
+    // The relaxer takes the imbalance it has to respond to from the forces in the contact list.
     packing_.law = target().law;
     refresh_contacts(packing_);
   }

@@ -13,7 +13,7 @@
 
 namespace floc {
 
-/// Where a run stands between two chunks: with the options and the packing, all that decides how it goes on. This is
+/// The state of a run between two chunks: with the options and the packing, all that decides how it goes on. This is
 /// what a checkpoint holds.
 struct RunPoint {
   int step = 0;                          ///< number of the equilibrium being made
@@ -71,7 +71,7 @@ class Run {
   const RunPoint& point() const { return point_; }
   const Packing<Dim>& packing() const;
   const PlannedEquilibrium& target() const { return plan_[point_.step]; }
-  /// Where the present step stands.
+  /// Progress of the present step.
   RelaxationReport report() const;
   int n_clusters() const { return aggregation_ ? aggregation_->n_clusters() : 1; }
 

@@ -24,7 +24,7 @@ constexpr double kTrialsPerGrain = 1e5;
 /// Pairs that a packing may have, and more for each of its grains: beyond it, a wrong radius or cell.
 constexpr std::size_t kPairsAlways = 10'000;
 constexpr std::size_t kPairsPerGrain = 1000;
-/// Sizes smaller by a larger power of two are not told apart.
+/// Sizes smaller by a larger power of two share a level.
 constexpr int kMaxLevels = 32;
 
 /// Grains brought into the cell.

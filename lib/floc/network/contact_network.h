@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// One contact as linear response sees it: where it acts on its two bodies, along which directions, how stiff
+/// One contact as linear response needs it: where it acts on its two bodies, along which directions, how stiff
 /// it is and what it carries. Nothing here assumes round grains.
 template <int Dim>
 struct NetworkContact {

@@ -14,8 +14,8 @@ struct Block {
   bool winds = false;  // holds a loop around the cell
 };
 
-/// Blocks of a network by depth-first search (Hopcroft and Tarjan), contacts between the same two grains and of a
-/// grain with its own image told apart.
+/// Blocks of a network by depth-first search (Hopcroft and Tarjan), contacts between the same two grains and of
+/// a grain with its own image kept apart.
 template <int Dim>
 class BlockSearch {
  public:

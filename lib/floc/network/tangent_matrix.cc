@@ -179,7 +179,7 @@ void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiff
   const double size_i = grain_size_[c.i], size_j = grain_size_[c.j];
   auto on_i = motion_of_grain<Dim>(-1.0, Dim, size_i);
   auto on_j = motion_of_grain<Dim>(1.0, Dim + kRotationDofs, size_j);
-  // Of the boundary the contact feels a displacement, no rotation.
+  // The boundary displaces the contact, and does not rotate it.
   using OnBoundary = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMotionRows<Dim>,
                                    BoundaryColumns<Dim>::kMaxColumns>;
   OnBoundary moved = OnBoundary::Zero(kMotionRows<Dim>, n_boundary_);

@@ -13,7 +13,7 @@ namespace floc {
 template <int Dim>
 using ConsistentStiffness = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
-/// The unknowns of whatever bounds a packing, as one contact feels them: strains of the cell, walls.
+/// How the unknowns of whatever bounds a packing act on one contact: strains of the cell, walls.
 template <int Dim>
 struct BoundaryColumns {
   static constexpr int kMaxColumns = 2 * kSymmetric<Dim>;

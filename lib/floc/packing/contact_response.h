@@ -40,7 +40,7 @@ using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
 /// The consistent tangents of `respond`: derivatives of the law's own response, return to its caps included, in
 /// the frame that turns with the contact. Not symmetric where a force follows another, such as one that slides.
-/// A contact that stands at its cap to rounding is taken to slide on.
+/// A contact that is at its cap to rounding is taken to slide on.
 ///
 /// @param start    contacts before the motion: `gap` and `normal` of the present, memory of the start
 /// @param frame    of each: columns the normal, then the tangents

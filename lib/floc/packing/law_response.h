@@ -3,10 +3,10 @@
 #include "floc/contact/law_table.h"
 #include "floc/packing/packing.h"
 
-/// How one contact answers by a composed law: what all evaluations outside of the force loop share.
+/// How one contact responds by a composed law: what all evaluations outside of the force loop share.
 namespace floc {
 
-/// Springs are at their cap when shortening by rounding could not be told from reaching it.
+/// Springs are at their cap when shortening by rounding could not be distinguished from reaching it.
 inline constexpr double kCapTolerance = 1e-12;
 
 /// What the law may ask of the pair, at the gap that the contact has. A wall is flat and moves as if no grain could stop it.

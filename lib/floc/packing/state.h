@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Where a state stands on its load path.
+/// The place of a state on its load path.
 struct PathPosition {
   int step = 0;              ///< number of the equilibrium, 0 the first saved
   std::string branch;        ///< "assembly", "load", "unload", ...

@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// What a line between two grains stands for; drawn in this order, the last on top.
+/// What a line between two grains means; drawn in this order, the last on top.
 enum class LineKind {
   background,  ///< a contact in the background: outside the set shown
   zero,        ///< no normal force within the tolerance
@@ -57,7 +57,7 @@ struct PackingPicture {
   std::string background_name = "other contacts";
   std::vector<DisplacementArrow> arrows;
   GrainShade shade;  ///< without values: grains are grey
-  /// Above the picture, broken between these parts where they do not stand in one line.
+  /// Above the picture, broken between these parts where they do not fit one line.
   std::vector<std::string> caption;
   std::string note;  ///< in the legend, may be empty
 };

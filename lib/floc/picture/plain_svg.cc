@@ -34,7 +34,7 @@ void append_path(std::string_view path, std::string& out) {
   }
 }
 
-/// What stands before a name in an svg, and before the data of a path.
+/// What precedes a name in an svg, and before the data of a path.
 constexpr std::string_view kBeforeName[] = {"id=\"", "href=\"#", "url(#"};
 constexpr std::string_view kCounted[] = {"surface", "image", "source-"};
 constexpr std::string_view kBeforePath = " d=\"";

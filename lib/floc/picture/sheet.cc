@@ -20,7 +20,7 @@ constexpr double kMaxPixelsASide = 3000.0;
 constexpr double kPixelsADiameter = 6.0;
 constexpr std::size_t kMaxVectors = 15000;
 
-/// Where everything of a sheet stands (points).
+/// The layout of a sheet (points).
 class Layout {
  public:
   Layout(const std::vector<PackingPicture>& pictures, const SheetOptions& options)

@@ -27,8 +27,8 @@ enum class Motion {
 };
 
 /// Explicit time integration of a packing under its law: half kick, drift, forces, half kick (velocity Verlet), with
-/// the lattice vectors as degrees of freedom and peculiar velocities. Second order. The dashpots see the velocity of
-/// the middle of the step, with a coefficient corrected for that lag: stable to twice the step that a predicted
+/// the lattice vectors as degrees of freedom and peculiar velocities. Second order. Dashpots act on the velocity
+/// of the middle of the step, with a coefficient corrected for that lag: stable to twice the step that a predicted
 /// velocity allows, and the restitution is right all the same.
 ///
 /// Results depend on the packing it was made from and on the number of steps alone: neighbour lists, their skin, the

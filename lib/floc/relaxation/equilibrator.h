@@ -12,7 +12,7 @@ namespace floc {
 
 enum class RelaxationStatus { running, converged, gave_up };
 
-/// How a relaxation ended or where it stands, in numbers and words.
+/// How a relaxation ended, or its progress, in numbers and text.
 struct RelaxationReport {
   Residuals residuals;
   int n_negative = -1;       ///< negative eigenvalues of an equilibrium's stiffness matrix; -1 before
@@ -42,7 +42,7 @@ class Equilibrator {
   /// Static stress of the packing as it is now.
   virtual const Mat<Dim>& stress() const = 0;
   virtual RelaxationReport report() const = 0;
-  /// Where it stands, as text that means something to equilibrators of the same kind alone.
+  /// Its progress, as text for equilibrators of the same kind alone.
   virtual std::string progress() const = 0;
 };
 

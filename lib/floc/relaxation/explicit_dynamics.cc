@@ -109,7 +109,7 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
         barrier.wait();
       }
       if (threads == 1) {
-        // Pairs belong to their lower grain: a block's rows stand in it and in those before it, still in the cache.
+        // Pairs belong to their lower grain: a block's rows are in it and in those before it, still in the cache.
         for (int b = first; b < last; ++b) compute_pairs(b, dt_), sum_and_kick(b);
       } else {
         for (int b = first; b < last; ++b) compute_pairs(b, dt_);

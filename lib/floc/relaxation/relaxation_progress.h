@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Where a relaxation stands, beside the packing itself: all that decides how it goes on.
+/// The progress of a relaxation, beside the packing itself: all that decides how it goes on.
 struct RelaxationProgress {
   enum Phase { moving, finishing };
   int phase = moving;

@@ -203,7 +203,7 @@ bool Relaxer<Dim>::density_is_steady() {
 }
 
 /// Vibrations that nothing damps, and the coasting of a floppy packing without load, may move the density for
-/// ever; that no contact opens or closes for long is then what tells that nothing rearranges any more.
+/// ever; that no contact opens or closes for long is then the sign that nothing rearranges any more.
 template <int Dim>
 bool Relaxer<Dim>::contacts_are_steady() {
   const std::uint64_t set = contact_fingerprint(packing_);
@@ -212,7 +212,7 @@ bool Relaxer<Dim>::contacts_are_steady() {
   return progress_.unchanged_chunks >= static_cast<int>(chunks_in(kSteadyContactsWindow));
 }
 
-/// Whether grains of this mean kinetic energy that met nobody new for so long can only be vibrating.
+/// Whether grains of this mean kinetic energy without a new contact for so long can only be vibrating.
 template <int Dim>
 bool Relaxer<Dim>::vibrates(double energy) const {
   const double time = progress_.unchanged_chunks * kStepsPerChunk * time_step_;

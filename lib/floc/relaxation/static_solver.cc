@@ -25,8 +25,8 @@ namespace {
 /// rounding.
 constexpr double kRegularisation = 1e-10;
 
-/// A configuration: where the grains are, how far the surfaces of each candidate contact moved since the start, what it
-/// answers and the residual there.
+/// A configuration: where the grains are, how far the surfaces of each candidate contact moved since the start, how it
+/// responds and the residual there.
 template <int Dim>
 struct Configuration {
   std::vector<DoubleDoubleVec<Dim>> centre;

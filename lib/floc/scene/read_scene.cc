@@ -331,7 +331,7 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
                "it lets nothing move; expected strain_rate_cap");
 }
 
-/// Puts diameters that came from a file into the scene itself, so that its text stands alone; true if it did.
+/// Puts diameters that came from a file into the scene itself, so that its text is complete; true if it did.
 bool inline_list(toml::table& root, const std::vector<double>& values) {
   if (values.empty()) return false;
   toml::table& diameter = *root["grains"]["diameter"].as_table();

@@ -22,8 +22,8 @@ struct IntegerRule {
 };
 
 /// Reads the keys of one table of a scene and remembers which it was asked for, so that every other key is a
-/// fault. A fault is recorded, not thrown, and the value is then absent. A reader of a missing table answers
-/// nothing and adds no further faults.
+/// fault. A fault is recorded, not thrown, and the value is then absent. A reader of a missing table returns
+/// no values and adds no further faults.
 class TableReader {
  public:
   enum class Need { required, optional };

@@ -7,7 +7,7 @@
 namespace floc {
 
 /// Share of each cell of a regular mesh that grains cover. Mesh cells are parallelograms, the lattice vectors divided
-/// by `size`; values of cell (k1, k2) stand at k1 * size[1] + k2.
+/// by `size`; values of cell (k1, k2) are at k1 * size[1] + k2.
 struct CoverageMap {
   Vec<2, int> size = Vec<2, int>::Zero();  ///< mesh cells along each lattice vector
   std::vector<double> share;               ///< local solid fraction; overlaps count twice

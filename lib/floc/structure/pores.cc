@@ -165,7 +165,7 @@ class FaceWalk {
 };
 
 /// Takes away the faces that have no size: those that wind around the cell, or what surrounds a network that does not
-/// span it. Euler's formula tells which of the two there is, and whether the edges cross.
+/// span it. Euler's formula decides which of the two there is, and whether the edges cross.
 /// @return false if they do
 bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
   constexpr double kWhole = 1e-6;

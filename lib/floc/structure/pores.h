@@ -12,7 +12,7 @@ struct Pore {
   double area = 0.0;               ///< (area)
   double gyration_radius = 0.0;    ///< root mean square distance of its points from its centre of mass (length)
   Vec<2> centre = Vec<2>::Zero();  ///< of mass, inside the cell
-  std::vector<int> grains;         ///< around it, counter-clockwise; one that it touches twice stands twice
+  std::vector<int> grains;         ///< around it, counter-clockwise; one that it touches twice is listed twice
 };
 
 /// Pores of a 2D packing: the faces of the network of its interactions (distant attractions close pores too), less the

@@ -67,7 +67,7 @@ class Study {
     return units * expected_cost(sized) * speed;
   }
 
-  /// Runs a small sample, which tells the speed of this machine, then takes as many grains as the budget allows.
+  /// Runs a small sample, which measures the speed of this machine, then takes as many grains as the budget allows.
   void fit_size_to_budget() {
     Scene small = scene_;
     small.grains.count = std::min(scene_.grains.count, kMinGrains);
@@ -154,7 +154,7 @@ class Study {
     left_out_.push_back(fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed,
                                     path.out_of_time ? "broken off at the end of the budget" : path.failure));
     if (path.out_of_time) return;
-    skipped_.insert(i);  // one sample that fails tells that the others may
+    skipped_.insert(i);  // where one sample fails the others may
   }
 
   Sample moduli_level(int k, const StudiedSetting& setting, const SamplePath& reference,

@@ -19,7 +19,7 @@ inline constexpr int kPairPadding = 8;
 inline constexpr int kSumGroup = 8;
 
 /// A dashpot acts with this share of its present force and the rest of the one a step before. The velocities it
-/// sees are those of half a step earlier, so that it is late by kDashpotLag steps (lagging_damping() corrects
+/// acts on are those of half a step earlier, so that it is late by kDashpotLag steps (lagging_damping() corrects
 /// that), but stable to a longer step: where grains vibrate at w and are damped at g, for
 /// (w dt)^2 + 2 (2 share - 1) g dt < 4.
 inline constexpr double kDashpotShare = 0.8;

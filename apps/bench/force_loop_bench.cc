@@ -1,6 +1,7 @@
-// Contact updates per second of the time stepping, law by law, size by size and for each instruction set: what a scene
-// pays for the physics it names. Time is that of the processor. Compare the rows of one run; single figures depend on
-// the machine. FLOC_BENCH_GRAINS=1000000 adds a size; FLOC_BENCH_STATE=state.h5 adds a packing of disks from a file.
+// Contact updates per second of the time stepping, law by law, size by size and for each instruction set: what
+// a scene pays for the physics it names. Time is that of the processor. Compare the rows of one run; single
+// figures depend on the machine. FLOC_BENCH_GRAINS=1000000 adds a size; FLOC_BENCH_STATE=state.h5 adds a
+// packing of disks from a file.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>

@@ -1,8 +1,8 @@
 // Cost of the linear response of a network for packings tiled to size from a relaxed state:
 //   FLOC_BENCH_STATE=state.h5 floc_bench --benchmark_filter='response/grains:90000'
-// Without a state a triangular lattice of disks stands in. Grains are renumbered along a space-filling curve, as runs
-// do, and stiffnesses carry a jitter of a percent, so that the copies are no symmetry. Spheres are an fcc lattice with
-// bonds taken out at random to z = 6, or tiles of the state FLOC_BENCH_SPHERES, such as
+// Without a state a triangular lattice of disks stands in. Grains are renumbered along a space-filling curve,
+// as runs do, and stiffnesses carry a jitter of a percent, so that the copies are no symmetry. Spheres are an
+// fcc lattice with bonds taken out at random to z = 6, or tiles of the state FLOC_BENCH_SPHERES, such as
 //   floc convert data/packings/yade/spheres.txt spheres.h5 --contacts data/packings/yade/spheres.interactions
 // peak_MB is that of the process: filter for one case a call.
 
@@ -31,8 +31,8 @@ double seconds_of(const auto& work) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Seconds that the system took of this process's time so far: much of it goes into handing out fresh memory, and it
-/// varies from run to run by a factor of three with what the machine has at hand.
+/// Seconds that the system took of this process's time so far: much of it goes into handing out fresh memory,
+/// and it varies from run to run by a factor of three with what the machine has at hand.
 double system_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -1,7 +1,7 @@
-// Contact updates per second of the time stepping, new lists of pairs among it, for grains of sizes 1:2 and 1:30, under
-// P/K_N = 1e-4 with friction. Diameters are uniform, as scenes draw them, or uniform by area, P(d) ~ d^-2 (Voivret et al.,
-// Phys. Rev. Lett. 102, 178001), of which most are small and touch nothing. Compare the rows of one run and distribution.
-// FLOC_BENCH_RATIO=100 adds a ratio.
+// Contact updates per second of the time stepping, new lists of pairs among it, for grains of sizes 1:2 and
+// 1:30, under P/K_N = 1e-4 with friction. Diameters are uniform, as scenes draw them, or uniform by area, P(d)
+// ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), of which most are small and touch nothing. Compare the
+// rows of one run and distribution. FLOC_BENCH_RATIO=100 adds a ratio.
 
 #include <benchmark/benchmark.h>
 

@@ -26,7 +26,8 @@ Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
   return table;
 }
 
-/// Gives a table that many states fill its columns. @throws InputError if it has others: states of another dimension
+/// Gives a table that many states fill its columns. @throws InputError if it has others: states of another
+/// dimension
 inline void expect_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.columns.empty()) table.columns = names;
   if (table.columns != names)

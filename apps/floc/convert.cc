@@ -20,9 +20,9 @@
 namespace floc {
 namespace {
 
-/// How strict the equilibrium of another program's packing is asked to be, in the units of EquilibriumTolerance.
-/// Contact points of other programs differ from ours by up to the overlap, which leaves moments of that order, and they
-/// are usually run to unbalanced forces of 1e-3.
+/// How strict the equilibrium of another program's packing is asked to be, in the units of
+/// EquilibriumTolerance. Contact points of other programs differ from ours by up to the overlap, which leaves
+/// moments of that order, and they are usually run to unbalanced forces of 1e-3.
 constexpr double kForeignTolerance = 1e-3;
 
 struct ConvertArguments {

@@ -7,8 +7,8 @@ namespace floc {
 
 /// A plot as gnuplot draws it: numbers, and a script that names them `data` and its blocks by `index`, from 0.
 struct Plot {
-  /// Lines of numbers, each block begun by a comment that names its columns. A block without lines is kept, so that the
-  /// others keep their index.
+  /// Lines of numbers, each block begun by a comment that names its columns. A block without lines is kept, so
+  /// that the others keep their index.
   struct Block {
     std::string columns;
     std::vector<std::vector<double>> rows;
@@ -34,7 +34,8 @@ std::string gnuplot_quoted(const std::string& text);
 
 /// Writes F.dat and F.gp beside F.svg, F.pdf or F.png and has gnuplot draw it; each file is whole or absent.
 /// Run again in its directory, the script draws the same picture, so that it can be restyled.
-/// @throws InputError if the name ends otherwise; IoError if a file cannot be written, or gnuplot is missing or fails
+/// @throws InputError if the name ends otherwise; IoError if a file cannot be written, or gnuplot is missing or
+/// fails
 void write_plot(const std::string& file, const Plot& plot);
 
 /// The picture alone, as svg.

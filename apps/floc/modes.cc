@@ -25,7 +25,8 @@ struct ModesCommand {
   std::string format;
 };
 
-/// One row: motions that are free by structure (a kind and their number), a strain that costs nothing, or a mode.
+/// One row: motions that are free by structure (a kind and their number), a strain that costs nothing, or a
+/// mode.
 struct ModeRow {
   std::string file;
   std::string kind;

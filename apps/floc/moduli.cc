@@ -104,7 +104,8 @@ void warn_of_rounding(const std::string& file, const State<Dim>& state) {
         file, floor.force, floor.stress, state.tolerance.force, state.tolerance.stress);
 }
 
-/// What the contact network says beside the moduli of a row; increments of its contacts where they are asked for.
+/// What the contact network says beside the moduli of a row; increments of its contacts where they are asked
+/// for.
 template <int Dim>
 void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row, Table* increments) {
   const Packing<Dim>& packing = state.packing;
@@ -364,7 +365,8 @@ bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<Moduli
   });
 }
 
-/// Whether a state is an equilibrium; if not, says so on stderr. A state not refused with `force` is warned about.
+/// Whether a state is an equilibrium; if not, says so on stderr. A state not refused with `force` is warned
+/// about.
 bool check_equilibrium(const std::string& file, const AnyState& any, bool force) {
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
   if (!faults.empty())

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Rows one after another along which the pressure goes one way; the row at which it turns belongs to both runs. Rows
-/// without pressure, which have no place on a logarithmic axis, are left out.
+/// Rows one after another along which the pressure goes one way; the row at which it turns belongs to both
+/// runs. Rows without pressure, which have no place on a logarithmic axis, are left out.
 struct Run {
   bool up = true;
   std::vector<int> rows;

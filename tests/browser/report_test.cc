@@ -137,7 +137,8 @@ TEST_F(Browser, PrintsThePage) {
   EXPECT_EQ(o.code, 0);
   const std::string pdf = content_of(file("report.pdf"));
   EXPECT_THAT(pdf, StartsWith("%PDF"));
-  // Pages of A4 or letter, more than one, and pictures that are not left out: as vectors they take more than this.
+  // Pages of A4 or letter, more than one, and pictures that are not left out: as vectors they take more than
+  // this.
   const std::regex page_object("/Type ?/Page\\b");
   EXPECT_GT(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), page_object), std::sregex_iterator()),
             2);

@@ -16,7 +16,8 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-/// lambda, alpha, Phi_max of a published fit [GRC2008] and the P1* that follows; regime I ends at P0* = 10^(-13/8).
+/// lambda, alpha, Phi_max of a published fit [GRC2008] and the P1* that follows; regime I ends at
+/// P0* = 10^(-13/8).
 const ConsolidationLawParameters kLaw{0.349, 0.91, 0.7808, 0.27};
 const double kP0 = std::pow(10.0, -13.0 / 8);
 

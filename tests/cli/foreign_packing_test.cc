@@ -178,8 +178,8 @@ TEST_F(ForeignPacking, IsAStepOfAPipeline) {
   const Outcome head = shell("\"$0\" moduli " + all + " --format csv | head -1");
   EXPECT_THAT(head.out, StartsWith("file,dimension,"));
   EXPECT_THAT(head.err, IsEmpty());
-  // A reader that is gone when the table comes: no words, and the code of a program that SIGPIPE ended, also where the
-  // caller ignores that signal.
+  // A reader that is gone when the table comes: no words, and the code of a program that SIGPIPE ended, also
+  // where the caller ignores that signal.
   for (const std::string ignored : {"", "trap '' PIPE; "}) {
     const Outcome gone =
         shell(ignored + "{ sleep 0.2; \"$0\" moduli " + all + " --format csv; echo code $? >&2; } | true");

@@ -79,7 +79,8 @@ TEST_F(PlotCommand, ModuliOfStatesAndOfTheirTableAreTheSame) {
   ASSERT_EQ(states.size(), 7u);
   ASSERT_EQ(rows.size(), 7u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    // The table has the pressure that the contacts carry, the states the one imposed: within the tolerance of stress.
+    // The table has the pressure that the contacts carry, the states the one imposed: within the tolerance of
+    // stress.
     EXPECT_NEAR(rows[i][0], states[i][0], 1e-5);
     for (std::size_t k = 1; k < 7; ++k) EXPECT_NEAR(rows[i][k] / states[i][k], 1.0, 1e-9) << k;
   }

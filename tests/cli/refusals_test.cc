@@ -10,8 +10,8 @@
 #include "support/places.h"
 #include "support/run_program.h"
 
-/// What the program refuses, and the message with which it does: where (file, line, array, option), what, and what
-/// was expected.
+/// What the program refuses, and the message with which it does: where (file, line, array, option), what, and
+/// what was expected.
 namespace floc::test {
 namespace {
 

@@ -55,8 +55,8 @@ TEST_F(RunCommand, MakesStatesThatVerify) {
 }
 
 TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
-  // Three blocks of grains, so that both threads have work (tests/unit/relaxation sees them at it), pressed at once:
-  // threads that share a core with other tests are slow.
+  // Three blocks of grains, so that both threads have work (tests/unit/relaxation sees them at it), pressed at
+  // once: threads that share a core with other tests are slow.
   std::string scene = small_scene();
   const auto replace = [&scene](const std::string& old, const std::string& with) {
     scene.replace(scene.find(old), old.size(), with);

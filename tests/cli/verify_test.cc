@@ -107,8 +107,8 @@ TEST(Verify, HoldsTheStressThatTheFileRecordsAgainstTheForces) {
                   "recorded");
 }
 
-/// A contact that was taken away and one that looks for its grain in another cell leave the stress and its transmission
-/// through the faces of the cell unlike, even where the file agrees with itself.
+/// A contact that was taken away and one that looks for its grain in another cell leave the stress and its
+/// transmission through the faces of the cell unlike, even where the file agrees with itself.
 TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   const auto expect_both = [](const Outcome& result) {
     EXPECT_EQ(result.code, 5);

@@ -138,7 +138,8 @@ TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
     Packing<2> packing = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
     packing.grains.radius[0] = 0.5 * reach * kSpacing;
     find_contacts(packing);
-    // Every branch counted once: C_abab of K_N n n n n + K_T times the rest, over the area (nothing fluctuates).
+    // Every branch counted once: C_abab of K_N n n n n + K_T times the rest, over the area (nothing
+    // fluctuates).
     double bulk = 0.0, shear = 0.0;
     int n_contacts = 0;
     const int far = static_cast<int>(2.0 * reach) + 2;
@@ -174,7 +175,8 @@ TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
     slanted.cell.matrix.row(1) += slant * slanted.cell.matrix.row(0);
     find_contacts(slanted);
     ASSERT_EQ(slanted.contacts.size(), 48u) << slant;
-    // The longer lattice vector is a double: the crystal is sheared by its rounding, half a unit of `slant` cells.
+    // The longer lattice vector is a double: the crystal is sheared by its rounding, half a unit of `slant`
+    // cells.
     const double sheared = std::numeric_limits<double>::epsilon() * slant;
     expect_right(full_moduli(slanted), closed, 1e-9, "slant " + std::to_string(slant), 4.0 * sheared);
   }

@@ -20,7 +20,8 @@ namespace {
 
 constexpr double kStiff = 1e9;
 
-/// A crystal of 1 400 disks with K_N = 1e9, sizes that differ by a few overlaps, brought to equilibrium under P = 1.
+/// A crystal of 1 400 disks with K_N = 1e9, sizes that differ by a few overlaps, brought to equilibrium under
+/// P = 1.
 struct StiffCrystal {
   Packing<2> packing;
   StaticSolution<2> solution;

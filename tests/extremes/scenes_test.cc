@@ -7,8 +7,8 @@
 
 #include "support/run_program.h"
 
-/// Small scenes with a parameter at an end of its range, each run, verified from its files and taken to moduli by the
-/// program: equilibria that verify, in finite numbers, or a refusal in words.
+/// Small scenes with a parameter at an end of its range, each run, verified from its files and taken to moduli
+/// by the program: equilibria that verify, in finite numbers, or a refusal in words.
 namespace floc::test {
 namespace {
 

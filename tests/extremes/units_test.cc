@@ -10,7 +10,8 @@
 #include "support/network_packings.h"
 #include "support/springs.h"
 
-/// Nothing depends on the units of length, force and mass, wherever in the range of doubles they put the numbers.
+/// Nothing depends on the units of length, force and mass, wherever in the range of doubles they put the
+/// numbers.
 namespace floc {
 namespace {
 

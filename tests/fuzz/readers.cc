@@ -202,7 +202,8 @@ const std::vector<StateImage>& state_images() {
   return images;
 }
 
-/// Edits of a state's numbers, sealed anew: the first byte chooses the state, then two bytes say where and eight what.
+/// Edits of a state's numbers, sealed anew: the first byte chooses the state, then two bytes say where and
+/// eight what.
 void read_edited_state(const std::string& edits) {
   if (edits.empty()) return;
   const StateImage& image = state_images()[static_cast<unsigned char>(edits[0]) % state_images().size()];

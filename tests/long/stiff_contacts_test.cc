@@ -7,8 +7,8 @@
 namespace floc::test {
 namespace {
 
-/// A loose powder of 1400 disks whose contacts become stiffer up to kappa = 1e9: equilibria to the usual tolerance, and
-/// verified from their files.
+/// A loose powder of 1400 disks whose contacts become stiffer up to kappa = 1e9: equilibria to the usual
+/// tolerance, and verified from their files.
 TEST(StiffContacts, OfALoosePowderReachAnEquilibriumThatTheirFileHolds) {
   const ScratchDirectory scratch;
   const Outcome run =

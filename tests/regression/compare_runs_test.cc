@@ -90,8 +90,8 @@ TEST_F(TwoRuns, AreTheSameWhereverTheFileKeepsItsMemory) {
   EXPECT_EQ(result.code, 0) << result.out << result.err;
 }
 
-// Differences of 0.01, 0.02, 0.03: mean 0.02, standard error 0.01/sqrt(3), t = 2 sqrt(3). B is e times as large in all
-// samples: no scatter.
+// Differences of 0.01, 0.02, 0.03: mean 0.02, standard error 0.01/sqrt(3), t = 2 sqrt(3). B is e times as large
+// in all samples: no scatter.
 TEST(MeansOfRuns, ComeWithTheirPairedErrorAndStudentsT) {
   const ScratchDirectory scratch;
   std::vector<std::string> samples[2];

@@ -10,8 +10,8 @@
 namespace floc::test {
 namespace {
 
-// A function that several translation units define inline is kept once by the linker, from any of them: were it kept
-// from one that was compiled for AVX-512, programs would end on processors without.
+// A function that several translation units define inline is kept once by the linker, from any of them: were it
+// kept from one that was compiled for AVX-512, programs would end on processors without.
 TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
   const ScratchDirectory scratch;
   const std::string symbols = scratch.file("symbols");

@@ -131,8 +131,8 @@ double elastic_force_at(const Law& law, double gap) {
   return law.normal(pair_at(gap)).elastic;
 }
 
-/// Overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. By Newton's method, from the
-/// answer of the stiffest contact: at once for linear repulsion.
+/// Overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. By Newton's method,
+/// from the answer of the stiffest contact: at once for linear repulsion.
 template <class Law>
 double free_overlap(const Law& law) {
   double h = pull_off_force(law) / law.stiffness_bound().normal;

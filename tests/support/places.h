@@ -2,8 +2,8 @@
 
 #include <string>
 
-/// Where what the tests read and run lies. Not on the compile lines, nor in what many sources include: a compiler cache
-/// then serves all checkouts.
+/// Where what the tests read and run lies. Not on the compile lines, nor in what many sources include: a
+/// compiler cache then serves all checkouts.
 namespace floc::test {
 
 /// The checkout, without a slash at the end.

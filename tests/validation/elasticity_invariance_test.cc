@@ -19,8 +19,8 @@ Moduli full_moduli(const Packing<Dim>& packing) {
   return elastic_moduli(packing, options);
 }
 
-/// Relative. Another order of the same sums and other roundings of the branches: a condition number of some 1e3 times
-/// rounding, with room for the longest branches.
+/// Relative. Another order of the same sums and other roundings of the branches: a condition number of some 1e3
+/// times rounding, with room for the longest branches.
 constexpr double kSame = 1e-10;
 
 template <int Dim>

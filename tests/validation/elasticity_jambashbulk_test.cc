@@ -37,7 +37,8 @@ TEST_F(JamBashbulk, IsUnderTheIsotropicPressureItsHeaderSays) {
 }
 
 TEST_F(JamBashbulk, ShearModulusAgreesWithTheProgramThatMadeIt) {
-  // Its shear log gives 0.1086306 in a strain measure that carries a factor 1 - 0.00157, known to the digits given.
+  // Its shear log gives 0.1086306 in a strain measure that carries a factor 1 - 0.00157, known to the digits
+  // given.
   EXPECT_NEAR(moduli(true).C(2, 2), 0.1088011, 1e-6);
   EXPECT_NEAR(moduli(true).C(2, 2) * (1.0 - 0.00157), 0.1086306, 1e-6);
   EXPECT_NEAR(moduli(false).C(2, 2), 0.11056, 5e-6);
@@ -83,7 +84,8 @@ TEST_F(JamBashbulk, ModuliWithPrestressAreDerivativesOfTheCauchyStress) {
         (static_stress(strained(packing_, kStep * e)) - static_stress(strained(packing_, -kStep * e))) /
         (2.0 * kStep);
     for (int a = 0; a < 3; ++a) {
-      // Rounding of positions of order 10 over the step leaves 1e-9; truncation is step^2 over overlaps of 1e-3.
+      // Rounding of positions of order 10 over the step leaves 1e-9; truncation is step^2 over overlaps of
+      // 1e-3.
       EXPECT_NEAR((change * unit_strain<2>(a)).trace(), m.C(a, b), 1e-7) << a << " " << b;
     }
   }

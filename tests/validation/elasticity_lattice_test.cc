@@ -124,8 +124,9 @@ TEST(Lattice, FaceCentredCubicSpheresHaveTheirClosedForm) {
   ModuliOptions options;
   options.strains = StrainSet::full;
   const Moduli m = elastic_moduli(packing, options);
-  // Every sphere is a centre of symmetry, so nothing fluctuates; sums over the 6 branches n of a sphere of volume
-  // d^3/sqrt(2): C_abcd = (sqrt(2)/d) sum [(K_N - K_T) n_a n_b n_c n_d + K_T (n_a n_c delta_bd + ...)/4].
+  // Every sphere is a centre of symmetry, so nothing fluctuates; sums over the 6 branches n of a sphere of
+  // volume d^3/sqrt(2): C_abcd = (sqrt(2)/d) sum [(K_N - K_T) n_a n_b n_c n_d + K_T (n_a n_c
+  // delta_bd + ...)/4].
   const double unit = std::sqrt(2.0) / kSpacing;
   const Eigen::MatrixXd closed = cubic(unit * (kN + kT), unit * 0.5 * (kN - kT), unit * 0.5 * (kN + kT));
   EXPECT_LT((m.C - closed).cwiseAbs().maxCoeff(), kRounding);

@@ -35,7 +35,8 @@ Packing<2> solved(const Packing<2>& start, const Vec<2>& target) {
   return solution.packing;
 }
 
-/// Logarithmic strains that a change of stress by +-step about the pressure gives, found by solving the equilibrium.
+/// Logarithmic strains that a change of stress by +-step about the pressure gives, found by solving the
+/// equilibrium.
 Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step) {
   const Packing<2> more = solved(start, Vec<2>::Constant(pressure) + step);
   const Packing<2> less = solved(start, Vec<2>::Constant(pressure) - step);

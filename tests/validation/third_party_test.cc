@@ -133,7 +133,8 @@ TEST(Yade, StiffnessesAreThoseOfEachContactAndTheLawHasTheirMeans) {
   EXPECT_EQ(state.units, "SI");
   double kn = 0.0, kt = 0.0;
   for (const Contact<3>& c : state.packing.contacts) {
-    // Its tangential forces are perpendicular to the branch to 1e-6 only; what is along it counts as normal force here.
+    // Its tangential forces are perpendicular to the branch to 1e-6 only; what is along it counts as normal
+    // force here.
     EXPECT_NEAR(c.normal_force, -c.kn * c.gap, 1e-6 * c.shear_force.norm() + force_rounding(state.packing));
     EXPECT_NEAR(c.kt / c.kn, 0.4, 1e-12);  // the ratio of moduli in spheres.py
     kn += c.kn / 92.0;

@@ -13,8 +13,8 @@ namespace {
 
 /// Steps in which the fastest grain crosses the tail of one at rest, at least (`v dt << D0`).
 constexpr double kStepsAcrossTail = 3.0;
-/// Beyond the range of the law, how near clusters come in flight before they are moved step by step again, in largest
-/// diameters.
+/// Beyond the range of the law, how near clusters come in flight before they are moved step by step again, in
+/// largest diameters.
 constexpr double kFlightClearance = 1e-3;
 
 /// The step of the options, shortened where the fastest grain would jump over the tail of the adhesion.
@@ -58,7 +58,8 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Skips the time in which clusters at rest within themselves only drift towards each other, which may be most of it.
+/// Skips the time in which clusters at rest within themselves only drift towards each other, which may be most
+/// of it.
 /// @return time skipped
 template <int Dim>
 double Aggregation<Dim>::fly() {

@@ -13,8 +13,8 @@ namespace floc {
 template <int Dim>
 int count_clusters(const Packing<Dim>& packing);
 
-/// The second stage of the type 2 assembly: agitated grains in a fixed cell collide and stick until they are one
-/// cluster. State to state in chunks, like Relaxer.
+/// The second stage of the type 2 assembly: agitated grains in a fixed cell collide and stick until they are
+/// one cluster. State to state in chunks, like Relaxer.
 template <int Dim>
 class Aggregation {
  public:

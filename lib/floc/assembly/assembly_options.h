@@ -22,7 +22,8 @@ struct DiameterDistribution {
 struct GrainOptions {
   int count = 0;
   DiameterDistribution diameter;
-  /// Mass per area (2D) or volume (3D). Absent in reduced units: a grain of unit diameter has unit mass, m = d^Dim.
+  /// Mass per area (2D) or volume (3D). Absent in reduced units: a grain of unit diameter has unit mass,
+  /// m = d^Dim.
   std::optional<double> density;
 };
 

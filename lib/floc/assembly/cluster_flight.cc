@@ -10,7 +10,8 @@
 namespace floc {
 namespace {
 
-/// Distance to which surfaces are searched for when clusters may meet, in largest diameters: beyond it they have as far to go at least.
+/// Distance to which surfaces are searched for when clusters may meet, in largest diameters: beyond it they
+/// have as far to go at least.
 constexpr double kSearchDistance = 0.1;
 /// Bounds from below on the time to the next meeting that are flown one after another.
 constexpr int kMaxFlights = 1000;

@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Clusters that do not interact have no effect on each other until they meet. Once nothing moves inside them, the time
-/// until then can be skipped: each flies on as a rigid body.
+/// Clusters that do not interact have no effect on each other until they meet. Once nothing moves inside them,
+/// the time until then can be skipped: each flies on as a rigid body.
 class ClusterFlight {
  public:
   /// Finds the clusters of a packing (count_clusters()) and how each moves: with its momentum and, unless it
@@ -15,8 +15,9 @@ class ClusterFlight {
   /// Mean kinetic energy per grain of the motions inside clusters (energy).
   double inner_energy() const { return inner_energy_; }
 
-  /// Lets the clusters fly until surfaces of two of them are within `nearest` of each other (length), or `longest` has
-  /// passed (time). Positions are left where they arrive, inside the cell or not. The cell does not move.
+  /// Lets the clusters fly until surfaces of two of them are within `nearest` of each other (length), or
+  /// `longest` has passed (time). Positions are left where they arrive, inside the cell or not. The cell does
+  /// not move.
   /// @return time flown
   double fly(Packing<2>& packing, double nearest, double longest) const;
 

@@ -150,8 +150,8 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
   if (d.kind == DiameterDistribution::Kind::list) return d.values;
   const int n = options.count;
   std::vector<double> diameter(n, d.min);
-  // Equally spaced quantiles in random order: the sample has the distribution's moments, and its largest grain is
-  // exactly the unit of length that P* and kappa are made of.
+  // Equally spaced quantiles in random order: the sample has the distribution's moments, and its largest grain
+  // is exactly the unit of length that P* and kappa are made of.
   for (int i = 0; i < n; ++i) {
     if (d.kind == DiameterDistribution::Kind::uniform)
       diameter[i] = n == 1 ? d.max : d.min + (d.max - d.min) * i / (n - 1);
@@ -205,7 +205,8 @@ void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   Vec<Dim> momentum = Vec<Dim>::Zero();
   double mass = 0.0;
   for (int i = 0; i < g.size(); ++i) {
-    // Maxwell's distribution: every grain has the same mean energy. Mass over mass, for no unit to enter its root.
+    // Maxwell's distribution: every grain has the same mean energy. Mass over mass, for no unit to enter its
+    // root.
     for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i] / heaviest);
     momentum += g.mass[i] * g.velocity[i];
     mass += g.mass[i];

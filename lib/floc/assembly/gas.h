@@ -18,8 +18,8 @@ template <int Dim>
 Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, double solid_fraction,
                       RandomStream& random);
 
-/// Gives the grains Maxwell velocities: total momentum zero, root mean square of the translational speed `rms_speed`
-/// exactly, no spin.
+/// Gives the grains Maxwell velocities: total momentum zero, root mean square of the translational speed
+/// `rms_speed` exactly, no spin.
 template <int Dim>
 void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random);
 

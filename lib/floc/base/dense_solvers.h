@@ -4,7 +4,8 @@
 
 namespace floc {
 
-/// Decompositions of small dense matrices by Eigen, compiled once: each takes seconds wherever it is instantiated.
+/// Decompositions of small dense matrices by Eigen, compiled once: each takes seconds wherever it is
+/// instantiated.
 
 /// Eigenvalues, ascending, and the eigenvectors that belong to them, in columns.
 struct SymmetricEigen {
@@ -25,7 +26,8 @@ Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::Vect
 /// The x that makes |columns x - y| least; the smallest of many that do.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
-/// An orthonormal basis of all of space whose first columns span the given ones, of which it returns the first `count`.
+/// An orthonormal basis of all of space whose first columns span the given ones, of which it returns the first
+/// `count`.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
 
 /// A = Q R by Householder reflections: y -> R^-1 Q^T y, and R^-1. @pre the columns are independent

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// A double-double number: the unevaluated sum of two doubles, |low| <= half a unit in the last place of `high`: about
-/// 106 bits. For differences that cancel, where a double is too short (Dekker 1971; Hida, Li and Bailey 2001,
-/// "sloppy" forms).
+/// A double-double number: the unevaluated sum of two doubles, |low| <= half a unit in the last place of
+/// `high`: about 106 bits. For differences that cancel, where a double is too short (Dekker 1971; Hida, Li and
+/// Bailey 2001, "sloppy" forms).
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;

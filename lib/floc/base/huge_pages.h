@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Asks the system to back a large block with huge pages before it is first written: a block of a gigabyte is then
-/// handed over in 2 MB steps instead of 4 kB ones, which for a large matrix costs as much as the arithmetic on it.
-/// Small blocks are left alone; a system without huge pages ignores it.
+/// Asks the system to back a large block with huge pages before it is first written: a block of a gigabyte is
+/// then handed over in 2 MB steps instead of 4 kB ones, which for a large matrix costs as much as the
+/// arithmetic on it. Small blocks are left alone; a system without huge pages ignores it.
 void prefer_huge_pages(void* block, std::size_t bytes);
 
 /// malloc with that advice.

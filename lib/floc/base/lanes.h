@@ -4,8 +4,9 @@
 #include <cmath>
 #include <type_traits>
 
-/// The few operations a contact law needs beyond arithmetic, for every number type it is evaluated on: `double`, a dual
-/// number (Ceres' Jet), or a pack of doubles, the comparisons of which give masks with a `blend` of their own.
+/// The few operations a contact law needs beyond arithmetic, for every number type it is evaluated on:
+/// `double`, a dual number (Ceres' Jet), or a pack of doubles, the comparisons of which give masks with a
+/// `blend` of their own.
 namespace floc::lanes {
 
 /// `when ? a : b`, lane by lane where the number type has lanes.

@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// Shortens a spring to `limit` >= 0, keeping its direction. The spring, not its force, is the history: when the cap
-/// drops, the spring is cut with it and does not come back. One component is a plain clamp; several keep their
-/// direction (the circular Coulomb cone).
+/// Shortens a spring to `limit` >= 0, keeping its direction. The spring, not its force, is the history: when
+/// the cap drops, the spring is cut with it and does not come back. One component is a plain clamp; several
+/// keep their direction (the circular Coulomb cone).
 template <class V, class T>
 inline V capped(const V& spring, const T& limit) {
   if constexpr (V::RowsAtCompileTime == 1) {
@@ -23,8 +23,8 @@ inline V capped(const V& spring, const T& limit) {
   }
 }
 
-/// An incremental spring whose force is capped at coefficient * FNe, FNe the ELASTIC part of the normal force: what
-/// friction and rolling resistance have in common. @param memory  the spring, updated. @return its force
+/// An incremental spring whose force is capped at coefficient * FNe, FNe the ELASTIC part of the normal force:
+/// what friction and rolling resistance have in common. @param memory  the spring, updated. @return its force
 template <class V, class T>
 inline V respond_capped(double coefficient, double stiffness, const T& elastic, const V& increment, T* memory) {
   Eigen::Map<V> spring(memory);

@@ -23,8 +23,8 @@ struct ContactMotion {
   RotationVector<Dim, T> relative_rotation;  ///< rotation of i against j since then (radians)
 };
 
-/// What a contact does to its grains. On j act +normal along n and -shear; on i the opposite. On i acts the moment
-/// -rolling besides that of the shear force, on j +rolling.
+/// What a contact does to its grains. On j act +normal along n and -shear; on i the opposite. On i acts the
+/// moment -rolling besides that of the shear force, on j +rolling.
 template <int Dim, class T = double>
 struct ContactForces {
   NormalResponse<T> normal;        ///< static normal response
@@ -113,8 +113,8 @@ struct ContactLaw {
     return 0.0;
   }
 
-  /// Updates the memory by one motion and returns the forces. Springs are cut back to their caps, and vanish when
-  /// the surfaces part.
+  /// Updates the memory by one motion and returns the forces. Springs are cut back to their caps, and vanish
+  /// when the surfaces part.
   template <int Dim, class T>
   ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion,
                                 PackedMemory<kMemorySize<Dim>, T>& memory) const {

@@ -77,8 +77,8 @@ constexpr int n_components(MemoryKind kind, int dim) {
   return kind == MemoryKind::scalar || dim == 2 ? 1 : 3;
 }
 
-/// What each component is multiplied by when i and j are exchanged. A 2D tangent displacement changes its sign and so
-/// does the tangent it is measured along, which turns round with the normal.
+/// What each component is multiplied by when i and j are exchanged. A 2D tangent displacement changes its sign
+/// and so does the tangent it is measured along, which turns round with the normal.
 constexpr double parity(MemoryKind kind, int dim) {
   if (kind == MemoryKind::scalar) return 1.0;
   return kind == MemoryKind::tangent && dim == 2 ? 1.0 : -1.0;

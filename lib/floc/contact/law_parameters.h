@@ -14,9 +14,9 @@
 
 namespace floc {
 
-/// A contact law as a scene or a saved state names it: a model with its numbers in each slot, absent where nothing is
-/// said. THE lists of models: what is listed here is known to scenes, law texts, state files and the law table
-/// (law_table.h), which turns a LawParameters into the composed type.
+/// A contact law as a scene or a saved state names it: a model with its numbers in each slot, absent where
+/// nothing is said. THE lists of models: what is listed here is known to scenes, law texts, state files and the
+/// law table (law_table.h), which turns a LawParameters into the composed type.
 struct LawParameters {
   LawSlot<LinearRepulsion> normal;
   LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion> adhesion;
@@ -40,8 +40,8 @@ struct LawParameters {
   double pull_off_force() const;
   /// Largest gap at which the law acts; adhesion of zero force acts nowhere.
   double range() const;
-  /// Modulus that a pressure is measured against where nothing adheres: K_N/a^(Dim-2) of linear contacts of grains of
-  /// diameter a (force/length^(Dim-1)).
+  /// Modulus that a pressure is measured against where nothing adheres: K_N/a^(Dim-2) of linear contacts of
+  /// grains of diameter a (force/length^(Dim-1)).
   double contact_modulus(int dim, double diameter) const;
 
   /// Every fault as "key = value: requirement"; empty when the law can be used.

@@ -6,11 +6,13 @@
 #include "floc/contact/law_parameters.h"
 
 /// The composed contact laws. To add a model (docs/adding-a-law.md takes you through an example):
-///   1. write it as a header in its slot's folder: a struct that declares its numbers and its memory (declaration.h)
-///      and has the functions of its slot as templates on the number type (see normal/linear_repulsion.h and
-///      tangential/coulomb_friction.h);
-///   2. add it to its slot in law_parameters.h; the table below is the product of the slots and finds it by itself;
-///   3. give the conformance suite a set of sample numbers in tests/support/laws.h, and write a unit test with a closed
+///   1. write it as a header in its slot's folder: a struct that declares its numbers and its memory
+///      (declaration.h) and has the functions of its slot as templates on the number type (see
+///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
+///   2. add it to its slot in law_parameters.h; the table below is the product of the slots and finds it by
+///   itself;
+///   3. give the conformance suite a set of sample numbers in tests/support/laws.h, and write a unit test with
+///   a closed
 ///      form.
 namespace floc {
 
@@ -34,7 +36,8 @@ struct Joined<LawList<Laws...>> {
 template <class... A, class... B, class... Rest>
 struct Joined<LawList<A...>, LawList<B...>, Rest...> : Joined<LawList<A..., B...>, Rest...> {};
 
-/// All compositions of one model a slot that are compiled: the slots still to be chosen from, then the models chosen.
+/// All compositions of one model a slot that are compiled: the slots still to be chosen from, then the models
+/// chosen.
 template <class Models, class... Slots>
 struct Compositions;
 template <class... M>

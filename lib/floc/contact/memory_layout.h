@@ -8,9 +8,9 @@
 #include "floc/contact/contact_memory.h"
 #include "floc/contact/law_parameters.h"
 
-/// Where the quantities that contacts remember are kept in a contact, and in the arrays of pairs in motion: each
-/// slot has a place of its own, wide enough for any of its models, so that a change of the law moves nothing. A
-/// law evaluates, loads and stores the numbers of its own models alone.
+/// Where the quantities that contacts remember are kept in a contact, and in the arrays of pairs in motion:
+/// each slot has a place of its own, wide enough for any of its models, so that a change of the law moves
+/// nothing. A law evaluates, loads and stores the numbers of its own models alone.
 namespace floc {
 
 /// The most that any model of a slot remembers.
@@ -46,7 +46,8 @@ consteval int memory_place(int k) {
   return MemoryLayout<Dim>::kRolling + k - n_normal - n_friction;
 }
 
-/// Calls visit(k, place) for each number of a law's packed memory, unrolled, k and place being integral constants.
+/// Calls visit(k, place) for each number of a law's packed memory, unrolled, k and place being integral
+/// constants.
 template <class Law, int Dim, class Visit>
 [[gnu::always_inline]] inline void for_each_memory(const Visit& visit) {
   [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {

@@ -20,8 +20,8 @@ struct CollisionMass {
   static CollisionMass against_wall(double mass) { return {mass, mass}; }
 };
 
-/// What a law may ask of two surfaces. Reduced radius and mass are there for laws that need them (`kNeedsReducedRadius`,
-/// `kNeedsReducedMass` of a model), zero for others.
+/// What a law may ask of two surfaces. Reduced radius and mass are there for laws that need them
+/// (`kNeedsReducedRadius`, `kNeedsReducedMass` of a model), zero for others.
 template <class T = double>
 struct PairGeometry {
   T gap;             ///< h (length), negative when the grains overlap

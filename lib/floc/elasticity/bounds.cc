@@ -15,8 +15,8 @@ double compliance_term(double squared_force, double stiffness) {
   return squared_force == 0.0 ? 0.0 : squared_force / stiffness;
 }
 
-/// A pressure below this share of what the forces could sum up to is what an equilibrium, solved to 1e-8, leaves of
-/// zero.
+/// A pressure below this share of what the forces could sum up to is what an equilibrium, solved to 1e-8,
+/// leaves of zero.
 constexpr double kNoPressure = 1e-8;
 
 struct Sums {

@@ -6,7 +6,8 @@
 
 namespace floc {
 
-/// Bounds of the bulk and shear moduli of a network (docs/physics.md, "Bounds"), as stress (force/length^(Dim-1)).
+/// Bounds of the bulk and shear moduli of a network (docs/physics.md, "Bounds"), as stress
+/// (force/length^(Dim-1)).
 struct Bounds {
   /// Affine motion without rotations: sum K_N r^2/(Dim^2 V), and its shear analogue. Upper bounds of B_C and of
   /// G = (C11 + C22 - 2 C12)/4 (3D: its mean over the three pairs of axes).

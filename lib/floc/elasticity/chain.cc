@@ -119,8 +119,8 @@ Compliance invert_stiffness(const Mat<3>& stiffness, const Mat<3>& error) {
   Compliance c;
   // In extended precision: the cofactors of soft and stiff directions that mix cancel.
   c.value = stiffness.cast<long double>().inverse().cast<double>();
-  // |S^-1 - exact^-1| <= |S^-1| E |exact^-1|, and the last is at most 1/(1 - change) of |S^-1|; a diagonal scaling
-  // makes `change` a number.
+  // |S^-1 - exact^-1| <= |S^-1| E |exact^-1|, and the last is at most 1/(1 - change) of |S^-1|; a diagonal
+  // scaling makes `change` a number.
   const Mat<3> size = c.value.cwiseAbs();
   const Vec<3> scale = stiffness.diagonal().cwiseAbs().cwiseSqrt();
   const Mat<3> relative = scale.asDiagonal() * (size * error) * scale.cwiseInverse().asDiagonal();

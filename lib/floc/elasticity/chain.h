@@ -21,11 +21,11 @@ double chain_axial_compliance(int n, const ChainStiffness& k);
 ///
 ///   1/K_T^(n) = (n-1)/K_T + n (n-1) (n-2) R^2 / (3 K_R)
 ///
-/// The equivalent has radii (n-1) R and its contact at mid-chain, where a transverse force does not turn the ends
-/// against each other.
+/// The equivalent has radii (n-1) R and its contact at mid-chain, where a transverse force does not turn the
+/// ends against each other.
 /// @param n  number of disks, >= 2; n = 2 is the contact itself.  @param R  radius of the disks (length), > 0.
-/// Exact: equals the solved network to rounding. The form printed as Eq. 16 of [GRC2008] measures another displacement;
-/// it is `end_disk_deflection()`.
+/// Exact: equals the solved network to rounding. The form printed as Eq. 16 of [GRC2008] measures another
+/// displacement; it is `end_disk_deflection()`.
 /// @throws InputError if n < 2, or R or a stiffness is not positive.
 double chain_transverse_compliance(int n, double R, const ChainStiffness& k);
 
@@ -33,8 +33,8 @@ double chain_transverse_compliance(int n, double R, const ChainStiffness& k);
 /// @throws InputError if n < 2 or a stiffness is not positive.
 double chain_rolling_compliance(int n, const ChainStiffness& k);
 
-/// Displacement of the centre of the last disk of a straight chain whose first is held, for a unit transverse force
-/// on a line through the last contact, in length/force ([GRC2008], Eq. 16 as printed).
+/// Displacement of the centre of the last disk of a straight chain whose first is held, for a unit transverse
+/// force on a line through the last contact, in length/force ([GRC2008], Eq. 16 as printed).
 ///
 ///   (n-1)/K_T + (n-1) (4 n^2 - 11 n + 6) R^2 / (3 K_R)
 ///
@@ -59,8 +59,8 @@ struct SolvedChain {
   double condition;         ///< of the stiffness matrix, estimated; infinite if rounding leaves no rank
 };
 
-/// Directions of the n - 1 branches of a chain of n disks bent evenly: each is turned by `bend` (radians) against the
-/// one before; 0: straight along x.
+/// Directions of the n - 1 branches of a chain of n disks bent evenly: each is turned by `bend` (radians)
+/// against the one before; 0: straight along x.
 std::vector<Vec<2>> bent_chain(int n, double bend);
 
 /// @param branches  unit vectors from each disk to the next, one or more, that do not lead back to the start

@@ -140,8 +140,8 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
   return diagonal;
 }
 
-/// Steps after which a factor of its own is cheaper than going on with one of another network (N = 1400: a factor takes
-/// as long as some 30 steps).
+/// Steps after which a factor of its own is cheaper than going on with one of another network (N = 1400: a
+/// factor takes as long as some 30 steps).
 constexpr int kMaxSteps = 40;
 
 /// Refinement with an approximate inverse of which nothing is known; no value where it does not converge.

@@ -21,13 +21,13 @@ struct ResponseOptions {
   StrainSet strains = StrainSet::diagonal;
   bool prestress = false;  ///< geometric terms, see StiffnessOptions
   Ordering ordering = Ordering::automatic;
-  /// Relative error wanted of the diagonal of `relaxed`: refinement goes on until its bound is below, or rounding
-  /// is reached. The default is seldom more than one step away.
+  /// Relative error wanted of the diagonal of `relaxed`: refinement goes on until its bound is below, or
+  /// rounding is reached. The default is seldom more than one step away.
   double tolerance = 1e-11;
   /// Eigenvalues of K within this of zero, in units of the largest contact stiffness (rotations times the
-  /// grain's size), are mechanisms where K may be indefinite; else the rank of its square root decides. Rounding of
-  /// K moves an eigenvalue by some 1e-15; near-mechanisms of real packings have been seen down to 6e-13 and carry
-  /// 3 % of B, so they must stay above.
+  /// grain's size), are mechanisms where K may be indefinite; else the rank of its square root decides.
+  /// Rounding of K moves an eigenvalue by some 1e-15; near-mechanisms of real packings have been seen down to
+  /// 6e-13 and carry 3 % of B, so they must stay above.
   double mechanism_bound = 1e-13;
 };
 
@@ -37,8 +37,9 @@ struct ElasticResponse {
   /// Schur complement of the grains in K. Symmetric; the moduli are this over the volume where there is no
   /// prestress.
   Eigen::MatrixXd relaxed;
-  /// Bound of the error of each entry of `relaxed`, from the imbalance that is left and the rounding of the contacts'
-  /// geometry (branches are taken as right to a few units in the last place); infinite where none can be given.
+  /// Bound of the error of each entry of `relaxed`, from the imbalance that is left and the rounding of the
+  /// contacts' geometry (branches are taken as right to a few units in the last place); infinite where none can
+  /// be given.
   Eigen::MatrixXd error;
   /// Fluctuation of the grains per unit strain: rows the unknowns of K, a column a strain. Zero where nothing
   /// fixes it.
@@ -54,8 +55,8 @@ struct ElasticResponse {
   int steps = 0;  ///< of refinement
 };
 
-/// Solves for the response. A singular or indefinite K is a result, not an error; without prestress and distant bonds a
-/// mechanism of the grains cannot couple to strain, so `relaxed` is right beside it.
+/// Solves for the response. A singular or indefinite K is a result, not an error; without prestress and distant
+/// bonds a mechanism of the grains cannot couple to strain, so `relaxed` is right beside it.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options);
@@ -75,9 +76,9 @@ struct ResponseMemory {
   Eigen::MatrixXd fluctuation;  ///< of the last network
 };
 
-/// By conjugate gradients from the solution that `memory` holds, with its factor as preconditioner, to the tolerance of
-/// the options by an estimate of the error. A first network, one of other grains, and one on which that takes long is
-/// factorized, and its factor kept.
+/// By conjugate gradients from the solution that `memory` holds, with its factor as preconditioner, to the
+/// tolerance of the options by an estimate of the error. A first network, one of other grains, and one on which
+/// that takes long is factorized, and its factor kept.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options, ResponseMemory& memory);

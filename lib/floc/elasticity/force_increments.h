@@ -15,8 +15,8 @@ struct ForceIncrement {
   RotationVector<Dim> rolling_moment;       ///< on i (force * length)
 };
 
-/// Forces that a small strain adds in every contact, nothing sliding: k G U for the response U. Without prestress,
-/// dead ends keep theirs.
+/// Forces that a small strain adds in every contact, nothing sliding: k G U for the response U. Without
+/// prestress, dead ends keep theirs.
 /// @param strain  one entry a strain unknown of the response, shortening positive
 template <int Dim>
 std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& network,
@@ -33,8 +33,8 @@ template <int Dim>
 struct StepResponse {
   Eigen::VectorXd strain;                       ///< diagonal (1/stress)
   std::vector<ForceIncrement<Dim>> increments;  ///< one a contact (force/stress)
-  /// Elastic energy of the increments of each contact, 1/2 sum f^2/k, negative for a distant attraction; their sum is
-  /// half the work of the stress, V (strain . stress)/2 (energy/stress^2).
+  /// Elastic energy of the increments of each contact, 1/2 sum f^2/k, negative for a distant attraction; their
+  /// sum is half the work of the stress, V (strain . stress)/2 (energy/stress^2).
   std::vector<double> energy;
   std::vector<int> rank;  ///< of each contact by that energy, 0 the most
   /// The first `n_holding` in rank hold 95 % of the energy of all contacts that touch.

@@ -4,7 +4,8 @@
 
 namespace floc {
 
-/// Number of independent sets of contact forces in balance without load (docs/physics.md, "Stability and mechanisms").
+/// Number of independent sets of contact forces in balance without load (docs/physics.md, "Stability and
+/// mechanisms").
 struct Indeterminacy {
   /// h = components - unknowns + null modes: the dimension of the null space of the equilibrium matrix.
   int degree = 0;

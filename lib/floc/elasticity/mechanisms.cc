@@ -12,7 +12,8 @@ namespace {
 
 /// A stiffness below this share of the affine one is what rounding leaves of zero.
 constexpr double kVanishing = 1e-11;
-/// How far grains are moved, over their size: of order one but not so far that parts of a contact change places.
+/// How far grains are moved, over their size: of order one but not so far that parts of a contact change
+/// places.
 constexpr double kDisplacement = 0.2;
 
 /// Share of a vector's squared length that lies in the span of some columns.

@@ -82,7 +82,8 @@ double near_bound(const ContactNetwork<Dim>& network) {
   return bound;
 }
 
-/// Energies and coupling of a motion, summed over the contacts: sums of squares lose no digits to the rounding of K.
+/// Energies and coupling of a motion, summed over the contacts: sums of squares lose no digits to the rounding
+/// of K.
 template <int Dim>
 void add_energies(const ContactNetwork<Dim>& network, StrainSet strains, Mode<Dim>& mode) {
   mode.coupling = Eigen::VectorXd::Zero(n_strains<Dim>(strains));

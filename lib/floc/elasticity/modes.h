@@ -32,8 +32,8 @@ struct Mode {
   /// (sum u_i^2)^2/(n sum u_i^4) over the n grains that take part in the network: 1 if all move alike, 1/n if
   /// one moves.
   double participation = 0.0;
-  /// Volume times the stress it gives per unit amplitude, one entry a strain unknown (force * length/length): its
-  /// coupling to strain. A mode takes coupling * coupling^T/(eigenvalue volume) off the affine moduli; all
+  /// Volume times the stress it gives per unit amplitude, one entry a strain unknown (force * length/length):
+  /// its coupling to strain. A mode takes coupling * coupling^T/(eigenvalue volume) off the affine moduli; all
   /// together leave C.
   Eigen::VectorXd coupling;
   double softens_B = 0.0;  ///< what it takes off the affine bulk modulus (stress)
@@ -48,9 +48,9 @@ struct ModeOptions {
   StrainSet strains = StrainSet::diagonal;
   /// Number of modes. By default all that are not elastic, but no fewer than 10 and no more than 100.
   std::optional<int> count;
-  /// Eigenvalues within this of zero, in units of the largest contact stiffness, are mechanisms. They are sums of
-  /// squares over the contacts, into which the rounding of K does not enter: near-mechanisms show their eigenvalue down
-  /// to here, and mechanisms are seen at 1e-19 and below.
+  /// Eigenvalues within this of zero, in units of the largest contact stiffness, are mechanisms. They are sums
+  /// of squares over the contacts, into which the rounding of K does not enter: near-mechanisms show their
+  /// eigenvalue down to here, and mechanisms are seen at 1e-19 and below.
   double mechanism_bound = 1e-16;
   Ordering ordering = Ordering::amd;
 };
@@ -69,8 +69,8 @@ struct SoftModes {
 template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
 
-/// Number of near-mechanisms: of the eigenvalues up to max |F_N|/r, by inertia, those that are no free motions, no
-/// mechanisms and not negative.
+/// Number of near-mechanisms: of the eigenvalues up to max |F_N|/r, by inertia, those that are no free motions,
+/// no mechanisms and not negative.
 /// @param response  of the same network, strains clamped or not, without prestress
 template <int Dim>
 int count_near_mechanisms(const ContactNetwork<Dim>& network, const ElasticResponse& response);

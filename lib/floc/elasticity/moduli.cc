@@ -17,11 +17,13 @@
 namespace floc {
 namespace {
 
-/// A modulus below this share of the Voigt stiffness is what rounding leaves of zero, where no error bound says better.
+/// A modulus below this share of the Voigt stiffness is what rounding leaves of zero, where no error bound says
+/// better.
 constexpr double kVanishingModulus = 1e-11;
 /// Condition number beyond which soft modes decide the moduli.
 constexpr double kWarnCondition = 1e10;
-/// Share of the tolerance of the moduli that the refinement is given: a step squares the error, so that it costs no more.
+/// Share of the tolerance of the moduli that the refinement is given: a step squares the error, so that it
+/// costs no more.
 constexpr double kToleranceOfSolution = 1e-3;
 /// The same of a solver that takes steps of no such gain: each costs.
 constexpr double kToleranceOfIterativeSolution = 0.1;

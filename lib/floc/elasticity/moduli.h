@@ -25,13 +25,14 @@ struct ModuliOptions {
   /// stress.
   bool prestress = false;
   /// Normal force below which a contact of a cohesionless packing carries nothing (rattlers), in units of
-  /// F1 = max(F0, P a^(Dim-1)). The default is the tolerance of an equilibrium (docs/physics.md, "Equilibrium").
+  /// F1 = max(F0, P a^(Dim-1)). The default is the tolerance of an equilibrium (docs/physics.md,
+  /// "Equilibrium").
   double force_tolerance = 1e-5;
   /// Rolling stiffness given to every touching contact in place of its own (force * length).
   std::optional<double> rolling_stiffness;
   Ordering ordering = Ordering::automatic;
-  /// The packing was brought to equilibrium under no stress: what its forces leave of one is residual, and bounds no
-  /// modulus (B_reuss = 0).
+  /// The packing was brought to equilibrium under no stress: what its forces leave of one is residual, and
+  /// bounds no modulus (B_reuss = 0).
   bool unloaded = false;
   /// Relative error wanted of B and G. A warning says where their error bounds stay above it.
   double tolerance = 1e-10;
@@ -60,8 +61,8 @@ struct Moduli {
   double B = 0.0;    ///< B_C: mean of the diagonal block of C, strain-controlled
   double B_S = 0.0;  ///< 1/(sum of the compliances of the diagonal block), stress-controlled
   double G = 0.0;    ///< (C11 + C22 - 2 C12)/4; in 3D its mean over the pairs of axes
-  /// Bounds of the errors that solving and rounding leave in C (entry by entry), B, B_S and G, in their units: see
-  /// ElasticResponse::error. Infinite where none can be given.
+  /// Bounds of the errors that solving and rounding leave in C (entry by entry), B, B_S and G, in their units:
+  /// see ElasticResponse::error. Infinite where none can be given.
   Eigen::MatrixXd C_error;
   double B_error = 0.0;
   double B_S_error = 0.0;
@@ -70,8 +71,8 @@ struct Moduli {
   Bounds bounds;
   int n_negative = 0;    ///< negative eigenvalues of K, strains included
   int n_mechanisms = 0;  ///< vanishing eigenvalues of K beyond free motions found by structure
-  int n_coupled_mechanisms =
-      0;  ///< those of them that strain the cell at no cost: the moduli along them are zero
+  /// Those of them that strain the cell at no cost: the moduli along them are zero.
+  int n_coupled_mechanisms = 0;
   int n_rattlers = 0;
   int n_free_rollers = 0;
   int n_mobilised = 0;     ///< contacts that slide or yield in rolling; C treats them as elastic
@@ -83,20 +84,20 @@ struct Moduli {
   std::optional<double> G_without_prestress;
   /// The response without prestress, of loaded_network(): mechanisms, increments and backbone follow from it.
   ElasticResponse response;
-  /// What gave them: the factor where that of the options had to be left for it. The others count neither negative
-  /// eigenvalues nor mechanisms, and their errors are estimates or, with bounds, half the distance.
+  /// What gave them: the factor where that of the options had to be left for it. The others count neither
+  /// negative eigenvalues nor mechanisms, and their errors are estimates or, with bounds, half the distance.
   ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< of refinement
   std::vector<std::string> warnings;
 };
 
 /// Moduli of a state in which nothing slides or yields. Without prestress C = relaxed K/V. With it, the
-/// Cauchy stress sigma responds to the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) + sigma tr E:
-/// for diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the relaxed
+/// Cauchy stress sigma responds to the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) + sigma tr
+/// E: for diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the relaxed
 /// Hessian of the energy in ln L, so B gains P and G nothing over H. Where the stress is not isotropic this is
 /// not symmetric; the symmetric part is given.
-/// A vanishing modulus, one that its error bound does not distinguish from zero, is given as zero and counted as a coupled
-/// mechanism. Moduli that have lost all digits are NaN, with a warning.
+/// A vanishing modulus, one that its error bound does not distinguish from zero, is given as zero and counted
+/// as a coupled mechanism. Moduli that have lost all digits are NaN, with a warning.
 /// @param network  the contacts that count; `options` changes none of them
 /// @pre options.validate() is empty.
 template <int Dim>
@@ -107,14 +108,14 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
 
-/// The same for each of several rolling stiffnesses (>= 0, force * length) in place of the one of the options, with one
-/// symbolic factorisation for all.
+/// The same for each of several rolling stiffnesses (>= 0, force * length) in place of the one of the options,
+/// with one symbolic factorisation for all.
 template <int Dim>
 [[nodiscard]] std::vector<Moduli> elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options,
                                                  const std::vector<double>& rolling_stiffness);
 
-/// Moduli of one state after the other, such as those of a path: with ModuliMethod::iterative each starts from the
-/// solution of the one before, if it has as many grains.
+/// Moduli of one state after the other, such as those of a path: with ModuliMethod::iterative each starts from
+/// the solution of the one before, if it has as many grains.
 template <int Dim>
 class ModuliSequence {
  public:

@@ -13,8 +13,8 @@ namespace floc {
 /// What each contact of a network does in a small step, isotropic and deviatoric.
 template <int Dim>
 struct ContactMechanics {
-  std::optional<StepResponse<Dim>>
-      isotropic;  ///< nothing where a mechanism leaves the stress without a solution
+  /// Nothing where a mechanism leaves the stress without a solution.
+  std::optional<StepResponse<Dim>> isotropic;
   std::optional<StepResponse<Dim>> deviatoric;  ///< likewise
   Percolation percolation;
   std::vector<bool> backbone;  ///< carries an increment in one step or the other; empty if there is neither
@@ -29,8 +29,8 @@ struct NetworkMechanics {
   double rattler_fraction = 0.0;  ///< x0
   /// Touching contacts a grain that is no rattler, times 2; contacts of rattlers left out.
   double z_star = 0.0;
-  /// G/(K_N Phi (1 - x0)) with the mean K_N of touching contacts, in 3D times the largest diameter so that it has no
-  /// dimension; nothing without contacts.
+  /// G/(K_N Phi (1 - x0)) with the mean K_N of touching contacts, in 3D times the largest diameter so that it
+  /// has no dimension; nothing without contacts.
   std::optional<double> G_star;
   int n_dead_ends = 0;   ///< grains that hang on a single contact, or on a chain of such
   int n_components = 0;  ///< connected parts beside them
@@ -38,9 +38,9 @@ struct NetworkMechanics {
   std::optional<double> energy_share_95;  ///< isotropic step, see StepResponse
   std::optional<double> energy_share_95_deviatoric;
   std::optional<double> backbone_share;  ///< contacts of the mechanical backbone over all
-  std::optional<double>
-      scalar_backbone_share;  ///< contacts of the scalar backbone over all; nothing without contacts
-  int n_percolating = 0;      ///< directions in which the network winds around the cell
+  /// Contacts of the scalar backbone over all; nothing without contacts.
+  std::optional<double> scalar_backbone_share;
+  int n_percolating = 0;  ///< directions in which the network winds around the cell
 };
 
 template <int Dim>

@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// The unknowns of K that are solved for, made alike: rotations become the displacements they give at the grain's size.
+/// The unknowns of K that are solved for, made alike: rotations become the displacements they give at the
+/// grain's size.
 struct ReducedUnknowns {
   std::vector<int> row;      ///< of each unknown of K; -1: not solved for
   std::vector<int> unknown;  ///< of K, for each row

@@ -30,9 +30,9 @@ int count_below(const Eigen::MatrixXd& symmetric, double bound) {
   return static_cast<int>((symmetric_eigenvalues(symmetric).array() < bound).count());
 }
 
-/// Haynsworth: the inertia of K is that of the block of the grains and that of its Schur complement, the stiffness of the strains
-/// once the grains have relaxed. The factor's rounding is that of a matrix close to K, so that no refinement would
-/// add to it.
+/// Haynsworth: the inertia of K is that of the block of the grains and that of its Schur complement, the
+/// stiffness of the strains once the grains have relaxed. The factor's rounding is that of a matrix close to K,
+/// so that no refinement would add to it.
 template <int Dim>
 int inertia(const ContactNetwork<Dim>& whole, const std::optional<Mat<Dim>>& stress) {
   const FreeMotions free = find_free_motions(whole);

@@ -22,8 +22,8 @@ struct CompactedSample {
 struct CompactionReference {
   double p_D = 0.01;     ///< pressure at which the plateau is e_min + De, unit of p; 0.01 MPa in [SVI2024]
   double eta_m = 0.045;  ///< eta* at which (1 - e_r)/e_r = s_m; that of [SVI2024]
-  double p_0 =
-      0.0;  ///< smallest p_crit = sc^2/se fitted: the plateau has a pole below p_D; p_D if not positive
+  /// Smallest p_crit = sc^2/se fitted: the plateau has a pole below p_D; p_D if not positive.
+  double p_0 = 0.0;
 };
 
 /// The law of dynamic compaction ([SVI2024], Eqs 13-17, 29-31) on any scalar:
@@ -55,8 +55,8 @@ struct CompactionFit {
 };
 
 /// Least squares in e from starts computed on a grid. Samples with p_crit < p_0 are left out. Refused with
-/// fewer than eight samples; parameters that the samples do not identify (De and C, where p_crit hardly varies) are
-/// said.
+/// fewer than eight samples; parameters that the samples do not identify (De and C, where p_crit hardly varies)
+/// are said.
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);
 

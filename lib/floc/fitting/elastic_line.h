@@ -11,8 +11,8 @@ namespace floc {
 struct ElasticFit {
   std::string refusal;                      ///< empty when there is a fit
   std::vector<FittedParameter> parameters;  ///< B (unit of the pressures), phi_unloaded (at P = 0)
-  double secant_low =
-      0.0;  ///< B between the two lowest pressures; infinite or negative if Phi does not grow there
+  /// B between the two lowest pressures; infinite or negative if Phi does not grow there.
+  double secant_low = 0.0;
   double secant_high = 0.0;  ///< B between the two highest
   double rms = 0.0;          ///< root mean square residual of ln Phi
   std::vector<std::string> warnings;

@@ -49,7 +49,8 @@ struct Covariance {
 /// (J^T J)^-1 times the residual variance.
 Covariance covariance_from_residuals(const LawEstimate& estimate);
 
-/// From the samples that the points are the mean of: the deviation of each is carried through the linearised fit.
+/// From the samples that the points are the mean of: the deviation of each is carried through the linearised
+/// fit.
 /// @param deviations  of 1/Phi from the mean, points of plateau and window x samples; two samples or more
 Covariance covariance_from_samples(const LawEstimate& estimate, const Eigen::MatrixXd& deviations);
 

@@ -23,8 +23,8 @@ struct ParameterLimits {
   double low, high;
 };
 
-/// (J^T J)^-1, parameters x parameters; a parameter with a part along a direction that the data do not determine has
-/// infinite variance.
+/// (J^T J)^-1, parameters x parameters; a parameter with a part along a direction that the data do not
+/// determine has infinite variance.
 [[nodiscard]] Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian);
 
 /// The residuals of a problem as solvers see them: the solvers are compiled once, for all residuals.

@@ -32,10 +32,10 @@ struct Regimes {
 };
 
 /// Change-point search by least squares. The end of the plateau is that split into a constant and the full law
-/// (or the line, where that explains more) which leaves least by the Bayesian information criterion, the level of
-/// the plateau being one that the law has between its last point and the next; the onset of III is that split
-/// of the rest into a line and a power law. Places are weighted by exp(-criterion/2). Absent if no split leaves
-/// three points to regime II.
+/// (or the line, where that explains more) which leaves least by the Bayesian information criterion, the level
+/// of the plateau being one that the law has between its last point and the next; the onset of III is that
+/// split of the rest into a line and a power law. Places are weighted by exp(-criterion/2). Absent if no split
+/// leaves three points to regime II.
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 
 /// True if the points distinguish the full law, whose solution on them is given, from the line of regime II.

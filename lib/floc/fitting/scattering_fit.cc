@@ -30,8 +30,8 @@ struct ScatteringResidual {
   }
 };
 
-/// Mean of the logarithm of a mean of n exponential variables of mean 1: digamma(n) - ln n (Abramowitz and Stegun
-/// 6.3.18, from the recurrence for small n).
+/// Mean of the logarithm of a mean of n exponential variables of mean 1: digamma(n) - ln n (Abramowitz and
+/// Stegun 6.3.18, from the recurrence for small n).
 double log_bias(double n) {
   double shift = 0.0, m = n;
   for (; m < 6.0; m += 1.0) shift -= 1.0 / m;

@@ -25,8 +25,8 @@ struct ScatteringFit {
   double low = 0.0, high = 0.0;             ///< range of k fitted: that of the bins used
   int n_points = 0;
   double rms = 0.0;  ///< of the residuals of ln I
-  double chi_square =
-      0.0;  ///< residuals over the scatter of speckles, per degree of freedom; 1 for a law that holds
+  /// Residuals over the scatter of speckles, per degree of freedom; 1 for a law that holds.
+  double chi_square = 0.0;
   std::vector<std::string> warnings;
 
   bool found() const { return refusal.empty(); }

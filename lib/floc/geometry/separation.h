@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// A point whose coordinates are double-double numbers: an absolute double alone resolves half a unit in its last
-/// place, which matters to a stiff contact (at 40 a from the origin 4e-15 a: 4e-6 F0 at kappa = 1e9).
+/// A point whose coordinates are double-double numbers: an absolute double alone resolves half a unit in its
+/// last place, which matters to a stiff contact (at 40 a from the origin 4e-15 a: 4e-6 F0 at kappa = 1e9).
 template <int Dim>
 struct DoubleDoubleVec {
   DoubleDouble component[Dim];
@@ -46,7 +46,8 @@ DoubleDoubleVec<Dim> difference(const DoubleDoubleVec<Dim>& to, const DoubleDoub
 }
 
 /// Gap between two round surfaces, |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj): the second form, with
-/// squares in double-double arithmetic, is right to a few units in the last place of the gap itself, not of the distance.
+/// squares in double-double arithmetic, is right to a few units in the last place of the gap itself, not of the
+/// distance.
 template <int Dim>
 double surface_gap(const DoubleDoubleVec<Dim>& r, double radius_i, double radius_j) {
   const DoubleDouble radii = exact_sum(radius_i, radius_j);

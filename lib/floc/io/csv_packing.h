@@ -13,8 +13,8 @@ namespace floc {
 /// `options.columns` renames them. `options.law` and `options.cell` are required.
 ///
 /// `options.contacts` may name a csv file with one contact a line, with the columns of read_contacts();
-/// `options.contact_columns` renames them. Forces that are given are kept as they are, the rest follows from the law;
-/// springs follow from the forces.
+/// `options.contact_columns` renames them. Forces that are given are kept as they are, the rest follows from
+/// the law; springs follow from the forces.
 /// @throws InputError naming file, line and column.
 Imported read_csv_packing(const std::string& path, const ImportOptions& options);
 

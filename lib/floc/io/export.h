@@ -16,7 +16,8 @@ struct ExportFormat {
   void (*write)(const std::string& path, const AnyState& state);
 };
 
-/// THE list of formats. To add one: a writer beside its reader, a row here, a test that reads back what it wrote.
+/// THE list of formats. To add one: a writer beside its reader, a row here, a test that reads back what it
+/// wrote.
 const std::vector<ExportFormat>& export_formats();
 
 /// The format of `keyword`, or, if that is empty, the one of the file's extension.

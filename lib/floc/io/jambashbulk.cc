@@ -92,8 +92,8 @@ void find_packing(const std::string& path, Lines& lines, int index) {
 
 /// Grains as they are listed, each brought into the cell.
 Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell, int n) {
-  std::vector<Eigen::Vector3d>
-      rows;  // x, y, radius: counted before room is made for as many as the header says
+  // X, y, radius: counted before room is made for as many as the header says.
+  std::vector<Eigen::Vector3d> rows;
   while (static_cast<int>(rows.size()) < n && lines.next()) {
     if (lines.line().find('}') != std::string::npos || is_header(lines.line())) break;
     const std::vector<double> row = numbers(lines.place(), lines.line());

@@ -143,8 +143,8 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
 
 namespace {
 
-/// Rows are the lattice vectors: the first along x, the second in the plane, diagonal positive. `rotation` takes
-/// vectors of the packing there.
+/// Rows are the lattice vectors: the first along x, the second in the plane, diagonal positive. `rotation`
+/// takes vectors of the packing there.
 template <int Dim>
 Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
   if (matrix.isLowerTriangular(0.0) && (matrix.diagonal().array() > 0.0).all()) {

@@ -7,21 +7,21 @@ namespace floc {
 /// Whether a file begins with "ITEM: ".
 bool is_lammps_dump(const std::string& path);
 
-/// Reads grains from a file of LAMMPS' `dump custom`: columns x y [z] (or xu yu zu; or scaled, xs or xsu), radius or
-/// diameter and, if present, id and mass; `options.columns` renames them. The box may be triclinic; it has to
-/// be periodic (pp) unless `options.cell` replaces it. Of several frames `options.index`, counted from 0, is read, by
-/// default the last. A packing of dimension_of() two takes x, y and their part of the box.
+/// Reads grains from a file of LAMMPS' `dump custom`: columns x y [z] (or xu yu zu; or scaled, xs or xsu),
+/// radius or diameter and, if present, id and mass; `options.columns` renames them. The box may be triclinic;
+/// it has to be periodic (pp) unless `options.cell` replaces it. Of several frames `options.index`, counted
+/// from 0, is read, by default the last. A packing of dimension_of() two takes x, y and their part of the box.
 ///
-/// `options.contacts` may name a file of `dump local`, whose frame of the same time step is read. Its columns are
-/// named after computes, so that `options.contact_columns` says which is which of those of read_contacts():
+/// `options.contacts` may name a file of `dump local`, whose frame of the same time step is read. Its columns
+/// are named after computes, so that `options.contact_columns` says which is which of those of read_contacts():
 ///
 ///   compute pair all property/local patom1 patom2 cutoff radius
 ///   compute force all pair/local fx fy fz p1 p2 p3 cutoff radius
 ///   dump contacts all local 1 FILE c_pair[1] c_pair[2] c_force[1] ... c_force[6]
 ///
-/// is id1=c_pair[1], id2=c_pair[2], force1=c_force[1], .. force3, shear_force1=c_force[4], .. shear_force3: the normal
-/// force of pair/local for granular pair styles, and the tangential one, both on the first atom. `options.law` is
-/// required.
+/// is id1=c_pair[1], id2=c_pair[2], force1=c_force[1], .. force3, shear_force1=c_force[4], .. shear_force3: the
+/// normal force of pair/local for granular pair styles, and the tangential one, both on the first atom.
+/// `options.law` is required.
 /// @throws InputError naming file and line.
 Imported read_lammps_dump(const std::string& path, const ImportOptions& options);
 

@@ -39,8 +39,8 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// The model that the keys given for a slot describe: one that has all of them and lacks none of its numbers, else one
-/// that has all of them, so that what is missing can be said.
+/// The model that the keys given for a slot describe: one that has all of them and lacks none of its numbers,
+/// else one that has all of them, so that what is missing can be said.
 const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given) {
   const auto has_all = [&](const DeclaredModel& m) {
     return std::all_of(given.begin(), given.end(), [&](const std::string& key) { return has_key(m, key); });

@@ -29,10 +29,10 @@ class NamedColumns {
   std::map<std::string, std::string> names_;
 };
 
-/// Grains of a table with columns x, y[, z] and radius (or r, or diameter) and, if present, mass and id (else the row,
-/// counted from 0).
-/// @throws InputError naming file, line and column: a column that is missing, a number that is none, a radius or
-/// mass that is not positive.
+/// Grains of a table with columns x, y[, z] and radius (or r, or diameter) and, if present, mass and id (else
+/// the row, counted from 0).
+/// @throws InputError naming file, line and column: a column that is missing, a number that is none, a radius
+/// or mass that is not positive.
 std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 
 /// Contacts of a table with columns id1, id2 and, if present,

@@ -122,8 +122,8 @@ Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const std::string& plac
   return best;
 }
 
-/// Whether grains are to be exchanged: the one of lower index comes first, and of two opposite images of one grain the
-/// one find_pairs() names.
+/// Whether grains are to be exchanged: the one of lower index comes first, and of two opposite images of one
+/// grain the one find_pairs() names.
 template <int Dim>
 bool is_reversed(const Contact<Dim>& c) {
   if (c.i != c.j) return c.i > c.j;

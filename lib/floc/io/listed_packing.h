@@ -39,26 +39,27 @@ struct ListedContact {
 struct ListedPacking {
   std::string place;       ///< the file
   std::string cell_place;  ///< where its cell was said, for messages
-  std::vector<std::vector<double>>
-      cell;  ///< lattice vectors, one a row (length); their number is the dimension
+  /// Lattice vectors, one a row (length); their number is the dimension.
+  std::vector<std::vector<double>> cell;
   LawParameters law;
   std::string units;
   std::vector<ListedGrain> grains;
   std::optional<std::vector<ListedContact>> contacts;
 };
 
-/// Dimension of a packing whose file does not say: `--dimension`, or the number of vectors of `--cell`, or 2 if all
-/// grains have the same third coordinate, as programs without a second dimension lay them out, and 3 otherwise.
+/// Dimension of a packing whose file does not say: `--dimension`, or the number of vectors of `--cell`, or 2 if
+/// all grains have the same third coordinate, as programs without a second dimension lay them out, and 3
+/// otherwise.
 int dimension_of(const std::vector<ListedGrain>& grains, const ImportOptions& options);
 
 /// The law of `--law`. @throws InputError naming `path` and what of it does not say the law.
 const LawParameters& required_law(const std::string& path, const ImportOptions& options);
 
-/// Puts a packing together: identifiers become indices, grains are brought into the cell, contacts are completed
-/// by the law and sorted, springs stretched to the forces that were given. Forces are kept to the last digit: what
-/// of `force` is along the branch is normal force, the rest tangential.
-/// @throws InputError naming place, value and what was expected: no grains, an identifier given twice, a cell that
-/// spans no volume; a contact of a grain that is not there, listed twice, out of the law's reach without a
+/// Puts a packing together: identifiers become indices, grains are brought into the cell, contacts are
+/// completed by the law and sorted, springs stretched to the forces that were given. Forces are kept to the
+/// last digit: what of `force` is along the branch is normal force, the rest tangential.
+/// @throws InputError naming place, value and what was expected: no grains, an identifier given twice, a cell
+/// that spans no volume; a contact of a grain that is not there, listed twice, out of the law's reach without a
 /// force, or without an image where the branch is half the cell or longer, so that two images are as near.
 Imported assemble(const ListedPacking& listed);
 

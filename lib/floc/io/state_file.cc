@@ -259,8 +259,8 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   s.n_negative = archive.take<std::int32_t>(kNegative, {})[0];
 }
 
-/// Groups that a state may have beside those that every one has, so that physics to come needs no new version: the root
-/// attribute `features` names them, and a reader refuses one that it does not know.
+/// Groups that a state may have beside those that every one has, so that physics to come needs no new version:
+/// the root attribute `features` names them, and a reader refuses one that it does not know.
 const std::string kContactMemory = "contacts/memory";
 const std::string kNoFeatures = "none";
 const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory};
@@ -298,8 +298,8 @@ void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   }
 }
 
-/// Arrays that files of version 1 have whatever the law; scripts find them under their names of then, zeros where the
-/// law remembers nothing of the kind.
+/// Arrays that files of version 1 have whatever the law; scripts find them under their names of then, zeros
+/// where the law remembers nothing of the kind.
 template <int Dim>
 void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
   struct Known {

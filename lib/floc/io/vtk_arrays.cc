@@ -73,7 +73,8 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
   return values;
 }
 
-/// How many characters of base64 a block takes at most: its length comes first, encoded by itself or with the data.
+/// How many characters of base64 a block takes at most: its length comes first, encoded by itself or with the
+/// data.
 std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   const std::string header = from_base64(text.substr(0, 12)).substr(0, header_size);
   std::uint64_t length = 0;

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Data arrays of a file in VTK's XML format, uncompressed and little endian: ASCII, base64, or appended after the XML
-/// as base64 or raw bytes. Reads one piece of an unstructured grid.
+/// Data arrays of a file in VTK's XML format, uncompressed and little endian: ASCII, base64, or appended after
+/// the XML as base64 or raw bytes. Reads one piece of an unstructured grid.
 class VtkArrays {
  public:
   /// @throws InputError naming the file if it is no such file.

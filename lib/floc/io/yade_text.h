@@ -8,8 +8,9 @@ namespace floc {
 bool is_yade_text(const std::string& path);
 
 /// Reads spheres that a script of YADE wrote as text: comment lines
-///   # cell ax ay az bx by bz cx cy cz     lattice vectors (columns of O.cell.hSize), unless `options.cell` says them
-///   # id x y z r [mass]                   names of the columns; that of export.textExt(), #format x_y_z_r, will do
+///   # cell ax ay az bx by bz cx cy cz     lattice vectors (columns of O.cell.hSize), unless `options.cell`
+///   says them # id x y z r [mass]                   names of the columns; that of export.textExt(), #format
+///   x_y_z_r, will do
 /// then one sphere a line; without names the columns are x y z r, and ids are counted from 0.
 ///
 /// `options.contacts` may name a file of interactions: a comment line with the names of the columns, of
@@ -19,8 +20,8 @@ bool is_yade_text(const std::string& path);
 ///   fsx fsy fsz          i.phys.shearForce, on id2 too
 ///   kn ks                i.phys.kn, i.phys.ks
 ///   tan_phi              i.phys.tangensOfFrictionAngle
-/// then one interaction a line. Stiffnesses stay those of each contact. Without `options.law` the law has their means
-/// and tan_phi, which then has to be one number for all.
+/// then one interaction a line. Stiffnesses stay those of each contact. Without `options.law` the law has their
+/// means and tan_phi, which then has to be one number for all.
 /// @throws InputError naming file and line.
 Imported read_yade_text(const std::string& path, const ImportOptions& options);
 

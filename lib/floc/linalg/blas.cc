@@ -15,7 +15,8 @@ void dgemm_(const char*, const char*, const int*, const int*, const int*, const 
 namespace floc {
 namespace {
 
-/// OpenBLAS's name for the widest kernels that this processor can run, or null if they are no better than its fallback.
+/// OpenBLAS's name for the widest kernels that this processor can run, or null if they are no better than its
+/// fallback.
 const char* widest_kernels() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&

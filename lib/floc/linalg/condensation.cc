@@ -40,8 +40,8 @@ SpringForces<Real> spring_forces(const SpringSystem& s, const Vector<Real>& u, i
   return out;
 }
 
-/// Relaxes the free unknowns for one boundary unknown: preconditioned conjugate gradients, or plain refinement of an
-/// indefinite system.
+/// Relaxes the free unknowns for one boundary unknown: preconditioned conjugate gradients, or plain refinement
+/// of an indefinite system.
 template <class Real>
 class Relaxation {
  public:
@@ -82,8 +82,8 @@ class Relaxation {
     return inverse_.definite ? work_ / inverse_.smallest_ratio : work_ * inverse_.inverse_norm;
   }
 
-  /// At least one step, so that what an approximate inverse gives is refined once; where the error is estimated from the steps
-  /// themselves, as many as that takes.
+  /// At least one step, so that what an approximate inverse gives is refined once; where the error is estimated
+  /// from the steps themselves, as many as that takes.
   bool converged(double tolerance) const {
     if (work_ == 0.0) return true;
     if (steps_ < (inverse_.estimated_ratio ? kStepsOfEstimate : 1)) return false;
@@ -93,13 +93,14 @@ class Relaxation {
   }
 
  private:
-  /// Steps before Ritz values are trusted, and the share of the smallest that is: it falls towards the eigenvalue as
-  /// steps go on (seen to be 5 times too large where few contacts of 2200 had changed).
+  /// Steps before Ritz values are trusted, and the share of the smallest that is: it falls towards the
+  /// eigenvalue as steps go on (seen to be 5 times too large where few contacts of 2200 had changed).
   static constexpr int kStepsOfEstimate = 4;
   static constexpr double kShareOfRitz = 0.1;
 
-  /// Lowest Ritz value of M^-1 K in the directions taken so far, from the tridiagonal matrix of Lanczos' process, which
-  /// follows from the coefficients alpha and beta of conjugate gradients; at most 1. 0 with too few.
+  /// Lowest Ritz value of M^-1 K in the directions taken so far, from the tridiagonal matrix of Lanczos'
+  /// process, which follows from the coefficients alpha and beta of conjugate gradients; at most 1. 0 with too
+  /// few.
   double estimated_ratio() const {
     const auto n = static_cast<Eigen::Index>(alphas_.size());
     if (n < kStepsOfEstimate) return 0.0;

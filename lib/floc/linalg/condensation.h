@@ -17,11 +17,11 @@ struct ApproximateInverse {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< M^-1 b
   /// K and M are positive semidefinite: the refinement minimises the energy by conjugate gradients.
   bool definite = true;
-  /// Definite: lower bound of the eigenvalues of M^-1 K that do not vanish. 0: nothing is known, and no error bound
-  /// is given.
+  /// Definite: lower bound of the eigenvalues of M^-1 K that do not vanish. 0: nothing is known, and no error
+  /// bound is given.
   double smallest_ratio = 0.0;
-  /// Definite, and nothing is known of that bound: it is taken from the Ritz values of the refinement, which makes the
-  /// error an estimate. A soft motion that the loads hardly excite may be missed by both.
+  /// Definite, and nothing is known of that bound: it is taken from the Ritz values of the refinement, which
+  /// makes the error an estimate. A soft motion that the loads hardly excite may be missed by both.
   bool estimated_ratio = false;
   /// Otherwise: upper bound of the 2-norm of K^-1; infinite if nothing is known.
   double inverse_norm = 0.0;
@@ -29,8 +29,8 @@ struct ApproximateInverse {
 
 struct CondensationOptions {
   double tolerance = 1e-10;  ///< relative error wanted of the diagonal of the condensed stiffness
-  int max_steps =
-      100;  ///< of refinement; a good inverse needs one, each near-mechanism below its reach one more
+  /// Of refinement; a good inverse needs one, each near-mechanism below its reach one more.
+  int max_steps = 100;
   bool extended = true;  ///< residuals in extended precision; in double they are several times faster
   int patience = 5;      ///< steps without gain before rounding is said to be reached
   /// u to start from, a column a boundary unknown, such as the response of a neighbouring state; empty: u = 0.
@@ -48,13 +48,13 @@ struct Condensation {
   bool converged = true;      ///< the tolerance was reached, by the bound or estimate at hand
 };
 
-/// Static condensation with residuals in extended precision taken spring by spring, so that neither the rounding of
-/// an assembled K nor that of its factor enters: these only slow the refinement.
+/// Static condensation with residuals in extended precision taken spring by spring, so that neither the
+/// rounding of an assembled K nor that of its factor enters: these only slow the refinement.
 ///
-/// The error bound has two parts. What is left to relax is exactly r^T K^-1 r for the imbalance r, bounded by r^T M^-1
-/// r over `smallest_ratio` (or |r|^2 |K^-1|). Rounding of the entries of A and B, taken as a few units in the last
-/// place, changes the energy by its derivative with respect to them at fixed u (and by the square of the change of
-/// each spring's elongation), no condition number entering.
+/// The error bound has two parts. What is left to relax is exactly r^T K^-1 r for the imbalance r, bounded by
+/// r^T M^-1 r over `smallest_ratio` (or |r|^2 |K^-1|). Rounding of the entries of A and B, taken as a few units
+/// in the last place, changes the energy by its derivative with respect to them at fixed u (and by the square
+/// of the change of each spring's elongation), no condition number entering.
 [[nodiscard]] Condensation condense(const SpringSystem& springs, const ApproximateInverse& inverse,
                                     const CondensationOptions& options);
 

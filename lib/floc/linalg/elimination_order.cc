@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Operations of a factor, for each group, beyond which nested dissection is looked for: finding it takes as long as
-/// some 3e5 operations a group.
+/// Operations of a factor, for each group, beyond which nested dissection is looked for: finding it takes as
+/// long as some 3e5 operations a group.
 constexpr double kNestedDissectionCost = 1e6;
 
 struct GroupOrder {

@@ -11,11 +11,11 @@ enum class Ordering {
   metis,      ///< nested dissection: less fill in large matrices, slower to find
 };
 
-/// Place of each unknown of a symmetric matrix (lower triangle, column-major) in an order of elimination that keeps its
-/// Cholesky factor sparse: descendants in the elimination tree come before others, so that columns of one pattern are
-/// neighbours.
-/// @param group  of each unknown, ascending from 0: unknowns of one group (a grain) are ordered together, which is
-///               faster by the square of its size and as good.
+/// Place of each unknown of a symmetric matrix (lower triangle, column-major) in an order of elimination that
+/// keeps its Cholesky factor sparse: descendants in the elimination tree come before others, so that columns of
+/// one pattern are neighbours.
+/// @param group  of each unknown, ascending from 0: unknowns of one group (a grain) are ordered together, which
+///               is faster by the square of its size and as good.
 /// @throws std::runtime_error when memory runs out.
 Eigen::VectorXi elimination_places(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group,
                                    Ordering ordering);

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Sparse R of A = Q R (SuiteSparseQR), for systems A^T A x = b whose matrix must not be formed: the condition of R is
-/// the square root of that of A^T A.
+/// Sparse R of A = Q R (SuiteSparseQR), for systems A^T A x = b whose matrix must not be formed: the condition
+/// of R is the square root of that of A^T A.
 class LeastSquaresFactor {
  public:
   /// Factorizes A (column-major; it is copied).
@@ -21,8 +21,8 @@ class LeastSquaresFactor {
   /// Number of columns that take part.
   int rank() const;
 
-  /// R^-1 R^-T b: the solution of A^T A x = b with the unknowns of dependent columns at zero, to rounding times the
-  /// condition of R; refinement against A does the rest.
+  /// R^-1 R^-T b: the solution of A^T A x = b with the unknowns of dependent columns at zero, to rounding times
+  /// the condition of R; refinement against A does the rest.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:

@@ -17,8 +17,8 @@ namespace {
 /// First shift: far above rounding of a matrix of order one, and below all but mechanisms.
 constexpr double kFirstShift = 1e-10;
 constexpr double kLastShift = 1e6;
-/// Relative change of the inverse's eigenvalues at which Lanczos' iteration ends. Vectors are then right to its root
-/// over the relative distance of the next eigenvalue, values to itself.
+/// Relative change of the inverse's eigenvalues at which Lanczos' iteration ends. Vectors are then right to its
+/// root over the relative distance of the next eigenvalue, values to itself.
 constexpr double kConverged = 1e-11;
 constexpr int kMaxRestarts = 300;
 /// Distance at which the inertia of A - bound * 1 is not touched by rounding.

@@ -15,8 +15,9 @@ struct Eigenpairs {
   bool complete = true;
 };
 
-/// Lanczos' method on the inverse of A + s * 1 (Spectra, shift and invert), s a positive shift that makes it positive
-/// definite. What the inertia of A shows to be missing is searched for again beside what has been found.
+/// Lanczos' method on the inverse of A + s * 1 (Spectra, shift and invert), s a positive shift that makes it
+/// positive definite. What the inertia of A shows to be missing is searched for again beside what has been
+/// found.
 ///
 /// @param factor    its matrix is A, of a diagonal of order one; the factor is replaced
 /// @param left_out  independent null vectors of A, one column each, that are not to be found again

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Cholesky factor in single precision of a symmetric positive semidefinite matrix A: half the memory of one in double,
-/// and of 7 digits only, which refinement in double makes up for. CHOLMOD 3 has no single precision, so this one is
-/// Eigen's, without supernodes: slower than SymmetricFactor where the factor is large.
+/// Cholesky factor in single precision of a symmetric positive semidefinite matrix A: half the memory of one in
+/// double, and of 7 digits only, which refinement in double makes up for. CHOLMOD 3 has no single precision, so
+/// this one is Eigen's, without supernodes: slower than SymmetricFactor where the factor is large.
 ///
 /// What rounding to single precision may take from the spectrum of A is given back as a shift, the smallest of
 /// some that makes A + shift * 1 factorize: motions softer than it are found by the refinement.

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kSuspiciousCondition = 1e12;
 /// Share of a column of sqrt(k) A, left after those before it, below which it depends on them: a mechanism. The
-/// softest chain that double precision resolves leaves more than the first, rounding alone leaves 1e-15. Where many
-/// columns nearly depend on each other more can be left of a mechanism, up to the last.
+/// softest chain that double precision resolves leaves more than the first, rounding alone leaves 1e-15. Where
+/// many columns nearly depend on each other more can be left of a mechanism, up to the last.
 constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
 /// Units of rounding by which a factor may miss its matrix: each column sums some tens of products.
 constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
@@ -25,8 +25,8 @@ std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor&
   return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
 }
 
-/// Whether every motion is one of the columns that take part, to rounding: those left out are mechanisms then, and no
-/// soft springs.
+/// Whether every motion is one of the columns that take part, to rounding: those left out are mechanisms then,
+/// and no soft springs.
 bool spans(const Eigen::SparseMatrix<double>& root, const LeastSquaresFactor& qr) {
   constexpr double kRounding = 1e-14, kLargest = 1e6;
   Eigen::VectorXd motion(root.cols());

@@ -21,8 +21,8 @@ namespace {
 
 /// Replaces an exactly vanishing pivot of L D L^T so that the elimination goes on; far below any rounding.
 constexpr double kSmallestPivot = 1e-30;
-/// CHOLMOD asks for teams of four threads whatever it is set to, each of which waits in a loop for panels of some
-/// columns: it is faster with one.
+/// CHOLMOD asks for teams of four threads whatever it is set to, each of which waits in a loop for panels of
+/// some columns: it is faster with one.
 class OneThread {
  public:
   OneThread() { omp_set_max_active_levels(0); }

@@ -9,9 +9,9 @@
 namespace floc {
 
 /// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite
-/// matrices are factorized by supernodes; that a matrix is not positive definite is a result, not an error, and its
-/// eigenvalues can be counted. Lengths of the unknowns should be chosen so that A has a diagonal of order one:
-/// pivots and shifts are absolute.
+/// matrices are factorized by supernodes; that a matrix is not positive definite is a result, not an error, and
+/// its eigenvalues can be counted. Lengths of the unknowns should be chosen so that A has a diagonal of order
+/// one: pivots and shifts are absolute.
 class SymmetricFactor {
  public:
   explicit SymmetricFactor(Ordering ordering = Ordering::automatic);
@@ -19,8 +19,8 @@ class SymmetricFactor {
   SymmetricFactor(SymmetricFactor&&) noexcept;
   SymmetricFactor& operator=(SymmetricFactor&&) noexcept;
 
-  /// Sets A (lower triangle, column-major; entries above the diagonal are ignored). A matrix of the pattern of the
-  /// one before keeps its ordering and symbolic factors.
+  /// Sets A (lower triangle, column-major; entries above the diagonal are ignored). A matrix of the pattern of
+  /// the one before keeps its ordering and symbolic factors.
   /// @param group  of each unknown, ascending: unknowns of one group (a grain) are ordered together, which is
   ///               faster by the square of its size and as good. Empty: each is its own.
   /// @throws std::runtime_error when memory runs out.
@@ -56,8 +56,8 @@ class SymmetricFactor {
   /// @pre the last factorization succeeded.
   double condition_estimate() const;
 
-  /// Rough reciprocal condition number: smallest over largest pivot of the last factor in absolute value, 1 for an
-  /// empty matrix. An upper bound of the reciprocal condition of a positive definite matrix.
+  /// Rough reciprocal condition number: smallest over largest pivot of the last factor in absolute value, 1 for
+  /// an empty matrix. An upper bound of the reciprocal condition of a positive definite matrix.
   /// @pre the last factorization succeeded.
   double reciprocal_condition() const;
 

@@ -7,19 +7,21 @@
 
 namespace floc {
 
-/// One stage of a load path: from the present pressure to `to`, in geometric steps. A stage to the present pressure is a
-/// hold: one new equilibrium, after the changes of `set`.
+/// One stage of a load path: from the present pressure to `to`, in geometric steps. A stage to the present
+/// pressure is a hold: one new equilibrium, after the changes of `set`.
 struct LoadStage {
   std::string name;  ///< branch name: "load", "unload", ...
   double to = 0.0;   ///< pressure (unit of stress of the scene), >= 0
-  std::optional<double>
-      steps_per_decade;      ///< pressure grows by 10^(1/steps_per_decade) a step; the last may be shorter
+  /// Pressure grows by 10^(1/steps_per_decade) a step; the last may be shorter.
+  std::optional<double> steps_per_decade;
   std::optional<int> steps;  ///< or this many equal factors
-  /// Changes of the contact law made when the stage starts: path below [contact] and value, e.g. "adhesion.force" 0.
+  /// Changes of the contact law made when the stage starts: path below [contact] and value, e.g.
+  /// "adhesion.force" 0.
   std::vector<std::pair<std::string, double>> set;
 };
 
-/// Pressures of a stage that starts at `from`, the last exactly `stage.to`. From or to zero there is no factor: one step.
+/// Pressures of a stage that starts at `from`, the last exactly `stage.to`. From or to zero there is no factor:
+/// one step.
 std::vector<double> stage_pressures(double from, const LoadStage& stage);
 
 }  // namespace floc

@@ -13,8 +13,8 @@
 
 namespace floc {
 
-/// The state of a run between two chunks: with the options and the packing, all that decides how it goes on. This is
-/// what a checkpoint holds.
+/// The state of a run between two chunks: with the options and the packing, all that decides how it goes on.
+/// This is what a checkpoint holds.
 struct RunPoint {
   int step = 0;                          ///< number of the equilibrium being made
   bool aggregating = false;              ///< grains still collide and stick
@@ -28,8 +28,8 @@ struct RunPoint {
   std::string parent_sha256;  ///< of the last saved state
 };
 
-/// The point after a saved equilibrium: what a run continues from, with the packing of the state, when there is no
-/// checkpoint.
+/// The point after a saved equilibrium: what a run continues from, with the packing of the state, when there is
+/// no checkpoint.
 /// @param path, stream_state  of the state  @param sha256  of the file it was saved in
 RunPoint point_after(const PathPosition& path, std::uint64_t stream_state, const std::string& sha256);
 
@@ -40,8 +40,8 @@ enum class RunEvent {
   gave_up,      ///< the present step does not converge; `report()` says what blocks
 };
 
-/// A whole run: assembly, then every equilibrium of the load path. It never touches a file: whoever drives it saves the
-/// states it makes.
+/// A whole run: assembly, then every equilibrium of the load path. It never touches a file: whoever drives it
+/// saves the states it makes.
 template <int Dim>
 class Run {
  public:
@@ -61,8 +61,8 @@ class Run {
   RunEvent advance();
   /// The equilibrium just reached.
   State<Dim> state() const;
-  /// The state as it is now, without a copy: the run releases its packing, and has to get it back by `restore_packing()` before
-  /// anything else is asked of it.
+  /// The state as it is now, without a copy: the run releases its packing, and has to get it back by
+  /// `restore_packing()` before anything else is asked of it.
   State<Dim> release_state();
   void restore_packing(Packing<Dim> packing);
   /// Goes on to the next step. @param sha256 of the file the state was saved in

@@ -84,8 +84,8 @@ class Bins {
     for_each_bin(window.first, window, [&](const Vec<Dim, int>& bin) { visit_bin(bin, visit); });
   }
 
-  /// The same for a grain i of this level, with one of the two ways in which it and another see each other: bins before its
-  /// own in their order are left out.
+  /// The same for a grain i of this level, with one of the two ways in which it and another see each other:
+  /// bins before its own in their order are left out.
   template <class Visit>
   void around_and_after(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
@@ -178,8 +178,8 @@ struct SizeLevel {
   Bins<Dim> bins;
 };
 
-/// The grains by size, the largest first: one level where the widest bin that a grain needs, 2 R + gap, is at most
-/// kSimilarSizes times the narrowest, otherwise a level for each factor of two. A grain then meets no more
+/// The grains by size, the largest first: one level where the widest bin that a grain needs, 2 R + gap, is at
+/// most kSimilarSizes times the narrowest, otherwise a level for each factor of two. A grain then meets no more
 /// others of a level than fit around one of that level (Ogarko and Luding, Comput. Phys. Commun. 183, 931,
 /// 2012).
 template <int Dim>

@@ -26,8 +26,8 @@ struct NeighborPair {
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap);
 
-/// Every grain and wall whose surfaces are closer than `gap`, sorted by (i, j): i is the grain, j the number of the wall among
-/// the walls. A grain beyond a wall is close to it.
+/// Every grain and wall whose surfaces are closer than `gap`, sorted by (i, j): i is the grain, j the number of
+/// the wall among the walls. A grain beyond a wall is close to it.
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_wall_pairs(const std::vector<Wall<Dim>>& walls, const Grains<Dim>& grains,
                                                double gap);

@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// Whole cells along each lattice vector, added up over many contacts: up to 1e9 (a state's limit) times their number.
+/// Whole cells along each lattice vector, added up over many contacts: up to 1e9 (a state's limit) times their
+/// number.
 template <int Dim>
 using CellCount = Vec<Dim, std::int64_t>;
 

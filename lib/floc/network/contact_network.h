@@ -34,8 +34,8 @@ template <int Dim>
 struct ContactNetwork {
   int n_grains = 0;
   double volume = 0.0;  ///< of the cell; area in 2D
-  std::vector<double>
-      grain_size;  ///< length that turns a rotation into a displacement: the radius of a round grain
+  /// Length that turns a rotation into a displacement: the radius of a round grain.
+  std::vector<double> grain_size;
   std::vector<NetworkContact<Dim>> contacts;
 
   int n_unknowns() const { return kDofs<Dim> * n_grains; }

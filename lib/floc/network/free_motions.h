@@ -30,8 +30,8 @@ struct FreeMotions {
   int n_free_rotations = 0;  ///< rigid rotations of parts that do not wrap around the cell
   /// Negative eigenvalues of K that left with the dead ends: grains held by one distant attraction.
   int n_unstable_ends = 0;
-  /// The motions themselves: rows the unknowns of K (length, radians), one column each, independent, K * modes = 0
-  /// to rounding (with prestress too for translations). Dead ends follow what holds them.
+  /// The motions themselves: rows the unknowns of K (length, radians), one column each, independent,
+  /// K * modes = 0 to rounding (with prestress too for translations). Dead ends follow what holds them.
   Eigen::SparseMatrix<double> modes;
   std::vector<FreeMotionKind> kind;  ///< of each column
 

@@ -109,8 +109,8 @@ class BlockSearch {
   std::vector<Block> blocks_;
 };
 
-/// Takes off, from the tips, blocks that do not wind around the cell and share a grain with no more than one part of
-/// the others. @return which blocks went
+/// Takes off, from the tips, blocks that do not wind around the cell and share a grain with no more than one
+/// part of the others. @return which blocks went
 std::vector<bool> hanging(const std::vector<Block>& blocks, int n_grains) {
   std::vector<std::vector<int>> of(n_grains);
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b)

@@ -5,7 +5,8 @@
 namespace floc {
 namespace {
 
-/// Rows of the motion that geometric terms are linear in: displacement of j against i, rotation of i, rotation of j.
+/// Rows of the motion that geometric terms are linear in: displacement of j against i, rotation of i, rotation
+/// of j.
 template <int Dim>
 inline constexpr int kMotionRows = Dim + 2 * kRotations<Dim>;
 
@@ -20,9 +21,10 @@ Eigen::Matrix3d crossed_with(const Vec<3>& f) {
   return Eigen::Matrix3d{{0.0, f[2], -f[1]}, {-f[2], 0.0, f[0]}, {f[1], -f[0], 0.0}};
 }
 
-/// What is added where the forces keep their components in the frame of the contact and the frame turns. With dr the
-/// displacement of j against i, psi = n.(rotation of i + rotation of j)/2 and dn = (1 - n n) dr/r the frame
-/// turns by w = n x dn + psi n. Force on i f = -F n + S, moment on i share_i r x S + M, on j share_j r x S - M:
+/// What is added where the forces keep their components in the frame of the contact and the frame turns. With
+/// dr the displacement of j against i, psi = n.(rotation of i + rotation of j)/2 and dn = (1 - n n) dr/r the
+/// frame turns by w = n x dn + psi n. Force on i f = -F n + S, moment on i share_i r x S + M, on j share_j r x
+/// S - M:
 ///
 ///   df = -F dn + w x S,  d(moment on i) = share_i (dr x S + r x (w x S)) + w x M
 ///

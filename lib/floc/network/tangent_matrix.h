@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Derivatives of what a contact carries, rows and columns in the order of `ContactRows`; not symmetric where one force
-/// follows another. See contact_tangents().
+/// Derivatives of what a contact carries, rows and columns in the order of `ContactRows`; not symmetric where
+/// one force follows another. See contact_tangents().
 template <int Dim>
 using ConsistentStiffness = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 

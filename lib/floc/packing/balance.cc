@@ -12,8 +12,8 @@ Balance<Dim> net_forces(const Packing<Dim>& packing) {
     const bool on_grain = !packing.is_wall(c.j);
     net.force[c.i] += on_i;
     if (on_grain) net.force[c.j] -= on_i;
-    // Lever arms l = R r/(Ri + Rj) along the normal on both sides (docs/physics.md, "Kinematics of a contact"): angular
-    // momentum is exact.
+    // Lever arms l = R r/(Ri + Rj) along the normal on both sides (docs/physics.md, "Kinematics of a contact"):
+    // angular momentum is exact.
     const double arm_per_radius = 1.0 + c.gap / (g.radius[c.i] + packing.surface_radius(c.j));
     const RotationVector<Dim> unit_moment = moment<double>(c.normal, c.shear_force);
     net.moment[c.i] += g.radius[c.i] * arm_per_radius * unit_moment + c.rolling_moment;

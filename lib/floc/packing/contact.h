@@ -19,14 +19,14 @@ struct Contact {
   double normal_force = 0.0;                    ///< static: elastic plus adhesive (force)
   double elastic_force = 0.0;                   ///< elastic part, >= 0 (force)
   Vec<Dim> shear_force = Vec<Dim>::Zero();      ///< tangential force on i (force)
-  RotationVector<Dim> rolling_moment =
-      RotationVector<Dim>::Zero();  ///< moment of the rolling spring on i (force * length)
-  double kn = 0.0;                  ///< normal stiffness, -F0/D0 for a distant attraction
-  double kt = 0.0;                  ///< tangential stiffness (force/length)
-  double kr = 0.0;                  ///< rolling stiffness (force * length)
-  bool sliding = false;             ///< the tangential spring is at its cap
-  bool rolling_yield = false;       ///< the rolling spring is at its cap
-  bool distant = false;             ///< acts across a gap, gap >= 0
+  /// Moment of the rolling spring on i (force * length).
+  RotationVector<Dim> rolling_moment = RotationVector<Dim>::Zero();
+  double kn = 0.0;             ///< normal stiffness, -F0/D0 for a distant attraction
+  double kt = 0.0;             ///< tangential stiffness (force/length)
+  double kr = 0.0;             ///< rolling stiffness (force * length)
+  bool sliding = false;        ///< the tangential spring is at its cap
+  bool rolling_yield = false;  ///< the rolling spring is at its cap
+  bool distant = false;        ///< acts across a gap, gap >= 0
   ContactMemory<Dim> memory = ContactMemory<Dim>::Zero();  ///< history, at the places of the layout
 };
 

@@ -30,7 +30,8 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
       compose_law(with_walls ? packing.wall_law : packing.law));
 }
 
-/// What was read lies a little beside the law, and the pull of an adhesive contact is none of its elastic force.
+/// What was read lies a little beside the law, and the pull of an adhesive contact is none of its elastic
+/// force.
 template <class Law, int Dim>
 void set_forces(const Law& law, double pull_off_force, std::optional<double> kn, std::optional<double> kt,
                 double tolerance, Contact<Dim>& c) {

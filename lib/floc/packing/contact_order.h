@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// The order of pairs of grains and of the contacts of a packing: by (i, j, image), and the key where they have one.
+/// The order of pairs of grains and of the contacts of a packing: by (i, j, image), and the key where they have
+/// one.
 template <class Pair>
 bool precedes(const Pair& p, const Pair& q) {
   if (p.i != q.i) return p.i < q.i;
@@ -26,8 +27,8 @@ Pair swapped(Pair pair) {
   return pair;
 }
 
-/// Whether a pair has the one of its two forms that lists hold: i < j, or, for a grain and its own image, the first
-/// component of the image that is not zero positive.
+/// Whether a pair has the one of its two forms that lists hold: i < j, or, for a grain and its own image, the
+/// first component of the image that is not zero positive.
 template <class Pair>
 bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;

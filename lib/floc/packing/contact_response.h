@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// Relative motion of the two surfaces of a contact since its memory was last updated, in the frame of its normal.
+/// Relative motion of the two surfaces of a contact since its memory was last updated, in the frame of its
+/// normal.
 template <int Dim>
 struct SurfaceMotion {
   Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of j against i (length)
@@ -23,9 +24,9 @@ template <int Dim>
 void transport_memory(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
                       Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
 
-/// Static response of contacts by the law of a packing, of whose grains they are: from `gap`, `normal` and memory of
-/// each, which moves by `motion`, follow forces, stiffnesses, flags and the memory after. The law is resolved once for
-/// all.
+/// Static response of contacts by the law of a packing, of whose grains they are: from `gap`, `normal` and
+/// memory of each, which moves by `motion`, follow forces, stiffnesses, flags and the memory after. The law is
+/// resolved once for all.
 ///
 /// @param motion   one entry a contact
 template <int Dim>

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// How strict an equilibrium is asked to be. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1)) and
-/// the matching power of the length a, the largest diameter (docs/physics.md, "Equilibrium"; defaults of
+/// How strict an equilibrium is asked to be. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1))
+/// and the matching power of the length a, the largest diameter (docs/physics.md, "Equilibrium"; defaults of
 /// [GRC2008]). Where diameters differ by more than a factor of four, forces, moments and energies are those of
 /// each grain by its own scale: see GrainScales.
 struct EquilibriumTolerance {
@@ -64,7 +64,8 @@ class GrainScales {
   bool shared_;
 };
 
-/// Pressure in units of the contact law: P* = a^(Dim-1) P/F0, and P a^(Dim-2)/K_N where nothing adheres (in 2D P/K_N).
+/// Pressure in units of the contact law: P* = a^(Dim-1) P/F0, and P a^(Dim-2)/K_N where nothing adheres (in 2D
+/// P/K_N).
 template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure);
 

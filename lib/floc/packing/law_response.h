@@ -9,7 +9,8 @@ namespace floc {
 /// Springs are at their cap when shortening by rounding could not be distinguished from reaching it.
 inline constexpr double kCapTolerance = 1e-12;
 
-/// What the law may ask of the pair, at the gap that the contact has. A wall is flat and moves as if no grain could stop it.
+/// What the law may ask of the pair, at the gap that the contact has. A wall is flat and moves as if no grain
+/// could stop it.
 template <int Dim>
 PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
   if (c.j >= grains.size()) return {c.gap, grains.radius[c.i], grains.mass[c.i]};

@@ -78,7 +78,8 @@ struct Packing {
   /// Whether body j of a contact is a wall: their numbers follow those of the grains.
   bool is_wall(int body) const { return body >= grains.size(); }
   const Wall<Dim>& wall(int body) const { return walls[body - grains.size()]; }
-  /// Radius of the surface of a body as seen from its place in a branch: a wall's is the foot of the branch itself.
+  /// Radius of the surface of a body as seen from its place in a branch: a wall's is the foot of the branch
+  /// itself.
   double surface_radius(int body) const { return is_wall(body) ? 0.0 : grains.radius[body]; }
 };
 
@@ -90,8 +91,8 @@ bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   return false;
 }
 
-/// The cell for a search of neighbours whose centres are closer than `reach`: widened between walls, so that no grain meets an
-/// image across them.
+/// The cell for a search of neighbours whose centres are closer than `reach`: widened between walls, so that no
+/// grain meets an image across them.
 template <int Dim>
 Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, double reach);
 
@@ -99,7 +100,8 @@ Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, doubl
 template <int Dim>
 double solid_fraction(const Packing<Dim>& packing);
 
-/// Branch of a contact: vector from the centre of i to the image of j that it touches, or to its foot on a wall.
+/// Branch of a contact: vector from the centre of i to the image of j that it touches, or to its foot on a
+/// wall.
 template <int Dim>
 DoubleDoubleVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 

@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// A rigid plane across an axis of the cell, with grains on one side of it. It moves along its normal alone. Walls are bodies:
-/// their identifiers follow those of the grains, in the order of Packing::walls.
+/// A rigid plane across an axis of the cell, with grains on one side of it. It moves along its normal alone.
+/// Walls are bodies: their identifiers follow those of the grains, in the order of Packing::walls.
 template <int Dim>
 struct Wall {
   int axis;               ///< of its normal

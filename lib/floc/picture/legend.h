@@ -27,8 +27,8 @@ double text_width(const std::string& text);
 /// One thing a legend explains: a sample and text after it.
 struct LegendItem {
   double sample_width;  ///< (points)
-  std::function<void(cairo_t* page, double x, double y)>
-      draw_sample;  ///< from x on, on the line whose middle is at height y
+  /// From x on, on the line whose middle is at height y.
+  std::function<void(cairo_t* page, double x, double y)> draw_sample;
   std::string text;
 
   double width() const;
@@ -42,7 +42,8 @@ LegendItem line_item(const Color& color, double width, const std::string& text);
 /// @pre some line has a force
 LegendItem force_item(const PackingPicture& picture, const DrawnScale& scale);
 
-/// What all pictures of a sheet show, explained once: scale bar, kinds of lines, rattlers, arrows, colours, notes.
+/// What all pictures of a sheet show, explained once: scale bar, kinds of lines, rattlers, arrows, colours,
+/// notes.
 /// @param bar  of the scale bar, about its longest length (points)
 std::vector<LegendItem> legend_of(const std::vector<PackingPicture>& pictures, const DrawnScale& scale,
                                   double bar);

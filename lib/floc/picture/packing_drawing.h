@@ -27,8 +27,9 @@ void set_color(cairo_t* page, const Color& color);
 
 Color color_of(LineKind kind);
 
-/// Draws grains, lines and arrows of a picture, each with those of its periodic copies that reach into the cell, cut at
-/// the cell's border. Outlines of grains are left out where the mean grain is smaller than 2.5 points.
+/// Draws grains, lines and arrows of a picture, each with those of its periodic copies that reach into the
+/// cell, cut at the cell's border. Outlines of grains are left out where the mean grain is smaller than 2.5
+/// points.
 void draw_packing(cairo_t* page, const PackingPicture& picture, const Placement& placement);
 
 /// The border of the cell.

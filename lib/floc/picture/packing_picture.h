@@ -41,8 +41,8 @@ struct GrainShade {
   std::string name;           ///< what it is, in the legend
 };
 
-/// A packing of disks as it is to be drawn, in the length of the state: grains, lines, arrows, colours. Nothing here is
-/// cut or copied yet: the drawing repeats all of it periodically and cuts it at the border of the cell.
+/// A packing of disks as it is to be drawn, in the length of the state: grains, lines, arrows, colours. Nothing
+/// here is cut or copied yet: the drawing repeats all of it periodically and cuts it at the border of the cell.
 struct PackingPicture {
   Cell<2> cell;
   std::vector<Vec<2>> position;

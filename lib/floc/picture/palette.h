@@ -14,9 +14,9 @@ constexpr Color hex_color(int rgb) {
   return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0};
 }
 
-/// Colours of what a picture of a packing shows. Readers with any of the three kinds of colour blindness tell those of
-/// lines apart (a test holds them to it): blue and vermilion are of the set of Okabe and Ito, green is lighter
-/// than theirs.
+/// Colours of what a picture of a packing shows. Readers with any of the three kinds of colour blindness tell
+/// those of lines apart (a test holds them to it): blue and vermilion are of the set of Okabe and Ito, green is
+/// lighter than theirs.
 namespace palette {
 
 inline constexpr Color kCompression = hex_color(0x0072B2);
@@ -33,7 +33,8 @@ inline constexpr Color kOutline = hex_color(0xA6A6A6);
 inline constexpr Color kCell = hex_color(0x707070);
 inline constexpr Color kText = hex_color(0x202020);
 
-/// From the most negative value (orange) over zero (white) to the most positive (blue): ColorBrewer's PuOr and RdBu.
+/// From the most negative value (orange) over zero (white) to the most positive (blue): ColorBrewer's PuOr and
+/// RdBu.
 inline constexpr std::array<Color, 9> kDiverging = {
     hex_color(0xB35806), hex_color(0xE08214), hex_color(0xFDB863), hex_color(0xFEE0B6), hex_color(0xFFFFFF),
     hex_color(0xD1E5F0), hex_color(0x92C5DE), hex_color(0x4393C3), hex_color(0x2166AC)};

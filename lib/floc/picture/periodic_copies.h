@@ -14,8 +14,8 @@ class PeriodicCopies {
   explicit PeriodicCopies(const Cell<2>& cell)
       : cell_(cell), reciprocal_(cell.matrix.transpose().inverse()), reach_(reciprocal_.rowwise().norm()) {}
 
-  /// Calls `draw(shift)` with the displacement of each copy of the convex hull of two disks of one radius (length) that
-  /// reaches into the cell.
+  /// Calls `draw(shift)` with the displacement of each copy of the convex hull of two disks of one radius
+  /// (length) that reaches into the cell.
   template <class Draw>
   void of_segment(const Vec<2>& from, const Vec<2>& to, double radius, Draw&& draw) const {
     const Vec<2> a = reciprocal_ * from, b = reciprocal_ * to;

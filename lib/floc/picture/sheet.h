@@ -22,8 +22,8 @@ struct SheetOptions {
   /// Pixels per inch of a png, and of grains and lines that are embedded as an image. Absent: six pixels a mean
   /// diameter, but at least 200 and a page of at most 3000 pixels a side.
   std::optional<double> resolution;
-  /// Draw grains and lines of an svg or pdf as an image. Absent: where there are more than 15 000 of them, which as
-  /// vectors would take megabytes. Legend, captions and scale bar are vectors always.
+  /// Draw grains and lines of an svg or pdf as an image. Absent: where there are more than 15 000 of them,
+  /// which as vectors would take megabytes. Legend, captions and scale bar are vectors always.
   std::optional<bool> as_image;
 
   /// Every fault as "name = value: requirement".

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Point that all threads of a team reach before any goes on. Waiting threads spin for a moment, since time steps are
-/// tens of microseconds, then give their core away: OpenMP's own barriers keep spinning, and are a thousand
-/// times slower when other programs share the cores.
+/// Point that all threads of a team reach before any goes on. Waiting threads spin for a moment, since time
+/// steps are tens of microseconds, then give their core away: OpenMP's own barriers keep spinning, and are a
+/// thousand times slower when other programs share the cores.
 class Barrier {
  public:
   explicit Barrier(int n_threads) : n_threads_(n_threads) {}

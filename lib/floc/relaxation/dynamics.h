@@ -22,18 +22,19 @@ struct DynamicsSettings {
 
 /// What happens to the kinetic energy.
 enum class Motion {
-  free,           ///< the equations of motion alone
-  power_control,  ///< all velocities are zeroed whenever the kinetic energy falls (a finish, after motion has stopped)
+  free,  ///< the equations of motion alone
+  /// All velocities are zeroed whenever the kinetic energy falls (a finish, after motion has stopped).
+  power_control,
 };
 
-/// Explicit time integration of a packing under its law: half kick, drift, forces, half kick (velocity Verlet), with
-/// the lattice vectors as degrees of freedom and peculiar velocities. Second order. Dashpots act on the velocity
-/// of the middle of the step, with a coefficient corrected for that lag: stable to twice the step that a predicted
-/// velocity allows, and the restitution is right all the same.
+/// Explicit time integration of a packing under its law: half kick, drift, forces, half kick (velocity Verlet),
+/// with the lattice vectors as degrees of freedom and peculiar velocities. Second order. Dashpots act on the
+/// velocity of the middle of the step, with a coefficient corrected for that lag: stable to twice the step that
+/// a predicted velocity allows, and the restitution is right all the same.
 ///
-/// Results depend on the packing it was made from and on the number of steps alone: neighbour lists, their skin, the
-/// number of threads and the vector instructions leave no trace in the bits, since every grain sums its forces in the
-/// order of its neighbours.
+/// Results depend on the packing it was made from and on the number of steps alone: neighbour lists, their
+/// skin, the number of threads and the vector instructions leave no trace in the bits, since every grain sums
+/// its forces in the order of its neighbours.
 template <int Dim>
 class Dynamics {
  public:

@@ -109,7 +109,8 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
         barrier.wait();
       }
       if (threads == 1) {
-        // Pairs belong to their lower grain: a block's rows are in it and in those before it, still in the cache.
+        // Pairs belong to their lower grain: a block's rows are in it and in those before it, still in the
+        // cache.
         for (int b = first; b < last; ++b) compute_pairs(b, dt_), sum_and_kick(b);
       } else {
         for (int b = first; b < last; ++b) compute_pairs(b, dt_);
@@ -122,7 +123,8 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
   }
 }
 
-/// Sides of a rectangular boundary: distances of walls where an axis lies between two; else the diagonal of the lattice.
+/// Sides of a rectangular boundary: distances of walls where an axis lies between two; else the diagonal of the
+/// lattice.
 template <int Dim>
 Vec<Dim> ExplicitDynamics<Dim>::sides() const {
   Vec<Dim> sides = lattice_.diagonal();
@@ -159,8 +161,9 @@ void ExplicitDynamics<Dim>::kick_walls() {
   walls_.kick(0.5 * dt_, control_, force, area);
 }
 
-/// Generalised forces on the components of the lattice under stress: their work in a small strain is that of W - V Sigma, W
-/// the sum of momentum fluxes and of forces times branches. Where all are, that is the upper part of (W - V Sigma) h^-T.
+/// Generalised forces on the components of the lattice under stress: their work in a small strain is that of
+/// W - V Sigma, W the sum of momentum fluxes and of forces times branches. Where all are, that is the upper
+/// part of (W - V Sigma) h^-T.
 template <int Dim>
 Mat<Dim> ExplicitDynamics<Dim>::lattice_force() const {
   Mat<Dim> work = Mat<Dim>::Zero();
@@ -260,8 +263,8 @@ double ExplicitDynamics<Dim>::list_cost_share() const {
   return kListCost / steps_since_list_;
 }
 
-/// What motion has taken of the skin since the list was built: the largest displacement in halves of each grain's own skin, and
-/// the affine shrinking.
+/// What motion has taken of the skin since the list was built: the largest displacement in halves of each
+/// grain's own skin, and the affine shrinking.
 template <int Dim>
 double ExplicitDynamics<Dim>::consumed_skin() const {
   double squared = 0.0;
@@ -270,7 +273,8 @@ double ExplicitDynamics<Dim>::consumed_skin() const {
          shrink_since_list() * (largest_diameter_ + interactions_[0].range() + skin_) / kMinSkinShare;
 }
 
-/// Of the skin, for each grain: a list that all grains hold for the same time gives more to those that are faster.
+/// Of the skin, for each grain: a list that all grains hold for the same time gives more to those that are
+/// faster.
 template <int Dim>
 std::vector<double> ExplicitDynamics<Dim>::skin_shares() const {
   std::vector<double> speed(grains_.size());
@@ -411,8 +415,8 @@ void ExplicitDynamics<Dim>::sum_and_kick(int block) {
   if (!walls_.empty()) add_wall_virial(block);
 }
 
-/// The kernel sums forces on grains times their positions: what a wall exerts counts with the foot of the grain on it instead,
-/// so that along periodic axes, to which walls are parallel, nothing is left of its friction.
+/// The kernel sums forces on grains times their positions: what a wall exerts counts with the foot of the grain
+/// on it instead, so that along periodic axes, to which walls are parallel, nothing is left of its friction.
 template <int Dim>
 void ExplicitDynamics<Dim>::add_wall_virial(int block) {
   const Interaction<Dim>& interaction = interactions_.back();
@@ -512,7 +516,8 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
   return out;
 }
 
-/// What an interaction remembers of pairs within its range. @param wrap  images that bring the grains into the cell
+/// What an interaction remembers of pairs within its range. @param wrap  images that bring the grains into the
+/// cell
 template <int Dim>
 void ExplicitDynamics<Dim>::append_contacts(const Interaction<Dim>& interaction,
                                             const std::vector<Vec<Dim, int>>& wrap, Packing<Dim>& out) const {
@@ -567,7 +572,8 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
   const double stiffest = std::max(bound.normal, bound.tangential);
   for (int i = 0; i < g.size(); ++i) {
     shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
-    // Rolling is stable to 1.45 times the step in units of its own period that vibration allows (measured in crystals).
+    // Rolling is stable to 1.45 times the step in units of its own period that vibration allows (measured in
+    // crystals).
     if (bound.rolling > 0.0) shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / bound.rolling));
   }
   return time_step_in_contact_times * shortest;

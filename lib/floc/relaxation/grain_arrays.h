@@ -10,8 +10,8 @@
 namespace floc {
 
 /// The grains as the force loop reads them: one array a component, in the order of a space-filling curve. The
-/// arrays are padded with grains that nothing moves: to whole blocks of kGrainBlock, and by what a window on the last
-/// grain reaches beyond it.
+/// arrays are padded with grains that nothing moves: to whole blocks of kGrainBlock, and by what a window on
+/// the last grain reaches beyond it.
 template <int Dim>
 struct GrainArrays {
   using Component = AlignedVector<double>;

@@ -6,11 +6,13 @@
 
 namespace floc {
 
-/// One kind of interaction in a packing: the pairs it acts between, the law it acts by and the kernel that evaluates it.
+/// One kind of interaction in a packing: the pairs it acts between, the law it acts by and the kernel that
+/// evaluates it.
 template <int Dim>
 class Interaction {
  public:
-  /// @param law  as composed for the kernels: all interactions of a packing write rows of one size (laws_of_same_rows())
+  /// @param law  as composed for the kernels: all interactions of a packing write rows of one size
+  ///             (laws_of_same_rows())
   Interaction(Partner partner, const LawParameters& parameters, AnyContactLaw law, InstructionSet instructions,
               LatticeShape shape);
   Interaction(Interaction&&) = delete;  // the kernel is given the address of the law
@@ -29,7 +31,8 @@ class Interaction {
   /// Rows, springs and memory of the pairs of a block.
   void compute(int block, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const;
 
-  /// The memory of a contact into that of its pair, and back. @param swapped  the pair is the contact seen from its other grain
+  /// The memory of a contact into that of its pair, and back. @param swapped  the pair is the contact seen from
+  /// its other grain
   void load_memory(int pair, const ContactMemory<Dim>& memory, bool swapped);
   ContactMemory<Dim> memory(int pair, bool swapped) const;
 
@@ -44,8 +47,8 @@ class Interaction {
   PairView<Dim> arrays_;
 };
 
-/// The laws of the interactions of a packing, composed so that all rows have one size: where some have friction, the others
-/// have a spring that can carry nothing.
+/// The laws of the interactions of a packing, composed so that all rows have one size: where some have
+/// friction, the others have a spring that can carry nothing.
 /// @param parameters  those of grains, then perhaps those of walls
 std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters);
 

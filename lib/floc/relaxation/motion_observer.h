@@ -8,7 +8,8 @@
 
 namespace floc {
 
-/// Observes a packing while it moves, and leaves no trace: a run gives the same bits with an observer and without.
+/// Observes a packing while it moves, and leaves no trace: a run gives the same bits with an observer and
+/// without.
 template <int Dim>
 struct MotionObserver {
   double interval = 0.0;  ///< simulated time between two calls, at most a chunk (time)
@@ -16,8 +17,8 @@ struct MotionObserver {
   std::function<void(const Packing<Dim>& packing, double time)> callback;  ///< empty: not observed
 };
 
-/// Advances by a chunk of steps, in equal parts of about the observer's interval, and shows the packing after each.
-/// The end of the chunk is always shown.
+/// Advances by a chunk of steps, in equal parts of about the observer's interval, and shows the packing after
+/// each. The end of the chunk is always shown.
 /// @param start  time at the beginning
 template <int Dim>
 void advance_observed(Dynamics<Dim>& dynamics, int n_steps, Motion motion, const MotionObserver<Dim>& observer,

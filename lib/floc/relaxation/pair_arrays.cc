@@ -53,7 +53,8 @@ void PairArrays<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double 
   damping_.push_back(damping);
 }
 
-/// p q/(p + q) of a quantity of the grains of each pair, which a wall has without end; of padding half of what its grain has.
+/// p q/(p + q) of a quantity of the grains of each pair, which a wall has without end; of padding half of what
+/// its grain has.
 template <int Dim>
 typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const double> of_grain) const {
   Component values(size());

@@ -17,16 +17,17 @@ namespace floc {
 /// What a list pairs grains with.
 enum class Partner { grain, wall };
 
-/// Dashpot coefficient to use where the force is late by kDashpotLag steps. The lag lets a dashpot damp more than its
-/// coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this correction a
-/// restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag.
+/// Dashpot coefficient to use where the force is late by kDashpotLag steps. The lag lets a dashpot damp more
+/// than its coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this
+/// correction a restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag.
 inline double lagging_damping(double coefficient, double effective_mass, double time_step) {
   return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }
 
-/// Neighbour pairs as the force loop reads them, of grains i <= j or of a grain i and wall j, one array a component. A block
-/// of grains owns the pairs whose first grain it owns; they are contiguous and in order, and padded to whole vectors with pairs
-/// of no size, of a grain and its own image one cell away or of a grain and a wall, which no grain sums.
+/// Neighbour pairs as the force loop reads them, of grains i <= j or of a grain i and wall j, one array a
+/// component. A block of grains owns the pairs whose first grain it owns; they are contiguous and in order, and
+/// padded to whole vectors with pairs of no size, of a grain and its own image one cell away or of a grain and
+/// a wall, which no grain sums.
 template <int Dim>
 class PairArrays {
  public:

@@ -8,25 +8,26 @@ namespace floc {
 
 /// What finds the equilibrium.
 enum class Finish {
-  automatic,  ///< Newton steps from the state before where dynamics could end nowhere else; otherwise dynamics until
-              ///< motion has stopped, power control, and Newton steps where they succeed
+  /// Newton steps from the state before where dynamics could end nowhere else; otherwise dynamics until motion
+  /// has stopped, power control, and Newton steps where they succeed.
+  automatic,
   dynamic,  ///< dynamics and power control only
   statics,  ///< as automatic, but any equilibrium that Newton steps find at once is taken
 };
 
-/// Without load a packing with soft modes coasts at an energy that nothing dissipates while hardly a contact closes or
-/// opens (seen: 70 times the tolerance over 400 time units, 6 of 2200 contacts gained): so many tolerances of
-/// the energy still count as rest then.
+/// Without load a packing with soft modes coasts at an energy that nothing dissipates while hardly a contact
+/// closes or opens (seen: 70 times the tolerance over 400 time units, 6 of 2200 contacts gained): so many
+/// tolerances of the energy still count as rest then.
 inline constexpr double kCoastingEnergy = 100.0;
 
 /// Numerical settings of a relaxation. Stresses, rates and masses are in the scene's units unless said.
 struct RelaxationOptions {
   EquilibriumTolerance tolerance;
   Finish finish = Finish::automatic;
-  /// In sqrt(m_min/K_N). A triangular crystal of equal disks with K_T = K_N is unstable from 2/sqrt(24) = 0.408 on,
-  /// whatever its restitution (its rolling modes; others are stable to longer steps). At the default a restitution of
-  /// 0.015 comes out, in the mean over impacts, as 0.015 for two of the largest of grains of sizes 1:2, as
-  /// 0.018 for one of each and as 0.025 for two of the smallest.
+  /// In sqrt(m_min/K_N). A triangular crystal of equal disks with K_T = K_N is unstable from 2/sqrt(24) = 0.408
+  /// on, whatever its restitution (its rolling modes; others are stable to longer steps). At the default a
+  /// restitution of 0.015 comes out, in the mean over impacts, as 0.015 for two of the largest of grains of
+  /// sizes 1:2, as 0.018 for one of each and as 0.025 for two of the smallest.
   double time_step = 0.36;
   /// Mass M of the cell's sides over the total mass of the grains. It matters for densities at assembly.
   double cell_mass = 1.0;

@@ -37,7 +37,8 @@ constexpr int kTrialIterations = 2;
 constexpr double kFinishPhi = 1e-4;
 /// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
 constexpr double kDefaultInertialNumber = 1e-3;
-/// Newton refinement is tried where it is known to succeed, and after a failure again a while later, each time a longer one.
+/// Newton refinement is tried where it is known to succeed, and after a failure again a while later, each time
+/// a longer one.
 constexpr double kRefinementResidual = 5e-3;
 constexpr int kRefinementPause = 8;
 
@@ -75,8 +76,9 @@ bool sticks(const LawParameters& law, const Contact<Dim>& from, const Contact<Di
   return !there.sliding && !there.rolling && !to.sliding && !to.rolling_yield;
 }
 
-/// Whether the step from one equilibrium to another is elastic: the way between them, and as far again beyond, opens and closes no
-/// contact and mobilises none. The vibrations of a load put on at once then leave no trace either.
+/// Whether the step from one equilibrium to another is elastic: the way between them, and as far again beyond,
+/// opens and closes no contact and mobilises none. The vibrations of a load put on at once then leave no trace
+/// either.
 template <int Dim>
 bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to) {
   if (from.contacts.size() != to.contacts.size()) return false;
@@ -179,8 +181,8 @@ RelaxationStatus Relaxer<Dim>::advance() {
   return status;
 }
 
-/// The imbalance of stress on each axis has changed sign since the start, or is within tolerance. Without this a small
-/// increment would count as equilibrium before anything has moved.
+/// The imbalance of stress on each axis has changed sign since the start, or is within tolerance. Without this
+/// a small increment would count as equilibrium before anything has moved.
 template <int Dim>
 bool Relaxer<Dim>::responded_to_load() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;

@@ -13,9 +13,10 @@
 
 namespace floc {
 
-/// Takes a packing to equilibrium under a diagonal stress: by Newton steps where nothing rearranges, else by dynamics
-/// until motion has stopped, power control, then Newton steps (see Finish). State to state in chunks of a
-/// fixed number of time steps: a run that is stopped between two of them and continued gives the same bits.
+/// Takes a packing to equilibrium under a diagonal stress: by Newton steps where nothing rearranges, else by
+/// dynamics until motion has stopped, power control, then Newton steps (see Finish). State to state in chunks
+/// of a fixed number of time steps: a run that is stopped between two of them and continued gives the same
+/// bits.
 template <int Dim>
 class Relaxer final : public Equilibrator<Dim> {
  public:

@@ -13,7 +13,8 @@ namespace {
 /// What a row costs that is summed alone, each addition waiting for the one before it, in rows of a group.
 constexpr int kAlone = 3;
 
-/// Depth to which a group of grains with falling numbers of rows is best summed side by side. @param count  of lane l
+/// Depth to which a group of grains with falling numbers of rows is best summed side by side. @param count  of
+/// lane l
 template <class Count>
 int depth_of_group(const Count& count) {
   int best = 0, least = std::numeric_limits<int>::max();

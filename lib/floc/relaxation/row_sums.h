@@ -12,8 +12,9 @@ namespace floc {
 /// @throws InputError if it is beyond what the plans of the sums can name, at 537 million pairs with friction
 int row_place(std::int64_t pair, int row_size);
 
-/// The rows that the pairs of all interactions write (PairView::row), list after list, and which of them each grain sums:
-/// as the first grain of pairs, then as the second, either in the order of the lists and of their pairs.
+/// The rows that the pairs of all interactions write (PairView::row), list after list, and which of them each
+/// grain sums: as the first grain of pairs, then as the second, either in the order of the lists and of their
+/// pairs.
 template <int Dim>
 class RowSums {
  public:

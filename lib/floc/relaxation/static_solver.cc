@@ -21,12 +21,12 @@
 namespace floc {
 namespace {
 
-/// Regularisation: stiffness, over the stiffest contact's, of motions without any: far below the softest mode (5e-6), far above
-/// rounding.
+/// Regularisation: stiffness, over the stiffest contact's, of motions without any: far below the softest mode
+/// (5e-6), far above rounding.
 constexpr double kRegularisation = 1e-10;
 
-/// A configuration: where the grains are, how far the surfaces of each candidate contact moved since the start, how it
-/// responds and the residual there.
+/// A configuration: where the grains are, how far the surfaces of each candidate contact moved since the start,
+/// how it responds and the residual there.
 template <int Dim>
 struct Configuration {
   std::vector<DoubleDoubleVec<Dim>> centre;
@@ -42,7 +42,8 @@ struct Configuration {
   int n_yielding = 0;
 };
 
-/// x = s * lattice vectors for s, by division as a diagonal cell needs it: a place inside the cell gives s < 1 then.
+/// x = s * lattice vectors for s, by division as a diagonal cell needs it: a place inside the cell gives s < 1
+/// then.
 template <int Dim>
 Vec<Dim> reduced(const Mat<Dim>& lower, const Vec<Dim>& x) {
   Vec<Dim> s;

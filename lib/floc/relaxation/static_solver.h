@@ -8,7 +8,8 @@
 
 namespace floc {
 
-/// Limits within which Newton steps are trusted; measured as those that refine an equilibrium and do not jump to another.
+/// Limits within which Newton steps are trusted; measured as those that refine an equilibrium and do not jump
+/// to another.
 struct StaticSolverOptions {
   double target = 1e-8;  ///< force, moment and stress residuals wanted, in units of F1 and a
   int max_iterations = 12;
@@ -31,8 +32,8 @@ struct StaticSolution {
 /// Solves force, moment and stress balance of a periodic packing by Newton iterations from where it is:
 /// memories are mapped back by the law from those it starts with (return mapping), the tangent is the
 /// consistent one of the law's response with all geometric terms, unsymmetric where contacts slide. Free
-/// motions without stiffness (translations, rattlers, free rollers) carry no load and are given a vanishing stiffness
-/// (regularisation).
+/// motions without stiffness (translations, rattlers, free rollers) carry no load and are given a vanishing
+/// stiffness (regularisation).
 ///
 /// @param control  components under a stress are unknowns, the others stay as they are; the mean of the normal
 ///                 stresses sets the scale of forces

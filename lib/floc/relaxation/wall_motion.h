@@ -9,9 +9,9 @@
 
 namespace floc {
 
-/// The walls of a packing in motion, by the same scheme as the grains. The load of an axis between walls acts on both:
-/// a stress p as a force p S inwards, S the area of the wall, so that p V is the potential of the load [SVI2024]; at a rate the
-/// walls approach each other, each with half of it.
+/// The walls of a packing in motion, by the same scheme as the grains. The load of an axis between walls acts
+/// on both: a stress p as a force p S inwards, S the area of the wall, so that p V is the potential of the load
+/// [SVI2024]; at a rate the walls approach each other, each with half of it.
 template <int Dim>
 class WallMotion {
  public:

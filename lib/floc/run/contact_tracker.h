@@ -11,9 +11,9 @@ namespace floc {
 
 /// Records which contacts open and close inside the steps of a run: DIR/contacts.csv, a row each interval.
 ///
-/// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, n_contacts, gained and
-/// lost (since the row before, or the beginning of the step), kept (of the contacts the step began with). The
-/// last row of a step is its equilibrium.
+/// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, n_contacts,
+/// gained and lost (since the row before, or the beginning of the step), kept (of the contacts the step began
+/// with). The last row of a step is its equilibrium.
 class ContactTracker {
  public:
   /// @param file   where the rows go; those of an earlier part of the run, up to its point, are kept

@@ -21,12 +21,13 @@ struct ReachedPoint {
   Packing<2> packing;
 };
 
-/// The directory of one run: DIR/state-NNNN.h5, DIR/path.csv and DIR/checkpoint/. Every file is replaced whole, and in
-/// an order that lets a run be taken up after being killed at any moment.
+/// The directory of one run: DIR/state-NNNN.h5, DIR/path.csv and DIR/checkpoint/. Every file is replaced whole,
+/// and in an order that lets a run be taken up after being killed at any moment.
 class RunDirectory {
  public:
   /// Opens or makes the directory; with `overwrite`, removes what an earlier run left.
-  /// @throws InputError if it holds a run and neither resume nor overwrite was asked for, or another scene's run
+  /// @throws InputError if it holds a run and neither resume nor overwrite was asked for, or another scene's
+  /// run
   /// @throws IoError if it cannot be written
   RunDirectory(const std::string& path, Existing existing, const RunOptions& options);
 

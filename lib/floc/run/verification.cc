@@ -211,8 +211,9 @@ Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& rec
                 : fmt::format("recorded {}, recomputed {}", components<Dim>(state.stress), components(stress))};
 }
 
-/// The forces across the faces of the cell, against the stress. What net forces may leave of the difference (see
-/// boundary_stress()) is counted for each grain up to the tolerance of forces only: beyond it there is no balance.
+/// The forces across the faces of the cell, against the stress. What net forces may leave of the difference
+/// (see boundary_stress()) is counted for each grain up to the tolerance of forces only: beyond it there is no
+/// balance.
 template <int Dim>
 Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress) {
   const Grains<Dim>& g = recomputed.grains;

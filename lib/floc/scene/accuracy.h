@@ -27,8 +27,8 @@ std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const 
 /// The table that is shipped with the program, data/tables/tradeoff/tradeoff.csv.
 const std::vector<MeasuredAccuracy>& shipped_accuracy_table();
 
-/// What a user asks for: an observable or a group of them ("phi", "z", "moduli", "reuss", "forces", "lambda", "alpha",
-/// "Phi_max") and its relative error.
+/// What a user asks for: an observable or a group of them ("phi", "z", "moduli", "reuss", "forces", "lambda",
+/// "alpha", "Phi_max") and its relative error.
 using WantedAccuracy = std::vector<std::pair<std::string, double>>;
 
 /// What can be asked for.
@@ -54,7 +54,8 @@ struct AccuracyChoice {
 [[nodiscard]] AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table,
                                              const WantedAccuracy& wanted);
 
-/// Whether the table was measured on grains as stiff as these, to a factor of ten: errors scale with the stiffness.
+/// Whether the table was measured on grains as stiff as these, to a factor of ten: errors scale with the
+/// stiffness.
 bool covers_stiffness(const std::vector<MeasuredAccuracy>& table, double kappa);
 
 }  // namespace floc

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Records faults of a scene whose tolerances cannot resolve what it asks for: pressures below the error that a stress may
-/// have, contacts so stiff that rounding alone leaves more.
+/// Records faults of a scene whose tolerances cannot resolve what it asks for: pressures below the error that a
+/// stress may have, contacts so stiff that rounding alone leaves more.
 void check_resolution(TableReader& root, const Scene& scene);
 
 }  // namespace floc

@@ -63,7 +63,8 @@ void add_cohesion(const Scene& scene, double a, Groups& groups) {
   groups.push_back({"h0/a", F0 / K_N, "overlap of a free pair"});
 }
 
-/// A number of the law over what makes it dimensionless, named after its symbol; nothing of those that scale others.
+/// A number of the law over what makes it dimensionless, named after its symbol; nothing of those that scale
+/// others.
 std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
   const std::string& symbol = n.declared->symbol;
   switch (n.declared->unit) {

@@ -18,8 +18,8 @@ struct NumericalSettings {
   Finish finish = Finish::automatic;
   double patience = 1.0;
 
-  /// Tolerance of the kinetic energy that goes with the one of forces: 5e-8 with 1e-5 and below, since it decides
-  /// when motion has stopped, and what is left of it is taken out then.
+  /// Tolerance of the kinetic energy that goes with the one of forces: 5e-8 with 1e-5 and below, since it
+  /// decides when motion has stopped, and what is left of it is taken out then.
   double energy() const { return 5e-3 * std::max(tolerance, 1e-5); }
 
   /// Puts them in place of those of the options.

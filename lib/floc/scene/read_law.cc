@@ -19,7 +19,8 @@ NumberRule rule_of(const DeclaredNumber& n) {
   return {kHolds[static_cast<int>(n.at_first)], n.expectation.c_str()};
 }
 
-/// Slots one model of which a scene has to name by its keyword: those that can hold several, and the normal force.
+/// Slots one model of which a scene has to name by its keyword: those that can hold several, and the normal
+/// force.
 bool names_its_model(const DeclaredSlot& slot) {
   return slot.models.size() > 1 || !slot.optional;
 }

@@ -42,7 +42,8 @@ Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
   return mean;
 }
 
-/// A contact and its index, with its image in terms of the other state, i < j or the image's first component positive.
+/// A contact and its index, with its image in terms of the other state, i < j or the image's first component
+/// positive.
 template <int Dim>
 struct Named {
   Contact<Dim> name;

@@ -43,9 +43,9 @@ struct ContactChanges {
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 
-/// Grains are identified by their index, contacts by both grains, image and key. A displacement is taken to the nearest image
-/// in reduced coordinates, so grains must move less than half the cell against their mean. Neither a common translation
-/// nor another choice of lattice vectors changes anything.
+/// Grains are identified by their index, contacts by both grains, image and key. A displacement is taken to the
+/// nearest image in reduced coordinates, so grains must move less than half the cell against their mean.
+/// Neither a common translation nor another choice of lattice vectors changes anything.
 /// @pre incomparable(before, after) is empty
 template <int Dim>
 ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Dim>& after);

@@ -52,7 +52,8 @@ class Painter {
         circumradius_(0.5 * std::max((edge1_ + edge2_).norm(), (edge1_ - edge2_).norm())) {
     const Mat<2> to_reduced = cell.matrix.transpose().inverse();
     for (int a = 0; a < 2; ++a) reach_[a] = to_reduced.row(a).norm() * size[a];
-    // Corners of a mesh cell about its centre, counter-clockwise whatever the handedness of the lattice vectors.
+    // Corners of a mesh cell about its centre, counter-clockwise whatever the handedness of the lattice
+    // vectors.
     const bool right = cross(edge1_, edge2_) > 0.0;
     const Vec<2>&u = right ? edge1_ : edge2_, &v = right ? edge2_ : edge1_;
     corners_ = {Vec<2>(-0.5 * (u + v)), Vec<2>(0.5 * (u - v)), Vec<2>(0.5 * (u + v)), Vec<2>(0.5 * (v - u))};

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Share of each cell of a regular mesh that grains cover. Mesh cells are parallelograms, the lattice vectors divided
-/// by `size`; values of cell (k1, k2) are at k1 * size[1] + k2.
+/// Share of each cell of a regular mesh that grains cover. Mesh cells are parallelograms, the lattice vectors
+/// divided by `size`; values of cell (k1, k2) are at k1 * size[1] + k2.
 struct CoverageMap {
   Vec<2, int> size = Vec<2, int>::Zero();  ///< mesh cells along each lattice vector
   std::vector<double> share;               ///< local solid fraction; overlaps count twice
@@ -19,8 +19,8 @@ struct CoverageMap {
 /// @param corners  counter-clockwise (length); clockwise ones give the negative area
 double disk_polygon_overlap(double R, const std::vector<Vec<2>>& corners);
 
-/// Map of the solid fraction, exact in every mesh cell: disks are cut along its edges in closed form. Its mean is the
-/// solid fraction of the packing.
+/// Map of the solid fraction, exact in every mesh cell: disks are cut along its edges in closed form. Its mean
+/// is the solid fraction of the packing.
 /// @param size  mesh cells along each lattice vector, >= 1
 CoverageMap coverage_map(const Packing<2>& packing, const Vec<2, int>& size);
 

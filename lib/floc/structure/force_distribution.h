@@ -44,8 +44,8 @@ struct ForceDistribution {
 };
 
 /// @param width  of the bins, in units, > 0
-/// Empty where the unit vanishes: no adhesion, or no such forces. Bins stop at +-1e5 widths; what lies beyond is in the
-/// last ones.
+/// Empty where the unit vanishes: no adhesion, or no such forces. Bins stop at +-1e5 widths; what lies beyond
+/// is in the last ones.
 template <int Dim>
 ForceDistribution force_distribution(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit, double width);
 

@@ -11,7 +11,8 @@ namespace floc {
 struct ForceMoments {
   double mean_normal = 0.0;  ///< <F_N>, static normal force, sign kept (force)
   double largest = 0.0;      ///< |F_N| (force)
-  /// Z(q) = <N^q>/<N>^q of the elastic normal force N, q = 2, 3, 4; without adhesion that is the whole normal force.
+  /// Z(q) = <N^q>/<N>^q of the elastic normal force N, q = 2, 3, 4; without adhesion that is the whole normal
+  /// force.
   std::array<double, 3> Z{};
   /// Mean |F_T|/N over contacts whose N is above, and below, <N>; at most the coefficient of friction.
   double M1 = 0.0, M2 = 0.0;

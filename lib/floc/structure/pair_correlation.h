@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Pair correlation g(r) of the centres: pairs at a distance in [b, b + 1) * width over those that N/V of independent
-/// grains would give. All periodic images count, of any lattice and to any distance.
+/// Pair correlation g(r) of the centres: pairs at a distance in [b, b + 1) * width over those that N/V of
+/// independent grains would give. All periodic images count, of any lattice and to any distance.
 struct PairCorrelation {
   double width = 0.0;                 ///< of a bin (length)
   std::vector<double> g;              ///< g(r), bin by bin from r = 0

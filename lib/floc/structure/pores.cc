@@ -35,8 +35,8 @@ std::vector<Edge> edges_of(const Packing<2>& packing, DisjointSets& sets) {
   return edges;
 }
 
-/// Joins parts that no edge connects by the shortest gaps between them, as a minimal spanning tree does: none of these
-/// crosses a grain or another edge.
+/// Joins parts that no edge connects by the shortest gaps between them, as a minimal spanning tree does: none
+/// of these crosses a grain or another edge.
 void bridge(const Packing<2>& packing, DisjointSets& sets, std::vector<Edge>& edges) {
   const Grains<2>& g = packing.grains;
   struct Gap {
@@ -164,8 +164,8 @@ class FaceWalk {
   std::vector<int> next_;
 };
 
-/// Takes away the faces that have no size: those that wind around the cell, or what surrounds a network that does not
-/// span it. Euler's formula decides which of the two there is, and whether the edges cross.
+/// Takes away the faces that have no size: those that wind around the cell, or what surrounds a network that
+/// does not span it. Euler's formula decides which of the two there is, and whether the edges cross.
 /// @return false if they do
 bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
   constexpr double kWhole = 1e-6;

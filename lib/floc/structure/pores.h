@@ -15,9 +15,9 @@ struct Pore {
   std::vector<int> grains;         ///< around it, counter-clockwise; one that it touches twice is listed twice
 };
 
-/// Pores of a 2D packing: the faces of the network of its interactions (distant attractions close pores too), less the
-/// sectors of the disks around them and the disks inside (docs/physics.md, "Structure"). Closed forms, no mesh:
-/// areas add up to A (1 - Phi) with overlaps counted twice, as in Phi.
+/// Pores of a 2D packing: the faces of the network of its interactions (distant attractions close pores too),
+/// less the sectors of the disks around them and the disks inside (docs/physics.md, "Structure"). Closed forms,
+/// no mesh: areas add up to A (1 - Phi) with overlaps counted twice, as in Phi.
 struct Pores {
   std::vector<Pore> pores;  ///< those that end
   bool unbounded = false;   ///< there is one that winds around the cell, which has no size
@@ -25,8 +25,8 @@ struct Pores {
   /// xi': root of the mean of the squared radius of gyration, weighted by area (length); 0 without pores.
   double size = 0.0;
   double mean_area = 0.0;  ///< (area)
-  std::string
-      refusal;  ///< why there are none: contacts cross each other, as disks that overlap far do; else empty
+  /// Why there are none: contacts cross each other, as disks that overlap far do; else empty.
+  std::string refusal;
 };
 
 /// Parts of the network and lone grains that lie inside a pore are joined to what is nearest by edges of no

@@ -13,8 +13,8 @@ struct PressurePhase {
   double mean = 0.0;        ///< pressure over its grains (stress)
   int n_clusters = 0;       ///< connected parts, single grains included
   int largest_cluster = 0;  ///< grains
-  int n_directions =
-      0;  ///< independent ways in which one of its parts winds around the cell: it percolates if > 0
+  /// Independent ways in which one of its parts winds around the cell: it percolates if > 0.
+  int n_directions = 0;
 };
 
 /// The two phases of positive and negative particle pressure (docs/physics.md, "Force network"). Grains of

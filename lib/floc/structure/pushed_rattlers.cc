@@ -38,8 +38,8 @@ bool next_choice(std::array<int, Dim>& choice, int n) {
   return false;
 }
 
-/// The corner of an intersection of half spaces that lies furthest along a direction: all corners are tried, there are
-/// few. @pre the intersection is bounded and holds the origin.
+/// The corner of an intersection of half spaces that lies furthest along a direction: all corners are tried,
+/// there are few. @pre the intersection is bounded and holds the origin.
 template <int Dim>
 Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Dim>& direction, double length) {
   const auto n = static_cast<int>(spaces.size());
@@ -61,9 +61,9 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
   return best;
 }
 
-/// Pushes a point along a direction until obstacles hold it, from the origin. The balls are replaced by the half spaces
-/// that touch them where they are nearest to the point: these leave less room, so the point never enters a ball, and the
-/// sequence of linear programs converges quadratically to a corner.
+/// Pushes a point along a direction until obstacles hold it, from the origin. The balls are replaced by the
+/// half spaces that touch them where they are nearest to the point: these leave less room, so the point never
+/// enters a ball, and the sequence of linear programs converges quadratically to a corner.
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,
                                double length) {

@@ -19,8 +19,8 @@ struct Scattering {
 struct ScatteringOptions {
   /// Largest k, in 2 pi over the largest diameter: form factor and contacts show beyond 1, aggregates below.
   double largest = 2.0;
-  /// Mesh cells for each wave length of the largest k. The mesh holds averages over its cells, which is undone; what
-  /// folds back from shorter waves is below 1 % of I at 8, and smaller by the power 5 of k below.
+  /// Mesh cells for each wave length of the largest k. The mesh holds averages over its cells, which is undone;
+  /// what folds back from shorter waves is below 1 % of I at 8, and smaller by the power 5 of k below.
   double cells_per_wave = 8.0;
   /// Bins are this much wider than the one before, and no narrower than 2 pi/sqrt(A).
   double bin_growth = 1.05;

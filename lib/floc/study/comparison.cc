@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kQuantile = 0.95;
 constexpr double kConfidence = 0.95;
-/// Changes of the solid fraction that elasticity explains: so many times dP/B, and what Newton refinement moves.
+/// Changes of the solid fraction that elasticity explains: so many times dP/B, and what Newton refinement
+/// moves.
 constexpr double kElastic = 3.0;
 constexpr double kStill = 1e-5;
 

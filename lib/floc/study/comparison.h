@@ -21,7 +21,8 @@ struct Spread {
 /// @param errors  >= 0; those that are no numbers are left out
 Spread spread_of(std::vector<double> errors);
 
-/// A mean of paired differences over samples, relative, with its standard error (neither a number below two samples).
+/// A mean of paired differences over samples, relative, with its standard error (neither a number below two
+/// samples).
 struct MeanDifference {
   double difference = 0.0;
   double standard_error = 0.0;
@@ -39,15 +40,16 @@ struct ObservableError {
   MeanDifference mean;  ///< of those states, against the mean of the reference's
 };
 
-/// Errors of state observables, in the order of `Observable`, then of what is fitted to the path (`mean` alone).
+/// Errors of state observables, in the order of `Observable`, then of what is fitted to the path (`mean`
+/// alone).
 using ObservableErrors = std::array<ObservableError, kObservables + kFittedNames.size()>;
 
 /// Lowest and highest pressure P* of a fit.
 using PressureWindow = std::pair<double, double>;
 
-/// For each state: since the stage began neither path has moved by more than elasticity explains (3 dP/B), and the same
-/// grains have touched in both, so both are still at the same place of configuration space. A contact that
-/// opens or closes in one of them alone parts them as a collapse does. False for what is assembled.
+/// For each state: since the stage began neither path has moved by more than elasticity explains (3 dP/B), and
+/// the same grains have touched in both, so both are still at the same place of configuration space. A contact
+/// that opens or closes in one of them alone parts them as a collapse does. False for what is assembled.
 std::vector<bool> before_collapse(const SamplePath& reference, const SamplePath& path);
 
 /// Compares samples in pairs of the same seed. @param paths  as many as references, each of as many states
@@ -61,7 +63,8 @@ ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
                                const std::vector<const SamplePath*>& paths,
                                const std::optional<PressureWindow>& window);
 
-/// What another level of the moduli makes of the same states. @param observations  for each path, for each state
+/// What another level of the moduli makes of the same states. @param observations  for each path, for each
+/// state
 ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
                                 const std::vector<std::vector<Observation>>& observations);
 

@@ -13,8 +13,9 @@ namespace floc {
 /// detected.
 std::optional<PressureWindow> fit_window(const std::vector<const SamplePath*>& references);
 
-/// Differences of lambda, alpha and Phi_max fitted to the mean curve of the first loading, relative to those of the
-/// references, with standard errors by leaving out one pair of samples after the other. `n` is 0 for what has no fit.
+/// Differences of lambda, alpha and Phi_max fitted to the mean curve of the first loading, relative to those of
+/// the references, with standard errors by leaving out one pair of samples after the other. `n` is 0 for what
+/// has no fit.
 std::array<MeanDifference, kFittedNames.size()> compare_fits(const std::vector<const SamplePath*>& references,
                                                              const std::vector<const SamplePath*>& paths,
                                                              const PressureWindow& window);

@@ -29,8 +29,9 @@ struct StudiedSetting {
 /// quarter of the default, and twice the patience.
 NumericalSettings strict_settings();
 
-/// All settings that a study of this scene compares, the reference first, then those that matter most. "power control"
-/// is what the dynamic finish does, and the force loop has double precision only, so neither is varied on its own.
+/// All settings that a study of this scene compares, the reference first, then those that matter most. "power
+/// control" is what the dynamic finish does, and the force loop has double precision only, so neither is varied
+/// on its own.
 std::vector<StudiedSetting> studied_settings(const Scene& scene);
 
 }  // namespace floc

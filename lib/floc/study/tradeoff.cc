@@ -19,8 +19,8 @@ namespace {
 constexpr int kMinGrains = 40;
 /// Samples of everything that have to fit before grains are taken away: errors of means need two.
 constexpr double kSamplesWanted = 2.0;
-/// Cost of the reference over that of the scene's own settings, before it is measured: the ratio of the time steps, and
-/// longer waits.
+/// Cost of the reference over that of the scene's own settings, before it is measured: the ratio of the time
+/// steps, and longer waits.
 constexpr double kReferenceCost = 4.0;
 /// Share of the budget that runs may take; comparing them and fitting takes the rest.
 constexpr double kShareOfRuns = 0.97;
@@ -67,7 +67,8 @@ class Study {
     return units * expected_cost(sized) * speed;
   }
 
-  /// Runs a small sample, which measures the speed of this machine, then takes as many grains as the budget allows.
+  /// Runs a small sample, which measures the speed of this machine, then takes as many grains as the budget
+  /// allows.
   void fit_size_to_budget() {
     Scene small = scene_;
     small.grains.count = std::min(scene_.grains.count, kMinGrains);

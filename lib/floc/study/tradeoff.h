@@ -30,12 +30,12 @@ struct MeasuredSetting {
 struct Tradeoff {
   int n_grains = 0;  ///< of the scene that was run
   std::vector<MeasuredSetting> settings;
-  std::vector<std::string>
-      left_out;  ///< settings, samples or grains that the budget did not allow, runs that failed
+  /// Settings, samples or grains that the budget did not allow, runs that failed.
+  std::vector<std::string> left_out;
 };
 
-/// Runs a scene at its finest settings and at several values of each parameter, all from the same seeds (paired),
-/// and compares what is quoted of them.
+/// Runs a scene at its finest settings and at several values of each parameter, all from the same seeds
+/// (paired), and compares what is quoted of them.
 ///
 /// The reference assembles and loads a sample; every setting assembles its own, then starts each stage of the
 /// load path from the reference's state, so that states can be compared one by one until the first collapse.
@@ -46,8 +46,8 @@ struct Tradeoff {
 /// @throws InputError for a scene that starts from a saved state: samples are made from the gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
-/// Settings that no other beats in both cost and error of an observable: error is the larger of the upper limits before
-/// and after the first collapse.
+/// Settings that no other beats in both cost and error of an observable: error is the larger of the upper
+/// limits before and after the first collapse.
 std::vector<bool> pareto_front(const Tradeoff& tradeoff, std::size_t observable);
 
 /// That error; not a number where nothing was compared.

@@ -25,8 +25,8 @@ Packing<2> disks_at(const std::vector<Vec<2>>& places) {
   return packing;
 }
 
-/// Two disks that stick together across the boundary of the cell, drift and turn about their common centre, and a third
-/// one far away.
+/// Two disks that stick together across the boundary of the cell, drift and turn about their common centre, and
+/// a third one far away.
 Packing<2> drifting_pair() {
   Packing<2> packing = disks_at({Vec<2>(9.8, 2.0), Vec<2>(0.8 - kOverlap, 2.0), Vec<2>(5.0, 7.0)});
   const double spin = 0.01, arm = 0.5 * (1.0 - kOverlap);
@@ -75,7 +75,8 @@ TEST(ClusterFlight, EndsAfterTheLongestTimeWhereNothingMeets) {
   EXPECT_NEAR(packing.grains.position[0][0], 41.0, 1e-9);
 }
 
-/// A chain around the cell cannot turn: that its grains move up on one side and down on the other is motion inside.
+/// A chain around the cell cannot turn: that its grains move up on one side and down on the other is motion
+/// inside.
 TEST(ClusterFlight, DoesNotTurnWhatWindsAroundTheCell) {
   std::vector<Vec<2>> places;
   for (int k = 0; k < 10; ++k) places.emplace_back(k + 0.5, 2.0);

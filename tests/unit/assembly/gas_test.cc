@@ -29,7 +29,8 @@ TEST(Gas, LargestGrainIsTheUnitOfLength) {
 }
 
 TEST(Gas, IsNotALattice) {
-  // Gaps between neighbours of a hard-disk fluid spread from contact up; on a lattice they would share one value.
+  // Gaps between neighbours of a hard-disk fluid spread from contact up; on a lattice they would share one
+  // value.
   const Packing<2> gas = test::gas_of(400, test::cohesive_law(), 0.36);
   const auto near = [&](double gap) { return find_pairs(gas.cell, gas.grains, gap).size(); };
   EXPECT_GT(near(0.02), 20u);

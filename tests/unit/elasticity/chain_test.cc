@@ -19,8 +19,8 @@ ChainStiffness stiffness(double rolling) {
   return {2.0, 1.4, rolling * 2.0 * kR * kR};
 }
 
-/// What rounding can do: 8 units an entry, some 5 entries each of n contacts, and the square of these 35 times the
-/// condition number.
+/// What rounding can do: 8 units an entry, some 5 entries each of n contacts, and the square of these 35 times
+/// the condition number.
 double largest_bound(int n, double condition) {
   const double unit = std::numeric_limits<double>::epsilon();
   return 50.0 * n * unit + 1200.0 * unit * unit * condition;
@@ -63,8 +63,8 @@ TEST(Chain, BeyondDoublePrecisionTheBoundSaysThatNoDigitIsLeft) {
   EXPECT_FALSE(solve_chain(bent_chain(2000, 0.0), kR, stiffness(1e-28)).transverse.resolved());
 }
 
-/// Compliance of the end of a chain held at its first disk, by adding up contact after contact what the loads at the
-/// end do to each: statically determinate, so no system is solved.
+/// Compliance of the end of a chain held at its first disk, by adding up contact after contact what the loads
+/// at the end do to each: statically determinate, so no system is solved.
 Eigen::Matrix3d compliance_by_statics(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k) {
   Vec<2> end = Vec<2>::Zero();
   for (const Vec<2>& b : branches) end += 2.0 * R * b;

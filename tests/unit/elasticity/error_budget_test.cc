@@ -11,7 +11,8 @@
 namespace floc {
 namespace {
 
-/// Square lattice of 2 x 2 disks under its own stress; every contact holds an eighth of an isotropic step's energy.
+/// Square lattice of 2 x 2 disks under its own stress; every contact holds an eighth of an isotropic step's
+/// energy.
 State<2> square() {
   State<2> state;
   state.packing = tiled<2>(test::square_frames(2, 1.0, test::elastic_law(1e3, 700.0, 1.0)), {2, 2});

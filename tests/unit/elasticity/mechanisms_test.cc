@@ -82,8 +82,9 @@ TEST(StructuralMechanisms, AreTheNullSpaceOfRandomNetworks) {
 }
 
 TEST(StructuralMechanisms, AreNotThoseOfACoincidence) {
-  // Node and two chains of n - 2 hinged disks: 3 (2n - 3) unknowns, 4 (n - 1) conditions, 2 translations. Straight
-  // chains resist their own shortening twice over, so two conditions more are lost (one, where none were spare).
+  // Node and two chains of n - 2 hinged disks: 3 (2n - 3) unknowns, 4 (n - 1) conditions, 2 translations.
+  // Straight chains resist their own shortening twice over, so two conditions more are lost (one, where none
+  // were spare).
   for (const auto& [n, by_count, straight] : {std::array{3, 0, 1}, {4, 1, 3}, {5, 3, 5}}) {
     const auto network = contact_network(test::square_frames(n, 1.0, test::elastic_law(1.0, 0.6, 0.0)));
     EXPECT_EQ(structural_mechanisms(network, StrainSet::diagonal).n_mechanisms, by_count) << n;

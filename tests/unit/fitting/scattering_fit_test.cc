@@ -38,8 +38,8 @@ TEST(ScatteringFit, OfTheLawItselfIsItsParameters) {
 }
 
 TEST(ScatteringFit, ErrorsAreThoseOfSpeckles) {
-  // 400 fits with few vectors a bin: no bias beyond its error, and 95 % intervals that hold the truth that often (0.95
-  // with a standard deviation of 0.011; the first order of errors leaves a percent or two).
+  // 400 fits with few vectors a bin: no bias beyond its error, and 95 % intervals that hold the truth that
+  // often (0.95 with a standard deviation of 0.011; the first order of errors leaves a percent or two).
   constexpr int kFits = 400;
   std::mt19937 engine(5);
   int n_xi = 0, n_dF = 0;

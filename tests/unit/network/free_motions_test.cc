@@ -169,7 +169,8 @@ TEST(Rattlers, OfACohesivePackingAreAlone) {
 
 TEST(Rattlers, OfACohesionlessPackingCarryNothingOrHangOnOneContact) {
   Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
-  // One disk leans on the chain with two contacts of hardly any force, one on that disk, one on the chain with force.
+  // One disk leans on the chain with two contacts of hardly any force, one on that disk, one on the chain with
+  // force.
   const double lean = std::sqrt(1.02 * 1.02 - 0.25) - 1e-9;
   for (const Vec<2>& x : {Vec<2>(0.5, lean), Vec<2>(0.5, lean + 1.0), Vec<2>(3.0, -1.0)}) {
     packing.grains.position.push_back(x);

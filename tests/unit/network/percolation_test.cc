@@ -62,8 +62,8 @@ TEST(Percolation, RefusesWaysAroundThatNoContactsTake) {
 }
 
 TEST(Percolation, LeavesOutWhatHangsOnOneGrain) {
-  // A chain of 8 across the cell; a triangle stands on one of its disks, a chain of two on another, and a detour of
-  // three disks joins two of them.
+  // A chain of 8 across the cell; a triangle stands on one of its disks, a chain of two on another, and a
+  // detour of three disks joins two of them.
   Packing<2> packing = test::chain_across(8, 1.0, 9.0, test::elastic_law(1.0, 0.5, 0.0));
   add_grains(packing, {{1.0 - 0.5, std::sqrt(0.75)}, {1.0 + 0.5, 1.0 + 0.8}, {3, -1}, {3, -2}});
   packing.grains.position[9] = {0.5, 1.0 + std::sqrt(0.75)};
@@ -97,7 +97,8 @@ TEST(Percolation, OfGrainsInAClusterIsNone) {
   EXPECT_EQ(count(p.dead_end), 3);
 }
 
-/// Currents of a network of random conductances in random gradients along the lattice vectors, by a dense solution.
+/// Currents of a network of random conductances in random gradients along the lattice vectors, by a dense
+/// solution.
 template <int Dim>
 Eigen::VectorXd currents(const ContactNetwork<Dim>& network, unsigned seed) {
   std::mt19937 engine(seed);

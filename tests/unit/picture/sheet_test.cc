@@ -68,8 +68,8 @@ int rgb_of(const Color& c) {
   return byte(c.red) << 16 | byte(c.green) << 8 | byte(c.blue);
 }
 
-/// Four disks on a square, of diameter 1 in a cell of side 4, and two lines along x: at y = 1 of force 2, at y = 3 of
-/// force 1.
+/// Four disks on a square, of diameter 1 in a cell of side 4, and two lines along x: at y = 1 of force 2, at
+/// y = 3 of force 1.
 PackingPicture two_lines() {
   PackingPicture picture;
   picture.cell.matrix *= 4.0;

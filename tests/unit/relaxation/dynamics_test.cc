@@ -123,8 +123,8 @@ double energy_drift_of_sheared(double dt, int n_steps) {
   LawParameters law;
   law.normal = LinearRepulsion{1.0};
   Packing<2> gas = test::gas_of(100, law, 0.7, 3);
-  gas.cell.matrix(1, 0) =
-      0.3 * gas.cell.matrix(0, 0);  // some overlap along the edge: energy that sets it in motion
+  // Some overlap along the edge: energy that sets it in motion.
+  gas.cell.matrix(1, 0) = 0.3 * gas.cell.matrix(0, 0);
   RandomStream random(4, 2);
   agitate(gas, 0.02, random);
   const BoundaryControl<2> control = all_under_stress(gas, 1e-3);
@@ -190,8 +190,8 @@ TEST(Dynamics, FrictionlessUndampedCellConservesEnergyToSecondOrder) {
   EXPECT_LT(fine, coarse / 8.0);
 }
 
-/// Restitution of two disks, among others with diameters in [1/2, 1], that meet head on without adhesion, the first
-/// overlap of which falls at `phase` of a step.
+/// Restitution of two disks, among others with diameters in [1/2, 1], that meet head on without adhesion, the
+/// first overlap of which falls at `phase` of a step.
 double measured_restitution(double diameter_i, double diameter_j, double phase) {
   LawParameters law;
   law.normal = LinearRepulsion{1e5};
@@ -344,8 +344,8 @@ double growth_in_crystal(int n_steps, double time_step, double restitution, doub
   return mean_kinetic_energy(dynamics->packing()) / mean_kinetic_energy(crystal);
 }
 
-/// What RelaxationOptions::time_step says of the crystal; 0.2 is about the rolling stiffness from which on the step is
-/// shortened.
+/// What RelaxationOptions::time_step says of the crystal; 0.2 is about the rolling stiffness from which on the
+/// step is shortened.
 TEST(TimeStep, LeavesCrystalsStable) {
   for (const double restitution : {0.015, 0.5}) {
     EXPECT_LT(growth_in_crystal(3000, 0.40, restitution, 0.0), 1.0);

@@ -157,7 +157,8 @@ TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
   Packing<2> start = equilibrium();
   Grains<2>& g = start.grains;
   g.position_low.clear();  // for one more grain to be added by its position alone
-  // One more grain in the largest hole would touch; a tiny one, spinning, fits anywhere the balance leaves room.
+  // One more grain in the largest hole would touch; a tiny one, spinning, fits anywhere the balance leaves
+  // room.
   const Packing<2> rest = start;
   for (double x = 0.0; g.size() == rest.grains.size(); x += 0.01) {
     Grains<2> trial = rest.grains;

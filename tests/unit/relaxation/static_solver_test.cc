@@ -19,8 +19,8 @@ namespace {
 
 const Vec<2> kTarget(0.5, 0.5);
 
-/// An equilibrium of grains so soft that their overlaps are a tenth of a diameter: the terms of the tangent that are of
-/// the order of force over branch weigh as much as those of stiffness.
+/// An equilibrium of grains so soft that their overlaps are a tenth of a diameter: the terms of the tangent
+/// that are of the order of force over branch weigh as much as those of stiffness.
 Packing<2> soft_equilibrium() {
   LawParameters law = test::cohesive_law();
   law.normal = LinearRepulsion{10.0};
@@ -36,8 +36,8 @@ Packing<2> soft_equilibrium() {
   return relaxer.packing();
 }
 
-/// The same equilibrium with the contact that is nearest to sliding put at its cap, and beyond it, so that it slides
-/// wherever the grains are displaced to; likewise the one nearest to yielding in rolling.
+/// The same equilibrium with the contact that is nearest to sliding put at its cap, and beyond it, so that it
+/// slides wherever the grains are displaced to; likewise the one nearest to yielding in rolling.
 Packing<2> with_yielding_contacts(Packing<2> packing) {
   const auto mobilised = [](const Contact<2>& c) {
     return c.distant ? 0.0 : c.shear_force.norm() / c.elastic_force;
@@ -80,8 +80,8 @@ double residual_after_one_step(const Packing<Dim>& equilibrium, const BoundaryCo
   return solve_statics(disturbed(equilibrium, size), control, one_step).residual;
 }
 
-/// A step with the exact tangent leaves what is quadratic in the disturbance: a hundredth for a tenth. Any error of the
-/// tangent would leave a tenth.
+/// A step with the exact tangent leaves what is quadratic in the disturbance: a hundredth for a tenth. Any
+/// error of the tangent would leave a tenth.
 template <int Dim>
 void expect_quadratic(const Packing<Dim>& equilibrium, const BoundaryControl<Dim>& control) {
   const double after_large = residual_after_one_step(equilibrium, control, 1e-4);

@@ -90,8 +90,9 @@ TEST(Walls, ApproachEachOtherAtTheRateGiven) {
   EXPECT_NEAR(std::log(dynamics->packing().cell.matrix(0, 0) / 11.0), -0.1, 1e-5);
 }
 
-/// Ratio of speeds after and before an impact on a wall at rest, in units K_N = m = F0 = 1: contacts adhere with F0 and their
-/// dashpots are 0.248139 of critical. What the closed form of a damped oscillation gives (Bouzid et al. 2024, corrected).
+/// Ratio of speeds after and before an impact on a wall at rest, in units K_N = m = F0 = 1: contacts adhere
+/// with F0 and their dashpots are 0.248139 of critical. What the closed form of a damped oscillation gives
+/// (Bouzid et al. 2024, corrected).
 double rebound(double speed) {
   Packing<2> packing = boxed(one_disk(), 1, {});
   packing.law.normal = LinearRepulsion{1.0};

@@ -53,7 +53,8 @@ TEST(ParticleStress, IsTheLoadOnALattice) {
 }
 
 TEST(PressurePhases, AreJoinedByContactsAndPercolateWhereTheyWind) {
-  // Four columns and three rows of a square lattice; the second column pulls, but for one grain; one grain is neutral.
+  // Four columns and three rows of a square lattice; the second column pulls, but for one grain; one grain is
+  // neutral.
   std::vector<Vec<2>> places;
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 4; ++x) places.emplace_back(x, y);

@@ -43,8 +43,8 @@ TEST(Pores, OfASquareLatticeAreExact) {
 TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
   const Pores found = find_pores(of_radius(triangular(2.0, elastic_law(1.0, 0.0, 0.0)), 1.0));
   ASSERT_THAT(found.pores, SizeIs(2));
-  // Second moment of the triangle of side 2 about its centre is side^2 area/12; each sector of 60 degrees has its own,
-  // with its first moment 2 sin(30 deg) R^3/3 towards the centre, which is 2/sqrt 3 away.
+  // Second moment of the triangle of side 2 about its centre is side^2 area/12; each sector of 60 degrees has
+  // its own, with its first moment 2 sin(30 deg) R^3/3 towards the centre, which is 2/sqrt 3 away.
   const double area = std::sqrt(3.0) - kPi / 2.0;
   const double sector = kPi / 6.0;
   const double second = sector / 2.0 + sector * 4.0 / 3.0 - 2.0 * (1.0 / 3.0) * 2.0 / std::sqrt(3.0);
@@ -109,7 +109,8 @@ TEST(Pores, HoldIslandsAndDeadEnds) {
   EXPECT_NEAR(found.pores[0].gyration_radius, std::sqrt(second / area - (first / area).squaredNorm()), 1e-11);
 }
 
-/// A perturbed triangular net, of which some edges are taken out: contacts by topology, disks that do not overlap.
+/// A perturbed triangular net, of which some edges are taken out: contacts by topology, disks that do not
+/// overlap.
 Packing<2> net(int side, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Constant attraction -F0 in contact, falling linearly to zero over the range D0 of the gap. Reversible: it acts on
-/// approach as on parting. [GRC2008], Eq. 2.
+/// Constant attraction -F0 in contact, falling linearly to zero over the range D0 of the gap. Reversible: it
+/// acts on approach as on parting. [GRC2008], Eq. 2.
 struct TailAdhesion {
   double pull_off_force;  ///< F0 (force), > 0
   double tail_range;      ///< D0 (length), > 0

@@ -23,8 +23,8 @@ inline double damping_ratio(double restitution) {
   return -l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
 }
 
-/// Viscous normal force -c dh/dt while the surfaces overlap, c = 2 zeta sqrt(m K_N). It may pull: cutting its tension
-/// changes the restitution. It is no part of the static force.
+/// Viscous normal force -c dh/dt while the surfaces overlap, c = 2 zeta sqrt(m K_N). It may pull: cutting its
+/// tension changes the restitution. It is no part of the static force.
 struct ViscousDamping {
   double restitution;  ///< of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Rolling resistance: an incremental spring K_R on the relative rotation, its moment capped at mu_R FNe (elastic
-/// part only). [GRC2007], section II.
+/// Rolling resistance: an incremental spring K_R on the relative rotation, its moment capped at mu_R FNe
+/// (elastic part only). [GRC2007], section II.
 struct RollingSpring {
   double coefficient;        ///< mu_R, a length
   double rolling_stiffness;  ///< K_R (force * length)

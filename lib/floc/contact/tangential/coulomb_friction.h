@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// Coulomb friction: an incremental tangential spring K_T capped at mu FNe. The cap reads the ELASTIC part of the
-/// normal force, so a contact that carries no net normal force still carries up to mu F0. [GRC2008], Eq. 4 (with the mu
-/// its printed sliding value lacks).
+/// Coulomb friction: an incremental tangential spring K_T capped at mu FNe. The cap reads the ELASTIC part of
+/// the normal force, so a contact that carries no net normal force still carries up to mu F0. [GRC2008], Eq. 4
+/// (with the mu its printed sliding value lacks).
 struct CoulombFriction {
   double coefficient;           ///< mu
   double tangential_stiffness;  ///< K_T (force/length)

@@ -12,8 +12,9 @@
 
 namespace floc {
 
-/// Tags of the instruction sets, in the type of everything that is compiled for one of them: two translation units with
-/// different flags share no symbol, so none of their code can reach a processor that lacks the instructions.
+/// Tags of the instruction sets, in the type of everything that is compiled for one of them: two translation
+/// units with different flags share no symbol, so none of their code can reach a processor that lacks the
+/// instructions.
 struct Portable {
   static constexpr int kWidth = 2;
 };
@@ -43,8 +44,8 @@ struct VectorOf<8> {
   typedef long long Bits __attribute__((vector_size(64)));
 };
 
-/// As many doubles as fit a register of the instruction set, added and compared lane by lane. A number type for the
-/// contact laws.
+/// As many doubles as fit a register of the instruction set, added and compared lane by lane. A number type for
+/// the contact laws.
 template <class Isa>
 struct Pack {
   static constexpr int kWidth = Isa::kWidth;
@@ -110,8 +111,8 @@ struct Records {
     return out;
   }
 
-  /// The same for places that ascend by less than kWindow in all: one load and a shuffle instead of as many loads as
-  /// lanes.
+  /// The same for places that ascend by less than kWindow in all: one load and a shuffle instead of as many
+  /// loads as lanes.
   static P gather_window(const double* base, const int* place) {
 #if !defined(__clang__)  // it has no shuffle by places that it does not know
     if constexpr (P::kWidth == kWindow) {

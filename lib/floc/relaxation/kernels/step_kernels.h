@@ -19,8 +19,8 @@ inline constexpr int kPairPadding = 8;
 inline constexpr int kSumGroup = 8;
 
 /// A dashpot acts with this share of its present force and the rest of the one a step before. The velocities it
-/// acts on are those of half a step earlier, so that it is late by kDashpotLag steps (lagging_damping() corrects
-/// that), but stable to a longer step: where grains vibrate at w and are damped at g, for
+/// acts on are those of half a step earlier, so that it is late by kDashpotLag steps (lagging_damping()
+/// corrects that), but stable to a longer step: where grains vibrate at w and are damped at g, for
 /// (w dt)^2 + 2 (2 share - 1) g dt < 4.
 inline constexpr double kDashpotShare = 0.8;
 inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
@@ -43,8 +43,8 @@ struct GrainView {
 /// The pairs of all blocks, likewise, each block's padded by pairs that do not interact.
 template <int Dim>
 struct PairView {
-  /// Grains; those of i ascend, by less than kWindow in kPairPadding pairs. Of pairs with walls j is the wall's number, and i
-  /// may leap.
+  /// Grains; those of i ascend, by less than kWindow in kPairPadding pairs. Of pairs with walls j is the wall's
+  /// number, and i may leap.
   const int *i, *j;
   const double* image[Dim];  ///< in sides of the cell
   const double* radii;       ///< Ri + Rj
@@ -57,10 +57,11 @@ struct PairView {
   double* row;                               ///< one more than there are pairs: the last stays zero
 };
 
-/// Which rows each grain of a block sums as the first, or as the second, of a pair: places in PairView::row, those of
-/// each grain in ascending order of its pairs. Grains with similarly many stand side by side in groups, which are summed
-/// without branches to a depth of their own: depth x kSumGroup places, those of a grain that has fewer filled up with the row
-/// that stays zero. What a grain has beyond the depth of its group follows alone.
+/// Which rows each grain of a block sums as the first, or as the second, of a pair: places in PairView::row,
+/// those of each grain in ascending order of its pairs. Grains with similarly many stand side by side in
+/// groups, which are summed without branches to a depth of their own: depth x kSumGroup places, those of a
+/// grain that has fewer filled up with the row that stays zero. What a grain has beyond the depth of its group
+/// follows alone.
 struct SideSumsPlan {
   static constexpr int kGroups = kGrainBlock / kSumGroup;
   int grain[kGrainBlock];     ///< grains of the block (from its first), by falling numbers of rows
@@ -102,7 +103,8 @@ struct Drift {
   double list_stretch[Dim][Dim];  ///< deformation since the list was built
 };
 
-/// Walls as pairs see them, one entry of each array a wall: the plane n x = level, n the unit normal from the grains to it.
+/// Walls as pairs see them, one entry of each array a wall: the plane n x = level, n the unit normal from the
+/// grains to it.
 template <int Dim>
 struct WallArrays {
   const double* normal[Dim];

@@ -9,7 +9,8 @@
 #include "floc/relaxation/kernels/pack.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
-/// The kernels' text. Everything here is a template on the instruction set, and calls nothing inline that is not.
+/// The kernels' text. Everything here is a template on the instruction set, and calls nothing inline that is
+/// not.
 namespace floc {
 
 template <class Isa, int Dim, LatticeShape kShape, bool kRotates>
@@ -127,7 +128,8 @@ struct GrainKernels {
     }
   }
 
-  /// Force along a on the grains j of pairs across the boundary, times the component b of their image's displacement.
+  /// Force along a on the grains j of pairs across the boundary, times the component b of their image's
+  /// displacement.
   static double crossing_virial(const PairView<Dim>& pairs, const BlockSumsPlan& plan,
                                 const PairCell<Dim>& cell, int a, int b) {
     double virial = 0.0;
@@ -172,8 +174,8 @@ struct GrainKernels {
     sum += row;
   }
 
-  /// Sums of the rows of each grain of the block. Rows of pairs that do not interact are zero and leave no trace, so the
-  /// sums do not depend on which of them the list holds.
+  /// Sums of the rows of each grain of the block. Rows of pairs that do not interact are zero and leave no
+  /// trace, so the sums do not depend on which of them the list holds.
   static void sum_rows(const PairView<Dim>& pairs, const SideSumsPlan& plan, Row (&total)[kGrainBlock]) {
     const int* row = plan.row;
     for (int g = 0; g < SideSumsPlan::kGroups; ++g) {
@@ -239,8 +241,8 @@ struct PairKernel {
   }
 
  private:
-  /// Packs whose geometry is found before their forces: each half is short enough for several packs to be under way at
-  /// once, where one long chain of operations would be waited for.
+  /// Packs whose geometry is found before their forces: each half is short enough for several packs to be under
+  /// way at once, where one long chain of operations would be waited for.
   static constexpr int kPacksInFlight = 8;
 
   /// Geometry and relative motion of one pack of pairs.
@@ -296,7 +298,8 @@ struct PairKernel {
     return a;
   }
 
-  /// The foot of a grain's centre on the plane moves with the wall, and across it as the grains around do on average.
+  /// The foot of a grain's centre on the plane moves with the wall, and across it as the grains around do on
+  /// average.
   static PairKinematics look_at_wall(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
                                      const PairCell<Dim>& cell) {
     const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather);
@@ -362,8 +365,8 @@ struct PairKernel {
     (memory.value[k].store(pairs.memory[memory_place<Law, Dim>(k)] + p), ...);
   }
 
-  /// What dashpots do in this step, given their present force and that of the step before, which it replaces. Nothing
-  /// where the surfaces do not touch; a contact that is new has no step before.
+  /// What dashpots do in this step, given their present force and that of the step before, which it replaces.
+  /// Nothing where the surfaces do not touch; a contact that is new has no step before.
   static P viscous(const P& now, double* last) {
     const P before = P::load(last);
     now.store(last);

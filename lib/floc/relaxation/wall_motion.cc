@@ -33,8 +33,8 @@ void WallMotion<Dim>::set_arrays() {
 }
 
 template <int Dim>
-WallArrays<Dim> WallMotion<Dim>::view() const {
-  WallArrays<Dim> out;
+WallView<Dim> WallMotion<Dim>::view() const {
+  WallView<Dim> out;
   for (int a = 0; a < Dim; ++a) out.normal[a] = normal_[a].data();
   out.level = level_.data();
   out.level_rate = level_rate_.data();

@@ -26,7 +26,7 @@ class WallMotion {
   double distance_rate(int axis) const { return gap_of(axis, &Wall<Dim>::velocity); }
 
   /// What the kernels read; valid until the walls move.
-  WallArrays<Dim> view() const;
+  WallView<Dim> view() const;
 
   /// Half a step of acceleration.
   /// @param force  that the grains push each wall outwards with (force)

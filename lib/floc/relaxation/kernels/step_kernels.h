@@ -106,7 +106,7 @@ struct Drift {
 /// Walls as pairs see them, one entry of each array a wall: the plane n x = level, n the unit normal from the
 /// grains to it.
 template <int Dim>
-struct WallArrays {
+struct WallView {
   const double* normal[Dim];
   const double *level, *level_rate;
 };
@@ -117,7 +117,7 @@ struct PairCell {
   double lattice[Dim][Dim];      ///< columns are the lattice vectors
   double strain_rate[Dim][Dim];  ///< velocity gradient
   double slip_time;              ///< time over which the springs take up the present velocities
-  WallArrays<Dim> walls;         ///< null without walls
+  WallView<Dim> walls;           ///< null without walls
 };
 
 /// The passes of a time step, for one law and one instruction set.

@@ -232,7 +232,7 @@ struct PairKernel {
           (last - p < kPacksInFlight * P::kWidth ? last - p : kPacksInFlight * P::kWidth) / P::kWidth;
       for (int k = 0; k < n_packs; ++k) {
         if constexpr (Partner::kWall)
-          kinematics[k] = look_at_wall(grains, pairs, p + k * P::kWidth, cell);
+          kinematics[k] = wall_kinematics(grains, pairs, p + k * P::kWidth, cell);
         else
           kinematics[k] = pair_kinematics(grains, pairs, p + k * P::kWidth, cell);
       }
@@ -287,37 +287,37 @@ struct PairKernel {
     const P distance = sqrt(r.squaredNorm());
     const V n = r * (P(1.0) / distance);
     const V centres = (j.v - i.v) + affine;
-    PairKinematics a = approach_along(n, distance, centres, pairs, p);
+    PairKinematics a = normal_kinematics(n, distance, centres, pairs, p);
     a.arm_i = P::load(pairs.share_i + p) * distance;
     a.arm_j = distance - a.arm_i;
     if constexpr (kRotates) {
       // Both turn their surfaces the same way round.
-      take_up_slip(a, centres, RotationVector<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin),
-                   RotationVector<Dim, P>(i.spin - j.spin), cell);
+      add_slip(a, centres, RotationVector<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin),
+               RotationVector<Dim, P>(i.spin - j.spin), cell);
     }
     return a;
   }
 
   /// The foot of a grain's centre on the plane moves with the wall, and across it as the grains around do on
   /// average.
-  static PairKinematics look_at_wall(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
-                                     const PairCell<Dim>& cell) {
+  static PairKinematics wall_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                        const PairCell<Dim>& cell) {
     const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather);
     const int* const wall = pairs.j + p;
     V n;
     for (int a = 0; a < Dim; ++a) n[a] = Records<Isa>::gather(cell.walls.normal[a], wall);
     const P distance = Records<Isa>::gather(cell.walls.level, wall) - n.dot(i.x);
     const V foot = Records<Isa>::gather(cell.walls.level_rate, wall) * n - i.v;
-    PairKinematics a = approach_along(n, distance, foot, pairs, p);
+    PairKinematics a = normal_kinematics(n, distance, foot, pairs, p);
     a.arm_i = distance;
     a.arm_j = P(0.0);
-    if constexpr (kRotates) take_up_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), i.spin, cell);
+    if constexpr (kRotates) add_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), i.spin, cell);
     return a;
   }
 
   /// @param velocity  of j's centre against i's
-  static PairKinematics approach_along(const V& n, const P& distance, const V& velocity,
-                                       const PairView<Dim>& pairs, int p) {
+  static PairKinematics normal_kinematics(const V& n, const P& distance, const V& velocity,
+                                          const PairView<Dim>& pairs, int p) {
     PairKinematics a;
     a.n = n;
     a.motion = {distance - P::load(pairs.radii + p), n.dot(velocity), P(0.0), Shear<Dim, P>::Zero(),
@@ -328,8 +328,8 @@ struct PairKernel {
   }
 
   /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
-  static void take_up_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
-                           const RotationVector<Dim, P>& kick_rotation, const PairCell<Dim>& cell) {
+  static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
+                       const RotationVector<Dim, P>& kick_rotation, const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
     a.motion.relative_rotation = P(cell.slip_time) * kick_rotation;
   }

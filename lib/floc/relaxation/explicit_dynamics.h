@@ -70,8 +70,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double dt_;
   double skin_;
   int threads_;
-  double largest_diameter_;  ///< diameter
-  double min_skin_;          ///< (length)
+  double largest_diameter_;
+  double min_skin_;  ///< (length)
 
   GrainArrays<Dim> grains_;
   GrainView<Dim> grain_view_;

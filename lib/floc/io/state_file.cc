@@ -16,6 +16,7 @@
 #include "floc/io/law_attributes.h"
 #include "floc/io/sealed_bytes.h"
 #include "floc/io/state_layout.h"
+#include "floc/packing/require_periodic.h"
 
 namespace floc {
 namespace {
@@ -505,6 +506,7 @@ auto read_sealed(const std::string& path, const Read& read) {
 
 template <int Dim>
 void write_state(const std::string& path, const State<Dim>& state, const std::string& progress) {
+  require_periodic(state.packing, "a state is saved");
   write_bytes_atomically(path, seal(encode(state, progress)));
 }
 

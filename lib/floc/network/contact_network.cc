@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "floc/packing/require_periodic.h"
+
 namespace floc {
 
 Mat<2> contact_frame(const Vec<2>& n) {
@@ -51,6 +53,7 @@ NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<D
 
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing) {
+  require_periodic(packing, "linear response is computed");
   ContactNetwork<Dim> network;
   network.n_grains = packing.grains.size();
   network.volume = packing.cell.volume();

@@ -53,6 +53,7 @@ Mat<3> contact_frame(const Vec<3>& normal);
 
 /// The network of all contacts of a packing, in their order. Lever arms are l = R r/(R_i + R_j) along the
 /// normal (docs/physics.md, "Kinematics of a contact"), so they add up to the branch.
+/// @throws InputError if the packing has walls
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 

@@ -11,6 +11,7 @@
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/require_periodic.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/static_solver.h"
 
@@ -135,6 +136,7 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
       progress_(std::move(progress)),
       time_step_(time_step_of(packing_, options.time_step)),
       time_unit_(inertial_time(packing_, target_stress)) {
+  require_periodic(packing_, "a packing is relaxed");
   measure();
   if (progress_.skin == 0.0) progress_.skin = first_skin(options, packing_.grains);
   if (progress_.imbalance_sign.empty()) {

@@ -17,6 +17,7 @@
 #include "floc/network/tangent_matrix.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_response.h"
+#include "floc/packing/require_periodic.h"
 
 namespace floc {
 namespace {
@@ -353,6 +354,7 @@ template <int Dim>
 StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,
                                   const StaticSolverOptions& options) {
   assert(start.cell.matrix.isLowerTriangular(0.0));
+  require_periodic(start, "a packing is solved for equilibrium");
   const StaticProblem<Dim> problem(start, control, options);
   Configuration<Dim> now = problem.initial();
   TangentMatrix<Dim> tangent = problem.tangent_pattern();

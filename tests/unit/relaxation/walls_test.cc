@@ -5,8 +5,11 @@
 
 #include "floc/base/error.h"
 #include "floc/neighbors/find_contacts.h"
+#include "floc/network/contact_network.h"
 #include "floc/packing/balance.h"
 #include "floc/relaxation/dynamics.h"
+#include "floc/relaxation/equilibrator.h"
+#include "floc/relaxation/static_solver.h"
 #include "support/dynamics.h"
 #include "support/springs.h"
 
@@ -319,6 +322,16 @@ TEST(Walls, MayHaveFrictionWhereGrainsHaveNone) {
       EXPECT_TRUE(c.shear_force.isZero(0.0));
     }
   }
+}
+
+/// What knows periodic boundaries alone says so.
+TEST(Walls, AreRefusedWhereNothingKnowsThem) {
+  Packing<2> box = box_around_one_disk(cohesive_law());
+  find_contacts(box);
+  const auto refuses = testing::ThrowsMessage<InputError>(testing::HasSubstr("has walls; "));
+  EXPECT_THAT([&] { (void)contact_network(box); }, refuses);
+  EXPECT_THAT([&] { (void)make_equilibrator(RelaxationOptions{}, box, Vec<2>(Vec<2>::Ones())); }, refuses);
+  EXPECT_THAT([&] { (void)solve_statics(box, pressure(1.0), StaticSolverOptions{}); }, refuses);
 }
 
 TEST(FindContacts, RefusesAGrainBeyondAWall) {

@@ -329,9 +329,9 @@ struct PairKernel {
 
   /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
   static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
-                       const RotationVector<Dim, P>& kick_rotation, const PairCell<Dim>& cell) {
+                       const RotationVector<Dim, P>& rotation, const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
-    a.motion.relative_rotation = P(cell.slip_time) * kick_rotation;
+    a.motion.relative_rotation = P(cell.slip_time) * rotation;
   }
 
   static void respond(const Law& law, const PairKinematics& a, const PairView<Dim>& pairs, int p) {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "floc/base/error.h"
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// @param what  the computation that knows periodic boundaries alone, as a subject
+/// @throws InputError if the packing has walls
+template <int Dim>
+void require_periodic(const Packing<Dim>& packing, const std::string& what) {
+  if (!packing.walls.empty())
+    throw InputError("packing", "has walls; " + what + " only with periodic boundaries");
+}
+
+}  // namespace floc

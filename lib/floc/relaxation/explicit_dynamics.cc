@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <variant>
 
 #include "floc/contact/law_table.h"
@@ -131,6 +132,18 @@ Vec<Dim> ExplicitDynamics<Dim>::sides() const {
   for (int a = 0; a < Dim; ++a)
     if (walls_.bounds(a)) sides[a] = walls_.distance(a);
   return sides;
+}
+
+/// The lattice as packings have it, walls included.
+template <int Dim>
+Cell<Dim> ExplicitDynamics<Dim>::cell() const {
+  Cell<Dim> cell{lattice_.transpose(), lattice_rate_.transpose()};
+  for (int a = 0; a < Dim; ++a)
+    if (walls_.bounds(a)) {
+      cell.matrix(a, a) = walls_.distance(a);
+      cell.velocity(a, a) = walls_.distance_rate(a);
+    }
+  return cell;
 }
 
 template <int Dim>
@@ -357,18 +370,19 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   adapt_skin();
   Grains<Dim> now = Grains<Dim>::with_size(grains_.size());
   grains_.copy_positions_to(now);
-  now.radius.assign(grains_.radius.begin(), grains_.radius.begin() + grains_.size());
   const std::vector<double> share = skin_shares();
   inverse_skin_squared_.assign(grains_.x[0].size(), 0.0);
-  for (int k = 0; k < grains_.size(); ++k)
-    inverse_skin_squared_[k] = 1.0 / (0.25 * skin_ * skin_ * share[k] * share[k]);
+  for (int k = 0; k < grains_.size(); ++k) {
+    const double skin = 0.5 * skin_ * share[k];
+    now.radius[k] = grains_.radius[k] + skin;
+    inverse_skin_squared_[k] = 1.0 / (skin * skin);
+  }
+  const std::span<const double> radius(grains_.radius.data(), grains_.size());
   std::vector<const PairArrays<Dim>*> lists;
   for (Interaction<Dim>& interaction : interactions_) {
-    const bool of_grains = interaction.partner() == Partner::grain;
-    const std::vector<NeighborPair<Dim>> close =
-        of_grains ? close_pairs(now, share) : find_wall_pairs(walls_.walls(), now, interaction.range() + skin_);
-    if (of_grains) out_of_range_share_ = out_of_range_share(close);
-    interaction.set_pairs({close, interaction.partner(), now.radius, grains_.mass, interaction.law(), dt_});
+    const std::vector<NeighborPair<Dim>> close = close_pairs(interaction, now);
+    if (interaction.partner() == Partner::grain) out_of_range_share_ = out_of_range_share(close);
+    interaction.set_pairs({close, interaction.partner(), radius, grains_.mass, interaction.law(), dt_});
     lists.push_back(&interaction.pairs());
   }
   sums_of_rows_ = {lists, row_size(interactions_[0].law()), grains_.size()};
@@ -381,17 +395,13 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   steps_since_list_ = 0;
 }
 
-/// Pairs that may interact before grains have moved by their skins. @param share  of the skin that each has
+/// Pairs that may interact before bodies have moved by their skins. @param now  grains with their skins around them
 template <int Dim>
-std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(Grains<Dim> now,
-                                                                  const std::vector<double>& share) const {
-  Cell<Dim> cell;
-  cell.matrix = lattice_.transpose();
-  for (int a = 0; a < Dim; ++a)
-    if (walls_.bounds(a)) cell.matrix(a, a) = walls_.distance(a);
-  const double range = interactions_[0].range();
-  for (std::size_t k = 0; k < share.size(); ++k) now.radius[k] += 0.5 * skin_ * share[k];
-  return find_pairs(search_cell(cell, walls_.walls(), largest_diameter_ + range + skin_), now, range);
+std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(const Interaction<Dim>& interaction,
+                                                                  const Grains<Dim>& now) const {
+  const double range = interaction.range();
+  if (interaction.partner() == Partner::wall) return find_wall_pairs(walls_.walls(), now, range + 0.5 * skin_);
+  return find_pairs(search_cell(cell(), walls_.walls(), largest_diameter_ + range + skin_), now, range);
 }
 
 template <int Dim>
@@ -404,8 +414,8 @@ PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::compute_pairs(int block, double slip_time) {
-  for (const Interaction<Dim>& interaction : interactions_)
-    interaction.compute(block, grain_view_, pair_cell(slip_time));
+  const PairCell<Dim> cell = pair_cell(slip_time);
+  for (const Interaction<Dim>& interaction : interactions_) interaction.compute(block, grain_view_, cell);
 }
 
 template <int Dim>
@@ -482,13 +492,7 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
   out.wall_law = wall_law_;
   // Centres without low parts: motion ends at the rounding of a double.
   out.grains = Grains<Dim>::with_size(grains_.size());
-  out.cell.matrix = lattice_.transpose();
-  out.cell.velocity = lattice_rate_.transpose();
-  for (int a = 0; a < Dim; ++a)
-    if (walls_.bounds(a)) {
-      out.cell.matrix(a, a) = walls_.distance(a);
-      out.cell.velocity(a, a) = walls_.distance_rate(a);
-    }
+  out.cell = cell();
   std::vector<Vec<Dim, int>> wrap(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) {
     const int i = grains_.index[k];
@@ -560,11 +564,12 @@ template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times) {
   const Grains<Dim>& g = packing.grains;
   double shortest = std::numeric_limits<double>::infinity();
-  ContactStiffness bound =
-      std::visit([](const auto& law) { return law.stiffness_bound(); }, compose_law(packing.law));
+  const auto bound_of = [](const LawParameters& parameters) {
+    return std::visit([](const auto& law) { return law.stiffness_bound(); }, compose_law(parameters));
+  };
+  ContactStiffness bound = bound_of(packing.law);
   if (!packing.walls.empty()) {
-    const ContactStiffness on_wall =
-        std::visit([](const auto& law) { return law.stiffness_bound(); }, compose_law(packing.wall_law));
+    const ContactStiffness on_wall = bound_of(packing.wall_law);
     bound = {std::max(bound.normal, on_wall.normal), std::max(bound.tangential, on_wall.tangential),
              std::max(bound.rolling, on_wall.rolling)};
   }

@@ -34,6 +34,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void add_interactions(const Packing<Dim>& packing, InstructionSet instructions, LatticeShape shape);
   void load_memory(const Packing<Dim>& packing);
   Vec<Dim> sides() const;
+  Cell<Dim> cell() const;
   /// Whether a component of the boundary is one of the lattice, and not of walls.
   bool moves_with_lattice(int a, int b) const { return !walls_.bounds(a) && !walls_.bounds(b); }
   void kick_boundary();
@@ -58,7 +59,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   bool list_is_stale() const;
   double out_of_range_share(const std::vector<NeighborPair<Dim>>& pairs) const;
   void rebuild_list();
-  std::vector<NeighborPair<Dim>> close_pairs(Grains<Dim> now, const std::vector<double>& share) const;
+  std::vector<NeighborPair<Dim>> close_pairs(const Interaction<Dim>& interaction, const Grains<Dim>& now) const;
   void append_contacts(const Interaction<Dim>& interaction, const std::vector<Vec<Dim, int>>& wrap,
                        Packing<Dim>& out) const;
   void adapt_skin();

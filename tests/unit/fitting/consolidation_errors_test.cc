@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ctime>
 
 #include "floc/base/random.h"
 #include "floc/fitting/consolidation.h"
@@ -200,28 +199,6 @@ TEST(RobustLoss, AnOutlierCountsForLittle) {
     EXPECT_LT(std::abs(value(fit, "lambda") / kNoRolling.lambda - 1),
               0.3 * std::abs(plain / kNoRolling.lambda - 1));
   }
-}
-
-/// Processor time of this process, seconds: other processes on the machine do not count.
-double processor_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-TEST(Speed, AFitTakesMillisecondsAndABootstrapASecond) {
-  RandomStream random(2, 0);
-  const auto curve = with_relative_noise(kSmallRolling.with_plateau(), 0.003, random);
-  ASSERT_THAT(curve.phi, SizeIs(26));
-  ConsolidationOptions options;
-  constexpr int kRepeats = 20;
-  double begin = processor_seconds();
-  for (int k = 0; k < kRepeats; ++k) EXPECT_TRUE(fit_consolidation(curve, options).found());
-  EXPECT_LT((processor_seconds() - begin) / kRepeats, 0.010);
-  options.n_bootstrap = 1000;
-  begin = processor_seconds();
-  EXPECT_TRUE(fit_consolidation(curve, options).found());
-  EXPECT_LT(processor_seconds() - begin, 2.0);
 }
 
 }  // namespace

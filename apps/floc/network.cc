@@ -11,9 +11,12 @@
 #include "floc/elasticity/force_correlation.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/network_mechanics.h"
+#include "floc/network/carrying_structure.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/structure/carrying_forces.h"
 #include "floc/structure/coordination.h"
+#include "floc/structure/elastic_energy.h"
 #include "floc/structure/force_distribution.h"
 #include "floc/structure/force_moments.h"
 #include "floc/structure/particle_stress.h"
@@ -27,8 +30,9 @@ constexpr ForceKind kKinds[] = {ForceKind::normal, ForceKind::tangential, ForceK
 
 struct NetworkCommand {
   std::vector<std::string> files;
-  std::optional<double> zero_force;  ///< in F1; the state's own tolerance when absent
-  std::string distributions;         ///< file for the force distributions; empty: none
+  std::optional<double> zero_force;   ///< in F1; the state's own tolerance when absent
+  std::optional<int> least_contacts;  ///< of a grain that is held; least_contacts() when absent
+  std::string distributions;          ///< file for the force distributions; empty: none
   std::string unit = "mean";
   double bin_width = 0.1;
   std::string pressures;  ///< file for the particle stresses; empty: none
@@ -49,6 +53,11 @@ struct NetworkRow {
   PressurePhases phases;
   NetworkMechanics mechanics;
   ForceCorrelation correlation;
+  CarryingForces carrying;
+  Indeterminacy hyperstaticity;
+  double energy;
+  std::optional<double> contact_pressure;
+  double stress_spread;
   double seconds;
 };
 
@@ -62,8 +71,28 @@ struct SideTables {
   Pooled pooled;
 };
 
+/// The force-carrying structure: what it is like, and its degree of hyperstaticity.
+/// @param network, response  of all contacts that carry or might, taken over where they are the same
 template <int Dim>
-void add_mechanics(const State<Dim>& state, double zero_force, NetworkRow& row) {
+void add_carrying(const State<Dim>& state, const NetworkCommand& command, double zero_force,
+                  const ContactNetwork<Dim>& network, const ElasticResponse& response, NetworkRow& row) {
+  const Packing<Dim>& packing = state.packing;
+  const CarryingStructure held =
+      carrying_structure(packing, zero_force * force_scale(packing, state.target_stress).force,
+                         command.least_contacts.value_or(least_contacts(packing)));
+  row.carrying = carrying_forces(packing, held);
+  const bool same = held.contacts.size() == network.contacts.size() &&
+                    std::ranges::equal(held.contacts, network.contacts, {}, {}, &NetworkContact<Dim>::source);
+  if (same) {
+    row.hyperstaticity = force_indeterminacy(network, response);
+  } else {
+    const ContactNetwork<Dim> carrying = carrying_network(packing, held);
+    row.hyperstaticity = force_indeterminacy(carrying, elastic_response(carrying, {}));
+  }
+}
+
+template <int Dim>
+void add_mechanics(const State<Dim>& state, const NetworkCommand& command, double zero_force, NetworkRow& row) {
   ModuliOptions options;
   options.force_tolerance = zero_force;
   options.unloaded = state.target_stress.isZero(0.0);
@@ -71,12 +100,21 @@ void add_mechanics(const State<Dim>& state, double zero_force, NetworkRow& row) 
   const Moduli moduli = elastic_moduli(state.packing, options);
   const ContactMechanics<Dim> contacts = contact_mechanics(network, moduli);
   row.mechanics = network_mechanics(state.packing, network, moduli, contacts);
+  add_carrying(state, command, zero_force, network, moduli.response, row);
   if (contacts.isotropic) row.correlation = force_correlation(network, contacts.isotropic->increments);
   const auto vanishing =
       strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)).vanishing;
   if (!vanishing.empty())
     std::cerr << fmt::format("floc: {}: warning: moduli that vanish: {}\n", row.file,
                              fmt::join(vanishing, ", "));
+}
+
+template <int Dim>
+void add_contacts_and_stress(const Packing<Dim>& packing, NetworkRow& row) {
+  row.energy = elastic_energy_per_grain(packing);
+  if constexpr (Dim == 3) row.contact_pressure = largest_contact_pressure(packing);
+  const Vec<Dim> stress = static_stress(packing).diagonal();
+  row.stress_spread = stress.maxCoeff() - stress.minCoeff();
 }
 
 void add_distribution(const std::string& file, ForceKind kind, const ForceDistribution& d, Table& table) {
@@ -140,11 +178,40 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   std::vector<double> pressure;
   for (const Mat<Dim>& s : stress) pressure.push_back(s.trace() / Dim);
   row.phases = pressure_phases(contact_network(packing), pressure);
-  add_mechanics(state, tolerance, row);
+  add_mechanics(state, command, tolerance, row);
+  add_contacts_and_stress(packing, row);
   if (!command.distributions.empty()) add_distributions(file, packing, command, side);
   if (!command.pressures.empty()) add_pressures(file, packing, stress, side.pressures);
   row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return row;
+}
+
+std::vector<Column<NetworkRow>> carrying_columns() {
+  using Row = NetworkRow;
+  std::vector<Column<Row>> columns = {
+      {"n_carrying", [](const Row& r) { return count(r.carrying.n_contacts); }},
+      {"z_carrying", [](const Row& r) { return r.carrying.z; }},
+      {"x0_carrying", [](const Row& r) { return r.carrying.x0; }},
+      {"x2", [](const Row& r) { return r.carrying.x2; }},
+      {"z_star_carrying", [](const Row& r) { return r.carrying.z_star; }},
+      {"z_star_star", [](const Row& r) { return or_undefined(r.carrying.z_star_star); }},
+      {"hyperstaticity", [](const Row& r) { return count(r.hyperstaticity.degree); }},
+      {"n_null_modes", [](const Row& r) { return count(r.hyperstaticity.n_null_modes); }},
+      {"Z_1_3", [](const Row& r) { return r.carrying.Z_third; }},
+      {"Z_5_3", [](const Row& r) { return r.carrying.Z_five_thirds; }},
+      {"Z_2", [](const Row& r) { return r.carrying.Z2; }},
+      {"M1_carrying", [](const Row& r) { return r.carrying.M1; }},
+      {"M2_carrying", [](const Row& r) { return r.carrying.M2; }},
+      {"sliding_share", [](const Row& r) { return r.carrying.sliding_share; }},
+      {"energy_per_grain", [](const Row& r) { return r.energy; }},
+      {"p_max", [](const Row& r) { return or_undefined(r.contact_pressure); }},
+      {"stress_spread", [](const Row& r) { return r.stress_spread; }}};
+  for (int a = 0; a < 3; ++a)
+    for (int b = a; b < 3; ++b)
+      columns.emplace_back(fmt::format("fabric{}{}", a + 1, b + 1), [a, b](const Row& r) {
+        return b < r.dimension ? TableValue{r.carrying.fabric(a, b)} : TableValue{};
+      });
+  return columns;
 }
 
 std::vector<Column<NetworkRow>> counted_columns() {
@@ -219,7 +286,7 @@ int run_network(const NetworkCommand& command) {
   if (!command.distributions.empty()) write_csv(command.distributions, side.distributions);
   if (!command.pressures.empty()) write_csv(command.pressures, side.pressures);
   std::vector<Column<NetworkRow>> columns = counted_columns();
-  for (const auto& more : {force_columns(), mechanics_columns()})
+  for (const auto& more : {force_columns(), mechanics_columns(), carrying_columns()})
     columns.insert(columns.end(), more.begin(), more.end());
   print_table(to_table(columns, rows), command.format);
   return code;
@@ -236,6 +303,11 @@ Command add_network(CommandLine program) {
   app.add_option("--zero-force", command->zero_force,
                  "a normal force below this is zero, in max(F0, P a^(d-1)) [the force tolerance of the state]")
       .non_negative();
+  app.add_option(
+         "--least-contacts", command->least_contacts,
+         "contacts above that force which hold a grain of the force-carrying structure [2 where a contact "
+         "carries a tangential force, else d+1]")
+      .between(1, 100);
   app.add_option("--pdf", command->distributions,
                  "file for distributions of normal forces (with sign), tangential forces and rolling moments, "
                  "a row a bin");

@@ -6,6 +6,8 @@
 #include "floc/io/csv.h"
 #include "floc/io/state_file.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/tile.h"
+#include "support/crystals.h"
 #include "support/lattices.h"
 #include "support/run_program.h"
 #include "support/states.h"
@@ -122,6 +124,45 @@ TEST_F(Network, WritesParticleStressesThatAddUp) {
   const Outcome mixed = network("square.h5 spheres.h5 --particle-stress p.csv");
   EXPECT_EQ(mixed.code, 4);
   EXPECT_THAT(mixed.err, HasSubstr("spheres.h5: has another dimension"));
+}
+
+TEST_F(Network, TellsTheForceCarryingStructureOfSpheres) {
+  // fcc of Hertz contacts, a = E = 1, h = 0.01, one contact of 192 without force.
+  State<3> fcc;
+  fcc.packing = tiled<3>(crystal_of(face_centred_cubic(), 0.99, 1.0, elastic_law(1.0, 0.5, 0.0)), {2, 2, 2});
+  make_hertzian(1.0, 14.0 / 17.0, fcc.packing);
+  const double P = static_stress(fcc.packing).trace() / 3.0;
+  fcc.target_stress.setConstant(P);
+  write_state(scratch_.file("fcc.h5"), fcc);
+  const Outcome whole = network("fcc.h5 --format json");
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const json row = json::parse(whole.out).at(0);
+  EXPECT_NEAR(row.at("P").get<double>(), 9.619519e-4, 1e-10);
+  EXPECT_EQ(row.at("n_carrying"), 192);
+  EXPECT_EQ(row.at("z_star_star"), 12.0);
+  EXPECT_EQ(row.at("n_null_modes"), 3);
+  EXPECT_EQ(row.at("hyperstaticity"), 3 * 192 - 6 * 32 - 3 + 3);
+  EXPECT_NEAR(row.at("Z_1_3").get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(row.at("energy_per_grain").get<double>(), 8e-6, 1e-16);
+  EXPECT_NEAR(row.at("p_max").get<double>(), 2.0 / std::acos(-1.0) * 0.1, 1e-12);
+  EXPECT_NEAR(row.at("stress_spread").get<double>(), 0.0, 1e-14);
+  EXPECT_NEAR(row.at("fabric33").get<double>(), 0.0, 1e-14);
+  // A contact between (0, 0, 0) and (0, 1/2, 1/2) open: n n = (0, 1/2, 1/2) is missing of 192 * (1, 1, 1)/3.
+  Contact<3>& open = fcc.packing.contacts[0];
+  open.normal_force = open.elastic_force = 0.0;
+  write_state(scratch_.file("open.h5"), fcc);
+  const json other = json::parse(network("open.h5 --zero-force 1e-4 --format json").out).at(0);
+  EXPECT_EQ(other.at("n_carrying"), 191);
+  EXPECT_EQ(other.at("hyperstaticity"), 3 * 191 - 6 * 32);
+  double largest = -1.0;
+  for (const char* entry : {"fabric11", "fabric22", "fabric33"})
+    largest = std::max(largest, other.at(entry).get<double>());
+  EXPECT_NEAR(largest, 64.0 / 191.0 - 1.0 / 3.0, 1e-12);
+  EXPECT_EQ(json::parse(network("fcc.h5 --least-contacts 13 --format json").out).at(0).at("x0_carrying"), 1.0);
+  const json flat = json::parse(network("square.h5 --format json").out).at(0);
+  EXPECT_TRUE(flat.at("z_star_star").is_null());
+  EXPECT_TRUE(flat.at("fabric33").is_null());
+  EXPECT_NEAR(flat.at("energy_per_grain").get<double>(), 2.0 * 0.5 * 0.02 * 0.04, 1e-15);
 }
 
 TEST_F(Network, RefusesWhatIsNoForceOrFile) {

@@ -1,0 +1,73 @@
+#include "floc/structure/carrying_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace floc {
+namespace {
+
+void count(int dimension, const CarryingStructure& carrying, CarryingForces& out) {
+  const auto n = static_cast<double>(carrying.rattler.size());
+  if (n == 0.0) return;
+  out.n_contacts = static_cast<int>(carrying.contacts.size());
+  out.z = 2.0 * out.n_contacts / n;
+  out.x0 = carrying.n_rattlers / n;
+  out.x2 = static_cast<double>(std::count(carrying.degree.begin(), carrying.degree.end(), 2)) / n;
+  if (carrying.n_held() == 0) return;
+  out.z_star = 2.0 * out.n_contacts / carrying.n_held();
+  if (dimension == 3) out.z_star_star = out.z_star + 2.0 * out.x2 / (3.0 * (1.0 - out.x0));
+}
+
+/// Z(q), of contacts whose mean force is positive.
+template <int Dim>
+double reduced_moment(const Packing<Dim>& packing, const CarryingStructure& carrying, double mean, double q) {
+  double sum = 0.0;
+  for (const int k : carrying.contacts) sum += std::pow(packing.contacts[k].elastic_force / mean, q);
+  return sum / static_cast<double>(carrying.contacts.size());
+}
+
+template <int Dim>
+void add_mobilisation(const Packing<Dim>& packing, const CarryingStructure& carrying, double mean,
+                      CarryingForces& out) {
+  int n_above = 0, n_below = 0;
+  for (const int k : carrying.contacts) {
+    const Contact<Dim>& c = packing.contacts[k];
+    if (!(c.elastic_force > 0.0)) continue;
+    const double mobilised = c.shear_force.norm() / c.elastic_force;
+    if (c.elastic_force > mean)
+      out.M1 += mobilised, ++n_above;
+    else
+      out.M2 += mobilised, ++n_below;
+  }
+  if (n_above > 0) out.M1 /= n_above;
+  if (n_below > 0) out.M2 /= n_below;
+}
+
+}  // namespace
+
+template <int Dim>
+CarryingForces carrying_forces(const Packing<Dim>& packing, const CarryingStructure& carrying) {
+  CarryingForces out;
+  out.fabric = Mat<Dim>::Zero();
+  count(Dim, carrying, out);
+  if (carrying.contacts.empty()) return out;
+  double mean = 0.0;
+  for (const int k : carrying.contacts) {
+    const Contact<Dim>& c = packing.contacts[k];
+    mean += c.elastic_force / out.n_contacts;
+    out.sliding_share += (c.sliding ? 1.0 : 0.0) / out.n_contacts;
+    out.fabric += c.normal * c.normal.transpose() / out.n_contacts;
+  }
+  out.fabric -= Mat<Dim>::Identity() / Dim;
+  if (!(mean > 0.0)) return out;
+  out.Z_third = reduced_moment(packing, carrying, mean, 1.0 / 3.0);
+  out.Z2 = reduced_moment(packing, carrying, mean, 2.0);
+  out.Z_five_thirds = reduced_moment(packing, carrying, mean, 5.0 / 3.0);
+  add_mobilisation(packing, carrying, mean, out);
+  return out;
+}
+
+template CarryingForces carrying_forces(const Packing<2>&, const CarryingStructure&);
+template CarryingForces carrying_forces(const Packing<3>&, const CarryingStructure&);
+
+}  // namespace floc

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/network_packings.h"
+
+namespace floc::test {
+
+/// Cubic crystals of equal spheres in their conventional cell.
+struct CubicCrystal {
+  std::string name;
+  std::vector<Vec<3>> places;  ///< in units of the side of the cell
+  double side;                 ///< of the cell, in distances of neighbours
+  int z;                       ///< neighbours
+  double volume;               ///< c: each sphere has c r^3
+};
+
+inline CubicCrystal simple_cubic() {
+  return {"sc", {Vec<3>::Zero()}, 1.0, 6, 1.0};
+}
+
+inline CubicCrystal body_centred_cubic() {
+  return {
+      "bcc", {Vec<3>::Zero(), Vec<3>(0.5, 0.5, 0.5)}, std::sqrt(4.0 / 3.0), 8, 4.0 / (3.0 * std::sqrt(3.0))};
+}
+
+inline CubicCrystal face_centred_cubic() {
+  return {"fcc",
+          {Vec<3>::Zero(), Vec<3>(0.0, 0.5, 0.5), Vec<3>(0.5, 0.0, 0.5), Vec<3>(0.5, 0.5, 0.0)},
+          std::sqrt(2.0),
+          12,
+          1.0 / std::sqrt(2.0)};
+}
+
+inline std::vector<CubicCrystal> cubic_crystals() {
+  return {simple_cubic(), body_centred_cubic(), face_centred_cubic()};
+}
+
+/// The crystal with its neighbours at a distance, as spheres of a diameter.
+/// @param distance, diameter  (length); those that touch are in contact by the law
+inline Packing<3> crystal_of(const CubicCrystal& crystal, double distance, double diameter,
+                             const LawParameters& law) {
+  Packing<3> packing;
+  packing.law = law;
+  packing.cell.matrix = crystal.side * distance * Mat<3>::Identity();
+  packing.grains = Grains<3>::with_size(static_cast<int>(crystal.places.size()));
+  packing.grains.radius.assign(crystal.places.size(), 0.5 * diameter);
+  packing.grains.mass.assign(crystal.places.size(), 1.0);
+  for (std::size_t i = 0; i < crystal.places.size(); ++i)
+    packing.grains.position[i] = packing.cell.matrix * crystal.places[i];
+  find_contacts(packing);
+  return packing;
+}
+
+/// Gives the contacts of equal spheres the forces and stiffnesses of Hertz and Mindlin at their overlaps:
+/// N = (E/3) sqrt(a) h^1.5, K_T = ratio K_N. Tangential forces stay.
+/// @param E  E/(1 - nu^2) of the material (force/length^2)
+inline void make_hertzian(double E, double ratio, Packing<3>& packing) {
+  for (Contact<3>& c : packing.contacts) {
+    const double a = 2.0 * packing.grains.radius[c.i], h = -c.gap;
+    c.normal_force = c.elastic_force = E / 3.0 * std::sqrt(a) * std::pow(h, 1.5);
+    c.kn = 0.5 * E * std::sqrt(a * h);
+    c.kt = ratio * c.kn;
+  }
+}
+
+}  // namespace floc::test

@@ -16,6 +16,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/elasticity/error_budget.h"
+#include "floc/elasticity/mean_field.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/modes.h"
 #include "floc/elasticity/moduli_within.h"
@@ -72,6 +73,7 @@ struct ModuliRow {
   std::optional<double> B_prestress;  ///< where near-mechanisms make it count
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
+  MeanFieldEstimates mean_field;
   double seconds;
 };
 
@@ -169,6 +171,10 @@ std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& s
     rows[k].moduli = moduli[k];
     rows[k].reduced_pressure = reduced_pressure<Dim>(state.packing, moduli[k].pressure);
     if (!request.rolling_stiffness.empty()) rows[k].rolling_stiffness = request.rolling_stiffness[k];
+    ModuliOptions options = request.options;
+    if (rows[k].rolling_stiffness) options.rolling_stiffness = rows[k].rolling_stiffness;
+    rows[k].mean_field =
+        mean_field_estimates(options.loaded_network(state.packing), description.z, description.solid_fraction);
     rows[k].seconds = seconds / static_cast<double>(rows.size());
     if (request.options.method == ModuliMethod::factor && !request.accuracy)
       add_network(state, request.options, rows[k], increments);
@@ -309,6 +315,10 @@ std::vector<ModuliColumn> columns_for(const ModuliCommand& command, const std::v
                          [](const ModuliRow& r) { return or_undefined(r.moduli.G_without_prestress); });
   }
   columns.emplace_back("method", [](const ModuliRow& r) { return std::string(name_of(r.moduli.method)); });
+  columns.emplace_back("G_voigt_smooth_mean_field",
+                       [](const ModuliRow& r) { return r.mean_field.G_voigt_smooth; });
+  columns.emplace_back("B_reuss_mean_field", [](const ModuliRow& r) { return r.mean_field.B_reuss; });
+  columns.emplace_back("Z_hat", [](const ModuliRow& r) { return r.mean_field.Z_hat; });
   return columns;
 }
 

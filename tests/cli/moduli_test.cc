@@ -60,6 +60,15 @@ TEST_F(ModuliCommand, OfAForeignPackingGiveTheShearModulusOfTheProgramThatMadeIt
   EXPECT_NEAR(diagonal.at("B").get<double>() / row.at("B_without_prestress").get<double>(), 1.0, 1e-13);
 }
 
+TEST_F(ModuliCommand, HaveMeanFieldEstimatesBesideTheBounds) {
+  // Springs that are all alike: the estimate for different ones is the printed one.
+  const json row = json::parse(moduli("packing.h5 --format json").out).at(0);
+  const auto number = [&](const char* key) { return row.at(key).get<double>(); };
+  EXPECT_NEAR(number("B_reuss_mean_field") / number("B_reuss_printed"), 1.0, 1e-12);
+  EXPECT_NEAR(number("G_voigt_smooth_mean_field") / number("B_voigt_printed"), 0.5, 1e-12);
+  EXPECT_GT(number("Z_hat"), 1.0);
+}
+
 TEST_F(ModuliCommand, OfManyStatesSkipTheBadOneAndSaySo) {
   write_text(scratch_.file("text.h5"), "not a state");
   const Outcome o = moduli("packing.h5 none.h5 text.h5 packing.h5 --format csv");

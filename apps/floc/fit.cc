@@ -10,8 +10,9 @@ Command add_fit(CommandLine program) {
   CommandLine app = program.add_subcommand("fit", "fit a law to a table");
   app.require_one_subcommand();
   using AddFit = Command (*)(CommandLine);
-  constexpr std::array<AddFit, 5> kFits = {add_fit_consolidation, add_fit_preconsolidation, add_fit_elastic,
-                                           add_fit_dynamic_compaction, add_fit_force_distribution};
+  constexpr std::array<AddFit, 6> kFits = {
+      add_fit_consolidation, add_fit_preconsolidation,   add_fit_elastic,
+      add_fit_cycle,         add_fit_dynamic_compaction, add_fit_force_distribution};
   auto fits = std::make_shared<std::vector<Command>>();
   for (const AddFit add : kFits) fits->push_back(add(app));
   return {app, [fits] {

@@ -6,9 +6,6 @@
 namespace floc {
 namespace {
 
-/// Pressures that differ by less are the same one.
-constexpr double kSamePressure = 1e-3;
-
 void add_point(const std::vector<PathRow>& rows, std::size_t i, Loading& loading) {
   loading.curve.P_star.push_back(rows[i].P_star);
   loading.curve.phi.push_back(rows[i].phi);

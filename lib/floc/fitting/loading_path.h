@@ -7,6 +7,9 @@
 
 namespace floc {
 
+/// Pressures that differ by less than this share are the same one.
+inline constexpr double kSamePressure = 1e-3;
+
 /// One row of a path table.
 struct PathRow {
   std::string branch;  ///< empty in a table without branches

@@ -1,0 +1,183 @@
+#include "structure_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+#include "columns.h"
+#include "floc/network/rattlers.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/structure/coverage.h"
+#include "floc/structure/gap_coordination.h"
+#include "floc/structure/pair_correlation.h"
+#include "floc/structure/pores.h"
+#include "floc/structure/pushed_rattlers.h"
+
+namespace floc {
+namespace {
+
+ScatteringFit fit_of(const Scattering& s, const StructureCommand& command, double diameter) {
+  std::vector<ScatteredPoint> points;
+  for (std::size_t b = 0; b < s.k.size(); ++b) points.push_back({s.k[b], s.I[b], s.n_vectors[b]});
+  const double unit = 2.0 * std::numbers::pi / diameter;
+  return fit_scattering(points, command.fit_range[0] * unit, command.fit_range[1] * unit);
+}
+
+/// Says what a fit could not do, and adds the intensity to its table.
+void report(const std::string& file, const Scattering& s, const ScatteringFit& fit, Table& table) {
+  if (!fit.found()) std::cerr << fmt::format("floc: {}: no fit of I(k): {}\n", file, fit.refusal);
+  for (const std::string& warning : fit.warnings)
+    std::cerr << fmt::format("floc: {}: warning: {}\n", file, warning);
+  const bool drawn = fit.found() && std::all_of(fit.parameters.begin(), fit.parameters.end(),
+                                                [](const FittedParameter& p) { return p.value.has_value(); });
+  for (std::size_t b = 0; b < s.k.size(); ++b) {
+    const bool used = drawn && s.k[b] >= fit.low && s.k[b] <= fit.high;
+    table.rows.push_back(
+        {file, s.k[b], s.I[b], s.n_vectors[b],
+         used ? TableValue{scattered_intensity(*fit.parameters[0].value, *fit.parameters[1].value,
+                                               *fit.parameters[2].value, s.k[b])}
+              : TableValue{}});
+  }
+}
+
+void add_scattering(const Packing<2>& packing, const StructureCommand& command, Series& series,
+                    StructureRow& row) {
+  const ScatteringMesh mesh = scattering_mesh(packing, command.scattering);
+  const Packing<2> shortest = in_shortest_cell(packing);
+  row.mesh_spacing = mesh.spacing;
+  row.mesh = mesh.size(shortest.cell);
+  const CoverageMap coverage = coverage_map(shortest, row.mesh);
+  ScatteringAverage alone(mesh.edges);
+  alone.add(shortest.cell, coverage);
+  const Scattering s = alone.result();
+  row.fit = fit_of(s, command, largest_diameter(packing.grains));
+  report(row.file, s, *row.fit, series.intensity);
+  if (!command.average) return;
+  if (!series.average) {
+    series.mesh = mesh;
+    series.diameter = largest_diameter(packing.grains);
+    series.average.emplace(mesh.edges);
+    series.mean.mesh_spacing = mesh.spacing;
+  }
+  series.average->add(shortest.cell, coverage);
+}
+
+void add_pores(const Packing<2>& packing, Series& series, StructureRow& row) {
+  const Pores pores = find_pores(packing);
+  if (!pores.refusal.empty()) {
+    std::cerr << fmt::format("floc: {}: warning: {}\n", row.file, pores.refusal);
+    return;
+  }
+  row.n_pores = static_cast<std::int64_t>(pores.pores.size());
+  row.unbounded = pores.unbounded;
+  if (pores.unbounded)
+    std::cerr << fmt::format(
+        "floc: {}: warning: a pore winds around the cell: it has no size and is left out\n", row.file);
+  if (!pores.pores.empty()) row.pore_size = pores.size, row.pore_mean_area = pores.mean_area;
+  for (const Pore& p : pores.pores)
+    series.pores.rows.push_back({row.file, p.centre[0], p.centre[1], p.area, p.gyration_radius,
+                                 static_cast<std::int64_t>(p.grains.size())});
+  series.pore_area += pores.total_area;
+  series.pore_second_moment += pores.total_area * pores.size * pores.size;
+  series.mean.n_pores = series.mean.n_pores.value_or(0) + *row.n_pores;
+}
+
+void add_map(const std::string& file, const Packing<2>& packing, const StructureCommand& command,
+             Table& table) {
+  const CoverageMap map = coverage_map(packing, {command.map_size[0], command.map_size[1]});
+  for (int k1 = 0; k1 < map.size[0]; ++k1)
+    for (int k2 = 0; k2 < map.size[1]; ++k2) {
+      const Vec<2> middle((k1 + 0.5) / map.size[0], (k2 + 0.5) / map.size[1]);
+      const Vec<2> x = packing.cell.matrix.transpose() * middle;
+      table.rows.push_back({file, count(k1), count(k2), x[0], x[1], map(k1, k2)});
+    }
+}
+
+template <int Dim>
+void add_pairs(const std::string& file, const Packing<Dim>& packing, const StructureCommand& command,
+               Table& table) {
+  constexpr double kBinsPerDiameter = 50.0;
+  const double reach = command.reach * largest_diameter(packing.grains);
+  const PairCorrelation found =
+      pair_correlation(packing, reach, static_cast<int>(std::ceil(command.reach * kBinsPerDiameter)));
+  for (int b = 0; b < static_cast<int>(found.g.size()); ++b)
+    table.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b]});
+}
+
+/// Gaps from none over 1e-6 to 1 largest diameters, ten a decade.
+std::vector<double> gaps_of(double diameter) {
+  std::vector<double> gaps = {0.0};
+  for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
+  return gaps;
+}
+
+template <int Dim>
+void add_gaps(const std::string& file, const State<Dim>& state, Table& table) {
+  const Packing<Dim>& packing = state.packing;
+  const double zero_force = state.tolerance.force * force_scale(packing, state.target_stress).force;
+  const std::vector<double> gaps = gaps_of(largest_diameter(packing.grains));
+  const std::vector<double> z = gap_coordination(packing, gaps);
+  const std::vector<double> pushed =
+      gap_coordination(with_pushed_rattlers(packing, find_rattlers(packing, zero_force)), gaps);
+  for (std::size_t k = 0; k < gaps.size(); ++k) table.rows.push_back({file, gaps[k], z[k], pushed[k]});
+}
+
+}  // namespace
+
+template <int Dim>
+StructureRow structure_row(const std::string& file, const State<Dim>& state, const StructureCommand& command,
+                           Series& series) {
+  const auto start = std::chrono::steady_clock::now();
+  const Packing<Dim>& packing = state.packing;
+  StructureRow row;
+  row.file = file;
+  row.dimension = Dim;
+  row.n_grains = packing.grains.size();
+  row.reduced_pressure = reduced_pressure(packing, static_stress(packing).trace() / Dim);
+  row.solid_fraction = solid_fraction(packing);
+  if constexpr (Dim == 2) {
+    add_scattering(packing, command, series, row);
+    add_pores(packing, series, row);
+    if (!command.map.empty()) add_map(file, packing, command, series.map);
+  } else {
+    std::cerr << fmt::format("floc: {}: warning: is 3D: I(k), pores and maps are for disks and left out\n",
+                             file);
+  }
+  if (!command.pairs.empty()) add_pairs(file, packing, command, series.pairs);
+  if (!command.gaps.empty()) add_gaps(file, state, series.gaps);
+  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return row;
+}
+
+StructureRow averaged(const std::vector<StructureRow>& rows, const StructureCommand& command, Series& series) {
+  StructureRow mean = series.mean;
+  mean.file = "average";
+  const auto n = static_cast<double>(rows.size());
+  for (const StructureRow& row : rows) {
+    mean.dimension = row.dimension;
+    mean.n_grains += row.n_grains;
+    mean.reduced_pressure += row.reduced_pressure / n;
+    mean.solid_fraction += row.solid_fraction / n;
+    mean.unbounded = mean.unbounded || row.unbounded;
+    mean.seconds += row.seconds;
+  }
+  const Scattering s = series.average->result();
+  mean.fit = fit_of(s, command, series.diameter);
+  report(mean.file, s, *mean.fit, series.intensity);
+  if (series.pore_area > 0.0) {
+    mean.pore_size = std::sqrt(series.pore_second_moment / series.pore_area);
+    mean.pore_mean_area = series.pore_area / static_cast<double>(*mean.n_pores);
+  }
+  return mean;
+}
+
+template StructureRow structure_row(const std::string&, const State<2>&, const StructureCommand&, Series&);
+template StructureRow structure_row(const std::string&, const State<3>&, const StructureCommand&, Series&);
+
+}  // namespace floc

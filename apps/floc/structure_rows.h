@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "floc/fitting/scattering_fit.h"
+#include "floc/io/table.h"
+#include "floc/packing/state.h"
+#include "floc/structure/scattering.h"
+
+namespace floc {
+
+struct StructureCommand {
+  std::vector<std::string> files;
+  ScatteringOptions scattering;
+  std::vector<double> fit_range = {0.0, 1.0};  ///< in 2 pi over the largest diameter
+  bool average = false;
+  std::string intensity, pairs, gaps, pores, map;  ///< files for series; empty: none
+  double reach = 5.0;                              ///< of g(r), in largest diameters
+  std::vector<int> map_size = {32, 32};
+  std::string format;
+};
+
+/// One row: the structure of a state, or of all together.
+struct StructureRow {
+  std::string file;
+  int dimension = 0;
+  std::int64_t n_grains = 0;
+  double reduced_pressure = 0.0, solid_fraction = 0.0;
+  std::optional<double> mesh_spacing;
+  Vec<2, int> mesh = Vec<2, int>::Zero();
+  std::optional<ScatteringFit> fit;
+  std::optional<std::int64_t> n_pores;
+  std::optional<double> pore_size, pore_mean_area;
+  bool unbounded = false;
+  double seconds = 0.0;
+};
+
+/// What goes to files, and sums over the states.
+struct Series {
+  Table intensity{{"file", "k", "I", "n_vectors", "I_fit"}, {}};
+  Table pairs{{"file", "r", "g", "n_pairs"}, {}};
+  Table gaps{{"file", "gap", "z", "z_pushed"}, {}};
+  Table pores{{"file", "x1", "x2", "area", "gyration_radius", "n_grains"}, {}};
+  Table map{{"file", "k1", "k2", "x1", "x2", "solid_fraction"}, {}};
+  std::optional<ScatteringMesh> mesh;  ///< that of the first state
+  std::optional<ScatteringAverage> average;
+  double diameter = 0.0;  ///< largest, of the first state
+  double pore_area = 0.0, pore_second_moment = 0.0;
+  StructureRow mean;  ///< sums, until they are divided by the number of states
+};
+
+/// What is asked for of one state; rows of series go to `series`.
+template <int Dim>
+StructureRow structure_row(const std::string& file, const State<Dim>& state, const StructureCommand& command,
+                           Series& series);
+
+/// The last row: all states as samples of one.
+StructureRow averaged(const std::vector<StructureRow>& rows, const StructureCommand& command, Series& series);
+
+}  // namespace floc

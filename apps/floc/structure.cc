@@ -65,7 +65,8 @@ int run_structure(const StructureCommand& command) {
                                     {&command.pairs, &series.pairs},
                                     {&command.gaps, &series.gaps},
                                     {&command.pores, &series.pores},
-                                    {&command.map, &series.map}})
+                                    {&command.map, &series.map},
+                                    {&command.prediction, &series.prediction}})
     if (!path->empty()) write_csv(*path, *table);
   print_table(to_table(all_columns(), rows), command.format);
   return code;
@@ -99,6 +100,9 @@ Command add_structure(CommandLine program) {
   app.add_option("--reach", command->reach, "of g(r), in largest diameters").positive().show_default();
   app.add_option("--gaps", command->gaps,
                  "file for z(h), neighbours within a gap h: rattlers as found, and pushed against the others");
+  app.add_option("--prediction", command->prediction,
+                 "file for P and z that the first state would have at the solid fraction of each, shrunk or "
+                 "expanded as a whole");
   app.add_option("--pores", command->pores, "file for the pores, a row each");
   app.add_option("--map", command->map, "file for the local solid fraction, a row a mesh cell");
   app.add_option("--map-size", command->map_size, "mesh cells along each lattice vector")

@@ -9,10 +9,12 @@
 #include <numbers>
 
 #include "columns.h"
+#include "floc/base/error.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/structure/coordination.h"
 #include "floc/structure/coverage.h"
 #include "floc/structure/gap_coordination.h"
 #include "floc/structure/pair_correlation.h"
@@ -99,15 +101,22 @@ void add_map(const std::string& file, const Packing<2>& packing, const Structure
     }
 }
 
+/// What lengths are multiplied by to compare a packing with the first one: (Phi/Phi0)^(1/Dim).
+template <int Dim>
+double rescaling(const Packing<Dim>& packing, const Series& series) {
+  return std::pow(solid_fraction(packing) / *series.reference_phi, 1.0 / Dim);
+}
+
 template <int Dim>
 void add_pairs(const std::string& file, const Packing<Dim>& packing, const StructureCommand& command,
-               Table& table) {
+               Series& series) {
   constexpr double kBinsPerDiameter = 50.0;
   const double reach = command.reach * largest_diameter(packing.grains);
   const PairCorrelation found =
       pair_correlation(packing, reach, static_cast<int>(std::ceil(command.reach * kBinsPerDiameter)));
+  const double scale = rescaling(packing, series);
   for (int b = 0; b < static_cast<int>(found.g.size()); ++b)
-    table.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b]});
+    series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
 }
 
 /// Gaps from none over 1e-6 to 1 largest diameters, ten a decade.
@@ -117,15 +126,36 @@ std::vector<double> gaps_of(double diameter) {
   return gaps;
 }
 
+/// Rattlers by the tolerance that the state was brought to equilibrium with.
 template <int Dim>
-void add_gaps(const std::string& file, const State<Dim>& state, Table& table) {
+std::vector<bool> rattlers_of(const State<Dim>& state) {
+  return find_rattlers(state.packing,
+                       state.tolerance.force * force_scale(state.packing, state.target_stress).force);
+}
+
+template <int Dim>
+void add_gaps(const std::string& file, const State<Dim>& state, Series& series) {
   const Packing<Dim>& packing = state.packing;
-  const double zero_force = state.tolerance.force * force_scale(packing, state.target_stress).force;
-  const std::vector<double> gaps = gaps_of(largest_diameter(packing.grains));
+  const double a = largest_diameter(packing.grains);
+  const std::vector<double> gaps = gaps_of(a);
   const std::vector<double> z = gap_coordination(packing, gaps);
-  const std::vector<double> pushed =
-      gap_coordination(with_pushed_rattlers(packing, find_rattlers(packing, zero_force)), gaps);
-  for (std::size_t k = 0; k < gaps.size(); ++k) table.rows.push_back({file, gaps[k], z[k], pushed[k]});
+  const std::vector<double> pushed = gap_coordination(with_pushed_rattlers(packing, rattlers_of(state)), gaps);
+  const double scale = rescaling(packing, series);
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+    series.gaps.rows.push_back({file, gaps[k], z[k], pushed[k], scale * (a + gaps[k]) - a});
+}
+
+template <int Dim>
+void add_prediction(const std::string& file, const State<Dim>& state, Series& series) {
+  if (std::holds_alternative<std::monostate>(series.affine))
+    series.affine = AffineReference<Dim>(state.packing, rattlers_of(state));
+  const auto* reference = std::get_if<AffineReference<Dim>>(&series.affine);
+  if (reference == nullptr)
+    throw InputError(file, "has another dimension than the first state: no prediction follows from that one");
+  const double phi = solid_fraction(state.packing);
+  const AffinePrediction p = reference->at(phi);
+  series.prediction.rows.push_back({series.reference, file, phi, static_stress(state.packing).trace() / Dim,
+                                    coordination(state.packing, 0.0).z, p.pressure, p.z, p.z_pushed});
 }
 
 }  // namespace
@@ -149,8 +179,10 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
     std::cerr << fmt::format("floc: {}: warning: is 3D: I(k), pores and maps are for disks and left out\n",
                              file);
   }
-  if (!command.pairs.empty()) add_pairs(file, packing, command, series.pairs);
-  if (!command.gaps.empty()) add_gaps(file, state, series.gaps);
+  if (!series.reference_phi) series.reference = file, series.reference_phi = row.solid_fraction;
+  if (!command.pairs.empty()) add_pairs(file, packing, command, series);
+  if (!command.gaps.empty()) add_gaps(file, state, series);
+  if (!command.prediction.empty()) add_prediction(file, state, series);
   row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return row;
 }

@@ -2,11 +2,13 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "floc/fitting/scattering_fit.h"
 #include "floc/io/table.h"
 #include "floc/packing/state.h"
+#include "floc/structure/affine_prediction.h"
 #include "floc/structure/scattering.h"
 
 namespace floc {
@@ -16,8 +18,8 @@ struct StructureCommand {
   ScatteringOptions scattering;
   std::vector<double> fit_range = {0.0, 1.0};  ///< in 2 pi over the largest diameter
   bool average = false;
-  std::string intensity, pairs, gaps, pores, map;  ///< files for series; empty: none
-  double reach = 5.0;                              ///< of g(r), in largest diameters
+  std::string intensity, pairs, gaps, pores, map, prediction;  ///< files for series; empty: none
+  double reach = 5.0;                                          ///< of g(r), in largest diameters
   std::vector<int> map_size = {32, 32};
   std::string format;
 };
@@ -40,10 +42,16 @@ struct StructureRow {
 /// What goes to files, and sums over the states.
 struct Series {
   Table intensity{{"file", "k", "I", "n_vectors", "I_fit"}, {}};
-  Table pairs{{"file", "r", "g", "n_pairs"}, {}};
-  Table gaps{{"file", "gap", "z", "z_pushed"}, {}};
+  Table pairs{{"file", "r", "g", "n_pairs", "r_rescaled"}, {}};
+  Table gaps{{"file", "gap", "z", "z_pushed", "gap_rescaled"}, {}};
   Table pores{{"file", "x1", "x2", "area", "gyration_radius", "n_grains"}, {}};
   Table map{{"file", "k1", "k2", "x1", "x2", "solid_fraction"}, {}};
+  Table prediction{{"reference", "file", "phi", "P", "z", "P_predicted", "z_predicted", "z_pushed_predicted"},
+                   {}};
+  std::string reference;                ///< file of the first state
+  std::optional<double> reference_phi;  ///< its solid fraction
+  /// What it would be at other solid fractions, where that is asked for.
+  std::variant<std::monostate, AffineReference<2>, AffineReference<3>> affine;
   std::optional<ScatteringMesh> mesh;  ///< that of the first state
   std::optional<ScatteringAverage> average;
   double diameter = 0.0;  ///< largest, of the first state

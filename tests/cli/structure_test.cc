@@ -7,6 +7,7 @@
 
 #include "floc/io/csv.h"
 #include "floc/io/state_file.h"
+#include "support/crystals.h"
 #include "support/lattices.h"
 #include "support/run_program.h"
 #include "support/states.h"
@@ -65,7 +66,7 @@ TEST_F(Structure, WritesSeriesOfEachState) {
       "--map-size 4,5");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(table("I.csv").columns(), ElementsAre("file", "k", "I", "n_vectors", "I_fit"));
-  EXPECT_THAT(table("g.csv").columns(), ElementsAre("file", "r", "g", "n_pairs"));
+  EXPECT_THAT(table("g.csv").columns(), ElementsAre("file", "r", "g", "n_pairs", "r_rescaled"));
   EXPECT_THAT(table("p.csv").columns(), ElementsAre("file", "x1", "x2", "area", "gyration_radius", "n_grains"));
   const CsvTable map = table("m.csv");
   ASSERT_EQ(map.n_rows(), 40);
@@ -73,7 +74,7 @@ TEST_F(Structure, WritesSeriesOfEachState) {
   for (int r = 0; r < 20; ++r) mean += map.number(r, map.column("solid_fraction")) / 20.0;
   EXPECT_NEAR(mean, 8.0 * std::numbers::pi * 0.51 * 0.51 / 16.0, 1e-12);
   const CsvTable z = table("z.csv");
-  EXPECT_THAT(z.columns(), ElementsAre("file", "gap", "z", "z_pushed"));
+  EXPECT_THAT(z.columns(), ElementsAre("file", "gap", "z", "z_pushed", "gap_rescaled"));
   // Without adhesion the dead grain of the frame is a rattler: pushed, it touches two.
   EXPECT_EQ(z.number(0, 1), 0.0);
   EXPECT_NEAR(z.number(0, 2), 2.0, 1e-15);
@@ -107,6 +108,33 @@ TEST_F(Structure, OfSpheresIsWhatHasAMeaningThere) {
   EXPECT_TRUE(json::parse(o.out).at(0).at("n_pores").is_null());
   EXPECT_GT(table("g.csv").n_rows(), 0);
   EXPECT_GT(table("z.csv").n_rows(), 0);
+}
+
+TEST_F(Structure, ComparesStatesInRescaledDistance) {
+  // One crystal at two densities: the same places in units that shrink with it.
+  for (const double r : {1.0, 0.8}) {
+    State<3> bcc;
+    bcc.packing = crystal_of(body_centred_cubic(), r, 1.0001, elastic_law(3.0, 0.0, 0.0));
+    bcc.target_stress.setConstant(1.0);
+    write_state(scratch_.file(r == 1.0 ? "loose.h5" : "dense.h5"), bcc);
+  }
+  const Outcome o =
+      structure("loose.h5 dense.h5 --pair-correlation g.csv --gaps z.csv --prediction p.csv --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const CsvTable g = table("g.csv"), z = table("z.csv"), p = table("p.csv");
+  const int r = g.column("r"), rescaled = g.column("r_rescaled");
+  EXPECT_NEAR(g.number(0, rescaled), g.number(0, r), 1e-12);
+  EXPECT_NEAR(g.number(g.n_rows() - 1, rescaled), g.number(g.n_rows() - 1, r) / 0.8, 1e-12);
+  const int gap = z.column("gap_rescaled");
+  EXPECT_NEAR(z.number(0, gap), 0.0, 1e-12);
+  EXPECT_NEAR(z.number(z.n_rows() / 2, gap), 1.0001 / 0.8 - 1.0001, 1e-12);  // no gap in the dense one
+  ASSERT_EQ(p.n_rows(), 2);
+  EXPECT_EQ(p.text(1, p.column("reference")), "loose.h5");
+  for (int row : {0, 1})
+    for (const char* what : {"P", "z"})
+      EXPECT_NEAR(p.number(row, p.column(std::string(what) + "_predicted")), p.number(row, p.column(what)),
+                  1e-12);
+  EXPECT_EQ(structure("loose.h5 frames.h5 --prediction p.csv").code, 4);
 }
 
 TEST_F(Structure, BadInputIsNamedAndTheOthersAreDone) {

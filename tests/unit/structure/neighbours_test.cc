@@ -11,6 +11,7 @@
 #include "floc/structure/gap_coordination.h"
 #include "floc/structure/pair_correlation.h"
 #include "floc/structure/pushed_rattlers.h"
+#include "support/crystals.h"
 #include "support/lattices.h"
 
 namespace floc::test {
@@ -52,6 +53,31 @@ TEST(GapCoordination, CountsPairsUpToEachGap) {
 TEST(GapCoordination, WithoutAGapIsThatOfContacts) {
   const Packing<2> packing = random_packing<2>(60, 9, elastic_law(1.0, 0.0, 0.0));
   EXPECT_NEAR(gap_coordination(packing, {0.0, 1.0})[0], coordination(packing, 0.0).z, 1e-12);
+}
+
+TEST(Neighbours, OfCubicCrystalsAreTheirShells) {
+  // Distances of the shells in those of the first, and spheres in them.
+  const std::vector<std::vector<std::pair<double, int>>> shells = {
+      {{1.0, 6}, {std::sqrt(2.0), 12}, {std::sqrt(3.0), 8}, {2.0, 6}},
+      {{1.0, 8}, {std::sqrt(4.0 / 3.0), 6}, {std::sqrt(8.0 / 3.0), 12}, {std::sqrt(11.0 / 3.0), 24}},
+      {{1.0, 12}, {std::sqrt(2.0), 6}, {std::sqrt(3.0), 24}, {2.0, 12}}};
+  for (int k = 0; k < 3; ++k) {
+    const CubicCrystal crystal = cubic_crystals()[k];
+    const Packing<3> packing = crystal_of(crystal, 1.0, 0.9, elastic_law(1.0, 0.0, 0.0));
+    const int n_bins = 400;
+    const PairCorrelation found = pair_correlation(packing, 2.05, n_bins);
+    int within = 0;
+    for (const auto& [distance, n] : shells[k]) {
+      const int bin = static_cast<int>(distance / found.width + 1e-9);
+      EXPECT_EQ(2.0 * static_cast<double>(found.n_pairs[bin]) / packing.grains.size(), n)
+          << crystal.name << distance;
+      const double r = bin * found.width,
+                   shell = 4.0 / 3.0 * std::numbers::pi * (std::pow(r + found.width, 3) - std::pow(r, 3));
+      EXPECT_NEAR(found.g[bin] * shell / crystal.volume, n, 1e-9) << crystal.name << distance;
+      within += n;
+      EXPECT_EQ(gap_coordination(packing, {distance - 0.9 + 1e-9})[0], within) << crystal.name << distance;
+    }
+  }
 }
 
 /// Smallest gap of grain i to others, and how many grains are within a hair of it.

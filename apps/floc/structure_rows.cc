@@ -48,26 +48,46 @@ void report(const std::string& file, const Scattering& s, const ScatteringFit& f
   }
 }
 
+/// The fit of a state's I(k), and its table.
+void add_fit(const Scattering& s, double diameter, const StructureCommand& command, Series& series,
+             StructureRow& row) {
+  row.fit = fit_of(s, command, diameter);
+  report(row.file, s, *row.fit, series.intensity);
+}
+
+/// The average over states, binned like the first of them.
+ScatteringAverage& average_in(Series& series, const std::vector<double>& edges, double diameter) {
+  if (!series.average) {
+    series.diameter = diameter;
+    series.average.emplace(edges);
+  }
+  return *series.average;
+}
+
 void add_scattering(const Packing<2>& packing, const StructureCommand& command, Series& series,
                     StructureRow& row) {
   const ScatteringMesh mesh = scattering_mesh(packing, command.scattering);
   const Packing<2> shortest = in_shortest_cell(packing);
+  const double diameter = largest_diameter(packing.grains);
   row.mesh_spacing = mesh.spacing;
   row.mesh = mesh.size(shortest.cell);
   const CoverageMap coverage = coverage_map(shortest, row.mesh);
   ScatteringAverage alone(mesh.edges);
   alone.add(shortest.cell, coverage);
-  const Scattering s = alone.result();
-  row.fit = fit_of(s, command, largest_diameter(packing.grains));
-  report(row.file, s, *row.fit, series.intensity);
+  add_fit(alone.result(), diameter, command, series, row);
   if (!command.average) return;
-  if (!series.average) {
-    series.mesh = mesh;
-    series.diameter = largest_diameter(packing.grains);
-    series.average.emplace(mesh.edges);
-    series.mean.mesh_spacing = mesh.spacing;
-  }
-  series.average->add(shortest.cell, coverage);
+  if (!series.average) series.mean.mesh_spacing = mesh.spacing;
+  average_in(series, mesh.edges, diameter).add(shortest.cell, coverage);
+}
+
+void add_scattering(const Packing<3>& packing, const StructureCommand& command, Series& series,
+                    StructureRow& row) {
+  const double diameter = largest_diameter(packing.grains);
+  const std::vector<double> edges = scattering_edges(packing, command.scattering);
+  ScatteringAverage alone(edges);
+  alone.add(packing, command.scattering.most_vectors);
+  add_fit(alone.result(), diameter, command, series, row);
+  if (command.average) average_in(series, edges, diameter).add(packing, command.scattering.most_vectors);
 }
 
 void add_pores(const Packing<2>& packing, Series& series, StructureRow& row) {
@@ -171,13 +191,12 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
   row.n_grains = packing.grains.size();
   row.reduced_pressure = reduced_pressure(packing, static_stress(packing).trace() / Dim);
   row.solid_fraction = solid_fraction(packing);
+  add_scattering(packing, command, series, row);
   if constexpr (Dim == 2) {
-    add_scattering(packing, command, series, row);
     add_pores(packing, series, row);
     if (!command.map.empty()) add_map(file, packing, command, series.map);
   } else {
-    std::cerr << fmt::format("floc: {}: warning: is 3D: I(k), pores and maps are for disks and left out\n",
-                             file);
+    std::cerr << fmt::format("floc: {}: warning: is 3D: pores and maps are for disks and left out\n", file);
   }
   if (!series.reference_phi) series.reference = file, series.reference_phi = row.solid_fraction;
   if (!command.pairs.empty()) add_pairs(file, packing, command, series);

@@ -52,7 +52,6 @@ struct Series {
   std::optional<double> reference_phi;  ///< its solid fraction
   /// What it would be at other solid fractions, where that is asked for.
   std::variant<std::monostate, AffineReference<2>, AffineReference<3>> affine;
-  std::optional<ScatteringMesh> mesh;  ///< that of the first state
   std::optional<ScatteringAverage> average;
   double diameter = 0.0;  ///< largest, of the first state
   double pore_area = 0.0, pore_second_moment = 0.0;

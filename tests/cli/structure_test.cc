@@ -102,10 +102,12 @@ TEST_F(Structure, AveragesStatesWhenAsked) {
 }
 
 TEST_F(Structure, OfSpheresIsWhatHasAMeaningThere) {
-  const Outcome o = structure("spheres.h5 --pair-correlation g.csv --gaps z.csv --format json");
+  const Outcome o =
+      structure("spheres.h5 --intensity I.csv --pair-correlation g.csv --gaps z.csv --format json");
   ASSERT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("spheres.h5: warning: is 3D: I(k), pores and maps are for disks"));
+  EXPECT_THAT(o.err, HasSubstr("spheres.h5: warning: is 3D: pores and maps are for disks"));
   EXPECT_TRUE(json::parse(o.out).at(0).at("n_pores").is_null());
+  EXPECT_GT(table("I.csv").n_rows(), 0);
   EXPECT_GT(table("g.csv").n_rows(), 0);
   EXPECT_GT(table("z.csv").n_rows(), 0);
 }

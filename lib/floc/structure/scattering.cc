@@ -46,6 +46,14 @@ double kept_by_averaging(int n, int size) {
 
 }  // namespace
 
+std::vector<double> scattering_bins(double largest, double unit, double growth) {
+  std::vector<double> edges = {0.5 * unit};
+  while (edges.back() < largest) edges.push_back(std::max(edges.back() + unit, edges.back() * growth));
+  if (edges.size() == 1) edges.push_back(edges[0] * growth);  // a tiny cell: no wave fits
+  edges.back() = std::max(largest, edges[0] * growth);
+  return edges;
+}
+
 Vec<2, int> ScatteringMesh::size(const Cell<2>& cell) const {
   Vec<2, int> n;
   for (int a = 0; a < 2; ++a)
@@ -68,13 +76,7 @@ ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOption
   mesh.spacing = std::max(a / (options.largest * options.cells_per_wave),
                           std::sqrt(area / static_cast<double>(options.most_cells)));
   const double largest = kTwoPi / (mesh.spacing * options.cells_per_wave);
-  const double unit = kTwoPi / std::sqrt(area);
-  mesh.edges.push_back(0.5 * unit);
-  while (mesh.edges.back() < largest)
-    mesh.edges.push_back(std::max(mesh.edges.back() + unit, mesh.edges.back() * options.bin_growth));
-  if (mesh.edges.size() == 1)
-    mesh.edges.push_back(mesh.edges[0] * options.bin_growth);  // a tiny cell: no wave fits
-  mesh.edges.back() = std::max(largest, mesh.edges[0] * options.bin_growth);
+  mesh.edges = scattering_bins(largest, kTwoPi / std::sqrt(area), options.bin_growth);
   return mesh;
 }
 

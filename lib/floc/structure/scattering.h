@@ -7,11 +7,11 @@
 
 namespace floc {
 
-/// Intensity I(k) = |chi_hat(k)|^2/A of the indicator chi of the grains (2D; docs/physics.md, "Structure"),
-/// averaged over directions in bins of k.
+/// Intensity I(k) = |chi_hat(k)|^2/V of the indicator chi of the grains (docs/physics.md, "Structure"), V the
+/// volume of the cell, averaged over directions in bins of k.
 struct Scattering {
   std::vector<double> k;                ///< mean over the wave vectors of each bin (1/length)
-  std::vector<double> I;                ///< (area)
+  std::vector<double> I;                ///< (length^Dim)
   std::vector<std::int64_t> n_vectors;  ///< independent ones, k and -k counted once; their I scatter by 100 %
 };
 
@@ -22,11 +22,20 @@ struct ScatteringOptions {
   /// Mesh cells for each wave length of the largest k. The mesh holds averages over its cells, which is undone;
   /// what folds back from shorter waves is below 1 % of I at 8, and smaller by the power 5 of k below.
   double cells_per_wave = 8.0;
-  /// Bins are this much wider than the one before, and no narrower than 2 pi/sqrt(A).
+  /// Bins are this much wider than the one before, and no narrower than 2 pi/V^(1/Dim).
   double bin_growth = 1.05;
+  /// Of spheres, more wave vectors than this in a bin are not summed over but drawn from: an error of
+  /// 1/sqrt(n) of I, 6 %, no more than bins of small k have anyway.
+  int most_vectors = 300;
+  /// Wave vectors that are drawn from, in all: the largest k is lowered.
+  std::int64_t most_waves = std::int64_t{1} << 24;
   /// Larger meshes are not made: the largest k is lowered.
   std::int64_t most_cells = std::int64_t{1} << 26;
 };
+
+/// Edges of bins of k, each `growth` times the one before it but no narrower than `unit`, the smallest k that a
+/// cell of these sides has; the first begins at half of that (1/length).
+std::vector<double> scattering_bins(double largest, double unit, double growth);
 
 /// Bins of k and the mesh that resolves them.
 struct ScatteringMesh {
@@ -46,6 +55,10 @@ Packing<2> in_shortest_cell(const Packing<2>& packing);
 /// @pre the packing has grains
 ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options);
 
+/// Edges of the bins of k of a packing of spheres, ascending (1/length), as those of a mesh.
+/// @pre the packing has grains
+std::vector<double> scattering_edges(const Packing<3>& packing, const ScatteringOptions& options);
+
 /// I(k) averaged over states too. All states are binned alike.
 class ScatteringAverage {
  public:
@@ -54,6 +67,9 @@ class ScatteringAverage {
 
   /// Adds a field given by its averages over mesh cells.
   void add(const Cell<2>& cell, const CoverageMap& field);
+  /// Adds a packing of spheres by the sum of their transforms, without a mesh: overlaps count twice.
+  /// @param most_vectors  of a bin, >= 1; drawn by a fixed seed where there are more
+  void add(const Packing<3>& packing, int most_vectors);
 
   /// Bins without any wave vector are left out.
   Scattering result() const;
@@ -68,5 +84,9 @@ class ScatteringAverage {
 
 /// I(k) of one packing.
 Scattering scattering(const Packing<2>& packing, const ScatteringOptions& options = {});
+Scattering scattering(const Packing<3>& packing, const ScatteringOptions& options = {});
+
+/// Transform of a ball at k > 0: 4 pi (sin kR - kR cos kR)/k^3 (volume).
+double ball_transform(double k, double R);
 
 }  // namespace floc

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "floc/base/random.h"
+#include "floc/geometry/lattice_reduction.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/structure/scattering.h"
+
+namespace floc {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+/// Seed and purpose of the draw of wave vectors: the same for every state.
+constexpr std::uint64_t kSeed = 1, kPurpose = 0x1e;
+
+using Wave = Vec<3, int>;
+
+/// One of n and -n: the first number that is not zero is positive.
+bool in_half_space(const Wave& n) {
+  return n[0] > 0 || (n[0] == 0 && (n[1] > 0 || (n[1] == 0 && n[2] > 0)));
+}
+
+/// Wave numbers along the lattice vectors of all waves k = 2 pi M^-1 n, bin by bin.
+std::vector<std::vector<Wave>> waves_in(const std::vector<double>& edges, const Cell<3>& cell) {
+  const Mat<3> reciprocal = kTwoPi * cell.matrix.inverse();
+  // n_a = k . a_a/(2 pi) is no larger than this.
+  Wave reach;
+  for (int a = 0; a < 3; ++a) reach[a] = static_cast<int>(edges.back() * cell.matrix.row(a).norm() / kTwoPi);
+  std::vector<std::vector<Wave>> bins(edges.size() - 1);
+  for (int n1 = 0; n1 <= reach[0]; ++n1)
+    for (int n2 = -reach[1]; n2 <= reach[1]; ++n2)
+      for (int n3 = -reach[2]; n3 <= reach[2]; ++n3) {
+        const Wave n(n1, n2, n3);
+        if (!in_half_space(n)) continue;
+        const auto above = std::upper_bound(edges.begin(), edges.end(), (reciprocal * n.cast<double>()).norm());
+        if (above == edges.begin() || above == edges.end()) continue;
+        bins[static_cast<std::size_t>(above - edges.begin()) - 1].push_back(n);
+      }
+  return bins;
+}
+
+/// Leaves `most` of the waves, drawn at random.
+void draw(std::size_t most, RandomStream& random, std::vector<Wave>& waves) {
+  if (waves.size() <= most) return;
+  for (std::size_t k = 0; k < most; ++k) std::swap(waves[k], waves[k + random.below(waves.size() - k)]);
+  waves.resize(most);
+}
+
+/// Grains in reduced coordinates.
+struct Scatterers {
+  std::vector<Vec<3>> place;
+  std::vector<double> radius;
+};
+
+std::complex<double> amplitude(const Scatterers& grains, const Wave& n, double k) {
+  std::complex<double> sum = 0.0;
+  double radius = 0.0, transform = 0.0;
+  for (std::size_t i = 0; i < grains.place.size(); ++i) {
+    if (grains.radius[i] != radius) radius = grains.radius[i], transform = ball_transform(k, radius);
+    sum += std::polar(transform, -kTwoPi * n.cast<double>().dot(grains.place[i]));
+  }
+  return sum;
+}
+
+}  // namespace
+
+double ball_transform(double k, double R) {
+  const double x = k * R;
+  // Below, the difference loses digits that the series has.
+  constexpr double kSmall = 0.02;
+  const double over_volume = x < kSmall ? 1.0 - x * x / 10.0 + x * x * x * x / 280.0
+                                        : 3.0 * (std::sin(x) - x * std::cos(x)) / (x * x * x);
+  return 4.0 / 3.0 * std::numbers::pi * R * R * R * over_volume;
+}
+
+std::vector<double> scattering_edges(const Packing<3>& packing, const ScatteringOptions& options) {
+  assert(packing.grains.size() > 0);
+  const double volume = packing.cell.volume();
+  // Up to k there are V k^3/(12 pi^2) pairs of k and -k.
+  const double affordable = std::cbrt(3.0 * kTwoPi * kTwoPi * static_cast<double>(options.most_waves) / volume);
+  return scattering_bins(std::min(options.largest * kTwoPi / largest_diameter(packing.grains), affordable),
+                         kTwoPi / std::cbrt(volume), options.bin_growth);
+}
+
+void ScatteringAverage::add(const Packing<3>& packing, int most_vectors) {
+  assert(most_vectors >= 1);
+  const Cell<3> cell = reduced_lattice(packing.cell).cell;
+  const Mat<3> reciprocal = kTwoPi * cell.matrix.inverse();
+  const double volume = cell.volume();
+  Scatterers grains{{}, packing.grains.radius};
+  for (const Vec<3>& x : packing.grains.position) grains.place.push_back(cell.reduced(x));
+  RandomStream random(kSeed, kPurpose);
+  for (std::vector<Wave>& waves : waves_in(edges_, cell)) {
+    draw(static_cast<std::size_t>(most_vectors), random, waves);
+    for (const Wave& n : waves) {
+      const double k = (reciprocal * n.cast<double>()).norm();
+      add_vector(k, std::norm(amplitude(grains, n, k)) / volume, 2);
+    }
+  }
+}
+
+Scattering scattering(const Packing<3>& packing, const ScatteringOptions& options) {
+  ScatteringAverage average(scattering_edges(packing, options));
+  average.add(packing, options.most_vectors);
+  return average.result();
+}
+
+}  // namespace floc

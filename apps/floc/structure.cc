@@ -48,6 +48,14 @@ std::vector<Column<StructureRow>> all_columns() {
   columns.emplace_back("pore_unbounded",
                        [](const Row& r) { return r.n_pores ? TableValue{r.unbounded} : TableValue{}; });
   columns.emplace_back("seconds", [](const Row& r) { return r.seconds; });
+  const auto of_voids = [](auto value) {
+    return [value](const Row& r) { return r.local ? TableValue{value(*r.local)} : TableValue{}; };
+  };
+  columns.emplace_back("local_phi_mean", of_voids([](const LocalStructure& l) { return l.mean; }));
+  columns.emplace_back("local_phi_stddev", of_voids([](const LocalStructure& l) { return l.deviation; }));
+  columns.emplace_back("n_voids", of_voids([](const LocalStructure& l) { return l.n_voids; }));
+  columns.emplace_back("void_radius_mean", of_voids([](const LocalStructure& l) { return l.mean_void; }));
+  columns.emplace_back("void_radius_largest", of_voids([](const LocalStructure& l) { return l.largest_void; }));
   return columns;
 }
 
@@ -103,8 +111,9 @@ Command add_structure(CommandLine program) {
   app.add_option("--prediction", command->prediction,
                  "file for P and z that the first state would have at the solid fraction of each, shrunk or "
                  "expanded as a whole");
-  app.add_option("--pores", command->pores, "file for the pores, a row each");
-  app.add_option("--map", command->map, "file for the local solid fraction, a row a mesh cell");
+  app.add_option("--pores", command->pores, "file for the pores (3D: balls in the voids), a row each");
+  app.add_option("--map", command->map,
+                 "file for the local solid fraction, a row a mesh cell (3D: a Voronoi cell)");
   app.add_option("--map-size", command->map_size, "mesh cells along each lattice vector")
       .delimiter(',')
       .expected(2)

@@ -20,6 +20,7 @@
 #include "floc/structure/pair_correlation.h"
 #include "floc/structure/pores.h"
 #include "floc/structure/pushed_rattlers.h"
+#include "floc/structure/voronoi.h"
 
 namespace floc {
 namespace {
@@ -90,7 +91,13 @@ void add_scattering(const Packing<3>& packing, const StructureCommand& command, 
   if (command.average) average_in(series, edges, diameter).add(packing, command.scattering.most_vectors);
 }
 
-void add_pores(const Packing<2>& packing, Series& series, StructureRow& row) {
+/// Gives a table that no state has filled the columns of a dimension.
+void choose_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
+  if (table.rows.empty()) table.columns.clear();
+  expect_columns(file, names, table);
+}
+
+void add_pores(const Packing<2>& packing, const StructureCommand& command, Series& series, StructureRow& row) {
   const Pores pores = find_pores(packing);
   if (!pores.refusal.empty()) {
     std::cerr << fmt::format("floc: {}: warning: {}\n", row.file, pores.refusal);
@@ -102,9 +109,12 @@ void add_pores(const Packing<2>& packing, Series& series, StructureRow& row) {
     std::cerr << fmt::format(
         "floc: {}: warning: a pore winds around the cell: it has no size and is left out\n", row.file);
   if (!pores.pores.empty()) row.pore_size = pores.size, row.pore_mean_area = pores.mean_area;
-  for (const Pore& p : pores.pores)
-    series.pores.rows.push_back({row.file, p.centre[0], p.centre[1], p.area, p.gyration_radius,
-                                 static_cast<std::int64_t>(p.grains.size())});
+  if (!command.pores.empty()) {
+    choose_columns(row.file, kPoreColumns, series.pores);
+    for (const Pore& p : pores.pores)
+      series.pores.rows.push_back({row.file, p.centre[0], p.centre[1], p.area, p.gyration_radius,
+                                   static_cast<std::int64_t>(p.grains.size())});
+  }
   series.pore_area += pores.total_area;
   series.pore_second_moment += pores.total_area * pores.size * pores.size;
   series.mean.n_pores = series.mean.n_pores.value_or(0) + *row.n_pores;
@@ -112,6 +122,7 @@ void add_pores(const Packing<2>& packing, Series& series, StructureRow& row) {
 
 void add_map(const std::string& file, const Packing<2>& packing, const StructureCommand& command,
              Table& table) {
+  choose_columns(file, kMapColumns, table);
   const CoverageMap map = coverage_map(packing, {command.map_size[0], command.map_size[1]});
   for (int k1 = 0; k1 < map.size[0]; ++k1)
     for (int k2 = 0; k2 < map.size[1]; ++k2) {
@@ -119,6 +130,38 @@ void add_map(const std::string& file, const Packing<2>& packing, const Structure
       const Vec<2> x = packing.cell.matrix.transpose() * middle;
       table.rows.push_back({file, count(k1), count(k2), x[0], x[1], map(k1, k2)});
     }
+}
+
+LocalStructure local_structure(const VoronoiTessellation& voronoi) {
+  LocalStructure out;
+  const auto n = static_cast<double>(voronoi.solid_fraction.size());
+  for (const double phi : voronoi.solid_fraction) out.mean += phi / n;
+  for (const double phi : voronoi.solid_fraction) out.deviation += (phi - out.mean) * (phi - out.mean) / n;
+  out.deviation = std::sqrt(out.deviation);
+  out.n_voids = static_cast<std::int64_t>(voronoi.voids.size());
+  for (const VoidBall& ball : voronoi.voids) {
+    out.mean_void += ball.radius / static_cast<double>(out.n_voids);
+    out.largest_void = std::max(out.largest_void, ball.radius);
+  }
+  return out;
+}
+
+void add_voronoi(const Packing<3>& packing, const StructureCommand& command, Series& series,
+                 StructureRow& row) {
+  const VoronoiTessellation voronoi = voronoi_tessellation(packing);
+  row.local = local_structure(voronoi);
+  if (!command.pores.empty()) {
+    choose_columns(row.file, {"file", "x1", "x2", "x3", "radius"}, series.pores);
+    for (const VoidBall& ball : voronoi.voids)
+      series.pores.rows.push_back({row.file, ball.centre[0], ball.centre[1], ball.centre[2], ball.radius});
+  }
+  if (command.map.empty()) return;
+  choose_columns(row.file, {"file", "grain", "x1", "x2", "x3", "voronoi_volume", "solid_fraction"}, series.map);
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    const Vec<3>& x = packing.grains.position[i];
+    series.map.rows.push_back(
+        {row.file, count(i), x[0], x[1], x[2], voronoi.volume[i], voronoi.solid_fraction[i]});
+  }
 }
 
 /// What lengths are multiplied by to compare a packing with the first one: (Phi/Phi0)^(1/Dim).
@@ -185,6 +228,9 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
                            Series& series) {
   const auto start = std::chrono::steady_clock::now();
   const Packing<Dim>& packing = state.packing;
+  if (series.dimension == 0) series.dimension = Dim;
+  if (command.average && series.dimension != Dim)
+    throw InputError(file, "has another dimension than the states before it: an average takes states of one");
   StructureRow row;
   row.file = file;
   row.dimension = Dim;
@@ -193,10 +239,10 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
   row.solid_fraction = solid_fraction(packing);
   add_scattering(packing, command, series, row);
   if constexpr (Dim == 2) {
-    add_pores(packing, series, row);
+    add_pores(packing, command, series, row);
     if (!command.map.empty()) add_map(file, packing, command, series.map);
   } else {
-    std::cerr << fmt::format("floc: {}: warning: is 3D: pores and maps are for disks and left out\n", file);
+    add_voronoi(packing, command, series, row);
   }
   if (!series.reference_phi) series.reference = file, series.reference_phi = row.solid_fraction;
   if (!command.pairs.empty()) add_pairs(file, packing, command, series);

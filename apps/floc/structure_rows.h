@@ -24,6 +24,13 @@ struct StructureCommand {
   std::string format;
 };
 
+/// Of spheres: how the volume of their Voronoi cells varies, and the balls in the voids.
+struct LocalStructure {
+  double mean = 0.0, deviation = 0.0;  ///< of the local solid fraction over the grains
+  std::int64_t n_voids = 0;
+  double mean_void = 0.0, largest_void = 0.0;  ///< radii
+};
+
 /// One row: the structure of a state, or of all together.
 struct StructureRow {
   std::string file;
@@ -36,18 +43,25 @@ struct StructureRow {
   std::optional<std::int64_t> n_pores;
   std::optional<double> pore_size, pore_mean_area;
   bool unbounded = false;
+  std::optional<LocalStructure> local;
   double seconds = 0.0;
 };
+
+/// Columns of the pores and of the map of disks; those of spheres are others.
+inline const std::vector<std::string> kPoreColumns = {"file",    "x1", "x2", "area", "gyration_radius",
+                                                      "n_grains"};
+inline const std::vector<std::string> kMapColumns = {"file", "k1", "k2", "x1", "x2", "solid_fraction"};
 
 /// What goes to files, and sums over the states.
 struct Series {
   Table intensity{{"file", "k", "I", "n_vectors", "I_fit"}, {}};
   Table pairs{{"file", "r", "g", "n_pairs", "r_rescaled"}, {}};
   Table gaps{{"file", "gap", "z", "z_pushed", "gap_rescaled"}, {}};
-  Table pores{{"file", "x1", "x2", "area", "gyration_radius", "n_grains"}, {}};
-  Table map{{"file", "k1", "k2", "x1", "x2", "solid_fraction"}, {}};
+  Table pores{kPoreColumns, {}};
+  Table map{kMapColumns, {}};
   Table prediction{{"reference", "file", "phi", "P", "z", "P_predicted", "z_predicted", "z_pushed_predicted"},
                    {}};
+  int dimension = 0;                    ///< of the first state
   std::string reference;                ///< file of the first state
   std::optional<double> reference_phi;  ///< its solid fraction
   /// What it would be at other solid fractions, where that is asked for.

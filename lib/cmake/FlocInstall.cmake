@@ -17,5 +17,5 @@ write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/flocConfigVersion.
   COMPATIBILITY SameMinorVersion)
 install(EXPORT flocTargets NAMESPACE floc:: DESTINATION "${floc_cmake_dir}")
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/flocConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/flocConfigVersion.cmake"
-              lib/cmake/FindSparseSolvers.cmake
+              lib/cmake/FindSparseSolvers.cmake lib/cmake/FindVoro.cmake
   DESTINATION "${floc_cmake_dir}")

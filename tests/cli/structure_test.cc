@@ -101,15 +101,38 @@ TEST_F(Structure, AveragesStatesWhenAsked) {
   }
 }
 
-TEST_F(Structure, OfSpheresIsWhatHasAMeaningThere) {
-  const Outcome o =
-      structure("spheres.h5 --intensity I.csv --pair-correlation g.csv --gaps z.csv --format json");
+TEST_F(Structure, OfSpheresHasVoronoiCellsAndVoids) {
+  State<3> bcc;
+  bcc.packing = crystal_of(body_centred_cubic(), 1.0, 1.0, elastic_law(3.0, 0.0, 0.0));
+  write_state(scratch_.file("bcc.h5"), bcc);
+  const Outcome o = structure(
+      "bcc.h5 spheres.h5 --intensity I.csv --pair-correlation g.csv --gaps z.csv --pores p.csv --map m.csv "
+      "--format "
+      "json");
   ASSERT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("spheres.h5: warning: is 3D: pores and maps are for disks"));
-  EXPECT_TRUE(json::parse(o.out).at(0).at("n_pores").is_null());
-  EXPECT_GT(table("I.csv").n_rows(), 0);
-  EXPECT_GT(table("g.csv").n_rows(), 0);
-  EXPECT_GT(table("z.csv").n_rows(), 0);
+  const json row = json::parse(o.out).at(0);
+  EXPECT_TRUE(row.at("n_pores").is_null());
+  EXPECT_NEAR(row.at("local_phi_mean").get<double>(), std::sqrt(3.0) * std::numbers::pi / 8.0, 1e-12);
+  EXPECT_NEAR(row.at("local_phi_stddev").get<double>(), 0.0, 1e-9);
+  EXPECT_EQ(row.at("n_voids"), 12);
+  EXPECT_NEAR(row.at("void_radius_largest").get<double>(), 0.5 * (std::sqrt(5.0 / 3.0) - 1.0), 1e-9);
+  EXPECT_THAT(table("p.csv").columns(), ElementsAre("file", "x1", "x2", "x3", "radius"));
+  const CsvTable map = table("m.csv");
+  EXPECT_THAT(map.columns(),
+              ElementsAre("file", "grain", "x1", "x2", "x3", "voronoi_volume", "solid_fraction"));
+  EXPECT_EQ(map.n_rows(), 2 + 3);
+  EXPECT_NEAR(map.number(1, 5), 4.0 / (3.0 * std::sqrt(3.0)), 1e-9);
+  for (const char* name : {"I.csv", "g.csv", "z.csv"}) EXPECT_GT(table(name).n_rows(), 0) << name;
+}
+
+TEST_F(Structure, OfBothDimensionsHasNeitherOneFileNorAnAverage) {
+  for (const char* what : {"--pores p.csv", "--map m.csv", "--average"}) {
+    const Outcome o = structure(std::string("frames.h5 spheres.h5 ") + what);
+    EXPECT_EQ(o.code, 4) << what;
+    EXPECT_THAT(o.err, HasSubstr("spheres.h5: has another dimension than the states before it")) << what;
+    EXPECT_EQ(structure(std::string("spheres.h5 frames.h5 ") + what).code, 4) << what;
+  }
+  EXPECT_EQ(structure("frames.h5 spheres.h5").code, 0);
 }
 
 TEST_F(Structure, ComparesStatesInRescaledDistance) {

@@ -59,6 +59,7 @@ inline const std::vector<std::pair<std::string, std::set<std::string>>>& foreign
       {"toml", {"scene"}},
       {"cairo", {"picture"}},
       {"fftw3", {"structure"}},
+      {"voro++", {"structure"}},
       {"nlohmann/", {"io", "relaxation", "run"}},
       {"CLI/", {}},
   };

@@ -1,0 +1,147 @@
+#include "floc/structure/voronoi.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <voro++/voro++.hh>
+
+#include "floc/base/disjoint_sets.h"
+#include "floc/geometry/lattice_reduction.h"
+#include "floc/neighbors/pairs.h"
+#include "floc/packing/grain_sizes.h"
+
+namespace floc {
+namespace {
+
+/// Vertices closer than this, in largest diameters, are one: beyond rounding, below what a packing resolves.
+constexpr double kSameVertex = 1e-6;
+/// Grains in a block of the search, for which Voro++ is fastest.
+constexpr double kGrainsPerBlock = 5.6;
+
+/// A packing as Voro++ wants it: turned until its lattice vectors are (bx, 0, 0), (bxy, by, 0), (bxz, byz, bz),
+/// and in a unit of length of the order of its neighbours' distances, which absolute tolerances of the library
+/// suppose.
+struct TurnedCell {
+  Mat<3> turn = Mat<3>::Identity();  ///< rotation (or reflection): place there = turn * place here/unit
+  Mat<3> lattice;                    ///< lower triangle, its diagonal positive
+  double unit = 1.0;                 ///< (length)
+
+  TurnedCell(const Cell<3>& cell, int n_grains) : unit(std::cbrt(cell.volume() / n_grains)) {
+    const Mat<3> rows = reduced_lattice(cell).cell.matrix / unit;
+    const Eigen::HouseholderQR<Mat<3>> qr(rows.transpose());
+    const Mat<3> q = qr.householderQ();
+    Mat<3> r = qr.matrixQR().triangularView<Eigen::Upper>();
+    Vec<3> sign;
+    for (int a = 0; a < 3; ++a) sign[a] = r(a, a) < 0.0 ? -1.0 : 1.0;
+    turn = sign.asDiagonal() * q.transpose();
+    lattice = (sign.asDiagonal() * r).transpose();
+  }
+
+  Vec<3> there(const Vec<3>& x) const { return turn * x / unit; }
+  Vec<3> here(const Vec<3>& x) const { return turn.transpose() * x * unit; }
+};
+
+int blocks_along(double side, double blocks_per_length) {
+  return std::max(1, static_cast<int>(std::ceil(side * blocks_per_length)));
+}
+
+/// A vertex as the cell of one grain has it.
+struct Corner {
+  Vec<3> at;
+  double to_surface;  ///< of that grain
+};
+
+/// Cells of all grains: fills volumes, and lists their corners.
+std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& volume) {
+  const Grains<3>& g = packing.grains;
+  const TurnedCell turned(packing.cell, g.size());
+  const Mat<3>& l = turned.lattice;
+  const double density = std::cbrt(1.0 / kGrainsPerBlock);  // one grain a unit of volume
+  constexpr int kMemoryPerBlock = 8;
+  voro::container_periodic_poly container(l(0, 0), l(1, 0), l(1, 1), l(2, 0), l(2, 1), l(2, 2),
+                                          blocks_along(l(0, 0), density), blocks_along(l(1, 1), density),
+                                          blocks_along(l(2, 2), density), kMemoryPerBlock);
+  for (int i = 0; i < g.size(); ++i) {
+    const Vec<3> x = turned.there(g.position[i]);
+    container.put(i, x[0], x[1], x[2], g.radius[i] / turned.unit);
+  }
+  std::vector<Corner> corners;
+  voro::c_loop_all_periodic loop(container);
+  voro::voronoicell cell;
+  std::vector<double> vertices;
+  if (!loop.start()) return corners;
+  do {
+    if (!container.compute_cell(cell, loop)) continue;
+    const int i = loop.pid();
+    volume[i] = cell.volume() * std::pow(turned.unit, 3);
+    cell.vertices(vertices);  // from the centre of the grain
+    for (std::size_t v = 0; v + 2 < vertices.size(); v += 3) {
+      const Vec<3> from = turned.here({vertices[v], vertices[v + 1], vertices[v + 2]});
+      corners.push_back({packing.cell.wrapped(g.position[i] + from), from.norm() - g.radius[i]});
+    }
+  } while (loop.inc());
+  return corners;
+}
+
+/// One ball for the corners at one place, as far as the nearest of their grains.
+std::vector<VoidBall> merged(const Packing<3>& packing, const std::vector<Corner>& corners) {
+  Grains<3> points = Grains<3>::with_size(static_cast<int>(corners.size()));
+  for (std::size_t k = 0; k < corners.size(); ++k) points.position[k] = corners[k].at;
+  DisjointSets same(points.size());
+  for (const NeighborPair<3>& pair :
+       find_pairs(packing.cell, points, kSameVertex * largest_diameter(packing.grains)))
+    same.join(pair.i, pair.j);
+  std::vector<double> radius;
+  for (const Corner& corner : corners) radius.push_back(corner.to_surface);
+  for (int k = 0; k < points.size(); ++k) {
+    double& nearest = radius[same.root(k)];
+    nearest = std::min(nearest, corners[k].to_surface);
+  }
+  std::vector<VoidBall> voids;
+  for (int k = 0; k < points.size(); ++k)
+    if (same.root(k) == k && radius[k] > 0.0) voids.push_back({corners[k].at, radius[k]});
+  return voids;
+}
+
+bool equal_sizes(const Grains<3>& grains) {
+  const auto [least, most] = std::minmax_element(grains.radius.begin(), grains.radius.end());
+  return *least == *most;
+}
+
+/// Balls as far as the nearest surface of all: of unequal spheres that may be another than those whose cells
+/// meet.
+void shrink_to_nearest(const Packing<3>& packing, std::vector<VoidBall>& voids) {
+  Grains<3> all = packing.grains;
+  all.position_low.clear();
+  for (const VoidBall& ball : voids) {
+    all.position.push_back(ball.centre);
+    all.radius.push_back(ball.radius);
+  }
+  const int n = packing.grains.size();
+  for (const NeighborPair<3>& pair : find_pairs(packing.cell, all, 0.0)) {
+    if (pair.i >= n || pair.j < n) continue;  // i <= j: a grain and a ball that enters it
+    const Vec<3> r = all.position[pair.j] + packing.cell.shift(pair.image) - all.position[pair.i];
+    double& radius = voids[pair.j - n].radius;
+    radius = std::min(radius, r.norm() - all.radius[pair.i]);
+  }
+  std::erase_if(voids, [](const VoidBall& ball) { return ball.radius <= 0.0; });
+}
+
+}  // namespace
+
+VoronoiTessellation voronoi_tessellation(const Packing<3>& packing) {
+  assert(packing.grains.size() > 0 && packing.walls.empty());
+  VoronoiTessellation out;
+  out.volume.assign(packing.grains.size(), 0.0);
+  out.voids = merged(packing, tessellate(packing, out.volume));
+  if (!equal_sizes(packing.grains)) shrink_to_nearest(packing, out.voids);
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    const double grain = 4.0 / 3.0 * std::numbers::pi * std::pow(packing.grains.radius[i], 3);
+    out.solid_fraction.push_back(out.volume[i] > 0.0 ? grain / out.volume[i] : 0.0);
+  }
+  return out;
+}
+
+}  // namespace floc

@@ -203,6 +203,13 @@ TableValue entry(const Eigen::MatrixXd& c, int a, int b) {
   return c(a, b);
 }
 
+/// Mean of the shear entries of C, C33 of disks, C44, C55 and C66 of spheres; empty where shear is clamped.
+TableValue shear_strain_modulus(const ModuliRow& r) {
+  const Eigen::Index n_shear = r.moduli.C.rows() - r.dimension;
+  if (n_shear <= 0) return {};
+  return r.moduli.C.diagonal().tail(n_shear).mean();
+}
+
 /// A column of the table: its name and how a row fills it.
 using ModuliColumn = Column<ModuliRow>;
 
@@ -319,6 +326,7 @@ std::vector<ModuliColumn> columns_for(const ModuliCommand& command, const std::v
                        [](const ModuliRow& r) { return r.mean_field.G_voigt_smooth; });
   columns.emplace_back("B_reuss_mean_field", [](const ModuliRow& r) { return r.mean_field.B_reuss; });
   columns.emplace_back("Z_hat", [](const ModuliRow& r) { return r.mean_field.Z_hat; });
+  columns.emplace_back("G_shear", [](const ModuliRow& r) { return shear_strain_modulus(r); });
   return columns;
 }
 

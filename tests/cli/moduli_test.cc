@@ -50,12 +50,14 @@ TEST_F(ModuliCommand, OfAForeignPackingGiveTheShearModulusOfTheProgramThatMadeIt
   // The shear log of jamBashbulk gives 0.1086306, by a strain measure that differs by a factor of 1 - 0.00157;
   // the tolerance is what its digits allow.
   EXPECT_NEAR(row.at("C33").get<double>(), 0.1088011, 1e-6);
+  EXPECT_EQ(row.at("G_shear"), row.at("C33"));
   EXPECT_NEAR(row.at("P").get<double>(), 1e-3, 1e-12);
   EXPECT_EQ(row.at("units"), "reduced");
   for (const char* key : {"C13", "C23", "B_without_prestress", "G_without_prestress"})
     EXPECT_TRUE(row.at(key).is_number()) << key;
   const json diagonal = json::parse(moduli("packing.h5 --format json").out).at(0);
   EXPECT_FALSE(diagonal.contains("C33"));
+  EXPECT_TRUE(diagonal.at("G_shear").is_null());
   // Two and three strains are solved for together, and the BLAS of the machine may round them differently.
   EXPECT_NEAR(diagonal.at("B").get<double>() / row.at("B_without_prestress").get<double>(), 1.0, 1e-13);
 }

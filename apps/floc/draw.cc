@@ -6,11 +6,14 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 #include "command.h"
 #include "floc/base/error.h"
+#include "floc/base/parse_number.h"
 #include "floc/io/atomic_file.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/picture/drawn_scale.h"
 #include "floc/picture/sheet.h"
 #include "floc/structure/coordination.h"
 #include "output.h"
@@ -37,6 +40,8 @@ struct DrawArguments {
   SheetOptions sheet;
   bool image = false;
   bool vectors = false;
+  std::string view, slab;
+  std::optional<Slab> cut;  ///< slab, read
   std::string format;
 };
 
@@ -78,30 +83,85 @@ Target target_of(const DrawArguments& arguments) {
   return target;
 }
 
+/// The numbers of "A,B,...", or nothing if they are not `count`.
+std::optional<std::vector<double>> numbers_of(const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = parse_number<double>(std::string_view(text).substr(begin, end - begin));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers.size() == count ? std::optional(numbers) : std::nullopt;
+}
+
+/// Reads --view and --slab.
+void read_sight(DrawArguments& arguments) {
+  if (!arguments.view.empty()) {
+    const auto angles = numbers_of(arguments.view, 2);
+    if (!angles)
+      throw InputError("--view " + arguments.view,
+                       "expected AZIMUTH,ELEVATION: two angles in degrees, such as -65,20");
+    arguments.sheet.view.azimuth = (*angles)[0];
+    arguments.sheet.view.elevation = (*angles)[1];
+  }
+  if (arguments.slab.empty()) return;
+  const std::size_t axis = std::string("x,y,z,").find(arguments.slab.substr(0, 2));
+  const auto ends = arguments.slab.size() < 2 || axis == std::string::npos
+                        ? std::nullopt
+                        : numbers_of(arguments.slab.substr(2), 2);
+  if (!ends)
+    throw InputError("--slab " + arguments.slab,
+                     "expected AXIS,FROM,TO: x, y or z and two fractions of the cell, such as z,0.4,0.6");
+  arguments.cut = Slab{static_cast<int>(axis / 2), (*ends)[0], (*ends)[1]};
+}
+
 /// A state read and its picture.
+template <int Dim>
 struct Drawn {
   std::string file;
-  PackingPicture picture;
+  PackingPicture<Dim> picture;
   std::vector<TableValue> cells;  ///< P_star, phi, z
 };
 
+void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPicture<3>& picture) {
+  picture = part_in_slab(picture, *arguments.cut);
+  if (picture.position.empty())
+    throw InputError(file, "has no grain whose centre lies in --slab " + arguments.slab +
+                               ": expected a slab that holds some");
+  picture.caption.push_back(fmt::format("{} from {} to {} of the cell", "xyz"[arguments.cut->axis],
+                                        short_number(arguments.cut->from), short_number(arguments.cut->to)));
+}
+
 /// @param other  the state to compare with, if there is one
-Drawn drawn_from(const std::string& file, const AnyState& any, const DrawArguments& arguments,
-                 const std::optional<AnyState>& other) {
-  const State<2>& state = disks_of(file, any);
-  return {file,
-          other ? picture_of_changes(file, state, arguments.compare, disks_of(arguments.compare, *other))
-                : picture_of(file, state, shown_by(arguments)),
-          {reduced_pressure(state.packing, state.target_stress.mean()), solid_fraction(state.packing),
-           coordination(state.packing, 0.0).z}};
+template <int Dim>
+Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
+                      const std::optional<AnyState>& other) {
+  if (Dim == 2 && (arguments.cut || !arguments.view.empty() || arguments.sheet.view.sphere_size))
+    throw InputError(file, "is 2D: --view, --slab and --sphere-size are of spheres");
+  if (other && !std::holds_alternative<State<Dim>>(*other))
+    throw InputError(arguments.compare, fmt::format("is {}D, and {} is {}D: expected states of the same grains",
+                                                    Dim == 2 ? 3 : 2, file, Dim));
+  Drawn<Dim> drawn = {file,
+                      other ? picture_of_changes(file, state, arguments.compare, std::get<State<Dim>>(*other))
+                            : picture_of(file, state, shown_by(arguments)),
+                      {reduced_pressure(state.packing, state.target_stress.mean()),
+                       solid_fraction(state.packing), coordination(state.packing, 0.0).z}};
+  if constexpr (Dim == 3)
+    if (arguments.cut) cut_slab(file, arguments, drawn.picture);
+  return drawn;
 }
 
-std::int64_t count_kind(const PackingPicture& picture, LineKind kind) {
+template <int Dim>
+std::int64_t count_kind(const PackingPicture<Dim>& picture, LineKind kind) {
   return std::count_if(picture.lines.begin(), picture.lines.end(),
-                       [kind](const ContactLine& line) { return line.kind == kind; });
+                       [kind](const ContactLine<Dim>& line) { return line.kind == kind; });
 }
 
-void add_row(const Drawn& drawn, const std::string& name, Table& table) {
+template <int Dim>
+void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
   std::vector<TableValue> row = {drawn.file, name};
   for (const TableValue& cell : drawn.cells) row.push_back(cell);
   row.emplace_back(static_cast<std::int64_t>(drawn.picture.position.size()));
@@ -112,10 +172,11 @@ void add_row(const Drawn& drawn, const std::string& name, Table& table) {
 }
 
 /// One scale of colours for all pictures of a strip.
-void share_shades(std::vector<PackingPicture>& strip) {
+template <int Dim>
+void share_shades(std::vector<PackingPicture<Dim>>& strip) {
   double largest = 0.0;
-  for (const PackingPicture& picture : strip) largest = std::max(largest, picture.shade.largest);
-  for (PackingPicture& picture : strip) picture.shade.largest = largest;
+  for (const PackingPicture<Dim>& picture : strip) largest = std::max(largest, picture.shade.largest);
+  for (PackingPicture<Dim>& picture : strip) picture.shade.largest = largest;
 }
 
 void write_picture(const Target& target, const std::string& path, const std::string& bytes) {
@@ -124,35 +185,74 @@ void write_picture(const Target& target, const std::string& path, const std::str
   if (!std::cout) throw IoError("standard output", "cannot be written");
 }
 
+/// Draws the states, each by itself or all as a strip.
+class Drawer {
+ public:
+  Drawer(const DrawArguments& arguments, const Target& target) : arguments_(arguments), target_(target) {
+    if (!arguments.compare.empty()) other_ = read_state(arguments.compare);
+  }
+
+  template <int Dim>
+  void add(const std::string& file, const State<Dim>& state) {
+    Drawn<Dim> drawn = drawn_from(file, state, arguments_, other_);
+    auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
+    auto& others = std::get<std::vector<PackingPicture<5 - Dim>>>(strips_);
+    if (!others.empty())
+      throw InputError(file,
+                       fmt::format("is {}D, and the states before it are not: a strip is of one dimension "
+                                   "(-o DIR/ draws each state by itself)",
+                                   Dim));
+    const std::string path = target_.of(arguments_, file);
+    add_row(drawn, path, table_);
+    if (target_.directory)
+      write_picture(target_, path, draw_sheet<Dim>({std::move(drawn.picture)}, arguments_.sheet));
+    else
+      strip.push_back(std::move(drawn.picture));
+  }
+
+  /// Writes the strip and the table.
+  void finish() {
+    write_strip<2>();
+    write_strip<3>();
+    if (!target_.standard_output && !table_.rows.empty()) print_table(table_, arguments_.format);
+  }
+
+ private:
+  template <int Dim>
+  void write_strip() {
+    auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
+    if (strip.empty()) return;
+    share_shades(strip);
+    write_picture(target_, arguments_.output, draw_sheet(strip, arguments_.sheet));
+  }
+
+  const DrawArguments& arguments_;
+  const Target& target_;
+  std::optional<AnyState> other_;
+  Table table_{{"file", "picture", "P_star", "phi", "z", "n_grains", "n_compression", "n_tension", "n_zero",
+                "n_distant", "n_other", "n_lost", "n_gained"},
+               {}};
+  std::tuple<std::vector<PackingPicture<2>>, std::vector<PackingPicture<3>>> strips_;
+};
+
 int draw(DrawArguments arguments) {
   const Target target = target_of(arguments);
   arguments.sheet.format = format_named(target.suffix.substr(1));
   arguments.sheet.width = arguments.width * kPointsPerCentimetre;
   if (arguments.image || arguments.vectors) arguments.sheet.as_image = arguments.image;
-  if (const auto faults = arguments.sheet.validate(); !faults.empty())
-    throw InputError("floc draw", fmt::format("{}", fmt::join(faults, "; ")));
-  Table table{{"file", "picture", "P_star", "phi", "z", "n_grains", "n_compression", "n_tension", "n_zero",
-               "n_distant", "n_other", "n_lost", "n_gained"},
-              {}};
+  read_sight(arguments);
+  auto faults = arguments.sheet.validate();
+  if (arguments.cut)
+    for (const std::string& fault : arguments.cut->validate()) faults.push_back(fault);
+  if (!faults.empty()) throw InputError("floc draw", fmt::format("{}", fmt::join(faults, "; ")));
   if (target.directory) fs::create_directories(arguments.output);
-  std::optional<AnyState> other;
-  if (!arguments.compare.empty()) other = read_state(arguments.compare);
-  std::vector<PackingPicture> strip;
-  const int code =
-      for_each_state(drawn_states(arguments.inputs, arguments.steps, kPictures),
-                     [&](const std::string& file, const AnyState& state) {
-                       Drawn drawn = drawn_from(file, state, arguments, other);
-                       const std::string path = target.of(arguments, file);
-                       add_row(drawn, path, table);
-                       if (target.directory)
-                         write_picture(target, path, draw_sheet({std::move(drawn.picture)}, arguments.sheet));
-                       else
-                         strip.push_back(std::move(drawn.picture));
-                       return int{kDone};
-                     });
-  share_shades(strip);
-  if (!strip.empty()) write_picture(target, arguments.output, draw_sheet(strip, arguments.sheet));
-  if (!target.standard_output && !table.rows.empty()) print_table(table, arguments.format);
+  Drawer drawer(arguments, target);
+  const int code = for_each_state(drawn_states(arguments.inputs, arguments.steps, kPictures),
+                                  [&drawer](const std::string& file, const AnyState& any) {
+                                    std::visit([&](const auto& state) { drawer.add(file, state); }, any);
+                                    return int{kDone};
+                                  });
+  drawer.finish();
   return code;
 }
 
@@ -197,9 +297,18 @@ Command add_draw(CommandLine program) {
       "pixels per inch of a png or an image [6 pixels a grain, 200 at least, 3000 pixels a side at most]");
   const Option image =
       app.add_flag("--image", arguments->image,
-                   "svg and pdf: grains and lines as an image [where there are more than 15000]");
+                   "svg and pdf: grains and lines as an image [where there are more than 15000, in 3D 6000]");
   app.add_flag("--vectors", arguments->vectors, "svg and pdf: grains and lines as vectors, however many")
       .excludes(image);
+  app.add_option(
+      "--view", arguments->view,
+      "AZIMUTH,ELEVATION: spheres seen from there, in degrees; azimuth 0 is the x axis, 90 the y axis "
+      "[-65,20]");
+  app.add_option("--slab", arguments->slab,
+                 "AXIS,FROM,TO: of spheres only those whose centre is between two fractions of the cell, e.g. "
+                 "z,0.4,0.6");
+  app.add_option("--sphere-size", arguments->sheet.view.sphere_size,
+                 "drawn radius of a sphere over its own, 0 to 1 [1; 0.25 where forces or changes are drawn]");
   add_format_option(app, arguments->format);
   return {app, [arguments] { return draw(*arguments); }};
 }

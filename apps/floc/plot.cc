@@ -145,7 +145,7 @@ Made scattering_of_states(const PlotArguments& arguments) {
   Made made;
   std::vector<ScatteringSample> samples;
   made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any) {
-    samples.push_back(scattering_sample(name_of_state(any), disks_of(file, any).packing));
+    samples.push_back(scattering_sample(name_of_state(any), disks_of(file, any, "this plot of I(k)").packing));
     if (!samples.back().refusal.empty()) spdlog::warn("{}: no law is drawn: {}", file, samples.back().refusal);
     return int{kDone};
   });

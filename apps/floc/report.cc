@@ -99,7 +99,7 @@ Run read_run(const std::string& directory) {
   const std::set<std::size_t> shown = shown_states(run.path);
   for (std::size_t k = 0; k < run.files.size(); ++k) {
     const AnyState any = read_state(run.files[k]);
-    const State<2>& state = disks_of(run.files[k], any);
+    const State<2>& state = disks_of(run.files[k], any, "a report");
     add_state(state, run);
     if (k == 0) run.first = state;
     if (shown.contains(k)) run.shown.push_back(state), run.shown_files.push_back(run.files[k]);
@@ -200,7 +200,7 @@ std::string plots_section(const FittedConsolidation& fitted, Run& run) {
 std::string pictures_section(const Run& run) {
   std::string out = "<h2>Force networks</h2>\n";
   for (std::size_t k = 0; k < run.shown.size(); ++k)
-    out += html_figure(draw_sheet({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
+    out += html_figure(draw_sheet<2>({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
                        "Forces at " + pressure_text(run.shown[k]) + ", " +
                            fs::path(run.shown_files[k]).filename().string() +
                            ": lines join the centres of grains that interact, as wide as the force is large.");

@@ -14,10 +14,11 @@
 namespace floc {
 namespace {
 
-PackingPicture increments_of(const std::string& file, const State<2>& state, StressStep step) {
+template <int Dim>
+PackingPicture<Dim> increments_of(const std::string& file, const State<Dim>& state, StressStep step) {
   ModuliOptions options;
   options.unloaded = state.target_stress.isZero(0.0);
-  const ContactNetwork<2> network = options.loaded_network(state.packing);
+  const ContactNetwork<Dim> network = options.loaded_network(state.packing);
   const Moduli moduli = elastic_moduli(state.packing, options);
   const auto response = step_response(network, moduli.response, step);
   if (!response)
@@ -27,28 +28,28 @@ PackingPicture increments_of(const std::string& file, const State<2>& state, Str
   return increment_forces(state.packing, network, *response);
 }
 
-std::string pressure_of(const State<2>& state) {
+template <int Dim>
+std::string pressure_of(const State<Dim>& state) {
   return short_number(reduced_pressure(state.packing, state.target_stress.mean()));
 }
 
 /// Normal forces that path.csv counts as zero.
-double zero_force_of(const State<2>& state) {
+template <int Dim>
+double zero_force_of(const State<Dim>& state) {
   return state.tolerance.force * force_scale(state.packing, state.target_stress).force;
 }
 
 }  // namespace
 
-const State<2>& disks_of(const std::string& file, const AnyState& state) {
+const State<2>& disks_of(const std::string& file, const AnyState& state, const std::string& what) {
   const auto* disks = std::get_if<State<2>>(&state);
-  if (disks == nullptr)
-    throw InputError(file,
-                     "is 3D, and pictures are of disks; floc convert STATE OUT.vtu writes spheres and forces "
-                     "for programs that show them");
+  if (disks == nullptr) throw InputError(file, "is 3D, and " + what + " is of disks");
   return *disks;
 }
 
-PackingPicture picture_of(const std::string& file, const State<2>& state, Shown shown) {
-  PackingPicture picture;
+template <int Dim>
+PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state, Shown shown) {
+  PackingPicture<Dim> picture;
   switch (shown) {
     case Shown::equilibrium:
       picture = equilibrium_forces(state.packing, zero_force_of(state));
@@ -71,12 +72,13 @@ PackingPicture picture_of(const std::string& file, const State<2>& state, Shown 
   return picture;
 }
 
-PackingPicture picture_of_changes(const std::string& before_file, const State<2>& before,
-                                  const std::string& after_file, const State<2>& after) {
+template <int Dim>
+PackingPicture<Dim> picture_of_changes(const std::string& before_file, const State<Dim>& before,
+                                       const std::string& after_file, const State<Dim>& after) {
   if (const std::string reason = incomparable(before.packing, after.packing); !reason.empty())
     throw InputError(after_file, "cannot be compared with " + before_file + ": " + reason);
-  const ContactChanges<2> changes = contact_changes(before.packing, after.packing);
-  PackingPicture picture = contacts_changed(before.packing, after.packing, changes);
+  const ContactChanges<Dim> changes = contact_changes(before.packing, after.packing);
+  PackingPicture<Dim> picture = contacts_changed(before.packing, after.packing, changes);
   picture.caption = {
       fmt::format("P* = {} → {}", pressure_of(before), pressure_of(after)),
       fmt::format("Φ = {:.4f} → {:.4f}", solid_fraction(before.packing), solid_fraction(after.packing)),
@@ -84,5 +86,12 @@ PackingPicture picture_of_changes(const std::string& before_file, const State<2>
                   changes.gained.size())};
   return picture;
 }
+
+template PackingPicture<2> picture_of(const std::string&, const State<2>&, Shown);
+template PackingPicture<3> picture_of(const std::string&, const State<3>&, Shown);
+template PackingPicture<2> picture_of_changes(const std::string&, const State<2>&, const std::string&,
+                                              const State<2>&);
+template PackingPicture<3> picture_of_changes(const std::string&, const State<3>&, const std::string&,
+                                              const State<3>&);
 
 }  // namespace floc

@@ -17,17 +17,20 @@ enum class Shown {
 };
 
 /// The 2D state among states of any dimension.
-/// @throws InputError for a 3D state, or one without grains: pictures are of disks
-const State<2>& disks_of(const std::string& file, const AnyState& state);
+/// @param what  is of disks only, such as "I(k)"
+/// @throws InputError for a 3D state
+const State<2>& disks_of(const std::string& file, const AnyState& state, const std::string& what);
 
 /// The picture of a state, its numbers as caption.
 /// @throws InputError where a mechanism leaves a step of stress without a solution
-PackingPicture picture_of(const std::string& file, const State<2>& state, Shown shown);
+template <int Dim>
+PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state, Shown shown);
 
 /// What changed from one state to another, on the geometry of the first: contacts lost and gained, where the
 /// grains went with the affine part taken off.
 /// @throws InputError where the two are not of the same grains
-PackingPicture picture_of_changes(const std::string& before_file, const State<2>& before,
-                                  const std::string& after_file, const State<2>& after);
+template <int Dim>
+PackingPicture<Dim> picture_of_changes(const std::string& before_file, const State<Dim>& before,
+                                       const std::string& after_file, const State<Dim>& after);
 
 }  // namespace floc

@@ -96,10 +96,24 @@ TEST_F(Draw, ReportsABadFileAndDrawsTheOthers) {
 
 TEST_F(Draw, RefusesInWordsWhatItCannotDraw) {
   write_state(file("spheres.h5"), busy_state<3>());
-  const Outcome spheres = floc("draw spheres.h5 -o s.svg");
-  EXPECT_EQ(spheres.code, 4);
-  EXPECT_THAT(spheres.err, AllOf(HasSubstr("spheres.h5: is 3D"), HasSubstr("floc convert")));
-  EXPECT_FALSE(exists("s.svg"));
+  const std::pair<const char*, const char*> refusals[] = {
+      {"draw run/state-0004.h5 -o s.svg --view 10,20",
+       "run/state-0004.h5: is 2D: --view, --slab and --sphere-size are of spheres"},
+      {"draw spheres.h5 -o s.svg --view 10", "--view 10: expected AZIMUTH,ELEVATION"},
+      {"draw spheres.h5 -o s.svg --view 10,91", "elevation of the view = 91 degrees: between -90 and 90"},
+      {"draw spheres.h5 -o s.svg --slab w,0,1", "--slab w,0,1: expected AXIS,FROM,TO"},
+      {"draw spheres.h5 -o s.svg --slab z,0.6,0.4", "slab from 0.6 to 0.4: fractions of the cell"},
+      {"draw spheres.h5 -o s.svg --slab x,0.98,0.99", "spheres.h5: has no grain whose centre lies in --slab"},
+      {"draw spheres.h5 -o s.svg --sphere-size 2", "sphere size = 2 of the true one: between 0 and 1"},
+      {"draw spheres.h5 -o s.svg --compare run/state-0004.h5",
+       "run/state-0004.h5: is 2D, and spheres.h5 is 3D"},
+  };
+  for (const auto& [command, words] : refusals) {
+    const Outcome o = floc(command);
+    EXPECT_EQ(o.code, 4) << command;
+    EXPECT_THAT(o.err, HasSubstr(words));
+    EXPECT_FALSE(exists("s.svg"));
+  }
   EXPECT_THAT(floc("draw run/state-0004.h5 -o a.gif").err,
               HasSubstr("expected a name that ends in .svg, .pdf or .png"));
   EXPECT_EQ(floc("draw run/state-0004.h5 -o a.gif").code, 4);
@@ -109,6 +123,24 @@ TEST_F(Draw, RefusesInWordsWhatItCannotDraw) {
   EXPECT_THAT(floc("draw run/state-0004.h5 -o a.svg --compare spheres.h5").err, HasSubstr("spheres.h5: is 3D"));
   EXPECT_THAT(floc("draw . -o a.svg").err, HasSubstr("state-0000.h5"));
   EXPECT_EQ(floc("draw run/state-0004.h5 -o absent/a.svg").code, 1);
+}
+
+TEST_F(Draw, DrawsSpheres) {
+  write_state(file("spheres.h5"), busy_state<3>());
+  const Outcome o = floc("draw spheres.h5 -o spheres.svg --view -30,10 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(content_of(file("spheres.svg")), HasSubstr("<radialGradient"));
+  EXPECT_EQ(json::parse(o.out).at(0).at("n_grains"), 3);
+  EXPECT_EQ(json::parse(o.out).at(0).at("n_distant"), 1);
+  for (const std::string rest : {"--forces none", "--forces particle-pressure", "--compare spheres.h5",
+                                 "--slab y,0,0.2 --sphere-size 0", "--bare", "--image"})
+    EXPECT_EQ(floc("draw spheres.h5 -o other.pdf " + rest).code, 0) << rest;
+  // In one strip with disks they are refused, in a directory each has its picture.
+  const Outcome strip = floc("draw run/state-0004.h5 spheres.h5 -o strip.svg");
+  EXPECT_EQ(strip.code, 4);
+  EXPECT_THAT(strip.err, HasSubstr("spheres.h5: is 3D, and the states before it are not"));
+  EXPECT_EQ(floc("draw run/state-0004.h5 spheres.h5 -o both/").code, 0);
+  EXPECT_TRUE(exists("both/spheres.svg"));
 }
 
 TEST_F(Draw, DrawsSkewedCells) {

@@ -8,7 +8,8 @@ namespace floc {
 /// What changed between two states, on the geometry of the first: contacts lost and gained, those kept thin,
 /// and where each grain went with the affine part taken off.
 /// @param changes  from `before` to `after`
-PackingPicture contacts_changed(const Packing<2>& before, const Packing<2>& after,
-                                const ContactChanges<2>& changes);
+template <int Dim>
+PackingPicture<Dim> contacts_changed(const Packing<Dim>& before, const Packing<Dim>& after,
+                                     const ContactChanges<Dim>& changes);
 
 }  // namespace floc

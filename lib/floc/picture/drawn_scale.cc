@@ -9,22 +9,25 @@
 
 namespace floc {
 
-double mean_diameter(const PackingPicture& picture) {
+template <int Dim>
+double mean_diameter(const PackingPicture<Dim>& picture) {
   return 2.0 * std::accumulate(picture.radius.begin(), picture.radius.end(), 0.0) /
          static_cast<double>(picture.radius.size());
 }
 
-double rms_force(const PackingPicture& picture) {
+template <int Dim>
+double rms_force(const PackingPicture<Dim>& picture) {
   double sum = 0.0;
   int n = 0;
-  for (const ContactLine& line : picture.lines)
+  for (const ContactLine<Dim>& line : picture.lines)
     if (line.force > 0.0) sum += line.force * line.force, ++n;
   return n == 0 ? 0.0 : std::sqrt(sum / n);
 }
 
-double rms_displacement(const PackingPicture& picture) {
+template <int Dim>
+double rms_displacement(const PackingPicture<Dim>& picture) {
   double sum = 0.0;
-  for (const DisplacementArrow& arrow : picture.arrows) sum += arrow.displacement.squaredNorm();
+  for (const DisplacementArrow<Dim>& arrow : picture.arrows) sum += arrow.displacement.squaredNorm();
   return picture.arrows.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(picture.arrows.size()));
 }
 
@@ -46,5 +49,12 @@ std::string short_number(double x) {
     result += kRaised[static_cast<std::size_t>(digit - '0')];
   return result.starts_with("1×") ? result.substr(std::string("1×").size()) : result;
 }
+
+template double mean_diameter(const PackingPicture<2>&);
+template double mean_diameter(const PackingPicture<3>&);
+template double rms_force(const PackingPicture<2>&);
+template double rms_force(const PackingPicture<3>&);
+template double rms_displacement(const PackingPicture<2>&);
+template double rms_displacement(const PackingPicture<3>&);
 
 }  // namespace floc

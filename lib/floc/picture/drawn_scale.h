@@ -11,13 +11,16 @@ struct DrawnScale {
   double points_per_displacement = 0.0;
 };
 
-double mean_diameter(const PackingPicture& picture);
+template <int Dim>
+double mean_diameter(const PackingPicture<Dim>& picture);
 
 /// Root mean square of the forces of all lines that have one; 0 without.
-double rms_force(const PackingPicture& picture);
+template <int Dim>
+double rms_force(const PackingPicture<Dim>& picture);
 
 /// Root mean square length of all arrows; 0 without.
-double rms_displacement(const PackingPicture& picture);
+template <int Dim>
+double rms_displacement(const PackingPicture<Dim>& picture);
 
 /// 1, 2 or 5 times a power of ten, the largest that is not above x > 0.
 double round_number_below(double x);

@@ -17,58 +17,71 @@ struct UnitForce {
   const char* name;
 };
 
-UnitForce unit_force_of(const Packing<2>& packing) {
+template <int Dim>
+UnitForce unit_force_of(const Packing<Dim>& packing) {
   if (packing.law.pull_off_force() > 0.0) return {packing.law.pull_off_force(), "F₀"};
   double sum = 0.0;
   int n = 0;
-  for (const Contact<2>& c : packing.contacts)
+  for (const Contact<Dim>& c : packing.contacts)
     if (c.normal_force > 0.0) sum += c.normal_force, ++n;
   return {n == 0 ? 1.0 : sum / n, "⟨F⟩"};
 }
 
-LineKind kind_of(const Contact<2>& c, double zero_force) {
+template <int Dim>
+LineKind kind_of(const Contact<Dim>& c, double zero_force) {
   if (c.distant) return LineKind::distant;
   if (std::abs(c.normal_force) <= zero_force) return LineKind::zero;
   return c.normal_force > 0.0 ? LineKind::compression : LineKind::tension;
 }
 
-ContactLine line_of(const Packing<2>& packing, const Contact<2>& c, LineKind kind, double force) {
-  const Vec<2>& from = packing.grains.position[c.i];
-  return {from, from + branch(packing, c), kind, force};
+template <int Dim>
+ContactLine<Dim> line_of(const Packing<Dim>& packing, const Contact<Dim>& c, LineKind kind, double force) {
+  const Vec<Dim>& from = packing.grains.position[c.i];
+  return {from, from + branch(packing, c), kind, force, c.i, c.j};
 }
 
 }  // namespace
 
-PackingPicture equilibrium_forces(const Packing<2>& packing, double zero_force) {
-  PackingPicture picture = grains_of(packing);
+template <int Dim>
+PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& packing, double zero_force) {
+  PackingPicture<Dim> picture = grains_of(packing);
   const UnitForce unit = unit_force_of(packing);
   picture.rattler = find_rattlers(packing, zero_force);
   picture.force_unit = unit.name;
-  for (const Contact<2>& c : packing.contacts)
+  for (const Contact<Dim>& c : packing.contacts)
     picture.lines.push_back(line_of(packing, c, kind_of(c, zero_force),
                                     std::hypot(c.normal_force, c.shear_force.norm()) / unit.size));
   return picture;
 }
 
-PackingPicture increment_forces(const Packing<2>& packing, const ContactNetwork<2>& network,
-                                const StepResponse<2>& step) {
-  PackingPicture picture = grains_of(packing);
+template <int Dim>
+PackingPicture<Dim> increment_forces(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
+                                     const StepResponse<Dim>& step) {
+  PackingPicture<Dim> picture = grains_of(packing);
   const double largest = packing.grains.size() == 0 ? 1.0 : largest_diameter(picture.radius);
-  picture.force_unit = "a δP";
+  const double unit = std::pow(largest, Dim - 1);
+  picture.force_unit = Dim == 2 ? "a δP" : "a² δP";
   picture.force_symbol = "δF";
   picture.compression_name = "force grows";
   picture.tension_name = "force falls";
   picture.note = fmt::format("in colour: {:.0f} % of the contacts, which hold 95 % of the energy",
                              100.0 * step.energy_share_95);
   for (std::size_t k = 0; k < network.contacts.size(); ++k) {
-    const ForceIncrement<2>& f = step.increments[k];
+    const ForceIncrement<Dim>& f = step.increments[k];
     const LineKind kind = step.rank[k] >= step.n_holding ? LineKind::background
                           : f.normal >= 0.0              ? LineKind::compression
                                                          : LineKind::tension;
     picture.lines.push_back(line_of(packing, packing.contacts[network.contacts[k].source], kind,
-                                    std::hypot(f.normal, f.shear.norm()) / largest));
+                                    std::hypot(f.normal, f.shear.norm()) / unit));
   }
   return picture;
 }
+
+template PackingPicture<2> equilibrium_forces(const Packing<2>&, double);
+template PackingPicture<3> equilibrium_forces(const Packing<3>&, double);
+template PackingPicture<2> increment_forces(const Packing<2>&, const ContactNetwork<2>&,
+                                            const StepResponse<2>&);
+template PackingPicture<3> increment_forces(const Packing<3>&, const ContactNetwork<3>&,
+                                            const StepResponse<3>&);
 
 }  // namespace floc

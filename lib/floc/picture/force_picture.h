@@ -10,13 +10,15 @@ namespace floc {
 /// its kind by the sign of the normal force. The unit is F0, or without adhesion the mean compressive normal
 /// force. Rattlers are marked.
 /// @param zero_force  largest normal force that counts as zero (force)
-PackingPicture equilibrium_forces(const Packing<2>& packing, double zero_force);
+template <int Dim>
+PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& packing, double zero_force);
 
 /// What a small step of stress adds to the forces: lines as above for the contacts that hold 95 % of its
-/// elastic energy, compression where the normal force grows; the others are background. The unit is the largest
-/// diameter times the stress.
+/// elastic energy, compression where the normal force grows; the others are background. The unit is the stress
+/// times the largest diameter, in 3D its square.
 /// @param network  of the packing   @param step  of the network
-PackingPicture increment_forces(const Packing<2>& packing, const ContactNetwork<2>& network,
-                                const StepResponse<2>& step);
+template <int Dim>
+PackingPicture<Dim> increment_forces(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
+                                     const StepResponse<Dim>& step);
 
 }  // namespace floc

@@ -8,6 +8,7 @@
 #include "floc/packing/grain_sizes.h"
 #include "floc/picture/packing_drawing.h"
 #include "floc/picture/palette.h"
+#include "floc/picture/sphere_drawing.h"
 
 namespace floc {
 namespace {
@@ -15,7 +16,8 @@ namespace {
 constexpr double kBetween = 12.0;  ///< items (points)
 constexpr double kAfterSample = 4.0;
 
-std::string name_of(LineKind kind, const PackingPicture& picture) {
+template <int Dim>
+std::string name_of(LineKind kind, const PackingPicture<Dim>& picture) {
   switch (kind) {
     case LineKind::background:
       return picture.background_name;
@@ -54,9 +56,11 @@ LegendItem scale_bar(double diameter, double points_per_length, double longest) 
           short_number(length) + " a (largest diameter)"};
 }
 
-LegendItem disk_item(const Color& fill, const std::string& text) {
+template <int Dim>
+LegendItem grain_item(const Color& fill, const std::string& text) {
   return {8.0,
           [fill](cairo_t* page, double x, double y) {
+            if constexpr (Dim == 3) return draw_ball(page, {x + 4.0, y}, 3.7, fill);
             cairo_new_sub_path(page);
             cairo_arc(page, x + 4.0, y, 3.7, 0.0, 6.2831853071795862);
             set_color(page, fill);
@@ -68,7 +72,8 @@ LegendItem disk_item(const Color& fill, const std::string& text) {
           text};
 }
 
-LegendItem arrow_item(const PackingPicture& picture, const DrawnScale& scale) {
+template <int Dim>
+LegendItem arrow_item(const PackingPicture<Dim>& picture, const DrawnScale& scale) {
   const double a = largest_diameter(picture.radius);
   const double length = round_number_below(2.0 * rms_displacement(picture) / a);
   const double points = length * a * scale.points_per_displacement;
@@ -157,10 +162,12 @@ void LegendItem::draw(cairo_t* page, double x, double baseline) const {
   draw_text(page, x + sample_width + kAfterSample, baseline, text);
 }
 
+template <int Dim>
 LegendItem line_item(const Color& color, double width, const std::string& text) {
   constexpr double kLength = 16.0;
   return {kLength,
           [color, width](cairo_t* page, double x, double y) {
+            if constexpr (Dim == 3) return draw_bar(page, {{x, y}, {x + kLength, y}, width, 0.0, 0.0}, color);
             set_color(page, color);
             cairo_set_line_width(page, width);
             cairo_set_line_cap(page, CAIRO_LINE_CAP_BUTT);
@@ -171,31 +178,34 @@ LegendItem line_item(const Color& color, double width, const std::string& text) 
           text};
 }
 
-LegendItem force_item(const PackingPicture& picture, const DrawnScale& scale) {
+template <int Dim>
+LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale) {
   const double force = round_number_below(2.0 * rms_force(picture));
-  return line_item(palette::kText, force * scale.points_per_force,
-                   "|" + picture.force_symbol + "| = " + short_number(force) + " " + picture.force_unit);
+  return line_item<Dim>(Dim == 2 ? palette::kText : palette::kOutline, force * scale.points_per_force,
+                        "|" + picture.force_symbol + "| = " + short_number(force) + " " + picture.force_unit);
 }
 
-std::vector<LegendItem> legend_of(const std::vector<PackingPicture>& pictures, const DrawnScale& scale,
+template <int Dim>
+std::vector<LegendItem> legend_of(const std::vector<PackingPicture<Dim>>& pictures, const DrawnScale& scale,
                                   double bar) {
-  const PackingPicture& first = pictures.front();
+  const PackingPicture<Dim>& first = pictures.front();
   std::vector<LegendItem> items = {scale_bar(largest_diameter(first.radius), scale.points_per_length, bar)};
   std::set<LineKind> kinds;
   bool rattlers = false;
-  for (const PackingPicture& picture : pictures) {
-    for (const ContactLine& line : picture.lines) kinds.insert(line.kind);
+  for (const PackingPicture<Dim>& picture : pictures) {
+    for (const ContactLine<Dim>& line : picture.lines) kinds.insert(line.kind);
     rattlers =
         rattlers || std::find(picture.rattler.begin(), picture.rattler.end(), true) != picture.rattler.end();
   }
   for (auto kind = kinds.rbegin(); kind != kinds.rend(); ++kind)
-    items.push_back(line_item(color_of(*kind), *kind == LineKind::zero ? 0.8 : 2.0, name_of(*kind, first)));
-  if (rattlers) items.push_back(disk_item(palette::kRattler, "rattler"));
+    items.push_back(
+        line_item<Dim>(color_of(*kind), *kind == LineKind::zero ? 0.8 : 2.0, name_of(*kind, first)));
+  if (rattlers) items.push_back(grain_item<Dim>(palette::kRattler, "rattler"));
   const auto moved = std::find_if(pictures.begin(), pictures.end(),
-                                  [](const PackingPicture& p) { return rms_displacement(p) > 0.0; });
+                                  [](const PackingPicture<Dim>& p) { return rms_displacement(p) > 0.0; });
   if (moved != pictures.end()) items.push_back(arrow_item(*moved, scale));
   if (!first.shade.value.empty()) items.push_back(color_bar(first.shade));
-  for (const PackingPicture& picture : pictures)
+  for (const PackingPicture<Dim>& picture : pictures)
     if (!picture.note.empty() && pictures.size() == 1) items.push_back(text_item(picture.note));
   return items;
 }
@@ -211,5 +221,10 @@ void draw_legend(cairo_t* page, const std::vector<LegendItem>& items, double lef
     item.draw(page, left + x, top + kTextLine * line + kTextSize);
   });
 }
+
+template LegendItem force_item(const PackingPicture<2>&, const DrawnScale&);
+template LegendItem force_item(const PackingPicture<3>&, const DrawnScale&);
+template std::vector<LegendItem> legend_of(const std::vector<PackingPicture<2>>&, const DrawnScale&, double);
+template std::vector<LegendItem> legend_of(const std::vector<PackingPicture<3>>&, const DrawnScale&, double);
 
 }  // namespace floc

@@ -35,17 +35,20 @@ struct LegendItem {
   void draw(cairo_t* page, double x, double baseline) const;
 };
 
-/// A line of that width (points), and its meaning.
+/// A line of that width (points), in 3D a round bar, and its meaning.
+template <int Dim>
 LegendItem line_item(const Color& color, double width, const std::string& text);
 
 /// How thick a round force is drawn at this scale.
 /// @pre some line has a force
-LegendItem force_item(const PackingPicture& picture, const DrawnScale& scale);
+template <int Dim>
+LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale);
 
 /// What all pictures of a sheet show, explained once: scale bar, kinds of lines, rattlers, arrows, colours,
 /// notes.
 /// @param bar  of the scale bar, about its longest length (points)
-std::vector<LegendItem> legend_of(const std::vector<PackingPicture>& pictures, const DrawnScale& scale,
+template <int Dim>
+std::vector<LegendItem> legend_of(const std::vector<PackingPicture<Dim>>& pictures, const DrawnScale& scale,
                                   double bar);
 
 /// Height of a legend set in lines no longer than `width` (points).

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "floc/picture/line_width.h"
 #include "floc/picture/periodic_copies.h"
 
 namespace floc {
@@ -17,9 +18,6 @@ constexpr double kSmallestOutlined = 2.5;
 /// Widths of lines are rounded to this (points): lines of one width share a path, which keeps files small.
 constexpr double kWidthStep = 0.05;
 constexpr int kShades = 64;
-/// Least widths in mean diameters, so that what is hardly loaded is still to be seen.
-constexpr double kFaintest = 0.02;
-constexpr double kMarked = 0.09;
 
 struct Segment {
   Vec<2> from, to;
@@ -28,7 +26,7 @@ struct Segment {
 /// Draws one picture.
 class Drawing {
  public:
-  Drawing(cairo_t* page, const PackingPicture& picture, const Placement& placement)
+  Drawing(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement)
       : page_(page),
         picture_(picture),
         placement_(placement),
@@ -69,7 +67,7 @@ class Drawing {
 
   void draw_lines() const {
     std::map<std::pair<LineKind, int>, std::vector<Segment>> by_width;
-    for (const ContactLine& line : picture_.lines) {
+    for (const ContactLine<2>& line : picture_.lines) {
       const int level = static_cast<int>(std::lround(width_of(line) / kWidthStep));
       const double reach = 0.5 * width_of(line) / placement_.scale.points_per_length;
       copies_.of_segment(line.from, line.to, reach, [&](const Vec<2>& shift) {
@@ -88,7 +86,7 @@ class Drawing {
   void draw_arrows() const {
     set_color(page_, palette::kArrow);
     const double longer = placement_.scale.points_per_displacement / placement_.scale.points_per_length;
-    for (const DisplacementArrow& arrow : picture_.arrows) {
+    for (const DisplacementArrow<2>& arrow : picture_.arrows) {
       const Vec<2> to = arrow.from + longer * arrow.displacement;
       copies_.of_segment(arrow.from, to, 0.0, [&](const Vec<2>& shift) {
         draw_arrow(page_, on_page(arrow.from + shift), on_page(to + shift), 0.05 * diameter_, 0.35 * diameter_);
@@ -125,11 +123,7 @@ class Drawing {
     cairo_stroke(page_);
   }
 
-  double width_of(const ContactLine& line) const {
-    const double least = (line.kind == LineKind::distant ? kMarked : kFaintest) * diameter_;
-    if (line.kind == LineKind::lost || line.kind == LineKind::gained) return 1.5 * kMarked * diameter_;
-    return std::max(least, placement_.scale.points_per_force * line.force);
-  }
+  double width_of(const ContactLine<2>& line) const { return drawn_width(line, placement_.scale, diameter_); }
 
   void stroke(const std::vector<Segment>& segments) const {
     int n = 0;
@@ -142,10 +136,10 @@ class Drawing {
   }
 
   cairo_t* page_;
-  const PackingPicture& picture_;
+  const PackingPicture<2>& picture_;
   const Placement& placement_;
   Box box_;
-  PeriodicCopies copies_;
+  PeriodicCopies<2> copies_;
   double diameter_;  ///< mean (points)
 };
 
@@ -201,7 +195,7 @@ void draw_arrow(cairo_t* page, const Vec<2>& from, const Vec<2>& to, double widt
   cairo_fill(page);
 }
 
-void draw_packing(cairo_t* page, const PackingPicture& picture, const Placement& placement) {
+void draw_packing(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement) {
   const Drawing drawing(page, picture, placement);
   cairo_save(page);
   drawing.trace_cell();
@@ -212,7 +206,7 @@ void draw_packing(cairo_t* page, const PackingPicture& picture, const Placement&
   cairo_restore(page);
 }
 
-void draw_cell(cairo_t* page, const PackingPicture& picture, const Placement& placement) {
+void draw_cell(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement) {
   Drawing(page, picture, placement).trace_cell();
   set_color(page, palette::kCell);
   cairo_set_line_width(page, 0.5);

@@ -30,10 +30,10 @@ Color color_of(LineKind kind);
 /// Draws grains, lines and arrows of a picture, each with those of its periodic copies that reach into the
 /// cell, cut at the cell's border. Outlines of grains are left out where the mean grain is smaller than 2.5
 /// points.
-void draw_packing(cairo_t* page, const PackingPicture& picture, const Placement& placement);
+void draw_packing(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement);
 
 /// The border of the cell.
-void draw_cell(cairo_t* page, const PackingPicture& picture, const Placement& placement);
+void draw_cell(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement);
 
 /// An arrow from one point of the page to another, its head no longer than `largest_head`.
 void draw_arrow(cairo_t* page, const Vec<2>& from, const Vec<2>& to, double width, double largest_head);

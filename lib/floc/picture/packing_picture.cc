@@ -1,13 +1,53 @@
 #include "floc/picture/packing_picture.h"
 
+#include <fmt/format.h>
+
 namespace floc {
 
-PackingPicture grains_of(const Packing<2>& packing) {
-  PackingPicture picture;
+template <int Dim>
+PackingPicture<Dim> grains_of(const Packing<Dim>& packing) {
+  PackingPicture<Dim> picture;
   picture.cell = packing.cell;
   picture.position = packing.grains.position;
   picture.radius = packing.grains.radius;
   return picture;
+}
+
+template PackingPicture<2> grains_of(const Packing<2>&);
+template PackingPicture<3> grains_of(const Packing<3>&);
+
+std::vector<std::string> Slab::validate() const {
+  if (from >= 0.0 && from < to && to <= 1.0) return {};
+  return {fmt::format("slab from {} to {}: fractions of the cell, 0 <= from < to <= 1", from, to)};
+}
+
+PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& slab) {
+  PackingPicture<3> part = picture;
+  part.slab = slab;
+  part.position.clear();
+  part.radius.clear();
+  part.rattler.clear();
+  part.shade.value.clear();
+  const auto n = static_cast<int>(picture.position.size());
+  constexpr int kOutside = -1;
+  std::vector<int> place(n, kOutside);  // of a grain of the whole in the part
+  for (int i = 0; i < n; ++i) {
+    const double s = picture.cell.reduced(picture.cell.wrapped(picture.position[i]))[slab.axis];
+    if (s < slab.from || s >= slab.to) continue;
+    place[i] = static_cast<int>(part.position.size());
+    part.position.push_back(picture.position[i]);
+    part.radius.push_back(picture.radius[i]);
+    if (!picture.rattler.empty()) part.rattler.push_back(picture.rattler[i]);
+    if (!picture.shade.value.empty()) part.shade.value.push_back(picture.shade.value[i]);
+  }
+  const auto n_part = static_cast<int>(part.position.size());
+  // Numbers of walls follow those of the grains.
+  const auto place_of = [&](int body) { return body < n ? place[body] : body - n + n_part; };
+  for (ContactLine<3>& line : part.lines) line.i = place_of(line.i), line.j = place_of(line.j);
+  for (DisplacementArrow<3>& arrow : part.arrows) arrow.grain = place_of(arrow.grain);
+  std::erase_if(part.lines, [](const auto& line) { return line.i == kOutside || line.j == kOutside; });
+  std::erase_if(part.arrows, [](const auto& arrow) { return arrow.grain == kOutside; });
+  return part;
 }
 
 }  // namespace floc

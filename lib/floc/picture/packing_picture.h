@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,17 +22,21 @@ enum class LineKind {
 };
 
 /// A contact as a line between the centres of its grains.
+template <int Dim>
 struct ContactLine {
-  Vec<2> from = Vec<2>::Zero();
-  Vec<2> to = Vec<2>::Zero();  ///< centre of the image of the other grain
+  Vec<Dim> from = Vec<Dim>::Zero();
+  Vec<Dim> to = Vec<Dim>::Zero();  ///< centre of the image of the other grain
   LineKind kind = LineKind::compression;
   double force = 0.0;  ///< its size, in `PackingPicture::force_unit`: what the width is proportional to
+  int i = 0, j = 0;    ///< its bodies: where it starts and ends
 };
 
 /// Where a grain went.
+template <int Dim>
 struct DisplacementArrow {
-  Vec<2> from = Vec<2>::Zero();
-  Vec<2> displacement = Vec<2>::Zero();
+  Vec<Dim> from = Vec<Dim>::Zero();
+  Vec<Dim> displacement = Vec<Dim>::Zero();
+  int grain = 0;
 };
 
 /// A value of every grain, shown as its colour.
@@ -41,28 +46,44 @@ struct GrainShade {
   std::string name;           ///< what it is, in the legend
 };
 
-/// A packing of disks as it is to be drawn, in the length of the state: grains, lines, arrows, colours. Nothing
-/// here is cut or copied yet: the drawing repeats all of it periodically and cuts it at the border of the cell.
+/// A layer of a cell between two lattice planes, as fractions of a lattice vector.
+struct Slab {
+  int axis = 2;  ///< of the lattice vectors, from 0
+  double from = 0.0, to = 1.0;
+
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
+};
+
+/// A packing as it is to be drawn, in the length of the state: grains, lines, arrows, colours. Nothing here is
+/// cut or copied yet: the drawing repeats periodically and cuts at the border of the cell.
+template <int Dim>
 struct PackingPicture {
-  Cell<2> cell;
-  std::vector<Vec<2>> position;
+  Cell<Dim> cell;
+  std::vector<Vec<Dim>> position;
   std::vector<double> radius;
   std::vector<bool> rattler;  ///< one entry a grain, or empty: none is marked
-  std::vector<ContactLine> lines;
+  std::vector<ContactLine<Dim>> lines;
   std::string force_unit;  ///< in words for the legend, such as "F₀"
   std::string force_symbol = "F";
   // Names of kinds of lines in the legend.
   std::string compression_name = "compression";
   std::string tension_name = "tension";
   std::string background_name = "other contacts";
-  std::vector<DisplacementArrow> arrows;
-  GrainShade shade;  ///< without values: grains are grey
+  std::vector<DisplacementArrow<Dim>> arrows;
+  std::optional<Slab> slab;  ///< the part of the cell that is left, see part_in_slab()
+  GrainShade shade;          ///< without values: grains are grey
   /// Above the picture, broken between these parts where they do not fit one line.
   std::vector<std::string> caption;
   std::string note;  ///< in the legend, may be empty
 };
 
 /// Cell and grains of a packing.
-PackingPicture grains_of(const Packing<2>& packing);
+template <int Dim>
+PackingPicture<Dim> grains_of(const Packing<Dim>& packing);
+
+/// What lies in a slab: the grains whose centres do, lines between two of those, their arrows. A centre on the
+/// border between two slabs is in the upper one.
+PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& slab);
 
 }  // namespace floc

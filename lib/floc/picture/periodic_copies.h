@@ -9,24 +9,29 @@ namespace floc {
 
 /// Which periodic copies of a thing reach into the cell 0 <= s < 1 (s: reduced coordinates). Any lattice
 /// vectors, things larger than the cell too.
+template <int Dim>
 class PeriodicCopies {
  public:
-  explicit PeriodicCopies(const Cell<2>& cell)
+  explicit PeriodicCopies(const Cell<Dim>& cell)
       : cell_(cell), reciprocal_(cell.matrix.transpose().inverse()), reach_(reciprocal_.rowwise().norm()) {}
 
-  /// Calls `draw(shift)` with the displacement of each copy of the convex hull of two disks of one radius
+  /// Calls `draw(shift)` with the displacement of each copy of the convex hull of two disks (3D: balls) of one radius
   /// (length) that reaches into the cell.
   template <class Draw>
-  void of_segment(const Vec<2>& from, const Vec<2>& to, double radius, Draw&& draw) const {
-    const Vec<2> a = reciprocal_ * from, b = reciprocal_ * to;
-    const Vec<2> low = a.cwiseMin(b) - radius * reach_;
-    const Vec<2> high = a.cwiseMax(b) + radius * reach_;
+  void of_segment(const Vec<Dim>& from, const Vec<Dim>& to, double radius, Draw&& draw) const {
+    const Vec<Dim> a = reciprocal_ * from, b = reciprocal_ * to;
+    const Vec<Dim> low = a.cwiseMin(b) - radius * reach_;
+    const Vec<Dim> high = a.cwiseMax(b) + radius * reach_;
     for (int m = first(high[0]); m <= last(low[0]); ++m)
-      for (int n = first(high[1]); n <= last(low[1]); ++n) draw(cell_.shift({m, n}));
+      for (int n = first(high[1]); n <= last(low[1]); ++n)
+        if constexpr (Dim == 2)
+          draw(cell_.shift({m, n}));
+        else
+          for (int k = first(high[2]); k <= last(low[2]); ++k) draw(cell_.shift({m, n, k}));
   }
 
   template <class Draw>
-  void of_disk(const Vec<2>& centre, double radius, Draw&& draw) const {
+  void of_disk(const Vec<Dim>& centre, double radius, Draw&& draw) const {
     of_segment(centre, centre, radius, std::forward<Draw>(draw));
   }
 
@@ -34,9 +39,9 @@ class PeriodicCopies {
   static int first(double high) { return static_cast<int>(std::ceil(-high)); }
   static int last(double low) { return static_cast<int>(std::floor(1.0 - low)); }
 
-  Cell<2> cell_;
-  Mat<2> reciprocal_;  ///< rows: reciprocal vectors, so s = reciprocal_ x
-  Vec<2> reach_;       ///< of a unit length in reduced coordinates
+  Cell<Dim> cell_;
+  Mat<Dim> reciprocal_;  ///< rows: reciprocal vectors, so s = reciprocal_ x
+  Vec<Dim> reach_;       ///< of a unit length in reduced coordinates
 };
 
 }  // namespace floc

@@ -22,14 +22,15 @@ double size_within(std::vector<double> values, double share) {
 
 }  // namespace
 
-PackingPicture grain_pressures(const Packing<2>& packing, double pressure) {
-  PackingPicture picture = grains_of(packing);
+template <int Dim>
+PackingPicture<Dim> grain_pressures(const Packing<Dim>& packing, double pressure) {
+  PackingPicture<Dim> picture = grains_of(packing);
   picture.shade.value = particle_pressure(packing);
   picture.shade.name = "pressure of a grain over P,";
   double unit = pressure;
   if (unit <= 0.0) {
-    picture.shade.name = "pressure of a grain over F₀/a,";
-    unit = packing.law.pull_off_force() / largest_diameter(picture.radius);
+    picture.shade.name = Dim == 2 ? "pressure of a grain over F₀/a," : "pressure of a grain over F₀/a²,";
+    unit = packing.law.pull_off_force() / std::pow(largest_diameter(picture.radius), Dim - 1);
   }
   if (unit > 0.0)
     for (double& value : picture.shade.value) value /= unit;
@@ -37,5 +38,8 @@ PackingPicture grain_pressures(const Packing<2>& packing, double pressure) {
   if (size > 0.0) picture.shade.largest = size;
   return picture;
 }
+
+template PackingPicture<2> grain_pressures(const Packing<2>&, double);
+template PackingPicture<3> grain_pressures(const Packing<3>&, double);
 
 }  // namespace floc

@@ -4,9 +4,10 @@
 
 namespace floc {
 
-/// Particle pressures as the colour of the grains, over the pressure of the packing, or over F0/a where that is
-/// zero. The colours end at the value that 98 % of the grains stay within, either sign.
+/// Particle pressures as the colour of the grains, over the pressure of the packing, or over F0/a (in 3D F0/a^2) where
+/// that is zero. The colours end at the value that 98 % of the grains stay within, either sign.
 /// @param pressure  of the packing (stress)
-PackingPicture grain_pressures(const Packing<2>& packing, double pressure);
+template <int Dim>
+PackingPicture<Dim> grain_pressures(const Packing<Dim>& packing, double pressure);
 
 }  // namespace floc

@@ -8,6 +8,7 @@
 #include "floc/picture/legend.h"
 #include "floc/picture/packing_drawing.h"
 #include "floc/picture/page.h"
+#include "floc/picture/sphere_drawing.h"
 
 namespace floc {
 namespace {
@@ -15,21 +16,37 @@ namespace {
 constexpr double kMargin = 5.0;   ///< (points)
 constexpr double kGap = 12.0;     ///< between the pictures of a strip
 constexpr double kTallest = 1.3;  ///< height of a picture over the width of the page
-constexpr double kMinPixels = 200.0 / 72.0;
+/// Light and shade need more pixels than flat colours.
+template <int Dim>
+constexpr double kMinPixels = (Dim == 2 ? 200.0 : 300.0) / 72.0;
 constexpr double kMaxPixelsASide = 3000.0;
 constexpr double kPixelsADiameter = 6.0;
-constexpr std::size_t kMaxVectors = 15000;
+/// Each part in 3D has a gradient of its own, about 600 bytes.
+template <int Dim>
+constexpr std::size_t kMaxVectors = Dim == 2 ? 15000 : 6000;
+constexpr double kAxisRoom = 10.0;  ///< around a picture in 3D, for the names of the axes (points)
+
+Box drawn_box(const PackingPicture<2>& picture, const SheetOptions&) {
+  return box_of(picture.cell);
+}
+
+Box drawn_box(const PackingPicture<3>& picture, const SheetOptions& options) {
+  return box_of(picture, options.view);
+}
 
 /// The layout of a sheet (points).
+template <int Dim>
 class Layout {
  public:
-  Layout(const std::vector<PackingPicture>& pictures, const SheetOptions& options)
-      : pictures_(pictures), options_(options) {
+  Layout(const std::vector<PackingPicture<Dim>>& pictures, const SheetOptions& options)
+      : pictures_(pictures), options_(options), room_(Dim == 2 || options.bare ? 0.0 : kAxisRoom) {
     columns_ = std::min(options.columns, static_cast<int>(pictures.size()));
     Vec<2> largest = Vec<2>::Zero();
-    for (const PackingPicture& p : pictures) largest = largest.cwiseMax(box_of(p.cell).size());
+    for (const PackingPicture<Dim>& p : pictures)
+      boxes_.push_back(drawn_box(p, options)), largest = largest.cwiseMax(boxes_.back().size());
     column_width_ = (inner_width() - (columns_ - 1) * kGap) / columns_;
-    scale_.points_per_length = std::min(column_width_ / largest[0], kTallest * inner_width() / largest[1]);
+    scale_.points_per_length = std::min((column_width_ - 2.0 * room_) / largest[0],
+                                        (kTallest * inner_width() - 2.0 * room_) / largest[1]);
     set_scales();
     own_keys_ =
         pictures.size() > 1 && !options.same_force_scale && !options.bare && rms_force(pictures.front()) > 0.0;
@@ -37,7 +54,7 @@ class Layout {
       legend_ = legend_of(pictures, scale_, std::min(100.0, 0.3 * column_width_));
       if (!own_keys_ && rms_force(pictures.front()) > 0.0)
         legend_.insert(legend_.begin() + 1, force_item(pictures.front(), scale_));
-      for (const PackingPicture& p : pictures) captions_.push_back(caption_lines(p));
+      for (const PackingPicture<Dim>& p : pictures) captions_.push_back(caption_lines(p));
     }
     place();
   }
@@ -47,26 +64,28 @@ class Layout {
   double pixels_per_point() const {
     if (options_.resolution) return *options_.resolution / 72.0;
     double smallest = scale_.points_per_length * mean_diameter(pictures_.front());
-    for (const PackingPicture& p : pictures_)
+    for (const PackingPicture<Dim>& p : pictures_)
       smallest = std::min(smallest, scale_.points_per_length * mean_diameter(p));
     const double most = kMaxPixelsASide / std::max(options_.width, height_);
-    return std::min(std::max(kMinPixels, kPixelsADiameter / smallest), std::max(most, kMinPixels));
+    return std::min(std::max(kMinPixels<Dim>, kPixelsADiameter / smallest), std::max(most, kMinPixels<Dim>));
   }
 
+  /// Of the box of a picture.
   const std::vector<Placement>& placements() const { return placements_; }
+  const std::vector<Box>& boxes() const { return boxes_; }
 
   void draw_words(cairo_t* page) const {
     if (options_.bare) return;
     set_font(page);
     for (std::size_t k = 0; k < pictures_.size(); ++k) {
       const Placement& at = placements_[k];
-      double baseline = at.top - 4.0;
+      double baseline = at.top - room_ - 4.0;
       if (own_keys_) {
-        force_item(pictures_[k], at.scale).draw(page, at.left, baseline);
+        force_item(pictures_[k], at.scale).draw(page, at.left - room_, baseline);
         baseline -= kTextLine;
       }
       for (auto line = captions_[k].rbegin(); line != captions_[k].rend(); ++line, baseline -= kTextLine)
-        draw_text(page, at.left, baseline, *line);
+        draw_text(page, at.left - room_, baseline, *line);
     }
     draw_legend(page, legend_, kMargin, legend_top_, inner_width());
   }
@@ -75,7 +94,7 @@ class Layout {
   /// What a point on the page is worth, in forces and displacements.
   void set_scales() {
     double moved = 0.0, force = 0.0, force_diameter = 0.0;
-    for (const PackingPicture& p : pictures_) {
+    for (const PackingPicture<Dim>& p : pictures_) {
       moved = std::max(moved, rms_displacement(p));
       if (rms_force(p) > force) force = rms_force(p), force_diameter = mean_diameter(p);
     }
@@ -98,7 +117,7 @@ class Layout {
         // A single picture stands in the middle, those of a strip at the upper left of their places.
         const double left = pictures_.size() == 1 ? 0.5 * (inner_width() - size_of(k)[0])
                                                   : static_cast<double>(k - first) * (column_width_ + kGap);
-        placements_.push_back({kMargin + left, top + above, scale_of(k)});
+        placements_.push_back({kMargin + left + room_, top + above + room_, scale_of(k)});
       }
       top += above + row + kGap;
     }
@@ -107,7 +126,7 @@ class Layout {
         legend_top_ + (legend_.empty() ? kMargin - kGap + 2.0 : legend_height(legend_, inner_width()) + 1.0);
   }
 
-  std::vector<std::string> caption_lines(const PackingPicture& picture) const {
+  std::vector<std::string> caption_lines(const PackingPicture<Dim>& picture) const {
     std::vector<std::string> lines;
     for (const std::string& part : picture.caption) {
       const std::string longer = lines.empty() ? part : lines.back() + "   " + part;
@@ -119,7 +138,9 @@ class Layout {
     return lines;
   }
 
-  Vec<2> size_of(std::size_t k) const { return scale_.points_per_length * box_of(pictures_[k].cell).size(); }
+  Vec<2> size_of(std::size_t k) const {
+    return (scale_.points_per_length * boxes_[k].size()).array() + 2.0 * room_;
+  }
 
   DrawnScale scale_of(std::size_t k) const {
     DrawnScale scale = scale_;
@@ -129,8 +150,10 @@ class Layout {
     return scale;
   }
 
-  const std::vector<PackingPicture>& pictures_;
+  const std::vector<PackingPicture<Dim>>& pictures_;
   const SheetOptions& options_;
+  double room_;  ///< around each picture
+  std::vector<Box> boxes_;
   int columns_ = 1;
   double column_width_ = 0.0;
   DrawnScale scale_;
@@ -142,11 +165,51 @@ class Layout {
   double height_ = 0.0;
 };
 
-std::size_t count_marks(const std::vector<PackingPicture>& pictures) {
-  std::size_t n = 0;
-  for (const PackingPicture& p : pictures) n += p.position.size() + p.lines.size() + p.arrows.size();
-  return n;
-}
+/// A picture at its place, ready to be drawn.
+template <int Dim>
+class Placed;
+
+template <>
+class Placed<2> {
+ public:
+  Placed(const PackingPicture<2>& picture, const Placement& at, const Box&, const SheetOptions&)
+      : picture_(picture), at_(at) {}
+
+  std::size_t n_marks() const {
+    return picture_.position.size() + picture_.lines.size() + picture_.arrows.size();
+  }
+  void draw(cairo_t* page) const { draw_packing(page, picture_, at_); }
+  void draw_frame(cairo_t* page) const { draw_cell(page, picture_, at_); }
+
+ private:
+  const PackingPicture<2>& picture_;
+  const Placement& at_;
+};
+
+template <>
+class Placed<3> {
+ public:
+  Placed(const PackingPicture<3>& picture, const Placement& at, const Box& box, const SheetOptions& options)
+      : picture_(picture),
+        at_(at),
+        box_(box),
+        bare_(options.bare),
+        seen_(seen_packing(picture, options.view, at.scale)) {}
+
+  std::size_t n_marks() const { return seen_.order.size(); }
+  void draw(cairo_t* page) const { draw_seen(page, seen_, picture_, box_, at_); }
+  void draw_frame(cairo_t* page) const {
+    draw_front_edges(page, seen_, box_, at_);
+    if (!bare_) draw_axes(page, seen_, box_, at_);
+  }
+
+ private:
+  const PackingPicture<3>& picture_;
+  const Placement& at_;
+  const Box& box_;
+  bool bare_;
+  SeenPacking seen_;
+};
 
 }  // namespace
 
@@ -161,28 +224,39 @@ std::vector<std::string> SheetOptions::validate() const {
          fmt::format("line width = {} mean diameters: above 0, at most 2", line_width));
   demand(!resolution || (*resolution >= 10.0 && *resolution <= 2400.0),
          fmt::format("resolution = {} pixels per inch: between 10 and 2400", resolution.value_or(0.0)));
+  for (const std::string& fault : view.validate()) faults.push_back(fault);
   return faults;
 }
 
-std::string draw_sheet(const std::vector<PackingPicture>& pictures, const SheetOptions& options) {
-  const Layout layout(pictures, options);
+template <int Dim>
+std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const SheetOptions& options) {
+  const Layout<Dim> layout(pictures, options);
   const double pixels = layout.pixels_per_point();
+  std::vector<Placed<Dim>> placed;
+  std::size_t n_marks = 0;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    placed.emplace_back(pictures[k], layout.placements()[k], layout.boxes()[k], options);
+    n_marks += placed.back().n_marks();
+  }
   const bool as_image =
-      options.format != PictureFormat::png && options.as_image.value_or(count_marks(pictures) > kMaxVectors);
+      options.format != PictureFormat::png && options.as_image.value_or(n_marks > kMaxVectors<Dim>);
   Page page(options.format, options.width, layout.height(), pixels);
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     const Placement& at = layout.placements()[k];
-    const Vec<2> size = at.scale.points_per_length * box_of(pictures[k].cell).size();
+    const Vec<2> size = at.scale.points_per_length * layout.boxes()[k].size();
     if (as_image) {
       const ImageLayer image(page.context(), at.left, at.top, size[0], size[1], pixels);
-      draw_packing(image.context(), pictures[k], at);
+      placed[k].draw(image.context());
     } else {
-      draw_packing(page.context(), pictures[k], at);
+      placed[k].draw(page.context());
     }
-    draw_cell(page.context(), pictures[k], at);
+    placed[k].draw_frame(page.context());
   }
   layout.draw_words(page.context());
   return page.finish();
 }
+
+template std::string draw_sheet(const std::vector<PackingPicture<2>>&, const SheetOptions&);
+template std::string draw_sheet(const std::vector<PackingPicture<3>>&, const SheetOptions&);
 
 }  // namespace floc

@@ -6,6 +6,7 @@
 
 #include "floc/picture/packing_picture.h"
 #include "floc/picture/picture_format.h"
+#include "floc/picture/view.h"
 
 namespace floc {
 
@@ -20,11 +21,12 @@ struct SheetOptions {
   bool same_force_scale = false;  ///< of all pictures of a strip; otherwise each has its own
   bool bare = false;              ///< no captions and no legend
   /// Pixels per inch of a png, and of grains and lines that are embedded as an image. Absent: six pixels a mean
-  /// diameter, but at least 200 and a page of at most 3000 pixels a side.
+  /// diameter, but at least 200 (in 3D 300) and a page of at most 3000 pixels a side.
   std::optional<double> resolution;
-  /// Draw grains and lines of an svg or pdf as an image. Absent: where there are more than 15 000 of them,
-  /// which as vectors would take megabytes. Legend, captions and scale bar are vectors always.
+  /// Draw grains and lines of an svg or pdf as an image. Absent: where there are more than 15 000 of them (in 3D
+  /// 6 000 that are seen), which as vectors would take megabytes. Legend, captions and scale bar are vectors always.
   std::optional<bool> as_image;
+  View view;  ///< of spheres
 
   /// Every fault as "name = value: requirement".
   std::vector<std::string> validate() const;
@@ -32,9 +34,11 @@ struct SheetOptions {
 
 /// Draws one picture, or several as a film strip with one length scale for all: grains and lines cut at the
 /// borders of the cell, with captions, a legend of what is there, a scale bar in largest diameters and the
-/// width of a force.
+/// width of a force. Spheres are shaded, the nearer before the farther, with the edges of the cell and names of
+/// its axes; forces between them are tubes.
 /// @return the bytes of the file
 /// @pre options.validate() is empty; there is a picture, and each has a grain.
-std::string draw_sheet(const std::vector<PackingPicture>& pictures, const SheetOptions& options);
+template <int Dim>
+std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const SheetOptions& options);
 
 }  // namespace floc

@@ -28,7 +28,7 @@ TEST(DrawnScale, NumbersAreShort) {
 }
 
 TEST(DrawnScale, MeansAreOfWhatIsThere) {
-  PackingPicture picture;
+  PackingPicture<2> picture;
   picture.radius = {0.5, 0.25};
   EXPECT_DOUBLE_EQ(mean_diameter(picture), 0.75);
   EXPECT_EQ(rms_force(picture), 0.0);

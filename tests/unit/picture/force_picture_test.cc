@@ -35,14 +35,14 @@ Packing<2> four_contacts() {
 }
 
 TEST(EquilibriumForces, LinesJoinCentresAcrossTheBorder) {
-  const PackingPicture picture = equilibrium_forces(four_contacts(), 1e-6);
+  const PackingPicture<2> picture = equilibrium_forces(four_contacts(), 1e-6);
   ASSERT_EQ(picture.lines.size(), 4u);
   EXPECT_EQ(picture.lines[1].from, Vec<2>(0.5, 0.5));
   EXPECT_EQ(picture.lines[1].to, Vec<2>(-0.5, 0.5));
 }
 
 TEST(EquilibriumForces, KindsGoBySignAndSizesHoldBothComponents) {
-  const PackingPicture picture = equilibrium_forces(four_contacts(), 1e-6);
+  const PackingPicture<2> picture = equilibrium_forces(four_contacts(), 1e-6);
   EXPECT_EQ(picture.lines[0].kind, LineKind::compression);
   EXPECT_EQ(picture.lines[1].kind, LineKind::tension);
   EXPECT_EQ(picture.lines[2].kind, LineKind::distant);
@@ -57,7 +57,7 @@ TEST(EquilibriumForces, WithoutAdhesionAreMeasuredInTheirMean) {
   Packing<2> packing = four_contacts();
   packing.law.adhesion.reset();
   packing.contacts.resize(1);
-  const PackingPicture picture = equilibrium_forces(packing, 1e-6);
+  const PackingPicture<2> picture = equilibrium_forces(packing, 1e-6);
   EXPECT_DOUBLE_EQ(picture.lines[0].force, 10.0 / 6.0);
   EXPECT_EQ(picture.force_unit, "⟨F⟩");
 }
@@ -70,14 +70,14 @@ TEST(IncrementForces, OfASquareLatticeAreTheStressTimesTheSpacing) {
   const auto step = [&](StressStep which) {
     return increment_forces(packing, network, *step_response(network, moduli.response, which));
   };
-  const PackingPicture isotropic = step(StressStep::isotropic);
+  const PackingPicture<2> isotropic = step(StressStep::isotropic);
   ASSERT_EQ(isotropic.lines.size(), 2u);
-  for (const ContactLine& line : isotropic.lines) {
+  for (const ContactLine<2>& line : isotropic.lines) {
     EXPECT_EQ(line.kind, LineKind::compression);
     // A unit of stress on a unit of length, over the diameter, which overlaps by 2 %.
     EXPECT_NEAR(line.force, 1.0 / 1.02, 1e-12);
   }
-  const PackingPicture deviatoric = step(StressStep::deviatoric);
+  const PackingPicture<2> deviatoric = step(StressStep::deviatoric);
   EXPECT_NE(deviatoric.lines[0].kind, deviatoric.lines[1].kind);
 }
 

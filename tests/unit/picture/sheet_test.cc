@@ -70,8 +70,8 @@ int rgb_of(const Color& c) {
 
 /// Four disks on a square, of diameter 1 in a cell of side 4, and two lines along x: at y = 1 of force 2, at
 /// y = 3 of force 1.
-PackingPicture two_lines() {
-  PackingPicture picture;
+PackingPicture<2> two_lines() {
+  PackingPicture<2> picture;
   picture.cell.matrix *= 4.0;
   picture.position = {{1.0, 1.0}, {3.0, 1.0}, {1.0, 3.0}, {3.0, 3.0}};
   picture.radius.assign(4, 0.5);
@@ -97,7 +97,7 @@ int count_in_column(const Pixels& pixels, int x, const Color& color) {
 }
 
 TEST(Sheet, WidthsOfLinesAreProportionalToForces) {
-  const Pixels pixels(draw_sheet({two_lines()}, plain_png()));
+  const Pixels pixels(draw_sheet<2>({two_lines()}, plain_png()));
   ASSERT_EQ(pixels.width(), 410);
   ASSERT_EQ(pixels.height(), 410);
   // 0.15 diameters of 100 pixels for the r.m.s. force; pixels at the edges are mixed.
@@ -110,11 +110,11 @@ TEST(Sheet, WidthsOfLinesAreProportionalToForces) {
 }
 
 TEST(Sheet, PeriodicCopiesAreDrawnAndCutAtTheBorder) {
-  PackingPicture picture = two_lines();
+  PackingPicture<2> picture = two_lines();
   picture.position = {{0.0, 0.0}};
   picture.radius = {0.5};
   picture.lines = {{{3.5, 2.0}, {4.5, 2.0}, LineKind::compression, 1.0}};
-  const Pixels pixels(draw_sheet({picture}, plain_png()));
+  const Pixels pixels(draw_sheet<2>({picture}, plain_png()));
   // A quarter of the disk in every corner, nothing in the middle.
   for (const int x : {8, 401})
     for (const int y : {8, 401}) EXPECT_EQ(pixels.rgb(x, y), rgb_of(palette::kGrain)) << x << ' ' << y;
@@ -131,42 +131,42 @@ TEST(Sheet, PeriodicCopiesAreDrawnAndCutAtTheBorder) {
 }
 
 TEST(Sheet, DoesNotDependOnTheCopyAGrainIsGivenIn) {
-  PackingPicture moved = two_lines();
+  PackingPicture<2> moved = two_lines();
   moved.position[0] += Vec<2>(4.0, -8.0);
   moved.lines[1].from += Vec<2>(-4.0, 4.0);
   moved.lines[1].to += Vec<2>(-4.0, 4.0);
-  EXPECT_TRUE(draw_sheet({two_lines()}, plain_png()) == draw_sheet({moved}, plain_png()));
+  EXPECT_TRUE(draw_sheet<2>({two_lines()}, plain_png()) == draw_sheet<2>({moved}, plain_png()));
 }
 
 TEST(Sheet, RepeatedDrawingsAreTheSameBytesInEveryFormat) {
   for (const PictureFormat format : {PictureFormat::svg, PictureFormat::pdf, PictureFormat::png}) {
     SheetOptions options;
     options.format = format;
-    EXPECT_TRUE(draw_sheet({two_lines()}, options) == draw_sheet({two_lines()}, options));
+    EXPECT_TRUE(draw_sheet<2>({two_lines()}, options) == draw_sheet<2>({two_lines()}, options));
   }
   SheetOptions pdf;
   pdf.format = PictureFormat::pdf;
-  EXPECT_THAT(draw_sheet({two_lines()}, pdf), Not(HasSubstr("CreationDate")));
+  EXPECT_THAT(draw_sheet<2>({two_lines()}, pdf), Not(HasSubstr("CreationDate")));
 }
 
 TEST(Sheet, FormatsAreWhatTheyAreCalled) {
   SheetOptions options;
-  EXPECT_THAT(draw_sheet({two_lines()}, options), StartsWith("<?xml"));
+  EXPECT_THAT(draw_sheet<2>({two_lines()}, options), StartsWith("<?xml"));
   options.format = PictureFormat::pdf;
-  EXPECT_THAT(draw_sheet({two_lines()}, options), StartsWith("%PDF"));
+  EXPECT_THAT(draw_sheet<2>({two_lines()}, options), StartsWith("%PDF"));
   options.format = PictureFormat::png;
-  EXPECT_THAT(draw_sheet({two_lines()}, options), StartsWith("\x89PNG"));
+  EXPECT_THAT(draw_sheet<2>({two_lines()}, options), StartsWith("\x89PNG"));
 }
 
 TEST(Sheet, AStripHasOneLengthScale) {
-  PackingPicture half = two_lines();
+  PackingPicture<2> half = two_lines();
   half.cell.matrix *= 0.5;
   half.position.resize(1);
   half.radius.resize(1);
   half.lines.clear();
   SheetOptions options = plain_png();
   options.width = 10.0 + 2 * 400.0 + 12.0;
-  const Pixels pixels(draw_sheet({two_lines(), half}, options));
+  const Pixels pixels(draw_sheet<2>({two_lines(), half}, options));
   EXPECT_EQ(pixels.height(), 410);
   // The second, of half the side, stands at the upper left of its column.
   const auto grey = rgb_of(palette::kGrain);
@@ -175,17 +175,17 @@ TEST(Sheet, AStripHasOneLengthScale) {
 }
 
 /// Contacts of random disks, in as many copies as give about n grains.
-PackingPicture many(int n) {
+PackingPicture<2> many(int n) {
   const Packing<2> packing = test::random_packing<2>(100, 3, test::elastic_law(1.0, 0.5, 0.0), 1.2);
   const int side = static_cast<int>(std::lround(std::sqrt(n / 100.0)));
   return equilibrium_forces(tiled<2>(packing, {side, side}), 0.0);
 }
 
 TEST(Sheet, FewGrainsAreVectorsAndManyAreAnImage) {
-  const std::string few = draw_sheet({many(400)}, {});
+  const std::string few = draw_sheet<2>({many(400)}, {});
   EXPECT_THAT(few, Not(HasSubstr("data:image/png")));
   EXPECT_LT(few.size(), 500'000u);
-  const std::string image = draw_sheet({many(10'000)}, {});
+  const std::string image = draw_sheet<2>({many(10'000)}, {});
   EXPECT_THAT(image, HasSubstr("data:image/png"));
   EXPECT_LT(image.size(), 6'000'000u);
 }
@@ -193,12 +193,84 @@ TEST(Sheet, FewGrainsAreVectorsAndManyAreAnImage) {
 TEST(Sheet, AHundredThousandGrainsAreNoBlackSquare) {
   SheetOptions options;
   options.format = PictureFormat::png;
-  const Pixels dense(draw_sheet({many(100'000)}, options));
-  const Pixels sparse(draw_sheet({many(100)}, options));
+  const Pixels dense(draw_sheet<2>({many(100'000)}, options));
+  const Pixels sparse(draw_sheet<2>({many(100)}, options));
   // As light as a hundred grains of the same kind, to what outlines are worth.
   EXPECT_NEAR(dense.ink(), sparse.ink(), 0.05);
   EXPECT_LT(dense.ink(), 0.4);
   EXPECT_LE(std::max(dense.width(), dense.height()), 3000);
+}
+
+/// Four spheres apart from each other, and a contact between two.
+PackingPicture<3> four_spheres() {
+  PackingPicture<3> picture;
+  picture.cell.matrix *= 4.0;
+  picture.position = {{1, 1, 1}, {3, 1, 1}, {1, 3, 3}, {3, 3, 3}};
+  picture.radius.assign(4, 0.5);
+  return picture;
+}
+
+int count_in(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(SheetOfSpheres, HasAGradientEach) {
+  SheetOptions options;
+  options.bare = true;
+  PackingPicture<3> picture = four_spheres();
+  EXPECT_EQ(count_in(draw_sheet<3>({picture}, options), "<radialGradient"), 4);
+  picture.lines = {{{1, 1, 1}, {3, 1, 1}, LineKind::compression, 1.0, 0, 1}};
+  const std::string network = draw_sheet<3>({picture}, options);
+  EXPECT_EQ(count_in(network, "<radialGradient"), 4);
+  EXPECT_EQ(count_in(network, "<linearGradient"), 1);
+}
+
+TEST(SheetOfSpheres, TheNearerHidesTheFarther) {
+  PackingPicture<3> picture = four_spheres();
+  picture.shade.value = {-1.0, -1.0, 1.0, 1.0};
+  SheetOptions options = plain_png();
+  options.view.azimuth = -90.0;
+  options.view.elevation = 90.0;
+  picture.position[2] = {1.2, 1, 3};
+  const auto is_blue = [](int rgb) { return (rgb & 255) > (rgb >> 16 & 255); };
+  // From above the third lies over the first, which shows at its left.
+  const Pixels above(draw_sheet<3>({picture}, options));
+  EXPECT_EQ(above.width(), 410);
+  EXPECT_TRUE(is_blue(above.rgb(5 + 110, 5 + 300)));
+  EXPECT_FALSE(is_blue(above.rgb(5 + 60, 5 + 300)));
+  // From below it is the reverse, up and down exchanged.
+  options.view.elevation = -90.0;
+  const Pixels below(draw_sheet<3>({picture}, options));
+  EXPECT_FALSE(is_blue(below.rgb(5 + 110, 5 + 100)));
+  EXPECT_TRUE(is_blue(below.rgb(5 + 165, 5 + 100)));
+}
+
+TEST(SheetOfSpheres, RepeatedDrawingsAreTheSameBytesInEveryFormat) {
+  for (const PictureFormat format : {PictureFormat::svg, PictureFormat::pdf, PictureFormat::png}) {
+    SheetOptions options;
+    options.format = format;
+    EXPECT_TRUE(draw_sheet<3>({four_spheres(), four_spheres()}, options) ==
+                draw_sheet<3>({four_spheres(), four_spheres()}, options));
+  }
+}
+
+TEST(SheetOfSpheres, ManyAreAnImageUnlessOthersHideThem) {
+  const auto crystal = [](int side, double radius) {
+    PackingPicture<3> picture;
+    picture.cell.matrix *= side;
+    for (int x = 0; x < side; ++x)
+      for (int y = 0; y < side; ++y)
+        for (int z = 0; z < side; ++z) picture.position.emplace_back(x + 0.5, y + 0.5, z + 0.5);
+    picture.radius.assign(picture.position.size(), radius);
+    return picture;
+  };
+  // 8000 spheres that touch: those at three faces and what shows between them.
+  const std::string dense = draw_sheet<3>({crystal(20, 0.5)}, {});
+  EXPECT_THAT(dense, Not(HasSubstr("data:image/png")));
+  EXPECT_LT(count_in(dense, "<radialGradient"), 4000);
+  EXPECT_THAT(draw_sheet<3>({crystal(20, 0.1)}, {}), HasSubstr("data:image/png"));
 }
 
 TEST(SheetOptions, FaultsAreNamedWithTheirValue) {

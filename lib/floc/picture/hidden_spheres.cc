@@ -1,0 +1,75 @@
+#include "floc/picture/hidden_spheres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace floc {
+namespace {
+
+constexpr double kTilesARadius = 8.0;
+constexpr double kMostTilesASide = 3000.0;
+
+/// Square tiles over the picture, each covered or not.
+class Tiles {
+ public:
+  explicit Tiles(const std::vector<SeenSphere>& spheres) {
+    low_.setConstant(std::numeric_limits<double>::infinity());
+    Vec<2> high = -low_;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const SeenSphere& s : spheres) {
+      low_ = low_.cwiseMin((s.centre.head<2>().array() - s.radius).matrix());
+      high = high.cwiseMax((s.centre.head<2>().array() + s.radius).matrix());
+      smallest = std::min(smallest, s.radius);
+    }
+    side_ = std::max(smallest / kTilesARadius, (high - low_).maxCoeff() / kMostTilesASide);
+    columns_ = static_cast<int>((high[0] - low_[0]) / side_) + 1;
+    covered_.assign(static_cast<std::size_t>(columns_) * (static_cast<int>((high[1] - low_[1]) / side_) + 1),
+                    false);
+  }
+
+  /// Whether every tile that a sphere reaches into is covered; then covers the tiles that lie in it.
+  bool hides_then_cover(const SeenSphere& s) {
+    bool hidden = true;
+    const int first_row = row_of(s.centre[1] - s.radius, 1), last_row = row_of(s.centre[1] + s.radius, 1);
+    const int first = row_of(s.centre[0] - s.radius, 0), last = row_of(s.centre[0] + s.radius, 0);
+    const double r2 = s.radius * s.radius;
+    for (int row = first_row; row <= last_row; ++row)
+      for (int column = first; column <= last; ++column) {
+        const auto [x_near, x_far] = distances(column, 0, s.centre[0]);
+        const auto [y_near, y_far] = distances(row, 1, s.centre[1]);
+        if (x_near * x_near + y_near * y_near >= r2) continue;
+        auto tile = covered_[static_cast<std::size_t>(row) * columns_ + column];
+        hidden = hidden && tile;
+        if (x_far * x_far + y_far * y_far <= r2) tile = true;
+      }
+    return hidden;
+  }
+
+ private:
+  int row_of(double x, int axis) const { return static_cast<int>((x - low_[axis]) / side_); }
+  /// From a coordinate to the nearest and to the farthest of a row or column.
+  std::pair<double, double> distances(int row, int axis, double x) const {
+    const double begin = low_[axis] + row * side_ - x, end = begin + side_;
+    return {std::max({begin, -end, 0.0}), std::max(-begin, end)};
+  }
+
+  Vec<2> low_;
+  double side_ = 1.0;
+  int columns_ = 1;
+  std::vector<bool> covered_;
+};
+
+}  // namespace
+
+std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres) {
+  if (spheres.empty()) return spheres;
+  std::stable_sort(spheres.begin(), spheres.end(),
+                   [](const auto& a, const auto& b) { return a.centre[2] > b.centre[2]; });
+  Tiles tiles(spheres);
+  std::erase_if(spheres, [&tiles](const SeenSphere& s) { return tiles.hides_then_cover(s); });
+  return spheres;
+}
+
+}  // namespace floc

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <algorithm>
+
+#include "floc/picture/drawn_scale.h"
+#include "floc/picture/packing_picture.h"
+
+namespace floc {
+
+/// Width of the line of a contact (points).
+/// @param diameter  mean, of the grains (points)
+template <int Dim>
+double drawn_width(const ContactLine<Dim>& line, const DrawnScale& scale, double diameter) {
+  // Least widths in mean diameters, so that what is hardly loaded is still to be seen.
+  constexpr double kFaintest = 0.02;
+  constexpr double kMarked = 0.09;
+  if (line.kind == LineKind::lost || line.kind == LineKind::gained) return 1.5 * kMarked * diameter;
+  const double least = (line.kind == LineKind::distant ? kMarked : kFaintest) * diameter;
+  return std::max(least, scale.points_per_force * line.force);
+}
+
+}  // namespace floc

@@ -1,0 +1,236 @@
+#include "floc/picture/seen_packing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "floc/picture/hidden_spheres.h"
+#include "floc/picture/line_width.h"
+#include "floc/picture/periodic_copies.h"
+
+namespace floc {
+namespace {
+
+constexpr double kWithLines = 0.25;
+/// Length over width of tubes that are left out: slivers around the contact point of whole spheres.
+constexpr double kShortest = 0.05;
+/// Cosine between a face and the line of sight below which it is seen end on.
+constexpr double kEndOn = 1e-9;
+
+using Interval = std::pair<double, double>;
+
+/// Where a + b t + c t^2 < 0 (c >= 0).
+std::optional<Interval> negative_part(double a, double b, double c) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  if (c == 0.0) return a < 0.0 ? std::optional(Interval{-kInfinite, kInfinite}) : std::nullopt;
+  const double root = b * b - 4.0 * a * c;
+  if (root <= 0.0) return std::nullopt;
+  return Interval{(-b - std::sqrt(root)) / (2.0 * c), (-b + std::sqrt(root)) / (2.0 * c)};
+}
+
+/// The part of a segment in the cell 0 <= s <= 1, from reduced coordinates of its ends.
+std::optional<Interval> part_in_cell(const Vec<3>& from, const Vec<3>& to) {
+  Interval part{0.0, 1.0};
+  for (int a = 0; a < 3; ++a) {
+    const double step = to[a] - from[a];
+    if (step == 0.0) {
+      if (from[a] < 0.0 || from[a] >= 1.0) return std::nullopt;
+      continue;
+    }
+    const double at_low = -from[a] / step, at_high = (1.0 - from[a]) / step;
+    part.first = std::max(part.first, std::min(at_low, at_high));
+    part.second = std::min(part.second, std::max(at_low, at_high));
+  }
+  return part.first < part.second ? std::optional(part) : std::nullopt;
+}
+
+/// Collects what is seen of one picture.
+class Sight {
+ public:
+  Sight(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale)
+      : picture_(picture),
+        scale_(scale),
+        camera_(view),
+        size_(sphere_size(picture, view)),
+        diameter_(mean_diameter(picture) * scale.points_per_length) {
+    for (const Vec<3>& x : picture.position) home_.push_back(picture.cell.wrapped(x));
+  }
+
+  SeenPacking all() {
+    add_spheres();
+    add_tubes();
+    add_arrows();
+    seen_.spheres = without_hidden(std::move(seen_.spheres));
+    order();
+    seen_.cell_edges = edges_of(picture_.cell, camera_, Vec<3>::Zero(), Vec<3>::Ones());
+    if (const auto& slab = picture_.slab) {
+      Vec<3> low = Vec<3>::Zero(), high = Vec<3>::Ones();
+      low[slab->axis] = slab->from;
+      high[slab->axis] = slab->to;
+      seen_.slab_edges = edges_of(picture_.cell, camera_, low, high);
+    }
+    for (auto* edges : {&seen_.cell_edges, &seen_.slab_edges})
+      for (SeenEdge& edge : *edges) hide(edge);
+    return std::move(seen_);
+  }
+
+ private:
+  /// Also bounds the depths, by what is shown whether it is hidden or not.
+  void add_spheres() {
+    seen_.far = std::numeric_limits<double>::infinity();
+    seen_.near = -seen_.far;
+    for (int i = 0; i < static_cast<int>(home_.size()); ++i) {
+      const Vec<3> centre = camera_.seen(home_[i]);
+      seen_.far = std::min(seen_.far, centre[2]);
+      seen_.near = std::max(seen_.near, centre[2]);
+      if (size_ > 0.0) seen_.spheres.push_back({centre, size_ * picture_.radius[i], i});
+    }
+  }
+
+  double drawn_radius(int body) const {
+    return body < static_cast<int>(home_.size()) ? size_ * picture_.radius[body] : 0.0;
+  }
+
+  void add_tubes() {
+    const PeriodicCopies<3> copies(picture_.cell);
+    for (const ContactLine<3>& line : picture_.lines) {
+      copies.of_segment(line.from, line.to, 0.0,
+                        [&](const Vec<3>& shift) { add_tube(line, line.from + shift, line.to + shift); });
+    }
+  }
+
+  /// A tube begins where its mantle leaves the sphere: sqrt(R^2 - (width/2)^2) from the centre.
+  void add_tube(const ContactLine<3>& line, const Vec<3>& from, const Vec<3>& to) {
+    const auto in_cell = part_in_cell(picture_.cell.reduced(from), picture_.cell.reduced(to));
+    if (!in_cell) return;
+    const double width = drawn_width(line, scale_, diameter_) / scale_.points_per_length;
+    const double length = (to - from).norm();
+    const auto inside = [&](int body) {
+      return std::sqrt(std::max(0.0, std::pow(drawn_radius(body), 2) - 0.25 * width * width)) / length;
+    };
+    SeenTube tube;
+    const double inside_i = inside(line.i), inside_j = inside(line.j);
+    const double begin = std::max(in_cell->first, inside_i);
+    const double end = std::min(in_cell->second, 1.0 - inside_j);
+    if ((end - begin) * length <= kShortest * width) return;
+    tube.from = camera_.seen(from + begin * (to - from));
+    tube.to = camera_.seen(from + end * (to - from));
+    tube.from_end = begin > inside_i ? TubeEnd::cut : begin > 0.0 ? TubeEnd::at_sphere : TubeEnd::round;
+    tube.to_end = end < 1.0 - inside_j ? TubeEnd::cut : end < 1.0 ? TubeEnd::at_sphere : TubeEnd::round;
+    tube.width = width;
+    tube.kind = line.kind;
+    seen_.tubes.push_back(tube);
+  }
+
+  void add_arrows() {
+    const double longer = scale_.points_per_displacement / scale_.points_per_length;
+    for (const DisplacementArrow<3>& arrow : picture_.arrows) {
+      const Vec<3> from = home_[arrow.grain];
+      seen_.arrows.push_back({camera_.seen(from), camera_.seen(from + longer * arrow.displacement)});
+    }
+  }
+
+  void order() {
+    using Part = SeenPacking::Part;
+    const auto add = [this](Part part, std::size_t index, double depth) {
+      seen_.order.push_back({part, static_cast<int>(index), depth});
+    };
+    for (std::size_t k = 0; k < seen_.spheres.size(); ++k) add(Part::sphere, k, seen_.spheres[k].centre[2]);
+    for (std::size_t k = 0; k < seen_.tubes.size(); ++k)
+      add(Part::tube, k, 0.5 * (seen_.tubes[k].from[2] + seen_.tubes[k].to[2]));
+    for (std::size_t k = 0; k < seen_.arrows.size(); ++k)
+      add(Part::arrow, k, 0.5 * (seen_.arrows[k].from[2] + seen_.arrows[k].to[2]));
+    std::stable_sort(seen_.order.begin(), seen_.order.end(),
+                     [](const auto& a, const auto& b) { return a.depth < b.depth; });
+  }
+
+  void hide(SeenEdge& edge) const {
+    std::vector<Interval> hidden;
+    for (const SeenSphere& sphere : seen_.spheres)
+      if (const auto part = hidden_part(edge.from, edge.to, sphere)) hidden.push_back(*part);
+    std::sort(hidden.begin(), hidden.end());
+    double free = 0.0;
+    for (const Interval& part : hidden) {
+      if (part.first > free) edge.visible.emplace_back(free, part.first);
+      free = std::max(free, part.second);
+    }
+    if (free < 1.0) edge.visible.emplace_back(free, 1.0);
+  }
+
+  const PackingPicture<3>& picture_;
+  const DrawnScale& scale_;
+  Camera camera_;
+  double size_;
+  double diameter_;  ///< mean (points)
+  std::vector<Vec<3>> home_;
+  SeenPacking seen_;
+};
+
+}  // namespace
+
+double sphere_size(const PackingPicture<3>& picture, const View& view) {
+  return view.sphere_size.value_or(picture.lines.empty() ? 1.0 : kWithLines);
+}
+
+SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale) {
+  return Sight(picture, view, scale).all();
+}
+
+std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const Vec<3>& to,
+                                                     const SeenSphere& sphere) {
+  const Vec<3> apart = from - sphere.centre, along = to - from;
+  const Vec<2> apart2 = apart.head<2>(), along2 = along.head<2>();
+  const double r2 = sphere.radius * sphere.radius;
+  // Hidden is what lies in the sphere, or behind its equator within the cylinder of its outline: together a
+  // convex body, so that the segment passes it once.
+  std::optional<Interval> cylinder =
+      negative_part(apart2.squaredNorm() - r2, 2.0 * apart2.dot(along2), along2.squaredNorm());
+  if (!cylinder) return std::nullopt;
+  if (along[2] == 0.0) {
+    if (apart[2] > 0.0) cylinder.reset();
+  } else {
+    const double at_equator = -apart[2] / along[2];
+    if (along[2] > 0.0)
+      cylinder->second = std::min(cylinder->second, at_equator);
+    else
+      cylinder->first = std::max(cylinder->first, at_equator);
+    if (cylinder->first >= cylinder->second) cylinder.reset();
+  }
+  const std::optional<Interval> inside =
+      negative_part(apart.squaredNorm() - r2, 2.0 * apart.dot(along), along.squaredNorm());
+  if (!cylinder && !inside) return std::nullopt;
+  Interval part = cylinder ? *cylinder : *inside;
+  if (inside) part = {std::min(part.first, inside->first), std::max(part.second, inside->second)};
+  part = {std::max(part.first, 0.0), std::min(part.second, 1.0)};
+  return part.first < part.second ? std::optional(part) : std::nullopt;
+}
+
+std::vector<SeenEdge> edges_of(const Cell<3>& cell, const Camera& camera, const Vec<3>& low,
+                               const Vec<3>& high) {
+  const Mat<3> reciprocal = cell.matrix.transpose().inverse();
+  std::vector<SeenEdge> edges;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool upper_b : {false, true})
+      for (const bool upper_c : {false, true}) {
+        const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+        const auto looks_away = [&](int face, bool upper) {
+          const Vec<3> normal = camera.seen(reciprocal.row(face).transpose().normalized());
+          return (upper ? normal[2] : -normal[2]) <= kEndOn;
+        };
+        const bool away_b = looks_away(b, upper_b), away_c = looks_away(c, upper_c);
+        Vec<3> from = low;
+        if (upper_b) from[b] = high[b];
+        if (upper_c) from[c] = high[c];
+        Vec<3> to = from;
+        to[axis] = high[axis];
+        edges.push_back({camera.seen(cell.matrix.transpose() * from),
+                         camera.seen(cell.matrix.transpose() * to),
+                         axis,
+                         away_b && away_c,
+                         away_b != away_c,
+                         {}});
+      }
+  return edges;
+}
+
+}  // namespace floc

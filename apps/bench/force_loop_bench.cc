@@ -4,7 +4,6 @@
 // packing of disks from a file.
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +25,7 @@
 #include "floc/relaxation/pair_arrays.h"
 #include "floc/relaxation/relaxer.h"
 #include "floc/relaxation/row_sums.h"
+#include "step_bench.h"
 
 namespace floc {
 namespace {
@@ -49,13 +49,6 @@ RelaxationOptions relaxation() {
   RelaxationOptions options;
   options.inertial_number_cap = 0.03;
   return options;
-}
-
-/// The stress it has stays imposed.
-BoundaryControl<2> pressed(const Packing<2>& packing) {
-  double mass = 0.0;
-  for (const double m : packing.grains.mass) mass += m;
-  return BoundaryControl<2>::normal_stress(static_stress(packing).diagonal(), mass);
 }
 
 /// A gas compressed to equilibrium under P = 10 F0/a, that is P/K_N = 1e-4.
@@ -84,27 +77,9 @@ const Packing<2>& dense(int n, int physics, bool adhesive) {
              tiled<2>(dense(kUnit, physics, adhesive), {across, (n + across * kUnit - 1) / (across * kUnit)});
 }
 
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-void step(benchmark::State& state, const Packing<2>& packing, int threads, InstructionSet instructions) {
-  DynamicsSettings settings{time_step_of(packing, relaxation().time_step), 0.01, threads};
-  settings.instructions = instructions;
-  if (!supported(settings.instructions)) return state.SkipWithError("not on this processor");
-  const auto dynamics = make_dynamics(packing, pressed(packing), settings);
-  const int n_steps = packing.grains.size() > 50000 ? 20 : 200;
-  for (auto _ : state) dynamics->advance(n_steps, Motion::free);
-  state.SetItemsProcessed(state.iterations() * n_steps * static_cast<std::int64_t>(packing.contacts.size()));
-  state.counters["contacts"] = static_cast<double>(packing.contacts.size());
-  state.counters["peak_MB"] = peak_megabytes();
-}
-
 void force_loop(benchmark::State& state) {
   step(state, dense(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), state.range(2) != 0),
-       static_cast<int>(state.range(3)), static_cast<InstructionSet>(state.range(4)));
+       relaxation().time_step, static_cast<int>(state.range(3)), static_cast<InstructionSet>(state.range(4)));
 }
 
 /// Processor time of the passes of a step, as shares, and of a new list of pairs, in steps; the packing stays
@@ -124,10 +99,10 @@ void passes(benchmark::State& state) {
   };
   PairArrays<2> pairs = new_pairs();
   const StepKernels<2>& kernels =
-      step_kernels(widest_instruction_set(), LatticeShape::rectangular, law.index());
+      step_kernels<2>(widest_instruction_set(), LatticeShape::rectangular, law.index());
   const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
   const GrainView<2> g = grains.view(x_list, inverse_skin_squared);
-  RowSums<2> row_sums({&pairs}, row_size(law), grains.size());
+  RowSums<2> row_sums({&pairs}, row_size<2>(law), grains.size());
   PairView<2> p = pairs.view();
   p.row = row_sums.rows(0);
   const PairCell<2> cell{{{packing.cell.matrix(0, 0), 0.0}, {0.0, packing.cell.matrix(1, 1)}}, {}, 0.0, {}};
@@ -151,7 +126,7 @@ void passes(benchmark::State& state) {
             [&](int b) { kernels.sum_and_kick(g, p, row_sums.plan(b), b * kGrainBlock, cell, kick, sums); });
     const std::clock_t start = std::clock();
     const PairArrays<2> list = new_pairs();
-    benchmark::DoNotOptimize(RowSums<2>({&list}, row_size(law), grains.size()));
+    benchmark::DoNotOptimize(RowSums<2>({&list}, row_size<2>(law), grains.size()));
     seconds[3] += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   }
   const double step = seconds[0] + seconds[1] + seconds[2];
@@ -179,7 +154,8 @@ void sizes(benchmark::internal::Benchmark* b) {
 BENCHMARK(force_loop)->Apply(sizes)->MeasureProcessCPUTime()->Unit(benchmark::kMicrosecond);
 
 void steps_of_state(benchmark::State& state, const char* file) {
-  step(state, std::get<State<2>>(read_state(file)).packing, 1, widest_instruction_set());
+  step(state, std::get<State<2>>(read_state(file)).packing, relaxation().time_step, 1,
+       widest_instruction_set());
 }
 [[maybe_unused]] const auto* const kStepsOfState = [] {
   const char* file = std::getenv("FLOC_BENCH_STATE");

@@ -106,6 +106,8 @@ EquilibriumTolerance tolerance_for(const Imported& imported, const ConvertArgume
 template <int Dim>
 void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
               State<Dim>& state) {
+  if (const auto faults = state.packing.law.faults_in_dimension(Dim); !faults.empty())
+    throw InputError(arguments.law.empty() ? in : "--law", faults.front());
   if (!imported.contacts_known) find_contacts(state.packing);
   if (!arguments.stress.empty()) {
     const std::vector<double> stress = parse_numbers("--stress", arguments.stress);

@@ -46,7 +46,8 @@ RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
 }
 
 /// Says how a run ended. @return exit code
-int report_outcome(const DriveReport& report, const Run<2>& run, const std::string& directory) {
+template <int Dim>
+int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::string& directory) {
   switch (report.outcome) {
     case DriveReport::stopped:
       fmt::print(stderr, "\ninterrupted; --resume continues from here\n");
@@ -70,18 +71,17 @@ int report_outcome(const DriveReport& report, const Run<2>& run, const std::stri
 /// lists, states and files of a large packing follow each other, and need not be held together.
 constexpr int kReturnedBlock = 1 << 22;
 
-int run_scene(const RunArguments& arguments) {
-  ::mallopt(M_MMAP_THRESHOLD, kReturnedBlock);
-  const Scene scene = read_scene(arguments.scene, arguments.overrides);
+template <int Dim>
+int run_scene(const Scene& scene, const RunArguments& arguments) {
   const RunOptions options = run_options(scene, arguments);
   const Existing existing = arguments.resume      ? Existing::resume
                             : arguments.overwrite ? Existing::overwrite
                                                   : Existing::refuse;
   const std::vector<PlannedEquilibrium> plan = plan_run(options.assembly, options.law, options.load);
   RunDirectory directory(arguments.directory, existing, options);
-  Run<2> run = start_or_resume(directory, options);
+  Run<Dim> run = start_or_resume<Dim>(directory, options);
 
-  std::unique_ptr<ContactTracker> tracker;
+  std::unique_ptr<ContactTracker<Dim>> tracker;
   if (arguments.track_contacts && !run.finished())
     tracker = track_contacts(run, options, directory, *arguments.track_contacts);
 
@@ -90,13 +90,19 @@ int run_scene(const RunArguments& arguments) {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   RunMonitor monitor(static_cast<int>(run.plan().size()));
-  DriveOptions driving;
+  DriveOptions<Dim> driving;
   driving.checkpoint_every = scene.checkpoint_every;
   if (arguments.until) driving.until = *arguments.until;
   driving.stop = [] { return g_interrupted != 0; };
-  driving.chunk = [&monitor](const Run<2>& moving) { monitor.chunk(moving); };
+  driving.chunk = [&monitor](const Run<Dim>& moving) { monitor.chunk(moving); };
   driving.equilibrium = [&monitor](const auto&... reached) { monitor.equilibrium(reached...); };
   return report_outcome(drive(run, directory, driving, tracker.get()), run, arguments.directory);
+}
+
+int run_scene(const RunArguments& arguments) {
+  ::mallopt(M_MMAP_THRESHOLD, kReturnedBlock);
+  const Scene scene = read_scene(arguments.scene, arguments.overrides);
+  return scene.dimension == 3 ? run_scene<3>(scene, arguments) : run_scene<2>(scene, arguments);
 }
 
 /// One process a seed, each a run of this scene with these arguments.

@@ -19,7 +19,8 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-std::string phase_of(const Run<2>& run) {
+template <int Dim>
+std::string phase_of(const Run<Dim>& run) {
   if (run.point().aggregating) return fmt::format("aggregating, {} clusters", run.n_clusters());
   const RelaxationReport report = run.report();
   const bool finishing = report.phase == "finishing";
@@ -39,7 +40,8 @@ double RunMonitor::expected_seconds_left(int steps_left) const {
   return seconds_done_ / steps_done_ * steps_left;
 }
 
-void RunMonitor::chunk(const Run<2>& run) {
+template <int Dim>
+void RunMonitor::chunk(const Run<Dim>& run) {
   const Clock::time_point now = Clock::now();
   const double since = std::chrono::duration<double>(now - last_line_).count();
   if (since < (terminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines)) return;
@@ -53,7 +55,8 @@ void RunMonitor::chunk(const Run<2>& run) {
   std::fflush(stderr);
 }
 
-void RunMonitor::equilibrium(const State<2>& state, const RelaxationReport& report, double seconds) {
+template <int Dim>
+void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds) {
   if (state.path.branch != "assembly") {  // which takes longer than any step of a load path
     ++steps_done_;
     seconds_done_ += seconds;
@@ -63,5 +66,13 @@ void RunMonitor::equilibrium(const State<2>& state, const RelaxationReport& repo
              state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
              state.residuals.force, report.ending, seconds);
 }
+
+#define FLOC_INSTANTIATE(Dim)                                                                    \
+  template void RunMonitor::chunk(const Run<Dim>& run);                                          \
+  template void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& report, \
+                                        double seconds);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
 
 }  // namespace floc

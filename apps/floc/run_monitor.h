@@ -11,9 +11,11 @@ class RunMonitor {
  public:
   explicit RunMonitor(int n_steps);
 
-  void chunk(const Run<2>& run);
+  template <int Dim>
+  void chunk(const Run<Dim>& run);
   /// @param seconds  wall time of the step
-  void equilibrium(const State<2>& state, const RelaxationReport& report, double seconds);
+  template <int Dim>
+  void equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds);
 
  private:
   using Clock = std::chrono::steady_clock;

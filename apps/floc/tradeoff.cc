@@ -131,6 +131,11 @@ void print_tradeoff(Table table, const std::string& format) {
 
 int run_tradeoff(TradeoffCommand& command) {
   const Scene scene = read_scene(command.scene, command.overrides);
+  if (scene.dimension != 2)
+    throw InputError(command.scene,
+                     fmt::format("scene.dimension = {}: expected 2; what settings cost and gain is "
+                                 "measured for disks alone",
+                                 scene.dimension));
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const Tradeoff tradeoff = study_tradeoff(scene, command.options);
   std::cerr

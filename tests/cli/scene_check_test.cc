@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"grains.diameter.min=2", "grains.diameter.min = 2: expected at most max = 1"},
         Mistake{"cell.solid_fraction=0.9", "cell.solid_fraction = 0.9: expected a solid fraction in (0, 0.6]"},
         Mistake{"contact.adhesion={law=\"tail\", range=1e-3}", "contact.adhesion.force is missing"},
-        Mistake{"scene.dimension=3", "scene.dimension = 3: expected 2"}));
+        Mistake{"scene.dimension=4", "scene.dimension = 4: expected 2 or 3"}));
 
 TEST(SceneCheck, MissingFilesAndArgumentsHaveTheirOwnCodes) {
   EXPECT_EQ(run_floc("scene check no-such.toml").code, 4);

@@ -138,6 +138,8 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
 TEST(Dissipation, IsZeroWhereNothingSlidesOrParts) {
   for_each_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
+    // Where the shear force falls with its stiffness, a change of the normal force alone dissipates.
+    if (kFollowsNormalStiffness<typename std::decay_t<decltype(law)>::TangentialModel>) return;
     RandomStream random(8, Dim);
     for (int k = 0; k < kLoops; ++k) {
       SCOPED_TRACE(k);

@@ -50,6 +50,8 @@ Packing<Dim> stretched_pair(const LawParameters& law) {
     test::shear_spring(contact)[0] = 1e-5;
   else
     test::shear_spring(contact) = to_shear<double>(direction<3>(), {1e-5, 2e-5, -1e-5});
+  if (law.friction.holds<MindlinFriction>())
+    test::shear_spring(contact) *= 1e5;  // what it remembers is a force
   packing.contacts.push_back(contact);
   return packing;
 }
@@ -171,7 +173,7 @@ double collide(const Law& law, double speed, double step) {
         {pair_at(gap), rate, damping, Shear<2>::Zero(), RotationVector<2>::Zero()}, history);
     return (f.normal.force() + f.viscous) / mass;
   };
-  const double dt = step * std::sqrt(mass / law.stiffness_bound().normal);
+  const double dt = step * std::sqrt(mass / testing::stiffness_bound(law));
   double h = law.range() + speed * dt;
   double v = -speed;
   for (int k = 0; k < static_cast<int>(50 / step) && (h <= law.range() || v < 0); ++k) {
@@ -188,7 +190,7 @@ double collide(const Law& law, double speed, double step) {
 TEST(Collision, RestitutionWithoutAdhesionIsTheOneAskedFor) {
   for_each_law([](auto law) {
     using Law = std::decay_t<decltype(law)>;
-    if constexpr (!Law::kHasAdhesion && testing::kForgetsOverlap<Law>) {
+    if constexpr (!Law::kHasAdhesion && !Law::kDampingFollowsStiffness && testing::kForgetsOverlap<Law>) {
       for (const double e : {0.015, 0.3, 0.9, 1.0}) {
         SCOPED_TRACE(e);
         if constexpr (Law::kHasDamping) law.damping.restitution = e;

@@ -48,8 +48,8 @@ bool law_is_right() {
 bool drive_until(const char* path, int step) {
   const floc::Scene scene = floc::parse_scene(kScene, "tiny.toml", ".");
   floc::RunDirectory directory(path, floc::Existing::resume, scene);
-  floc::Run<2> run = floc::start_or_resume(directory, scene);
-  floc::DriveOptions driving;
+  floc::Run<2> run = floc::start_or_resume<2>(directory, scene);
+  floc::DriveOptions<2> driving;
   driving.until = step;
   const bool done = floc::drive(run, directory, driving).outcome == floc::DriveReport::done;
   return done && run.point().step == step + 1;

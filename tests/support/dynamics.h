@@ -1,6 +1,9 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 
 #include "floc/assembly/gas.h"
@@ -19,30 +22,59 @@ inline LawParameters cohesive_law() {
   return law;
 }
 
-/// A gas of disks with diameters uniform in [1/2, 1].
-inline Packing<2> gas_of(int n, const LawParameters& law, double solid_fraction, std::uint64_t seed = 1) {
+/// A gas of grains with diameters uniform in [1/2, 1].
+template <int Dim = 2>
+Packing<Dim> gas_of(int n, const LawParameters& law, double solid_fraction, std::uint64_t seed = 1) {
   GrainOptions grains;
   grains.count = n;
   grains.diameter.min = 0.5;
   grains.diameter.max = 1.0;
   RandomStream random(seed, 1);
-  return make_gas<2>(grains, law, solid_fraction, random);
+  return make_gas<Dim>(grains, law, solid_fraction, random);
 }
 
-/// An agitated gas of cohesive disks, dense enough that many touch within a few hundred steps.
-inline Packing<2> agitated_gas(int n, const LawParameters& law) {
-  Packing<2> gas = gas_of(n, law, 0.6);
+/// An agitated gas of cohesive grains, dense enough that many touch within a few hundred steps.
+template <int Dim = 2>
+Packing<Dim> agitated_gas(int n, const LawParameters& law) {
+  Packing<Dim> gas = gas_of<Dim>(n, law, Dim == 2 ? 0.6 : 0.45);
   RandomStream random(7, 2);
   agitate(gas, 1.0, random);
   return gas;
 }
 
-inline double total_mass(const Packing<2>& packing) {
+template <int Dim>
+double total_mass(const Packing<Dim>& packing) {
   return std::accumulate(packing.grains.mass.begin(), packing.grains.mass.end(), 0.0);
 }
 
-inline BoundaryControl<2> pressed(const Packing<2>& packing, double pressure) {
-  return BoundaryControl<2>::normal_stress(Vec<2>::Constant(pressure), total_mass(packing));
+template <int Dim>
+BoundaryControl<Dim> pressed(const Packing<Dim>& packing, double pressure) {
+  return BoundaryControl<Dim>::normal_stress(Vec<Dim>::Constant(pressure), total_mass(packing));
+}
+
+template <int Dim>
+Packing<Dim> after(const Packing<Dim>& start, const DynamicsSettings& settings,
+                   std::initializer_list<int> chunks) {
+  const auto dynamics = make_dynamics(start, pressed(start, 0.1), settings);
+  for (const int n : chunks) dynamics->advance(n, Motion::free);
+  return dynamics->packing();
+}
+
+template <int Dim>
+void expect_same_bits(const Packing<Dim>& p, const Packing<Dim>& q) {
+  EXPECT_EQ(p.grains.position, q.grains.position);
+  EXPECT_EQ(p.grains.velocity, q.grains.velocity);
+  EXPECT_EQ(p.grains.angular_velocity, q.grains.angular_velocity);
+  for (int i = 0; i < p.grains.size(); ++i) {
+    if constexpr (Dim == 2)
+      EXPECT_EQ(p.grains.orientation[i], q.grains.orientation[i]);
+    else
+      EXPECT_EQ(p.grains.orientation[i].coeffs(), q.grains.orientation[i].coeffs());
+  }
+  EXPECT_EQ(p.cell.matrix, q.cell.matrix);
+  EXPECT_EQ(p.cell.velocity, q.cell.velocity);
+  ASSERT_EQ(p.contacts.size(), q.contacts.size());
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) EXPECT_EQ(p.contacts[c].memory, q.contacts[c].memory);
 }
 
 }  // namespace floc::test

@@ -103,9 +103,11 @@ inline void expect_same_results(const std::string& a, const std::string& b, int 
 
 /// Kills a run with SIGKILL at random moments and resumes it each time; when it has ended before the kills are
 /// used up, it begins again. All that it leaves equals the unbroken run's.
-inline void kill_and_resume(int n_kills, std::uint64_t seed) {
+/// @param n_states  that the scene makes
+inline void kill_and_resume(int n_kills, std::uint64_t seed, const std::string& scene = small_scene(),
+                            int n_states = 9) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("small.toml"), small_scene());
+  write_text(scratch.file("small.toml"), scene);
   ASSERT_EQ(run_floc("run small.toml -o whole", scratch.path()).code, 0);
   RandomStream random(seed, 1);
   for (int kills = 0; kills < n_kills;) {
@@ -116,11 +118,11 @@ inline void kill_and_resume(int n_kills, std::uint64_t seed) {
     kills += WIFSIGNALED(status);
     if (WIFSIGNALED(status)) continue;
     ASSERT_EQ(WEXITSTATUS(status), 0);
-    expect_same_results(scratch.file("whole"), scratch.file("broken"));
+    expect_same_results(scratch.file("whole"), scratch.file("broken"), n_states);
     std::filesystem::remove_all(scratch.file("broken"));
   }
   ASSERT_EQ(run_floc("run small.toml -o broken --resume", scratch.path()).code, 0);
-  expect_same_results(scratch.file("whole"), scratch.file("broken"));
+  expect_same_results(scratch.file("whole"), scratch.file("broken"), n_states);
 }
 
 }  // namespace floc::test

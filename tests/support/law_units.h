@@ -21,6 +21,9 @@ inline LawParameters in_units(LawParameters law, double length, double force) {
       case Unit::rolling_stiffness:
         *n.value *= force * length;
         break;
+      case Unit::pressure:
+        *n.value *= force / (length * length);
+        break;
       case Unit::ratio:
       case Unit::angle:
         break;

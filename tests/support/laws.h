@@ -31,6 +31,21 @@ struct Sample<LinearRepulsion> {
   static std::string name() { return "linear"; }
 };
 template <>
+struct Sample<HertzRepulsion> {
+  static constexpr HertzRepulsion value{1.2e6, 0.3};
+  static std::string name() { return "hertz"; }
+};
+template <>
+struct Sample<CriticalDamping> {
+  static constexpr CriticalDamping value{0.4};
+  static std::string name() { return " critical damping"; }
+};
+template <>
+struct Sample<MindlinFriction> {
+  static constexpr MindlinFriction value{0.5};
+  static std::string name() { return " Mindlin"; }
+};
+template <>
 struct Sample<TailAdhesion> {
   static constexpr TailAdhesion value{1.25, 1e-3};
   static std::string name() { return " tail"; }
@@ -86,7 +101,7 @@ void for_each_law(Check&& check) {
 template <class Check>
 void for_each_law_and_dimension(Check&& check) {
   for_each_law([&](const auto& law) {
-    {
+    if constexpr (std::decay_t<decltype(law)>::kDimension != 3) {
       SCOPED_TRACE("in 2D");
       check(law, std::integral_constant<int, 2>{});
     }
@@ -131,11 +146,18 @@ double elastic_force_at(const Law& law, double gap) {
   return law.normal(pair_at(gap)).elastic;
 }
 
+/// K_N of the stiffest contact, of overlaps to 1e-2 where it varies.
+template <class Law>
+double stiffness_bound(const Law& law) {
+  return law.stiffness_bound(pair_at(0.0), {1e-2}).normal;
+}
+
 /// Overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. By Newton's method,
 /// from the answer of the stiffest contact: at once for linear repulsion.
 template <class Law>
 double free_overlap(const Law& law) {
-  double h = pull_off_force(law) / law.stiffness_bound().normal;
+  if (pull_off_force(law) == 0.0) return 0.0;
+  double h = pull_off_force(law) / stiffness_bound(law);
   for (int k = 0; k < 50; ++k) {
     const auto response = law.normal(pair_at(-h));
     if (h == 0.0 || std::abs(response.force()) <= 4e-16 * pull_off_force(law)) break;

@@ -35,8 +35,9 @@ class MovingPair {
     const RotationVector<Dim> rotations = ri_ * arm * i.rotation + rj_ * arm * j.rotation;
 
     ContactMotion<Dim> motion{pair_at(after.norm() - ri_ - rj_), 0.0, 0.0, Shear<Dim>::Zero(),
-                              i.rotation - j.rotation};
+                              RotationVector<Dim>::Zero()};
     motion.slip = to_shear<double>(n, after - before - cross<double>(rotations, n));
+    motion.relative_rotation = rolling_part<double>(n, RotationVector<Dim>(i.rotation - j.rotation));
     double twist = 0.0;
     if constexpr (Dim == 3) twist = 0.5 * (i.rotation + j.rotation).dot(n);
     transport_memory(before.normalized(), normal(), twist);

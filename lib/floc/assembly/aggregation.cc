@@ -64,7 +64,7 @@ bool Aggregation<Dim>::advance() {
 template <int Dim>
 double Aggregation<Dim>::fly() {
   if (n_clusters_ == 1) return 0.0;
-  const ClusterFlight flight(packing_);
+  const ClusterFlight<Dim> flight(packing_);
   const Vec<Dim> no_load = Vec<Dim>::Zero();
   const ForceScale scale = force_scale(packing_, no_load);
   const double still = kCoastingEnergy * options_.tolerance.energy * scale.force * scale.length;
@@ -81,5 +81,6 @@ double Aggregation<Dim>::chunk_time() const {
 template int count_clusters(const Packing<2>&);
 template int count_clusters(const Packing<3>&);
 template class Aggregation<2>;
+template class Aggregation<3>;
 
 }  // namespace floc

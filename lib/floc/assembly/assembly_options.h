@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "floc/assembly/saved_start.h"
+#include "floc/assembly/vibration.h"
+#include "floc/relaxation/cell_response.h"
 
 namespace floc {
 
@@ -36,11 +38,15 @@ struct AssemblyOptions {
   };
   Protocol protocol = Protocol::direct;
   double solid_fraction = 0.0;  ///< of the gas, or of the saved packing
-  /// V0/V*, V* = sqrt(F0 D0/m), or sqrt(P a^2/m) where no adhesion reaches across a gap: of the aggregation
-  /// protocol, and of a saved packing, where zero leaves it at rest.
+  /// V0/V*, V* = sqrt(F0 D0/m), or sqrt(P a^Dim/m) where no adhesion reaches across a gap: of the aggregation
+  /// protocol, and of others, where zero leaves grains at rest.
   double agitation = 0.0;
   double pressure = 0.0;  ///< first pressure (unit of stress of the scene)
-  SavedStart saved;       ///< of the protocol that starts from one
+  std::optional<double>
+      friction;       ///< coefficient while grains are put together, where not that of the material
+  CellResponse cell;  ///< while grains are put together
+  std::optional<Vibration> vibration;  ///< of a saved packing, or of one put together from a gas
+  SavedStart saved;                    ///< of the protocol that starts from one
 };
 
 }  // namespace floc

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/grain_sizes.h"
 
@@ -16,30 +18,111 @@ constexpr double kSearchDistance = 0.1;
 /// Bounds from below on the time to the next meeting that are flown one after another.
 constexpr int kMaxFlights = 1000;
 
+/// A step of a tumbling body turns it by less than this (radians).
+constexpr double kTumblingStep = 0.02;
+
 /// A grain that another touches, in the image in which it does.
+template <int Dim>
 struct Neighbor {
   int grain;
-  Vec<2, int> image;
+  Vec<Dim, int> image;
+};
+
+/// Moment of inertia of a point of mass 1 at an arm from the centre.
+Mat<1> point_inertia(const Vec<2>& arm) {
+  return Mat<1>(arm.squaredNorm());
+}
+Mat<3> point_inertia(const Vec<3>& arm) {
+  return arm.squaredNorm() * Mat<3>::Identity() - arm * arm.transpose();
+}
+
+RotationVector<2> spin_of(const Mat<1>& inertia, const RotationVector<2>& angular_momentum) {
+  return angular_momentum / inertia(0, 0);
+}
+RotationVector<3> spin_of(const Mat<3>& inertia, const RotationVector<3>& angular_momentum) {
+  return inertia.ldlt().solve(angular_momentum);
+}
+
+/// The largest spin that a free body can have with the energy of its present one.
+double fastest_spin(const Mat<1>&, const RotationVector<2>& spin) {
+  return std::abs(spin[0]);
+}
+double fastest_spin(const Mat<3>& inertia, const RotationVector<3>& spin) {
+  const double least = symmetric_eigenvalues(inertia)[0];
+  return std::sqrt(spin.dot(inertia * spin) / least);
+}
+
+/// How a free body lies and spins in flight.
+template <int Dim>
+struct Attitude;
+template <>
+struct Attitude<2> {
+  double angle = 0.0;
+  RotationVector<2> spin;
+
+  /// @param flown  time since the flight began
+  void advance(const Mat<1>&, const RotationVector<2>&, double /*time*/, double flown) {
+    angle = flown * spin[0];
+  }
+  Vec<2> turned(const Vec<2>& v) const { return Eigen::Rotation2Dd(angle) * v; }
+  RotationVector<2> turned_spin(const RotationVector<2>& w) const { return w; }
+  void turn(double& orientation) const { orientation += angle; }
+};
+template <>
+struct Attitude<3> {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  RotationVector<3> spin;
+
+  /// Euler's equations by the method of Runge and Kutta of fourth order: the angular momentum stays, the moment
+  /// of inertia turns with the body.
+  void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
+    const Vec<3> angular_momentum = inertia * spin_at_start;
+    const Mat<3> inverse = inertia.inverse();
+    const auto spin_at = [&](const Eigen::Quaterniond& q) {
+      const Mat<3> turn = q.normalized().toRotationMatrix();
+      return Vec<3>(turn * (inverse * (turn.transpose() * angular_momentum)));
+    };
+    const auto rate = [&](const Eigen::Quaterniond& q) {
+      const Vec<3> w = spin_at(q);
+      return Eigen::Vector4d(0.5 * (Eigen::Quaterniond(0.0, w[0], w[1], w[2]) * q).coeffs());
+    };
+    const auto moved = [](const Eigen::Quaterniond& q, const Eigen::Vector4d& by) {
+      return Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() + by));
+    };
+    const double steps = std::max(1.0, std::ceil(fastest_spin(inertia, spin_at_start) * time / kTumblingStep));
+    const double dt = time / steps;
+    for (double step = 0.0; step < steps; ++step) {
+      const Eigen::Vector4d k1 = rate(rotation), k2 = rate(moved(rotation, 0.5 * dt * k1)),
+                            k3 = rate(moved(rotation, 0.5 * dt * k2)), k4 = rate(moved(rotation, dt * k3));
+      rotation = moved(rotation, dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)).normalized();
+    }
+    spin = spin_at(rotation);
+  }
+  Vec<3> turned(const Vec<3>& v) const { return rotation * v; }
+  RotationVector<3> turned_spin(const RotationVector<3>& w) const { return rotation * w; }
+  void turn(Eigen::Quaterniond& orientation) const { orientation = rotation * orientation; }
 };
 
 }  // namespace
 
-ClusterFlight::ClusterFlight(const Packing<2>& packing) {
+template <int Dim>
+ClusterFlight<Dim>::ClusterFlight(const Packing<Dim>& packing) {
   unwrap(packing);
   find_motions(packing);
 }
 
 /// Walks through each cluster along its contacts, from its first grain.
-void ClusterFlight::unwrap(const Packing<2>& packing) {
+template <int Dim>
+void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
-  std::vector<std::vector<Neighbor>> neighbors(n);
-  for (const Contact<2>& c : packing.contacts) {
+  std::vector<std::vector<Neighbor<Dim>>> neighbors(n);
+  for (const Contact<Dim>& c : packing.contacts) {
     neighbors[c.i].push_back({c.j, c.image});
     neighbors[c.j].push_back({c.i, -c.image});
   }
   cluster_of_.assign(n, -1);
   place_.resize(n);
-  std::vector<Vec<2, int>> image(n, Vec<2, int>::Zero());
+  std::vector<Vec<Dim, int>> image(n, Vec<Dim, int>::Zero());
   for (int first = 0; first < n; ++first) {
     if (cluster_of_[first] >= 0) continue;
     const int k = static_cast<int>(clusters_.size());
@@ -49,9 +132,9 @@ void ClusterFlight::unwrap(const Packing<2>& packing) {
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const int i = reached[next];
       place_[i] = packing.grains.position[i] + packing.cell.shift(image[i]);
-      for (const Neighbor& neighbor : neighbors[i]) {
+      for (const Neighbor<Dim>& neighbor : neighbors[i]) {
         const int j = neighbor.grain;
-        const Vec<2, int> there = image[i] + neighbor.image;
+        const Vec<Dim, int> there = image[i] + neighbor.image;
         if (cluster_of_[j] < 0) {
           cluster_of_[j] = k;
           image[j] = there;
@@ -64,8 +147,9 @@ void ClusterFlight::unwrap(const Packing<2>& packing) {
   }
 }
 
-void ClusterFlight::find_motions(const Packing<2>& packing) {
-  const Grains<2>& g = packing.grains;
+template <int Dim>
+void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
+  const Grains<Dim>& g = packing.grains;
   for (int i = 0; i < g.size(); ++i) {
     Cluster& cluster = clusters_[cluster_of_[i]];
     cluster.mass += g.mass[i];
@@ -79,71 +163,86 @@ void ClusterFlight::find_motions(const Packing<2>& packing) {
   for (int i = 0; i < g.size(); ++i) {
     Cluster& cluster = clusters_[cluster_of_[i]];
     if (cluster.winds) continue;
-    const Vec<2> arm = place_[i] - cluster.centre;
-    cluster.inertia += g.inertia(i) + g.mass[i] * arm.squaredNorm();
-    cluster.spin += g.inertia(i) * g.angular_velocity[i][0] +
-                    moment<double>(arm, Vec<2>(g.mass[i] * (g.velocity[i] - cluster.velocity)))[0];
+    const Vec<Dim> arm = place_[i] - cluster.centre;
+    cluster.inertia += g.inertia(i) * Mat<kRotations<Dim>>::Identity() + g.mass[i] * point_inertia(arm);
+    // Its angular momentum, for the time being.
+    cluster.spin += g.inertia(i) * g.angular_velocity[i] +
+                    moment<double>(arm, Vec<Dim>(g.mass[i] * (g.velocity[i] - cluster.velocity)));
     cluster.reach = std::max(cluster.reach, arm.norm());
   }
-  for (Cluster& cluster : clusters_)
-    if (!cluster.winds) cluster.spin /= cluster.inertia;
+  for (Cluster& cluster : clusters_) {
+    if (cluster.winds) continue;
+    cluster.spin = spin_of(cluster.inertia, cluster.spin);
+    cluster.fastest_spin = fastest_spin(cluster.inertia, cluster.spin);
+  }
   double twice_energy = 0.0;
   for (int i = 0; i < g.size(); ++i) {
     const Cluster& cluster = clusters_[cluster_of_[i]];
-    const Vec<2> rigid =
-        cluster.velocity + cross<double>(RotationVector<2>(cluster.spin), Vec<2>(place_[i] - cluster.centre));
+    const Vec<Dim> rigid = cluster.velocity + cross<double>(cluster.spin, Vec<Dim>(place_[i] - cluster.centre));
     twice_energy += g.mass[i] * (g.velocity[i] - rigid).squaredNorm() +
-                    g.inertia(i) * std::pow(g.angular_velocity[i][0] - cluster.spin, 2);
+                    g.inertia(i) * (g.angular_velocity[i] - cluster.spin).squaredNorm();
   }
   inner_energy_ = 0.5 * twice_energy / g.size();
 }
 
 /// A bound from below: no two surfaces approach faster than their clusters do and turn.
-double ClusterFlight::time_to_meet(const Packing<2>& packing, double nearest) const {
+template <int Dim>
+double ClusterFlight<Dim>::time_to_meet(const Packing<Dim>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;
   const double search_distance = nearest + kSearchDistance * largest_diameter(radius);
   double fastest = 0.0;
-  for (const Cluster& c : clusters_)
-    fastest = std::max(fastest, c.velocity.norm() + std::abs(c.spin) * c.reach);
+  for (const Cluster& c : clusters_) fastest = std::max(fastest, c.velocity.norm() + c.fastest_spin * c.reach);
   const auto time = [](double way, double speed) {
     return speed > 0.0 ? std::max(0.0, way) / speed : std::numeric_limits<double>::infinity();
   };
   double soonest = time(search_distance - nearest, 2.0 * fastest);
-  for (const NeighborPair<2>& pair : find_pairs(packing.cell, packing.grains, search_distance)) {
+  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, packing.grains, search_distance)) {
     if (cluster_of_[pair.i] == cluster_of_[pair.j]) continue;
     const Cluster &a = clusters_[cluster_of_[pair.i]], &b = clusters_[cluster_of_[pair.j]];
-    const Vec<2> branch =
+    const Vec<Dim> branch =
         packing.grains.position[pair.j] - packing.grains.position[pair.i] + packing.cell.shift(pair.image);
     const double way = branch.norm() - radius[pair.i] - radius[pair.j] - nearest;
-    const double speed =
-        (a.velocity - b.velocity).norm() + std::abs(a.spin) * a.reach + std::abs(b.spin) * b.reach;
+    const double speed = (a.velocity - b.velocity).norm() + a.fastest_spin * a.reach + b.fastest_spin * b.reach;
     soonest = std::min(soonest, time(way, speed));
   }
   return soonest;
 }
 
-double ClusterFlight::fly(Packing<2>& packing, double nearest, double longest) const {
-  Grains<2>& g = packing.grains;
-  const std::vector<Vec<2>> start = g.position;
+template <int Dim>
+double ClusterFlight<Dim>::fly(Packing<Dim>& packing, double nearest, double longest) const {
+  Grains<Dim>& g = packing.grains;
+  const std::vector<Vec<Dim>> start = g.position;
   double flown = 0.0;
+  std::vector<Attitude<Dim>> attitude(clusters_.size());
+  for (std::size_t k = 0; k < clusters_.size(); ++k) attitude[k].spin = clusters_[k].spin;
   for (int flight = 0; flight < kMaxFlights && flown < longest; ++flight) {
     const double time = std::min(time_to_meet(packing, nearest), longest - flown);
     if (!(time > 0.0)) break;
     flown += time;
+    for (std::size_t k = 0; k < clusters_.size(); ++k)
+      attitude[k].advance(clusters_[k].inertia, clusters_[k].spin, time, flown);
     for (int i = 0; i < g.size(); ++i) {
       const Cluster& cluster = clusters_[cluster_of_[i]];
-      const Vec<2> arm = place_[i] - cluster.centre;
-      g.position[i] =
-          start[i] + flown * cluster.velocity + (Eigen::Rotation2Dd(flown * cluster.spin) * arm - arm);
+      const Vec<Dim> arm = place_[i] - cluster.centre;
+      g.position[i] = start[i] + flown * cluster.velocity + (attitude[cluster_of_[i]].turned(arm) - arm);
     }
   }
   for (int i = 0; i < g.size(); ++i) {
     const Cluster& cluster = clusters_[cluster_of_[i]];
-    const double rotation = flown * cluster.spin;
-    g.velocity[i] = cluster.velocity + Eigen::Rotation2Dd(rotation) * Vec<2>(g.velocity[i] - cluster.velocity);
-    g.orientation[i] += rotation;
+    const Attitude<Dim>& now = attitude[cluster_of_[i]];
+    g.velocity[i] = cluster.velocity + now.turned(Vec<Dim>(g.velocity[i] - cluster.velocity));
+    if constexpr (Dim == 3) {
+      // What the spin has changed by, seen from the body, is what tumbling is.
+      const RotationVector<Dim> change = now.spin - now.turned_spin(cluster.spin);
+      g.velocity[i] += cross<double>(change, now.turned(Vec<Dim>(place_[i] - cluster.centre)));
+      g.angular_velocity[i] = now.turned_spin(g.angular_velocity[i]) + change;
+    }
+    now.turn(g.orientation[i]);
   }
   return flown;
 }
+
+template class ClusterFlight<2>;
+template class ClusterFlight<3>;
 
 }  // namespace floc

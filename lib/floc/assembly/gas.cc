@@ -12,8 +12,9 @@
 namespace floc {
 namespace {
 
-constexpr double kRandomPlacingLimit =
-    0.4;                             ///< solid fraction that placing one by one reaches without long searches
+/// Solid fraction that placing one by one reaches without long searches.
+template <int Dim>
+constexpr double kRandomPlacingLimit = Dim == 2 ? 0.4 : 0.3;
 constexpr int kShuffleSweeps = 200;  ///< moves a grain: several mean free paths, the placing is forgotten
 constexpr int kMaxSweeps = 20000;    ///< beyond this growing has failed
 constexpr double kGrowth = 1.01;     ///< of all diameters, whenever no grains overlap
@@ -167,7 +168,7 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
                       RandomStream& random) {
   const std::vector<double> diameter = draw_diameters(options, random);
   const double side = std::pow(solid_volume<Dim>(diameter) / solid_fraction, 1.0 / Dim);
-  double scale = std::min(1.0, std::pow(kRandomPlacingLimit / solid_fraction, 1.0 / Dim));
+  double scale = std::min(1.0, std::pow(kRandomPlacingLimit<Dim> / solid_fraction, 1.0 / Dim));
   HardGrains<Dim> hard(side, diameter);
   place_at_random(hard, diameter, side, scale, random);
 

@@ -10,8 +10,8 @@ namespace floc {
 std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random);
 
 /// Grains at rest without overlap in a square (cubic) cell at the given solid fraction: placed one by one at
-/// random, then shuffled by hard-disk Monte Carlo moves until the placing is forgotten. Above about 0.4 they
-/// are placed smaller and grow to size during the moves.
+/// random, then shuffled by hard-sphere Monte Carlo moves until the placing is forgotten. Above about 0.4
+/// (0.3 in 3D) they are placed smaller and grow to size during the moves.
 ///
 /// @throws InputError if the grains do not reach their size without overlap: the solid fraction is too high.
 template <int Dim>

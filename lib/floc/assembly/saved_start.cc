@@ -1,5 +1,6 @@
 #include "floc/assembly/saved_start.h"
 
+#include <string_view>
 #include <utility>
 
 #include "floc/neighbors/find_contacts.h"
@@ -9,12 +10,28 @@
 
 namespace floc {
 
+namespace {
+
+/// 1 for each number that contacts remember under both laws, else 0.
+template <int Dim>
+ContactMemory<Dim> common_memory(const LawParameters& before, const LawParameters& after) {
+  ContactMemory<Dim> common = ContactMemory<Dim>::Zero();
+  for (const RememberedQuantity& p : remembered_quantities(before, Dim))
+    for (const RememberedQuantity& q : remembered_quantities(after, Dim))
+      if (std::string_view(p.declared.name) == q.declared.name && p.begin == q.begin)
+        common.segment(q.begin, q.size).setOnes();
+  return common;
+}
+
+}  // namespace
+
 template <int Dim>
 Packing<Dim> start_from(Packing<Dim> saved, const LawParameters& law, const Vec<Dim, int>& copies) {
   Grains<Dim>& g = saved.grains;
   for (Vec<Dim>& v : g.velocity) v.setZero();
   for (RotationVector<Dim>& w : g.angular_velocity) w.setZero();
   saved.cell.velocity.setZero();
+  const ContactMemory<Dim> kept = common_memory<Dim>(saved.law, law);
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
   find_contacts(saved);
@@ -22,7 +39,7 @@ Packing<Dim> start_from(Packing<Dim> saved, const LawParameters& law, const Vec<
   for (Contact<Dim>& c : saved.contacts) {
     while (old != before.end() && precedes(*old, c)) ++old;
     if (old == before.end() || precedes(c, *old)) continue;
-    c.memory = old->memory;
+    c.memory = old->memory.cwiseProduct(kept);
   }
   refresh_contacts(saved);
   return copies.prod() == 1 ? saved : tiled(saved, copies);

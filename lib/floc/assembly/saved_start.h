@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <variant>
 
 #include "floc/packing/packing.h"
 
@@ -9,9 +10,20 @@ namespace floc {
 
 /// A saved packing that a run starts from in place of a gas.
 struct SavedStart {
-  std::function<Packing<2>()> read;          ///< called when the run begins: a large packing is held once
+  /// Called when the run begins: a large packing is held once.
+  std::function<std::variant<Packing<2>, Packing<3>>()> read;
   std::string sha256;                        ///< of its file, the parent of the first state
-  Vec<2, int> copies = Vec<2, int>::Ones();  ///< side by side along each axis
+  Vec<3, int> copies = Vec<3, int>::Ones();  ///< side by side along each axis
+
+  /// @pre the packing has Dim dimensions
+  template <int Dim>
+  Packing<Dim> read_packing() const {
+    return std::get<Packing<Dim>>(read());
+  }
+  template <int Dim>
+  Vec<Dim, int> copies_along() const {
+    return copies.head<Dim>();
+  }
 };
 
 /// What a run makes of a saved packing: at rest, under another contact law, tiled. Grains stay where they are

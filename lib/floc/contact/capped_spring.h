@@ -17,7 +17,7 @@ inline V capped(const V& spring, const T& limit) {
   } else {
     using std::sqrt;
     const T squared = spring.squaredNorm();
-    const auto beyond = squared > limit * limit;
+    const auto beyond = limit * limit < squared;
     const T length = sqrt(lanes::select(beyond, squared, T(1)));
     return spring * lanes::select(beyond, T(limit / length), T(1));
   }

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "floc/base/lanes.h"
 #include "floc/base/vec.h"
 #include "floc/contact/absent.h"
+#include "floc/contact/contact_load.h"
 #include "floc/contact/contact_memory.h"
 #include "floc/contact/mobilised.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/normal_response.h"
 #include "floc/contact/pair_geometry.h"
 #include "floc/geometry/frame.h"
@@ -18,9 +21,10 @@ template <int Dim, class T = double>
 struct ContactMotion {
   PairGeometry<T> pair;  ///< at the end of the motion
   T gap_rate;            ///< dh/dt (length/time)
-  T damping;             ///< damping coefficient of the pair (force * time/length)
+  T damping;             ///< damping coefficient of the pair (damping_coefficient())
   Shear<Dim, T> slip;    ///< tangential displacement of j against i since the memory was last updated
-  RotationVector<Dim, T> relative_rotation;  ///< rotation of i against j since then (radians)
+  RotationVector<Dim, T>
+      relative_rotation;  ///< rolling of i against j since then (radians), see rolling_part()
 };
 
 /// What a contact does to its grains. On j act +normal along n and -shear; on i the opposite. On i acts the
@@ -48,6 +52,10 @@ struct ContactLaw {
   static constexpr bool kHasDamping = !kIsAbsent<Damping>;
   static constexpr bool kHasFriction = !kIsAbsent<Tangential>;
   static constexpr bool kHasRolling = !kIsAbsent<Rolling>;
+  /// Whether the damping coefficient has to be multiplied by the root of the stiffness.
+  static constexpr bool kDampingFollowsStiffness = kFollowsNormalStiffness<Damping>;
+  /// Dimensions that the law is for, 0: any.
+  static constexpr int kDimension = std::max(kDimensionOf<Normal>, kDimensionOf<Tangential>);
 
   /// Whether the law reads those numbers of a pair; they are loaded for no other.
   static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
@@ -82,7 +90,7 @@ struct ContactLaw {
   /// Static normal response. @param memory  of the normal slot; null for a new contact
   template <class T>
   NormalResponse<T> normal(const PairGeometry<T>& pair, const T* memory = nullptr) const {
-    NormalResponse<T> response{T(0), T(0), T(0)};
+    NormalResponse<T> response{T(0), T(0), T(0), T(0)};
     if constexpr (kRemembersOverlap) {
       const PackedMemory<memory_size<Normal>(2), T> fresh;
       if (memory == nullptr) memory = fresh.value;
@@ -92,6 +100,8 @@ struct ContactLaw {
       response.elastic = repulsion.force(pair);
       response.stiffness = repulsion.stiffness(pair);
     }
+    if constexpr (requires { repulsion.shear_stiffness(pair); })
+      response.shear_stiffness = repulsion.shear_stiffness(pair);
     if constexpr (kHasAdhesion) {
       response.adhesive = adhesion.force(pair);
       response.stiffness += adhesion.stiffness(pair);
@@ -107,9 +117,10 @@ struct ContactLaw {
     return u;
   }
 
-  /// Damping coefficient of a pair of grains (force * time/length), 0 without damping.
+  /// Damping coefficient of a pair of grains, 0 without damping: (force * time/length), or that over the root of
+  /// a stiffness where damping follows it.
   double damping_coefficient([[maybe_unused]] const CollisionMass& mass) const {
-    if constexpr (kHasDamping) return damping.coefficient(mass, repulsion.stiffness_bound());
+    if constexpr (kHasDamping) return damping.coefficient(mass, repulsion);
     return 0.0;
   }
 
@@ -123,7 +134,8 @@ struct ContactLaw {
     ContactForces<Dim, T> forces{normal(pair, normal_memory(memory)), T(0), Shear<Dim, T>::Zero(),
                                  RotationVector<Dim, T>::Zero()};
     if constexpr (kHasDamping)
-      forces.viscous = lanes::select(pair.gap < T(0), T(-motion.damping * motion.gap_rate), T(0));
+      forces.viscous = lanes::select(pair.gap < T(0),
+                                     T(damping.force(motion.damping, forces.normal, motion.gap_rate)), T(0));
     // A parted contact has no elastic force, so the caps also clear its springs.
     if constexpr (kHasFriction)
       forces.shear = friction.respond(pair, forces.normal, motion.slip, memory.value + kTangentialBegin<Dim>);
@@ -141,16 +153,13 @@ struct ContactLaw {
   }
 
   /// Stiffnesses of a touching contact of which only the elastic force is known.
-  ContactStiffness stiffness_at_force(double elastic) const {
-    return touching({elastic, 0.0, repulsion.stiffness_at_force(elastic)});
+  ContactStiffness stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
+    return touching(of_stiffness(elastic, repulsion.stiffness_at_force(pair, elastic)));
   }
 
-  /// No contact is stiffer than that.
-  ContactStiffness stiffness_bound() const {
-    ContactStiffness k{repulsion.stiffness_bound(), 0.0, 0.0};
-    if constexpr (kHasFriction) k.tangential = friction.stiffness_bound();
-    if constexpr (kHasRolling) k.rolling = rolling.stiffness_bound();
-    return k;
+  /// No contact of such a pair is stiffer than that under a load.
+  ContactStiffness stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
+    return touching(of_stiffness(0.0, repulsion.stiffness_bound(pair, load)));
   }
 
   /// Which springs of a touching contact are at their caps. Nothing else in the program decides what slides.
@@ -178,6 +187,14 @@ struct ContactLaw {
   }
 
  private:
+  /// Response of which the elastic force and K_N are known.
+  NormalResponse<double> of_stiffness(double elastic, double k_n) const {
+    NormalResponse<double> response{elastic, 0.0, k_n};
+    if constexpr (requires { repulsion.shear_ratio(); })
+      response.shear_stiffness = repulsion.shear_ratio() * k_n;
+    return response;
+  }
+
   static constexpr bool kRemembersOverlap = memory_size<Normal>(2) > 0;
   template <int Dim>
   static constexpr int kTangentialBegin = memory_size<Normal>(Dim);

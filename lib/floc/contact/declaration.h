@@ -13,13 +13,15 @@ enum class Unit {
   stiffness,          ///< (force/length)
   rolling_stiffness,  ///< (force * length)
   angle,              ///< (radians)
+  pressure,           ///< (force/length^2)
 };
 
 /// Which values a number may have; all are finite besides.
 enum class Requirement {
   positive,
   not_negative,
-  at_most_one,  ///< in (0, 1]
+  at_most_one,    ///< in (0, 1]
+  poisson_ratio,  ///< in (-1, 0.5)
 };
 
 constexpr bool holds(Requirement requirement, double x) {
@@ -30,6 +32,8 @@ constexpr bool holds(Requirement requirement, double x) {
       return x >= 0;
     case Requirement::at_most_one:
       return x > 0 && x <= 1;
+    case Requirement::poisson_ratio:
+      return x > -1 && x < 0.5;
   }
   return false;
 }
@@ -61,7 +65,7 @@ struct Choice {
 enum class MemoryKind {
   scalar,    ///< a number: the same whichever way round the pair is read
   tangent,   ///< a displacement of j against i in the tangent plane, in the contact's frame
-  rotation,  ///< a rotation of i against j
+  rotation,  ///< a rotation of i against j; in 3D one about an axis in the tangent plane
 };
 
 /// One quantity that a contact remembers under a model.

@@ -1,5 +1,7 @@
 #include "floc/contact/law_description.h"
 
+#include "floc/contact/model_traits.h"
+
 namespace floc {
 namespace {
 
@@ -30,7 +32,12 @@ DeclaredSlot describe(const char* key, const LawSlot<Models...>&) {
   DeclaredSlot slot{key, (kIsAbsent<Models> || ...), {}};
   const auto add = [&]<class Model>(std::type_identity<Model>) {
     if constexpr (!kIsAbsent<Model>) {
-      DeclaredModel model{Model::kKeyword, {}, {}, &put<Model>};
+      DeclaredModel model{Model::kKeyword,
+                          kIsDefault<Model>,
+                          !kStiffnessVaries<Model> && !kFollowsNormalStiffness<Model>,
+                          {},
+                          {},
+                          &put<Model>};
       describe_fields<Model>(model);
       slot.models.push_back(std::move(model));
     }

@@ -26,6 +26,9 @@ struct DeclaredChoice {
 /// A model that a slot can hold.
 struct DeclaredModel {
   std::string keyword;
+  bool is_default;  ///< meant where a scene names no model
+  /// Its numbers are in every state file, zero where a law has another model, as they have always been.
+  bool is_in_every_file;
   std::vector<DeclaredNumber> numbers;
   std::vector<DeclaredChoice> choices;
   /// Puts the model into the slot of a law, its numbers zero, its choices the first.

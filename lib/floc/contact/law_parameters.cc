@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "floc/contact/law_description.h"
+#include "floc/contact/model_traits.h"
 
 namespace floc {
 namespace {
@@ -17,6 +18,8 @@ const char* requirement_text(Requirement requirement) {
       return "must be >= 0 and finite";
     case Requirement::at_most_one:
       return "must be in (0, 1]";
+    case Requirement::poisson_ratio:
+      return "must be in (-1, 0.5)";
   }
   return "";
 }
@@ -38,7 +41,33 @@ double LawParameters::range() const {
 }
 
 double LawParameters::contact_modulus(int dim, double diameter) const {
-  return normal.visit([&](const auto& model) { return model.modulus(dim, diameter); });
+  return normal.visit([&](const auto& model) { return model.modulus_of_packing(dim, diameter); });
+}
+
+bool LawParameters::stiffness_varies() const {
+  return normal.visit([]<class Model>(const Model&) { return kStiffnessVaries<Model>; });
+}
+
+bool LawParameters::resists_sliding() const {
+  return friction.visit([](const auto& model) {
+    if constexpr (requires { model.acts(); }) return model.acts();
+    return false;
+  });
+}
+
+std::vector<std::string> LawParameters::faults_in_dimension(int dimension) const {
+  std::vector<std::string> faults;
+  for_each_slot(*this, [&](const char* key, const auto& slot) {
+    slot.visit([&]<class Model>(const Model&) {
+      if constexpr (kDimensionOf<Model> != 0) {
+        if (kDimensionOf<Model> != dimension)
+          faults.push_back(fmt::format("contact.{}.law = \"{}\": is for {}, expected dimension = {}", key,
+                                       Model::kKeyword, kDimensionOf<Model> == 3 ? "spheres" : "disks",
+                                       kDimensionOf<Model>));
+      }
+    });
+  });
+  return faults;
 }
 
 std::vector<std::string> LawParameters::validate() const {
@@ -49,8 +78,42 @@ std::vector<std::string> LawParameters::validate() const {
     faults.push_back(
         fmt::format("contact.{} = {}: {}", n.key, *n.value, requirement_text(n.declared->requirement)));
   }
-  if (rolling && !friction)
-    faults.emplace_back("contact.rolling: needs contact.friction; grains that slide freely need not roll");
+  const std::vector<std::string> between = faults_between_slots();
+  faults.insert(faults.end(), between.begin(), between.end());
+  return faults;
+}
+
+std::vector<std::string> LawParameters::faults_between_slots() const {
+  std::vector<std::string> faults;
+  const auto refuse = [&](bool fault, const char* words) {
+    if (fault) faults.emplace_back(words);
+  };
+  refuse(rolling && !friction,
+         "contact.rolling: needs contact.friction; grains that slide freely need not roll");
+  if (normal.holds<HertzRepulsion>()) {
+    refuse(
+        bool(adhesion),
+        "contact.adhesion: spheres under contact.normal.law = \"hertz\" do not adhere; expected no such table, "
+        "or contact.normal = {law = \"linear\", stiffness}");
+    refuse(damping.holds<ViscousDamping>(),
+           "contact.damping.restitution: under contact.normal.law = \"hertz\" damping follows the stiffness; "
+           "expected contact.damping = {critical_fraction}");
+    refuse(friction.holds<CoulombFriction>(),
+           "contact.friction.stiffness: under contact.normal.law = \"hertz\" it follows from Poisson's ratio; "
+           "expected contact.friction = {law = \"mindlin\", coefficient}");
+    refuse(
+        bool(rolling),
+        "contact.rolling: spheres under contact.normal.law = \"hertz\" do not resist rolling; expected no such "
+        "table, or contact.normal = {law = \"linear\", stiffness}");
+  } else {
+    refuse(
+        damping.holds<CriticalDamping>(),
+        "contact.damping.critical_fraction: under contact.normal.law = \"linear\" expected contact.damping = "
+        "{restitution}");
+    refuse(friction.holds<MindlinFriction>(),
+           "contact.friction.law = \"mindlin\": its stiffness follows from contact.normal.law = \"hertz\"; "
+           "expected that, or contact.friction = {coefficient, stiffness}");
+  }
   return faults;
 }
 

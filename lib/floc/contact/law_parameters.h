@@ -6,11 +6,14 @@
 
 #include "floc/contact/adhesion/constant_adhesion.h"
 #include "floc/contact/adhesion/tail_adhesion.h"
+#include "floc/contact/damping/critical_damping.h"
 #include "floc/contact/damping/viscous_damping.h"
 #include "floc/contact/law_slot.h"
+#include "floc/contact/normal/hertz_repulsion.h"
 #include "floc/contact/normal/linear_repulsion.h"
 #include "floc/contact/rolling/rolling_spring.h"
 #include "floc/contact/tangential/coulomb_friction.h"
+#include "floc/contact/tangential/mindlin_friction.h"
 
 namespace floc {
 
@@ -18,10 +21,10 @@ namespace floc {
 /// nothing is said. THE lists of models: what is listed here is known to scenes, law texts, state files and the
 /// law table (law_table.h), which turns a LawParameters into the composed type.
 struct LawParameters {
-  LawSlot<LinearRepulsion> normal;
+  LawSlot<LinearRepulsion, HertzRepulsion> normal;
   LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion> adhesion;
-  LawSlot<NoDamping, ViscousDamping> damping;
-  LawSlot<NoFriction, CoulombFriction> friction;
+  LawSlot<NoDamping, ViscousDamping, CriticalDamping> damping;
+  LawSlot<NoFriction, CoulombFriction, MindlinFriction> friction;
   LawSlot<NoRolling, RollingSpring> rolling;
 
   /// Calls visit(key, slot) for each slot, in this order. The key is that of its table in a scene.
@@ -41,11 +44,21 @@ struct LawParameters {
   /// Largest gap at which the law acts; adhesion of zero force acts nowhere.
   double range() const;
   /// Modulus that a pressure is measured against where nothing adheres: K_N/a^(Dim-2) of linear contacts of
-  /// grains of diameter a (force/length^(Dim-1)).
+  /// grains of diameter a, E/(1 - nu^2) of Hertz' (force/length^(Dim-1)).
   double contact_modulus(int dim, double diameter) const;
+
+  /// Whether the stiffness of a contact grows with its overlap.
+  bool stiffness_varies() const;
+
+  /// Whether friction carries anything.
+  bool resists_sliding() const;
 
   /// Every fault as "key = value: requirement"; empty when the law can be used.
   std::vector<std::string> validate() const;
+  /// Those of models that do not go together: what is left where every number is right.
+  std::vector<std::string> faults_between_slots() const;
+  /// Models that are for another dimension, as faults.
+  std::vector<std::string> faults_in_dimension(int dimension) const;
 };
 
 }  // namespace floc

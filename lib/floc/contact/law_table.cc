@@ -40,8 +40,20 @@ AnyContactLaw compose_law(const LawParameters& parameters) {
 
 AnyContactLaw compose_with_friction(const LawParameters& parameters) {
   LawParameters law = acting(parameters);
-  if (!law.friction) law.friction = CoulombFriction{0.0, 1.0};  // any stiffness: the cap is zero
+  if (!law.friction) {
+    if (law.normal.holds<HertzRepulsion>())
+      law.friction = MindlinFriction{0.0};
+    else
+      law.friction = CoulombFriction{0.0, 1.0};  // any stiffness: the cap is zero
+  }
   return composed(law);
+}
+
+bool is_compiled(const LawParameters& parameters) {
+  const LawParameters law = acting(parameters);
+  return std::visit([]<class... Models>(const Models&...) { return kIsCompiled<Models...>; },
+                    law.normal.variant(), law.adhesion.variant(), law.damping.variant(), law.friction.variant(),
+                    law.rolling.variant());
 }
 
 }  // namespace floc

@@ -16,9 +16,17 @@
 ///      form.
 namespace floc {
 
-/// Which compositions are compiled: grains that slide freely need not roll.
+/// Which compositions are compiled. Grains that slide freely need not roll. Friction and damping that follow the
+/// stiffness along the normal go with a stiffness that varies, others with one that does not; elastic spheres
+/// of varying stiffness neither adhere nor resist rolling.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling>
-inline constexpr bool kIsCompiled = !kIsAbsent<Tangential> || kIsAbsent<Rolling>;
+inline constexpr bool kIsCompiled =
+    kStiffnessVaries<Normal>
+        ? kIsAbsent<Adhesion>&& kIsAbsent<Rolling> &&
+              (kIsAbsent<Damping> || kFollowsNormalStiffness<Damping>)&&(kIsAbsent<Tangential> ||
+                                                                         kFollowsNormalStiffness<Tangential>)
+        : (!kIsAbsent<Tangential> || kIsAbsent<Rolling>)&&!kFollowsNormalStiffness<Damping> &&
+              !kFollowsNormalStiffness<Tangential>;
 
 namespace detail {
 
@@ -65,6 +73,9 @@ using AnyContactLaw =
 /// either.
 /// @pre parameters.validate() is empty.
 AnyContactLaw compose_law(const LawParameters& parameters);
+
+/// Whether the composition that the parameters ask for is compiled.
+bool is_compiled(const LawParameters& parameters);
 
 /// The same law with a friction spring in any case, one that can carry nothing where the law has none.
 AnyContactLaw compose_with_friction(const LawParameters& parameters);

@@ -7,17 +7,21 @@
 #include "floc/base/vec.h"
 #include "floc/contact/contact_memory.h"
 #include "floc/contact/law_parameters.h"
+#include "floc/contact/model_traits.h"
 
 /// Where the quantities that contacts remember are kept in a contact, and in the arrays of pairs in motion:
 /// each slot has a place of its own, wide enough for any of its models, so that a change of the law moves
 /// nothing. A law evaluates, loads and stores the numbers of its own models alone.
 namespace floc {
 
-/// The most that any model of a slot remembers.
+/// The most that any model of a slot remembers, of those for this dimension.
 template <class... Models>
 consteval int widest_memory(const LawSlot<Models...>*, int dim) {
   int widest = 0;
-  ((widest = memory_size<Models>(dim) > widest ? memory_size<Models>(dim) : widest), ...);
+  const auto widen = [&](int model_dimension, int size) {
+    if ((model_dimension == 0 || model_dimension == dim) && size > widest) widest = size;
+  };
+  (widen(kDimensionOf<Models>, memory_size<Models>(dim)), ...);
   return widest;
 }
 
@@ -44,6 +48,24 @@ consteval int memory_place(int k) {
   if (k < n_normal) return MemoryLayout<Dim>::kNormal + k;
   if (k < n_normal + n_friction) return MemoryLayout<Dim>::kFriction + k - n_normal;
   return MemoryLayout<Dim>::kRolling + k - n_normal - n_friction;
+}
+
+/// Whether number k of a law's packed memory is the first of a vector in the tangent plane of a 3D contact.
+template <class Law, int Dim>
+consteval bool begins_tangent(int k) {
+  int at = 0;
+  bool begins = false;
+  const auto look_at = [&]<class Model>(std::type_identity<Model>) {
+    if constexpr (requires { Model::kMemory; })
+      for (const Memory& m : Model::kMemory) {
+        begins = begins || (at == k && m.kind != MemoryKind::scalar);
+        at += n_components(m.kind, Dim);
+      }
+  };
+  look_at(std::type_identity<typename Law::NormalModel>{});
+  look_at(std::type_identity<typename Law::TangentialModel>{});
+  look_at(std::type_identity<typename Law::RollingModel>{});
+  return Dim == 3 && begins;
 }
 
 /// Calls visit(k, place) for each number of a law's packed memory, unrolled, k and place being integral

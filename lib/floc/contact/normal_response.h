@@ -6,9 +6,10 @@ namespace floc {
 /// `elastic`, because their caps do not depend on the adhesion (docs/physics.md, "Friction").
 template <class T>
 struct NormalResponse {
-  T elastic;    ///< elastic repulsion FNe, >= 0 (force)
-  T adhesive;   ///< adhesive part FNa, <= 0 (force)
-  T stiffness;  ///< dF/d(overlap) = -dF/dh of the sum (force/length)
+  T elastic;                 ///< elastic repulsion FNe, >= 0 (force)
+  T adhesive;                ///< adhesive part FNa, <= 0 (force)
+  T stiffness;               ///< dF/d(overlap) = -dF/dh of the sum (force/length)
+  T shear_stiffness = T(0);  ///< K_T that goes with it, where the normal law gives one (force/length)
 
   T force() const { return elastic + adhesive; }
 };

@@ -84,7 +84,8 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
                                       g.on_j * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.j)) +
                                       g.on_strain.leftCols(strain.size()) * strain);
     increments.push_back(
-        {forces[0], forces.template segment<Dim - 1>(1), forces.template tail<kRotations<Dim>>()});
+        {forces[0], forces.template segment<Dim - 1>(1),
+         RotationVector<Dim>(rotation_axes(c.frame) * forces.template tail<kRotations<Dim>>())});
   }
   return increments;
 }

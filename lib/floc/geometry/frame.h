@@ -62,6 +62,16 @@ inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
   return shear;
 }
 
+/// Part of a relative rotation that rolls: all of it in 2D, in 3D what is normal to n.
+template <class T>
+inline RotationVector<2, T> rolling_part(const Vec<2, T>&, const RotationVector<2, T>& rotation) {
+  return rotation;
+}
+template <class T>
+inline RotationVector<3, T> rolling_part(const Vec<3, T>& n, const RotationVector<3, T>& rotation) {
+  return to_shear<T>(n, rotation);
+}
+
 /// Carries the history of a contact (its tangential or rolling spring) from the frame of normal n0 to that of
 /// n1. In 2D the frame turns with the normal and the scalar stays as it is; in 3D the vector is turned by the
 /// smallest rotation that takes n0 to n1, and about the normal by the mean spin of the two grains: without
@@ -82,7 +92,7 @@ inline Shear<3, T> transport(const Shear<3, T>& shear, const Vec<3, T>& n0, cons
   // Rodrigues' formula for the rotation n0 -> n1; 1 + c vanishes only for a turn by 180 degrees in one step.
   const Vec<3, T> turned =
       c * shear + moment<T>(axis, Vec<3, T>(shear)) + axis * (axis.dot(shear) / (T(1) + c));
-  // The part along the normal, which only a rolling spring has, is left as it is by the twist.
+  // The twist leaves a part along the normal as it is.
   const Vec<3, T> along = n1 * n1.dot(turned);
   return along + cos(twist) * (turned - along) + sin(twist) * moment<T>(n1, turned);
 }

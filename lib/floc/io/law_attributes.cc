@@ -23,13 +23,15 @@ int keyword_index(const Hdf5Reader& file, const std::string& attribute, const st
                                                    given, fmt::join(known, ", ")));
 }
 
-/// Numbers of all models of a slot, each key once: the attributes that a file has for it.
-std::vector<std::string> keys_of(const DeclaredSlot& slot, bool choices) {
+/// The attributes that a file has for a slot, each key once: those of the model present (-1: none), and of models
+/// that are in every file.
+std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool choices) {
   std::vector<std::string> keys;
   const auto add = [&](const std::string& key) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
   };
   for (const DeclaredModel& model : slot.models) {
+    if (!model.is_in_every_file && (present < 0 || &model != &slot.models[present])) continue;
     if (choices)
       for (const DeclaredChoice& c : model.choices) add(c.key);
     else
@@ -47,13 +49,13 @@ void write_slot(Hdf5Writer& file, const DeclaredSlot& slot, LawParameters& law) 
   const int present = slot.present(law);
   file.attribute(kGroup, slot.key, present < 0 ? "none" : slot.models[present].keyword);
   const std::vector<LawNumber> numbers = numbers_of(law);
-  for (const std::string& key : keys_of(slot, false)) {
+  for (const std::string& key : keys_of(slot, present, false)) {
     const auto n = std::find_if(numbers.begin(), numbers.end(),
                                 [&](const LawNumber& number) { return number.key == slot.key + "." + key; });
     file.attribute(kGroup, attribute_name(slot.key, key), n == numbers.end() ? 0.0 : *n->value);
   }
   const std::vector<LawChoice> choices = choices_of(law);
-  for (const std::string& key : keys_of(slot, true)) {
+  for (const std::string& key : keys_of(slot, present, true)) {
     const auto c = std::find_if(choices.begin(), choices.end(),
                                 [&](const LawChoice& choice) { return choice.key == slot.key + "." + key; });
     file.attribute(kGroup, attribute_name(slot.key, key),

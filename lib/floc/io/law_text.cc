@@ -145,6 +145,9 @@ LawParameters parse_law(const std::string& place, const std::string& text) {
   const LawText given(place, text);
   LawParameters law;
   for (const DeclaredSlot& slot : declared_slots()) read_slot(place, given, slot, law);
+  // A coefficient alone is friction of elastic spheres, or lacks its stiffness.
+  if (law.friction.holds<MindlinFriction>() && !law.stiffness_varies())
+    (void)given.number("friction.stiffness");
   const std::vector<std::string> faults = law.validate();
   if (!faults.empty()) throw InputError(place, fmt::format("{}", fmt::join(faults, "; ")));
   return law;

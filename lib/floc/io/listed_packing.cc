@@ -159,8 +159,9 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
 
 /// Lays forces that were given over those of the law.
 template <int Dim>
-void set_forces(const LawParameters& law, const ListedContact& listed, const GivenForces<Dim>& given,
+void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const GivenForces<Dim>& given,
                 Contact<Dim>& c) {
+  const LawParameters& law = packing.law;
   if (given.normal) c.normal_force = *given.normal;
   if (given.shear && law.friction) c.shear_force = *given.shear;
   if (given.shear && !law.friction && given.shear->norm() > kNoShear * std::abs(c.normal_force))
@@ -170,7 +171,7 @@ void set_forces(const LawParameters& law, const ListedContact& listed, const Giv
     throw InputError(listed.place, "a rolling moment is given, but the law has no rolling");
   if (given.rolling) c.rolling_moment = *given.rolling;
   if (given.normal || given.shear || given.rolling)
-    set_given_forces(law, listed.kn, listed.kt, kCapTolerance, c);
+    set_given_forces(packing, listed.kn, listed.kt, kCapTolerance, c);
 }
 
 /// Fills the contact from the law, then lays the forces that were given over it.
@@ -201,7 +202,7 @@ Contact<Dim> make_contact(const Packing<Dim>& packing, const Identifiers& identi
     throw InputError(
         listed.place,
         fmt::format("the gap is {}, where the law does not act, and no normal_force says otherwise", c.gap));
-  set_forces(law, listed, given, c);
+  set_forces(packing, listed, given, c);
   return c;
 }
 

@@ -278,6 +278,8 @@ Quantity quantity_of(Unit unit) {
       return Quantity::rolling_stiffness;
     case Unit::angle:
       return Quantity::angle;
+    case Unit::pressure:
+      return Quantity::stress;
     case Unit::ratio:
       break;
   }

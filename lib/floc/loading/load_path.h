@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "floc/relaxation/cell_response.h"
+
 namespace floc {
 
 /// One stage of a load path: from the present pressure to `to`, in geometric steps. A stage to the present
@@ -18,6 +20,7 @@ struct LoadStage {
   /// Changes of the contact law made when the stage starts: path below [contact] and value, e.g.
   /// "adhesion.force" 0.
   std::vector<std::pair<std::string, double>> set;
+  CellResponse cell;  ///< during the stage
 };
 
 /// Pressures of a stage that starts at `from`, the last exactly `stage.to`. From or to zero there is no factor:

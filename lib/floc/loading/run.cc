@@ -8,6 +8,7 @@
 
 #include "floc/assembly/gas.h"
 #include "floc/base/version.h"
+#include "floc/neighbors/find_contacts.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/relaxer.h"
@@ -17,6 +18,7 @@ namespace {
 
 /// Purposes of the random streams of one seed.
 constexpr std::uint64_t kAssemblyStream = 1;
+constexpr std::uint64_t kVibrationStream = 2;
 
 }  // namespace
 
@@ -26,15 +28,16 @@ Run<Dim>::Run(RunOptions options)
   RandomStream random(options_.seed, kAssemblyStream);
   const AssemblyOptions& assembly = options_.assembly;
   if (assembly.protocol == AssemblyOptions::Protocol::state) {
-    packing_ = start_from<Dim>(assembly.saved.read(), options_.law, assembly.saved.copies);
+    packing_ =
+        start_from<Dim>(assembly.saved.read_packing<Dim>(), options_.law, assembly.saved.copies_along<Dim>());
     point_.parent_sha256 = assembly.saved.sha256;
   } else {
-    packing_ = make_gas<Dim>(options_.grains, options_.law, assembly.solid_fraction, random);
+    packing_ = make_gas<Dim>(options_.grains, plan_.front().law, assembly.solid_fraction, random);
   }
   point_.aggregating = assembly.protocol == AssemblyOptions::Protocol::aggregation;
   if (assembly.agitation > 0.0) agitate(packing_, agitation_speed(), random);
   point_.stream_state = random.state();
-  start_step();
+  shake_and_start_step();
 }
 
 template <int Dim>
@@ -43,7 +46,7 @@ Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
       plan_(plan_run(options_.assembly, options_.law, options_.load)),
       point_(std::move(point)),
       packing_(std::move(packing)) {
-  if (!finished()) start_step();
+  if (!finished()) shake_and_start_step();
 }
 
 RunPoint point_after(const PathPosition& path, std::uint64_t stream_state, const std::string& sha256) {
@@ -85,6 +88,18 @@ void Run<Dim>::take_packing_back() {
 
 /// @pre the packing is here
 template <int Dim>
+void Run<Dim>::shake_and_start_step() {
+  if (target().vibration && !point_.shaken) {
+    RandomStream random(options_.seed, kVibrationStream);
+    vibrate(packing_, *target().vibration, random);
+    find_contacts(packing_);
+    point_.shaken = true;
+  }
+  start_step();
+}
+
+/// @pre the packing is here
+template <int Dim>
 void Run<Dim>::start_step() {
   if (point_.aggregating) {
     aggregation_ =
@@ -97,7 +112,7 @@ void Run<Dim>::start_step() {
     packing_.law = target().law;
     refresh_contacts(packing_);
   }
-  equilibrator_ = make_equilibrator<Dim>(options_.relaxation, std::move(packing_),
+  equilibrator_ = make_equilibrator<Dim>(target().cell.applied_to(options_.relaxation), std::move(packing_),
                                          Vec<Dim>::Constant(target().pressure), point_.equilibration);
   pass_observer();
 }
@@ -214,9 +229,10 @@ template <int Dim>
 void Run<Dim>::saved(const std::string& sha256) {
   point_ = point_after(path(), point_.stream_state, sha256);
   take_packing_back();
-  if (!finished()) start_step();
+  if (!finished()) shake_and_start_step();
 }
 
 template class Run<2>;
+template class Run<3>;
 
 }  // namespace floc

@@ -18,6 +18,7 @@ namespace floc {
 struct RunPoint {
   int step = 0;                          ///< number of the equilibrium being made
   bool aggregating = false;              ///< grains still collide and stick
+  bool shaken = false;                   ///< the vibration before this equilibrium is over
   std::string equilibration;             ///< progress of the equilibrator, empty at the beginning of a step
   double equilibration_time = 0.0;       ///< simulated time of this step so far
   std::int64_t equilibration_steps = 0;  ///< time steps of this step so far
@@ -76,6 +77,7 @@ class Run {
   int n_clusters() const { return aggregation_ ? aggregation_->n_clusters() : 1; }
 
  private:
+  void shake_and_start_step();
   void start_step();
   void pass_observer();
   double agitation_speed() const;

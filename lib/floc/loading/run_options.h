@@ -13,6 +13,7 @@ namespace floc {
 
 /// Everything that says what a run does; with the same options a run gives the same bits.
 struct RunOptions {
+  int dimension = 2;
   std::string units = "reduced";  ///< "reduced" or "SI"
   GrainOptions grains;
   LawParameters law;

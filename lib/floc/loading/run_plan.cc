@@ -26,13 +26,22 @@ void change_law(LawParameters& law, const std::string& key, double value) {
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
                                          const std::vector<LoadStage>& load) {
   std::vector<PlannedEquilibrium> plan;
-  if (assembly.protocol == AssemblyOptions::Protocol::aggregation) plan.push_back({"assembly", 0.0, law});
-  if (plan.empty() || assembly.pressure > 0.0) plan.push_back({"assembly", assembly.pressure, law});
+  LawParameters assembling = law;
+  if (assembly.friction) change_law(assembling, "friction.coefficient", *assembly.friction);
+  if (assembly.protocol == AssemblyOptions::Protocol::aggregation)
+    plan.push_back({"assembly", 0.0, assembling, assembly.cell, {}});
+  if (plan.empty() || assembly.pressure > 0.0)
+    plan.push_back({"assembly", assembly.pressure, assembling, assembly.cell, {}});
+  if (assembly.vibration) {
+    if (assembly.protocol != AssemblyOptions::Protocol::state)
+      plan.push_back({"assembly", assembly.pressure, law, assembly.cell, {}});
+    plan.back().vibration = assembly.vibration;
+  }
   LawParameters present = law;
   for (const LoadStage& stage : load) {
     for (const auto& [key, value] : stage.set) change_law(present, key, value);
     for (const double pressure : stage_pressures(plan.back().pressure, stage))
-      plan.push_back({stage.name, pressure, present});
+      plan.push_back({stage.name, pressure, present, stage.cell, {}});
   }
   for (const PlannedEquilibrium& equilibrium : plan)
     if (equilibrium.pressure == 0.0 && equilibrium.law.pull_off_force() == 0.0)

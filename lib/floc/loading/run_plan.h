@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,19 @@ namespace floc {
 
 /// One equilibrium a run will make.
 struct PlannedEquilibrium {
-  std::string branch;  ///< "assembly" or the name of the stage
-  double pressure;     ///< (unit of stress of the scene)
-  LawParameters law;   ///< with the changes made so far
+  std::string branch;                  ///< "assembly" or the name of the stage
+  double pressure;                     ///< (unit of stress of the scene)
+  LawParameters law;                   ///< with the changes made so far
+  CellResponse cell;                   ///< where it differs from that of the run
+  std::optional<Vibration> vibration;  ///< before it
 };
 
 /// All equilibria of a run, in order: those of the assembly (aggregation: P = 0, then the first pressure), then
-/// every step of every stage.
-/// @throws InputError if a stage changes something the law does not have
+/// every step of every stage. Grains are put together under the friction of the assembly, where it has one. A
+/// packing that is shaken is one that was put together before or, of a gas, the first equilibrium; another
+/// follows at the same pressure.
+/// @throws InputError if a stage changes something the law does not have, or a law without friction is to be
+/// given some for the assembly
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
                                          const std::vector<LoadStage>& load);
 

@@ -20,6 +20,7 @@ struct NetworkContact {
   double kn;                           ///< K_N, or -F0/D0 of a distant attraction (force/length)
   double kt;                           ///< K_T (force/length)
   double kr;                           ///< K_R (force * length)
+  double ktw = 0.0;                    ///< against twisting about the normal, of spheres (force * length)
   double normal_force;                 ///< static, compression positive (force)
   Vec<Dim> shear_force;                ///< tangential force on i (force)
   RotationVector<Dim> rolling_moment;  ///< on i (force * length)

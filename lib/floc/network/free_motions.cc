@@ -207,7 +207,7 @@ class FreeMotionFinder {
           if (!active_[k]) continue;
           const NetworkContact<3>& c = network_.contacts[k];
           points.push_back(c.i == i ? c.arm_i : c.arm_j);
-          holds_spin = holds_spin || c.kr != 0.0 || c.kt == 0.0 || c.i == c.j;
+          holds_spin = holds_spin || c.kr != 0.0 || c.ktw != 0.0 || c.kt == 0.0 || c.i == c.j;
         }
         if (points.size() != 2 || holds_spin) continue;
         const Vec<3> axis = (points[1] - points[0]).normalized();

@@ -58,8 +58,9 @@ ContactRows<Dim> contact_rows(const NetworkContact<Dim>& c) {
       g.on_strain(a, e) = -0.5 * (axis[p] * c.branch[q] + axis[q] * c.branch[p]);
     }
   }
-  g.on_i.template bottomRightCorner<kRotationDofs, kRotationDofs>() = -Mat<kRotationDofs>::Identity();
-  g.on_j.template bottomRightCorner<kRotationDofs, kRotationDofs>() = Mat<kRotationDofs>::Identity();
+  const Mat<kRotationDofs> axes = rotation_axes(c.frame);
+  g.on_i.template bottomRightCorner<kRotationDofs, kRotationDofs>() = -axes.transpose();
+  g.on_j.template bottomRightCorner<kRotationDofs, kRotationDofs>() = axes.transpose();
   if (c.i == c.j) {
     g.on_i += g.on_j;
     g.on_j.setZero();
@@ -73,6 +74,7 @@ RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& c) {
   k[0] = c.kn;
   k.template segment<Dim - 1>(1).setConstant(c.kt);
   k.template tail<kRotations<Dim>>().setConstant(c.kr);
+  if constexpr (Dim == 3) k[Dim] = c.ktw;
   return k;
 }
 

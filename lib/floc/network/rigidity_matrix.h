@@ -22,8 +22,8 @@ template <int Dim>
 Mat<Dim> unit_strain(int column);
 
 /// Relative motion of one contact, linear in the unknowns. Rows: overlap; tangential displacement of j against
-/// i along each tangent; rotation of j against i. Row by row they do work on normal force, tangential force on
-/// i and rolling moment on i: forces f are in balance with loads G^T f.
+/// i along each tangent; rotation of j against i, in 3D about the normal (twisting), then about each tangent
+/// (rolling). Row by row they do work on normal force, tangential force on i and rolling moment on i: forces f are in balance with loads G^T f.
 template <int Dim>
 struct ContactRows {
   Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_i;  ///< unknowns of i; those of j are added if i = j
@@ -38,7 +38,15 @@ using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
-/// Normal, tangential and rolling stiffness of the rows of `ContactRows`.
+/// Axes of the rotations of `ContactRows`: columns, in the coordinates of space.
+inline Mat<1> rotation_axes(const Mat<2>&) {
+  return Mat<1>::Identity();
+}
+inline Mat<3> rotation_axes(const Mat<3>& frame) {
+  return frame;
+}
+
+/// Normal, tangential, twisting and rolling stiffness of the rows of `ContactRows`.
 template <int Dim>
 RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& contact);
 

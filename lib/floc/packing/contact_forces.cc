@@ -33,12 +33,12 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
 /// What was read lies a little beside the law, and the pull of an adhesive contact is none of its elastic
 /// force.
 template <class Law, int Dim>
-void set_forces(const Law& law, double pull_off_force, std::optional<double> kn, std::optional<double> kt,
-                double tolerance, Contact<Dim>& c) {
+void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
+                std::optional<double> kt, double tolerance, Contact<Dim>& c) {
   c.distant = c.gap >= 0.0 && law.interacts(c.gap);
   if (c.distant) return;
   c.elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
-  const ContactStiffness k = law.stiffness_at_force(c.elastic_force);
+  const ContactStiffness k = law.stiffness_at_force(pair_geometry(grains, c), c.elastic_force);
   c.kn = kn.value_or(k.normal);
   c.kt = Law::kHasFriction ? kt.value_or(k.tangential) : 0.0;
   c.kr = k.rolling;
@@ -75,17 +75,20 @@ Mobilised mobilised(const LawParameters& parameters, const Contact<Dim>& contact
 }
 
 template <int Dim>
-void set_given_forces(const LawParameters& parameters, std::optional<double> kn, std::optional<double> kt,
+void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std::optional<double> kt,
                       double tolerance, Contact<Dim>& contact) {
-  std::visit([&](const auto& law) { set_forces(law, parameters.pull_off_force(), kn, kt, tolerance, contact); },
-             compose_law(parameters));
+  std::visit(
+      [&](const auto& law) {
+        set_forces(law, packing.law.pull_off_force(), packing.grains, kn, kt, tolerance, contact);
+      },
+      compose_law(packing.law));
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                                                \
-  template void refresh_contact(const Packing<Dim>&, Contact<Dim>&);                                         \
-  template void refresh_contacts(Packing<Dim>&);                                                             \
-  template Mobilised mobilised(const LawParameters&, const Contact<Dim>&, double tolerance);                 \
-  template void set_given_forces(const LawParameters&, std::optional<double>, std::optional<double>, double, \
+#define FLOC_INSTANTIATE(Dim)                                                                               \
+  template void refresh_contact(const Packing<Dim>&, Contact<Dim>&);                                        \
+  template void refresh_contacts(Packing<Dim>&);                                                            \
+  template Mobilised mobilised(const LawParameters&, const Contact<Dim>&, double tolerance);                \
+  template void set_given_forces(const Packing<Dim>&, std::optional<double>, std::optional<double>, double, \
                                  Contact<Dim>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

@@ -33,6 +33,17 @@ PackedMemory<Law::template kMemorySize<Dim>, Dual<kDofs<Dim>>> dual_memory(const
   return memory;
 }
 
+/// Axes that surfaces roll about, as columns in the order of `ContactRows`: those of its rotations, the twist
+/// about the normal left out.
+Mat<1> rolling_axes(const Mat<2>&) {
+  return Mat<1>::Identity();
+}
+Mat<3> rolling_axes(const Mat<3>& frame) {
+  Mat<3> axes = frame;
+  axes.col(0).setZero();
+  return axes;
+}
+
 template <class Law, int Dim>
 ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& start,
                                const ContactMemory<Dim>& factor, const SurfaceMotion<Dim>& surface,
@@ -54,9 +65,11 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
     motion.slip[a] = T(kBeyondCap * surface.slip[a] + kTinyMotion);
     for (int t = 0; t < Dim - 1; ++t) motion.slip[a].derivative[1 + t] = tangents(a, t);
   }
+  const Mat<kRotations<Dim>> rolling = rolling_axes(frame);
   for (int a = 0; a < kRotations<Dim>; ++a) {
     motion.relative_rotation[a] = T(kBeyondCap * surface.relative_rotation[a] + kTinyMotion);
-    motion.relative_rotation[a].derivative[Dim + a] = -1.0;  // of i against j
+    for (int b = 0; b < kRotations<Dim>; ++b)
+      motion.relative_rotation[a].derivative[Dim + b] = -rolling(a, b);  // of i against j
   }
   auto memory = dual_memory<Law, Dim>(factor.cwiseProduct(start.memory));
   const ContactForces<Dim, T> f = law.respond(motion, memory);
@@ -67,7 +80,8 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
     k(0, b) = normal.derivative[b];
     for (int t = 0; t < Dim - 1; ++t)
       for (int a = 0; a < kShearComponents<Dim>; ++a) k(1 + t, b) += tangents(a, t) * f.shear[a].derivative[b];
-    for (int a = 0; a < kRotations<Dim>; ++a) k(Dim + a, b) = -f.rolling[a].derivative[b];
+    for (int c = 0; c < kRotations<Dim>; ++c)
+      for (int a = 0; a < kRotations<Dim>; ++a) k(Dim + c, b) -= rolling(a, c) * f.rolling[a].derivative[b];
   }
   return k;
 }

@@ -12,7 +12,8 @@ namespace floc {
 template <int Dim>
 struct SurfaceMotion {
   Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of j against i (length)
-  RotationVector<Dim> relative_rotation = RotationVector<Dim>::Zero();  ///< rotation of i against j (radians)
+  /// Rotation of i against j, in 3D that about axes in the tangent plane (radians).
+  RotationVector<Dim> relative_rotation = RotationVector<Dim>::Zero();
 };
 
 /// Carries what a contact remembers, and its motion since, from its normal to another, which it then has.
@@ -34,8 +35,8 @@ void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> mo
              std::span<Contact<Dim>> contacts);
 
 /// Derivatives of what one contact does, rows and columns in the order of `ContactRows`: normal force,
-/// tangential force on i along each tangent, rolling moment on i, by overlap, tangential displacement of j
-/// against i along each tangent, rotation of j against i.
+/// tangential force on i along each tangent, moment on i about each axis, by overlap, tangential displacement of
+/// j against i along each tangent, rotation of j against i about each axis.
 template <int Dim>
 using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 

@@ -41,8 +41,8 @@ template <int Dim>
 void ExplicitDynamics<Dim>::kick_walls() {
   std::vector<double> force(walls_.size(), 0.0);
   const PairArrays<Dim>& pairs = interactions_.back().pairs();
-  const double* row = interactions_.back().view().row;
-  const int size_of_row = row_size(interactions_.back().law());
+  const double* row = interactions_.back().view().row + force_in_row<Dim>(interactions_.back().law());
+  const int size_of_row = row_size<Dim>(interactions_.back().law());
   for (int p = 0; p < pairs.size(); ++p, row += size_of_row) {
     if (pairs.padding(p)) continue;
     const Wall<Dim>& wall = walls_.walls()[pairs.j(p)];
@@ -118,9 +118,13 @@ void ExplicitDynamics<Dim>::impose_rates() {
   if (any) lattice_rate_ = upper_product<Dim>(gradient, lattice_);
 }
 
-template Vec<2> ExplicitDynamics<2>::sides() const;
-template Cell<2> ExplicitDynamics<2>::cell() const;
-template void ExplicitDynamics<2>::kick_boundary();
-template void ExplicitDynamics<2>::impose_rates();
+#define FLOC_INSTANTIATE(Dim)                             \
+  template Vec<Dim> ExplicitDynamics<Dim>::sides() const; \
+  template Cell<Dim> ExplicitDynamics<Dim>::cell() const; \
+  template void ExplicitDynamics<Dim>::kick_boundary();   \
+  template void ExplicitDynamics<Dim>::impose_rates();
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
 
 }  // namespace floc

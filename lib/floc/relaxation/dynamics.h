@@ -59,8 +59,12 @@ std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const 
                                              const DynamicsSettings& settings);
 
 /// Time step of RelaxationOptions::time_step in the scene's units: in sqrt(m_min/K_N), shortened where K_T is
-/// above K_N or rolling of the smallest grains faster than their vibration.
+/// above K_N or rolling of the smallest grains faster than their vibration, and in 3D, where grains have more
+/// neighbours. Where stiffness grows with the overlap it is that of the deepest contact there is, of twice the
+/// stiffness of the mean force under the pressure, or of the fastest collision, whichever is stiffest: good
+/// for one chunk.
+/// @param pressure  that the packing is under or will be (force/length^(Dim-1))
 template <int Dim>
-double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times);
+double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times, double pressure = 0.0);
 
 }  // namespace floc

@@ -273,7 +273,7 @@ void ExplicitDynamics<Dim>::rebuild_list() {
     interaction.set_pairs({close, interaction.partner(), radius, grains_.mass, interaction.law(), dt_});
     lists.push_back(&interaction.pairs());
   }
-  sums_of_rows_ = {lists, row_size(interactions_[0].law()), grains_.size()};
+  sums_of_rows_ = {lists, row_size<Dim>(interactions_[0].law()), grains_.size()};
   for (std::size_t k = 0; k < interactions_.size(); ++k) interactions_[k].set_rows(sums_of_rows_.rows(k));
   walls_.mark();
   x_list_ = grains_.x;
@@ -319,10 +319,10 @@ template <int Dim>
 void ExplicitDynamics<Dim>::add_wall_virial(int block) {
   const Interaction<Dim>& interaction = interactions_.back();
   const PairArrays<Dim>& pairs = interaction.pairs();
-  const int size_of_row = row_size(interaction.law());
+  const int size_of_row = row_size<Dim>(interaction.law()), force = force_in_row<Dim>(interaction.law());
   for (int p = pairs.first_of_block(block); p < pairs.first_of_block(block + 1); ++p) {
     if (pairs.padding(p)) continue;
-    const double* on_wall = interaction.view().row + static_cast<std::ptrdiff_t>(size_of_row) * p;
+    const double* on_wall = interaction.view().row + static_cast<std::ptrdiff_t>(size_of_row) * p + force;
     const Wall<Dim>& wall = walls_.walls()[pairs.j(p)];
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < Dim; ++b)
@@ -398,7 +398,7 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
         if (lattice_(a, b) != 0.0) x[a] -= cells * lattice_(a, b);
     }
     for (int a = 0; a < kRotations<Dim>; ++a) out.grains.angular_velocity[i][a] = grains_.spin[a][k];
-    out.grains.orientation[i] = grains_.angle[k];
+    out.grains.orientation[i] = grains_.orientation_of(k);
     out.grains.radius[i] = grains_.radius[k];
     out.grains.mass[i] = grains_.mass[k];
   }
@@ -449,6 +449,8 @@ std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const 
 }
 
 template std::unique_ptr<Dynamics<2>> make_dynamics(const Packing<2>&, const BoundaryControl<2>&,
+                                                    const DynamicsSettings&);
+template std::unique_ptr<Dynamics<3>> make_dynamics(const Packing<3>&, const BoundaryControl<3>&,
                                                     const DynamicsSettings&);
 
 }  // namespace floc

@@ -22,7 +22,7 @@ struct GrainArrays {
   std::array<Component, Dim> force;
   std::array<Component, kRotations<Dim>> spin;
   std::array<Component, kRotations<Dim>> torque;
-  Component angle;
+  std::array<Component, kOrientationNumbers<Dim>> orientation;
   Component radius, mass, inertia;
   Component inverse_mass, inverse_inertia;
 
@@ -30,22 +30,47 @@ struct GrainArrays {
 
   int size() const { return static_cast<int>(index.size()); }
   void copy_positions_to(Grains<Dim>& grains) const;
+  /// How grain k here lies.
+  Orientation<Dim> orientation_of(std::size_t k) const;
   /// @param x_list                positions when the neighbour list was built
   /// @param inverse_skin_squared  of the distances that grains may move before the next (1/length^2)
   GrainView<Dim> view(const std::array<Component, Dim>& x_list, const Component& inverse_skin_squared);
+
+ private:
+  void set_orientation(const Orientation<Dim>& lies, std::size_t k);
 };
 
 template <int Dim>
+Orientation<Dim> GrainArrays<Dim>::orientation_of(std::size_t k) const {
+  if constexpr (Dim == 2) {
+    return orientation[0][k];
+  } else {
+    return Orientation<3>(orientation[0][k], orientation[1][k], orientation[2][k], orientation[3][k])
+        .normalized();
+  }
+}
+
+template <int Dim>
+void GrainArrays<Dim>::set_orientation(const Orientation<Dim>& lies, std::size_t k) {
+  if constexpr (Dim == 2) {
+    orientation[0][k] = lies;
+  } else {
+    const double numbers[] = {lies.w(), lies.x(), lies.y(), lies.z()};
+    for (int a = 0; a < 4; ++a) orientation[a][k] = numbers[a];
+  }
+}
+
+template <int Dim>
 GrainArrays<Dim>::GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order) : index(order) {
-  static_assert(Dim == 2, "orientations in 3D are not integrated yet");
   const std::size_t n = order.size();
   const std::size_t padded = (n + kGrainBlock - 1) / kGrainBlock * kGrainBlock + kWindow;
-  for (auto* component : {&angle, &radius, &mass, &inertia, &inverse_mass, &inverse_inertia})
+  for (auto* component : {&radius, &mass, &inertia, &inverse_mass, &inverse_inertia})
     component->assign(padded, 0.0);
   for (auto* vector : {&x, &v, &force})
     for (auto& component : *vector) component.assign(padded, 0.0);
   for (auto* vector : {&spin, &torque})
     for (auto& component : *vector) component.assign(padded, 0.0);
+  for (auto& component : orientation) component.assign(padded, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
     const int i = order[k];
     for (int a = 0; a < Dim; ++a) {
@@ -53,7 +78,7 @@ GrainArrays<Dim>::GrainArrays(const Grains<Dim>& grains, const std::vector<int>&
       v[a][k] = grains.velocity[i][a];
     }
     for (int a = 0; a < kRotations<Dim>; ++a) spin[a][k] = grains.angular_velocity[i][a];
-    angle[k] = grains.orientation[i];
+    set_orientation(grains.orientation[i], k);
     radius[k] = grains.radius[i];
     mass[k] = grains.mass[i];
     inertia[k] = grains.inertia(i);
@@ -79,9 +104,11 @@ GrainView<Dim> GrainArrays<Dim>::view(const std::array<Component, Dim>& x_list,
     out.x_list[a] = x_list[a].data();
   }
   out.inverse_skin_squared = inverse_skin_squared.data();
-  out.spin = spin[0].data();
-  out.torque = torque[0].data();
-  out.angle = angle.data();
+  for (int a = 0; a < kRotations<Dim>; ++a) {
+    out.spin[a] = spin[a].data();
+    out.torque[a] = torque[a].data();
+  }
+  for (int a = 0; a < kOrientationNumbers<Dim>; ++a) out.orientation[a] = orientation[a].data();
   out.mass = mass.data();
   out.inverse_mass = inverse_mass.data();
   out.inertia = inertia.data();

@@ -13,7 +13,7 @@ Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, 
       law_(std::move(law)),
       range_(parameters.range()),
       swap_parity_(swap_parity<Dim>(parameters)),
-      kernels_(step_kernels(instructions, shape, law_.index())),
+      kernels_(step_kernels<Dim>(instructions, shape, law_.index())),
       composed_law_(std::visit([](const auto& composed) { return static_cast<const void*>(&composed); }, law_)),
       arrays_(pairs_.view()) {}
 
@@ -48,17 +48,17 @@ ContactMemory<Dim> Interaction<Dim>::memory(int pair, bool swapped) const {
 std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters) {
   std::vector<AnyContactLaw> laws;
   for (const LawParameters& p : parameters) laws.push_back(compose_law(p));
-  const auto turns = [](const AnyContactLaw& law) { return row_size(law) == row_size(true); };
-  if (std::any_of(laws.begin(), laws.end(), turns))
+  if (std::any_of(laws.begin(), laws.end(), rotates))
     for (std::size_t k = 0; k < laws.size(); ++k)
-      if (!turns(laws[k])) laws[k] = compose_with_friction(parameters[k]);
+      if (!rotates(laws[k])) laws[k] = compose_with_friction(parameters[k]);
   return laws;
 }
 
-int row_size(const AnyContactLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return row_size(Law::kHasFriction); }, law);
+bool rotates(const AnyContactLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return Law::kHasFriction; }, law);
 }
 
 template class Interaction<2>;
+template class Interaction<3>;
 
 }  // namespace floc

@@ -52,7 +52,16 @@ class Interaction {
 /// @param parameters  those of grains, then perhaps those of walls
 std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters);
 
-/// Doubles of a row of this law.
-int row_size(const AnyContactLaw& law);
+/// Whether grains rotate under this law.
+bool rotates(const AnyContactLaw& law);
+/// Doubles of a row of this law, and the place of the force in it.
+template <int Dim>
+int row_size(const AnyContactLaw& law) {
+  return row_size<Dim>(rotates(law));
+}
+template <int Dim>
+int force_in_row(const AnyContactLaw& law) {
+  return force_in_row<Dim>(rotates(law));
+}
 
 }  // namespace floc

@@ -30,7 +30,9 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
             const CollisionMass masses =
                 with_walls ? CollisionMass::against_wall(mass[i]) : CollisionMass::between(mass[i], mass[j]);
             add(pairs[next], radius[i], with_walls ? 0.0 : radius[j],
-                lagging_damping(law.damping_coefficient(masses), masses.effective, time_step));
+                Law::kDampingFollowsStiffness
+                    ? law.damping_coefficient(masses)
+                    : lagging_damping(law.damping_coefficient(masses), masses.effective, time_step));
           }
           end_of_i_[i] = size();
         }
@@ -129,5 +131,6 @@ PairView<Dim> PairArrays<Dim>::view() {
 }
 
 template class PairArrays<2>;
+template class PairArrays<3>;
 
 }  // namespace floc

@@ -19,7 +19,8 @@ enum class Partner { grain, wall };
 
 /// Dashpot coefficient to use where the force is late by kDashpotLag steps. The lag lets a dashpot damp more
 /// than its coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this
-/// correction a restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag.
+/// correction a restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag. Of a
+/// coefficient that follows the stiffness it is not known beforehand, and left out.
 inline double lagging_damping(double coefficient, double effective_mass, double time_step) {
   return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }

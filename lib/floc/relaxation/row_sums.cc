@@ -45,7 +45,7 @@ RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, int row_
     n_pairs += pairs->size();
   }
   zero_row_ = row_place(n_pairs, row_size);
-  rows_.assign(static_cast<std::size_t>(zero_row_ + row_size), 0.0);
+  rows_.assign(static_cast<std::size_t>(zero_row_ + row_size + kRowMargin), 0.0);
   const RowsOfGrains as_i = rows_of(lists, [](const PairArrays<Dim>& pairs, int p) { return pairs.i(p); });
   const RowsOfGrains as_j = rows_of({lists[0]}, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
   std::vector<std::size_t> first;
@@ -121,5 +121,6 @@ void RowSums<Dim>::plan_crossings(const PairArrays<Dim>& pairs) {
 }
 
 template class RowSums<2>;
+template class RowSums<3>;
 
 }  // namespace floc

@@ -133,7 +133,7 @@ class StaticProblem {
       const RotationVector<Dim> mean_rotation = share * rotation_i + (1.0 - share) * rotation_j;
       motion.slip += to_shear<double>(
           normal, Vec<Dim>(relative_displacement(from, k, step) - cross<double>(mean_rotation, to.branch[k])));
-      motion.relative_rotation += rotation_i - rotation_j;
+      motion.relative_rotation += rolling_part<double>(normal, RotationVector<Dim>(rotation_i - rotation_j));
     }
     evaluate(to);
     return to;

@@ -9,6 +9,7 @@ namespace {
 constexpr auto kMembers = [](auto& point, const auto& visit) {
   visit("step", point.step);
   visit("aggregating", point.aggregating);
+  visit("shaken", point.shaken);
   visit("stream_state", point.stream_state);
   visit("time", point.time);
   visit("n_steps", point.n_steps);

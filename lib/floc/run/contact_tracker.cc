@@ -16,13 +16,15 @@ constexpr const char* kHeader = "step,branch,P,time,phi,n_contacts,gained,lost,k
 
 }  // namespace
 
-ContactTracker::ContactTracker(const std::string& file, const Run<2>& run, Packing<2> start)
+template <int Dim>
+ContactTracker<Dim>::ContactTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start)
     : file_(file), start_(std::move(start)), previous_(run.packing()) {
   read_rows(run.point());
 }
 
 /// Rows of a run that was killed may lead beyond the point it goes on from.
-void ContactTracker::read_rows(const RunPoint& point) {
+template <int Dim>
+void ContactTracker<Dim>::read_rows(const RunPoint& point) {
   std::ifstream in(file_);
   std::string line;
   if (!std::getline(in, line)) return;
@@ -40,35 +42,47 @@ void ContactTracker::read_rows(const RunPoint& point) {
   }
 }
 
-void ContactTracker::record(const Run<2>& run, const Packing<2>& packing, double time) {
-  const ContactChanges<2> since = contact_changes(previous_, packing);
-  const ContactChanges<2> in_step = contact_changes(start_, packing);
+template <int Dim>
+void ContactTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
+  const ContactChanges<Dim> since = contact_changes(previous_, packing);
+  const ContactChanges<Dim> in_step = contact_changes(start_, packing);
   rows_.push_back(fmt::format("{},{},{},{},{},{},{},{},{}", run.point().step, run.target().branch,
                               run.target().pressure, time, solid_fraction(packing), since.n_after(),
                               since.gained.size(), since.lost.size(), in_step.kept.size()));
   previous_ = packing;
 }
 
-void ContactTracker::finish_step(const Run<2>& run) {
+template <int Dim>
+void ContactTracker<Dim>::finish_step(const Run<Dim>& run) {
   record(run, run.packing(), run.point().time + run.point().equilibration_time);
   start_ = previous_;
 }
 
-void ContactTracker::write() const {
+template <int Dim>
+void ContactTracker<Dim>::write() const {
   std::string text = std::string(kHeader) + "\n";
   for (const std::string& row : rows_) text += row + "\n";
   write_bytes_atomically(file_, text);
 }
 
-std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& options,
-                                               const RunDirectory& directory, double interval) {
+template <int Dim>
+std::unique_ptr<ContactTracker<Dim>> track_contacts(Run<Dim>& run, const RunOptions& options,
+                                                    const RunDirectory& directory, double interval) {
   const int step = run.point().step;
-  Packing<2> start = step > 0 ? directory.start_of(step) : Run<2>(options).packing();
-  auto tracker = std::make_unique<ContactTracker>(directory.contact_table(), run, std::move(start));
-  run.set_observer({interval, [&run, recorder = tracker.get()](const Packing<2>& packing, double time) {
+  Packing<Dim> start = step > 0 ? directory.start_of<Dim>(step) : Run<Dim>(options).packing();
+  auto tracker = std::make_unique<ContactTracker<Dim>>(directory.contact_table(), run, std::move(start));
+  run.set_observer({interval, [&run, recorder = tracker.get()](const Packing<Dim>& packing, double time) {
                       recorder->record(run, packing, time);
                     }});
   return tracker;
 }
+
+#define FLOC_INSTANTIATE(Dim)                                                                \
+  template class ContactTracker<Dim>;                                                        \
+  template std::unique_ptr<ContactTracker<Dim>> track_contacts(Run<Dim>&, const RunOptions&, \
+                                                               const RunDirectory&, double);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
 
 }  // namespace floc

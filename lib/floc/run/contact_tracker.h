@@ -14,16 +14,17 @@ namespace floc {
 /// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, n_contacts,
 /// gained and lost (since the row before, or the beginning of the step), kept (of the contacts the step began
 /// with). The last row of a step is its equilibrium.
+template <int Dim>
 class ContactTracker {
  public:
   /// @param file   where the rows go; those of an earlier part of the run, up to its point, are kept
   /// @param start  packing that the present step began with
-  ContactTracker(const std::string& file, const Run<2>& run, Packing<2> start);
+  ContactTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start);
 
   /// Of a packing on its way. @param time  since the beginning of the run
-  void record(const Run<2>& run, const Packing<2>& packing, double time);
+  void record(const Run<Dim>& run, const Packing<Dim>& packing, double time);
   /// The equilibrium a step ended with: the next one begins with it.
-  void finish_step(const Run<2>& run);
+  void finish_step(const Run<Dim>& run);
 
   /// Writes the file anew. @throws IoError if it cannot be written
   void write() const;
@@ -33,13 +34,14 @@ class ContactTracker {
 
   std::string file_;
   std::vector<std::string> rows_;
-  Packing<2> start_, previous_;
+  Packing<Dim> start_, previous_;
 };
 
 /// Has the contacts of a run recorded while it moves, in the table of its directory.
 /// @param interval  simulated time between two rows (time)
 /// @pre the run is not finished, and stays where it is in memory as long as it moves
-std::unique_ptr<ContactTracker> track_contacts(Run<2>& run, const RunOptions& options,
-                                               const RunDirectory& directory, double interval);
+template <int Dim>
+std::unique_ptr<ContactTracker<Dim>> track_contacts(Run<Dim>& run, const RunOptions& options,
+                                                    const RunDirectory& directory, double interval);
 
 }  // namespace floc

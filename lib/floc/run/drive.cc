@@ -13,9 +13,10 @@ double seconds_since(Clock::time_point since) {
   return std::chrono::duration<double>(Clock::now() - since).count();
 }
 
+template <int Dim>
 class Driver {
  public:
-  Driver(Run<2>& run, RunDirectory& directory, const DriveOptions& options, ContactTracker* tracker)
+  Driver(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options, ContactTracker<Dim>* tracker)
       : run_(run), directory_(directory), options_(options), tracker_(tracker) {}
 
   DriveReport drive() {
@@ -35,7 +36,7 @@ class Driver {
  private:
   void save() {
     const double seconds = seconds_since(step_began_);
-    const State<2> state = run_.state();
+    const State<Dim> state = run_.state();
     if (tracker_ != nullptr) tracker_->finish_step(run_);
     // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
     if (tracker_ != nullptr) tracker_->write();
@@ -48,7 +49,7 @@ class Driver {
   void checkpoint() {
     if (tracker_ != nullptr) tracker_->write();
     if (!run_.finished()) {
-      State<2> state = run_.release_state();
+      State<Dim> state = run_.release_state();
       directory_.save_checkpoint(state, run_.point());
       run_.restore_packing(std::move(state.packing));
     }
@@ -63,22 +64,33 @@ class Driver {
     return report;
   }
 
-  Run<2>& run_;
+  Run<Dim>& run_;
   RunDirectory& directory_;
-  const DriveOptions& options_;
-  ContactTracker* tracker_;
+  const DriveOptions<Dim>& options_;
+  ContactTracker<Dim>* tracker_;
   Clock::time_point step_began_, last_checkpoint_;
 };
 
 }  // namespace
 
-Run<2> start_or_resume(RunDirectory& directory, const RunOptions& options) {
-  std::optional<ReachedPoint> reached = directory.resume_point();
-  return reached ? Run<2>(options, std::move(reached->point), std::move(reached->packing)) : Run<2>(options);
+template <int Dim>
+Run<Dim> start_or_resume(RunDirectory& directory, const RunOptions& options) {
+  std::optional<ReachedPoint<Dim>> reached = directory.resume_point<Dim>();
+  return reached ? Run<Dim>(options, std::move(reached->point), std::move(reached->packing))
+                 : Run<Dim>(options);
 }
 
-DriveReport drive(Run<2>& run, RunDirectory& directory, const DriveOptions& options, ContactTracker* tracker) {
+template <int Dim>
+DriveReport drive(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options,
+                  ContactTracker<Dim>* tracker) {
   return Driver(run, directory, options, tracker).drive();
 }
+
+#define FLOC_INSTANTIATE(Dim)                                               \
+  template Run<Dim> start_or_resume<Dim>(RunDirectory&, const RunOptions&); \
+  template DriveReport drive(Run<Dim>&, RunDirectory&, const DriveOptions<Dim>&, ContactTracker<Dim>*);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
 
 }  // namespace floc

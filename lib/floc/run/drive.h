@@ -9,15 +9,16 @@
 namespace floc {
 
 /// How a run is driven, and what is notified of its progress.
+template <int Dim>
 struct DriveOptions {
   double checkpoint_every = 60.0;               ///< wall time between two checkpoints (s)
   int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to make
   /// Asked after each chunk of steps, such as for a signal: true stops the run at a checkpoint. Empty: never.
   std::function<bool()> stop;
   /// Called after each chunk that ends without an equilibrium. May be empty.
-  std::function<void(const Run<2>&)> chunk;
+  std::function<void(const Run<Dim>&)> chunk;
   /// Called with each equilibrium once it is saved, with the wall time of its step (s). May be empty.
-  std::function<void(const State<2>&, const RelaxationReport&, double seconds)> equilibrium;
+  std::function<void(const State<Dim>&, const RelaxationReport&, double seconds)> equilibrium;
 };
 
 /// What driving a run came to. A run that is not done can be resumed from its checkpoint.
@@ -34,12 +35,14 @@ struct DriveReport {
 /// The run of a directory: from the point it has reached there, or from its beginning.
 /// @param options  those the directory was opened with
 /// @throws InputError for options that cannot be run, or files that cannot be read
-Run<2> start_or_resume(RunDirectory& directory, const RunOptions& options);
+template <int Dim>
+Run<Dim> start_or_resume(RunDirectory& directory, const RunOptions& options);
 
 /// Drives a run and keeps its directory: a state and a row for each equilibrium, a checkpoint now and then.
 /// @param tracker  of the contacts of this run; null: they are not recorded
 /// @throws IoError if a file cannot be written
-[[nodiscard]] DriveReport drive(Run<2>& run, RunDirectory& directory, const DriveOptions& options,
-                                ContactTracker* tracker = nullptr);
+template <int Dim>
+[[nodiscard]] DriveReport drive(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options,
+                                ContactTracker<Dim>* tracker = nullptr);
 
 }  // namespace floc

@@ -38,19 +38,26 @@ const std::vector<std::string> kColumns = {"step",
                                            "state",
                                            "ending"};
 
-}  // namespace
-
-std::string path_header() {
-  return fmt::format("{}", fmt::join(kColumns, ","));
+std::vector<std::string> columns_of(int dimension) {
+  std::vector<std::string> columns = kColumns;
+  if (dimension == 3) columns.emplace_back("L3");
+  return columns;
 }
 
-std::string path_row(const State<2>& state, std::optional<double> seconds, const std::string& file) {
+}  // namespace
+
+std::string path_header(int dimension) {
+  return fmt::format("{}", fmt::join(columns_of(dimension), ","));
+}
+
+template <int Dim>
+std::string path_row(const State<Dim>& state, std::optional<double> seconds, const std::string& file) {
   const double pressure = state.target_stress.mean();
   const double phi = solid_fraction(state.packing);
   const double zero_force = state.tolerance.force * force_scale(state.packing, state.target_stress).force;
   const Coordination c = coordination(state.packing, zero_force);
   Table table;
-  table.columns = kColumns;
+  table.columns = columns_of(Dim);
   table.rows = {{std::int64_t{state.path.step},
                  state.path.branch,
                  reduced_pressure(state.packing, pressure),
@@ -76,6 +83,7 @@ std::string path_row(const State<2>& state, std::optional<double> seconds, const
                  or_undefined(seconds),
                  file,
                  or_undefined(state.path.ending)}};
+  if constexpr (Dim == 3) table.rows[0].emplace_back(state.packing.cell.matrix(2, 2));
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;
@@ -83,5 +91,8 @@ std::string path_row(const State<2>& state, std::optional<double> seconds, const
   std::getline(text, line);
   return line;
 }
+
+template std::string path_row(const State<2>&, std::optional<double>, const std::string&);
+template std::string path_row(const State<3>&, std::optional<double>, const std::string&);
 
 }  // namespace floc

@@ -16,11 +16,13 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-/// Reads a state of a 2D run. @throws InputError for any other
-State<2> read_run_state(const std::string& file) {
+/// Reads a state of a run. @throws InputError for one of another dimension
+template <int Dim>
+State<Dim> read_run_state(const std::string& file) {
   AnyState any = read_state(file);
-  if (State<2>* state = std::get_if<State<2>>(&any)) return std::move(*state);
-  throw InputError(file, "dimension = 3: expected a state of a run in 2D");
+  if (State<Dim>* state = std::get_if<State<Dim>>(&any)) return std::move(*state);
+  throw InputError(file,
+                   fmt::format("dimension = {}: expected a state of a run in {}D", Dim == 2 ? 3 : 2, Dim));
 }
 
 }  // namespace
@@ -30,7 +32,7 @@ std::string state_file(const std::string& directory, int step) {
 }
 
 RunDirectory::RunDirectory(const std::string& path, Existing existing, const RunOptions& options)
-    : path_(path) {
+    : path_(path), dimension_(options.dimension) {
   std::error_code failed;
   const bool used = fs::exists(path) && !fs::is_empty(path, failed);
   if (fs::exists(path) && !fs::is_directory(path)) throw InputError(path, "is a file, expected a directory");
@@ -46,18 +48,21 @@ RunDirectory::RunDirectory(const std::string& path, Existing existing, const Run
     remove_checkpoint();
   }
   if (count_states() > 0)
-    check_scene(read_run_state(state_path(0)), state_path(0), options);
+    check_scene(state_path(0), options);
   else if (fs::exists(checkpoint_path()))
-    check_scene(read_run_state(checkpoint_path()), checkpoint_path(), options);
+    check_scene(checkpoint_path(), options);
 }
 
-void RunDirectory::check_scene(const State<2>& state, const std::string& file,
-                               const RunOptions& options) const {
-  if (state.scene != options.text || state.provenance.seed != options.seed)
-    throw InputError(file,
-                     fmt::format("was made by another scene or seed ({} here, {} there): a run can only be "
-                                 "continued with the scene, settings and seed it began with",
-                                 options.seed, state.provenance.seed));
+void RunDirectory::check_scene(const std::string& file, const RunOptions& options) const {
+  std::visit(
+      [&](const auto& state) {
+        if (state.scene != options.text || state.provenance.seed != options.seed)
+          throw InputError(
+              file, fmt::format("was made by another scene or seed ({} here, {} there): a run can only be "
+                                "continued with the scene, settings and seed it began with",
+                                options.seed, state.provenance.seed));
+      },
+      read_state(file));
 }
 
 std::string RunDirectory::state_path(int step) const {
@@ -70,8 +75,9 @@ std::string RunDirectory::contact_table() const {
   return path_ + "/contacts.csv";
 }
 
-Packing<2> RunDirectory::start_of(int step) const {
-  return read_run_state(state_path(step - 1)).packing;
+template <int Dim>
+Packing<Dim> RunDirectory::start_of(int step) const {
+  return read_run_state<Dim>(state_path(step - 1)).packing;
 }
 
 std::string RunDirectory::checkpoint_path() const {
@@ -84,30 +90,34 @@ int RunDirectory::count_states() const {
   return n;
 }
 
-std::optional<ReachedPoint> RunDirectory::resume_point() {
+template <int Dim>
+std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   read_rows();
-  std::optional<ReachedPoint> reached;
+  std::optional<ReachedPoint<Dim>> reached;
   const int n_states = count_states();
   for (int step = 0; step < n_states; ++step) {
     if (rows_.contains(step) && step + 1 < n_states) continue;
-    State<2> state = read_run_state(state_path(step));
+    State<Dim> state = read_run_state<Dim>(state_path(step));
     // The time its step took died with the process that measured it.
     if (!rows_.contains(step))
       rows_[step] = path_row(state, std::nullopt, fs::path(state_path(step)).filename());
     if (step + 1 == n_states)
-      reached = {point_after(state.path, state.provenance.stream_state, sha256_of_file(state_path(step))),
-                 std::move(state.packing)};
+      reached = ReachedPoint<Dim>{
+          point_after(state.path, state.provenance.stream_state, sha256_of_file(state_path(step))),
+          std::move(state.packing)};
   }
   rows_.erase(rows_.lower_bound(n_states), rows_.end());
   if (n_states > 0) write_rows();
   if (fs::exists(checkpoint_path())) {
     RunPoint inside = parse_progress(read_progress(checkpoint_path()), checkpoint_path());
-    if (inside.step >= n_states) reached = {std::move(inside), read_run_state(checkpoint_path()).packing};
+    if (inside.step >= n_states)
+      reached = ReachedPoint<Dim>{std::move(inside), read_run_state<Dim>(checkpoint_path()).packing};
   }
   return reached;
 }
 
-std::string RunDirectory::save(const State<2>& state, double seconds) {
+template <int Dim>
+std::string RunDirectory::save(const State<Dim>& state, double seconds) {
   const std::string file = state_path(state.path.step);
   write_state(file, state);
   rows_[state.path.step] = path_row(state, seconds, fs::path(file).filename());
@@ -115,7 +125,8 @@ std::string RunDirectory::save(const State<2>& state, double seconds) {
   return sha256_of_file(file);
 }
 
-void RunDirectory::save_checkpoint(const State<2>& state, const RunPoint& point) {
+template <int Dim>
+void RunDirectory::save_checkpoint(const State<Dim>& state, const RunPoint& point) {
   write_state(checkpoint_path(), state, progress_text(point));
 }
 
@@ -127,7 +138,7 @@ void RunDirectory::read_rows() {
   std::ifstream in(path_table());
   std::string line;
   if (!std::getline(in, line)) return;
-  if (line != path_header())
+  if (line != path_header(dimension_))
     throw InputError(path_table() + ":1", "columns are not those of this version of floc: " + line);
   while (std::getline(in, line)) {
     int step = -1;
@@ -137,9 +148,18 @@ void RunDirectory::read_rows() {
 }
 
 void RunDirectory::write_rows() const {
-  std::string text = path_header() + "\n";
+  std::string text = path_header(dimension_) + "\n";
   for (const auto& [step, line] : rows_) text += line + "\n";
   write_bytes_atomically(path_table(), text);
 }
+
+#define FLOC_INSTANTIATE(Dim)                                                      \
+  template std::optional<ReachedPoint<Dim>> RunDirectory::resume_point<Dim>();     \
+  template std::string RunDirectory::save(const State<Dim>&, double);              \
+  template void RunDirectory::save_checkpoint(const State<Dim>&, const RunPoint&); \
+  template Packing<Dim> RunDirectory::start_of<Dim>(int) const;
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
 
 }  // namespace floc

@@ -16,9 +16,10 @@ std::string state_file(const std::string& directory, int step);
 enum class Existing { refuse, resume, overwrite };
 
 /// What a run goes on from.
+template <int Dim>
 struct ReachedPoint {
   RunPoint point;
-  Packing<2> packing;
+  Packing<Dim> packing;
 };
 
 /// The directory of one run: DIR/state-NNNN.h5, DIR/path.csv and DIR/checkpoint/. Every file is replaced whole,
@@ -33,27 +34,33 @@ class RunDirectory {
 
   /// Where an earlier run got to: its checkpoint, or the last saved state if that is further.
   /// Completes path.csv where the run was killed between saving a state and its row. Empty for a new run.
-  std::optional<ReachedPoint> resume_point();
+  /// @pre Dim is the dimension of the run
+  template <int Dim>
+  std::optional<ReachedPoint<Dim>> resume_point();
 
   /// Saves an equilibrium and its row. @return SHA-256 of the state's file
-  std::string save(const State<2>& state, double seconds);
-  void save_checkpoint(const State<2>& state, const RunPoint& point);
+  template <int Dim>
+  std::string save(const State<Dim>& state, double seconds);
+  template <int Dim>
+  void save_checkpoint(const State<Dim>& state, const RunPoint& point);
   void remove_checkpoint();
 
   std::string state_path(int step) const;
   std::string path_table() const;
   std::string contact_table() const;
   /// The packing that a step begins with: the equilibrium before it. @pre it is saved
-  Packing<2> start_of(int step) const;
+  template <int Dim>
+  Packing<Dim> start_of(int step) const;
 
  private:
   int count_states() const;
-  void check_scene(const State<2>& state, const std::string& file, const RunOptions& options) const;
+  void check_scene(const std::string& file, const RunOptions& options) const;
   void read_rows();
   void write_rows() const;
   std::string checkpoint_path() const;
 
   std::string path_;
+  int dimension_;
   std::map<int, std::string> rows_;  ///< lines of path.csv by step
 };
 

@@ -15,15 +15,16 @@ using Need = TableReader::Need;
 /// A pressure below the possible error of a stress cannot be distinguished from zero.
 void check_pressures(TableReader& root, const Scene& scene) {
   if (!scene.law.adhesion || !(scene.grains.diameter.max > 0)) return;
-  const double least =
-      scene.relaxation.tolerance.stress * scene.law.pull_off_force() / scene.grains.diameter.max;
+  const double area = std::pow(scene.grains.diameter.max, scene.dimension - 1);  // a length in 2D
+  const double least = scene.relaxation.tolerance.stress * scene.law.pull_off_force() / area;
   const auto check = [&](TableReader& t, const char* key, double pressure) {
     if (pressure > 0 && pressure <= least)
-      t.fault(key,
-              fmt::format(
-                  "{} = {}: expected more than equilibrium.stress * F0/a = {:.3g}, the error that a stress may "
-                  "have, or a smaller equilibrium.stress",
-                  t.path_of(key), pressure, least));
+      t.fault(
+          key,
+          fmt::format(
+              "{} = {}: expected more than equilibrium.stress * F0/{} = {:.3g}, the error that a stress may "
+              "have, or a smaller equilibrium.stress",
+              t.path_of(key), pressure, scene.dimension == 2 ? "a" : "a^2", least));
   };
   TableReader assembly = root.table("assembly", "", Need::optional);
   if (assembly) check(assembly, "pressure", scene.assembly.pressure);
@@ -42,21 +43,24 @@ void check_pressures(TableReader& root, const Scene& scene) {
 void check_stiffness(TableReader& root, const Scene& scene) {
   constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
   const double a = scene.grains.diameter.max;
-  const double F1 = std::max(scene.law.pull_off_force(), scene.assembly.pressure * a);
+  const double area = std::pow(a, scene.dimension - 1);  // a length in 2D
+  const double F1 = std::max(scene.law.pull_off_force(), scene.assembly.pressure * area);
   TableReader equilibrium = root.table("equilibrium", "", Need::optional);
   TableReader contact = root.table("contact", "", Need::optional);
   if (!contact || !(a > 0) || !(F1 > 0)) return;
-  const double stiffness = a * scene.law.contact_modulus(scene.dimension, a);
-  const double kappa = stiffness / F1;
+  const double stiffness = area * scene.law.contact_modulus(scene.dimension, a);
+  const bool varies = scene.law.stiffness_varies();
+  const double kappa = varies ? std::pow(stiffness / F1, 2.0 / 3.0) : stiffness / F1;
   // Sides of the cell are one double each: see solve_statics().
   if (4 * kHalfUnit * kappa >= scene.relaxation.tolerance.stress)
-    contact.fault(
-        "normal",
-        fmt::format("contact.normal.stiffness = {}: rounding leaves a stress of {:.1e} F1/a, expected "
-                    "less than equilibrium.stress = {:.1e}",
-                    stiffness / a, 4 * kHalfUnit * kappa, scene.relaxation.tolerance.stress));
+    contact.fault("normal",
+                  fmt::format("contact.normal.{} = {}: rounding leaves a stress of {:.1e} F1/a, expected "
+                              "less than equilibrium.stress = {:.1e}",
+                              varies ? "modulus" : "stiffness", stiffness / a, 4 * kHalfUnit * kappa,
+                              scene.relaxation.tolerance.stress));
   // Motion knows a coordinate as one double; about four contacts hold a grain.
-  const double side = std::sqrt(scene.grains.count / std::max(scene.assembly.solid_fraction, 0.1));
+  const double side =
+      std::pow(scene.grains.count / std::max(scene.assembly.solid_fraction, 0.1), 1.0 / scene.dimension);
   const double force = 4 * kHalfUnit * kappa * side;
   if (scene.relaxation.finish == Finish::dynamic && force >= scene.relaxation.tolerance.force)
     equilibrium.fault(
@@ -66,10 +70,32 @@ void check_stiffness(TableReader& root, const Scene& scene) {
                               force, scene.relaxation.tolerance.force));
 }
 
+/// Overlaps of spheres go as 1/kappa: beyond, Hertz' law is not theirs.
+void check_overlaps(TableReader& root, const Scene& scene) {
+  constexpr double kLeastKappa = 30.0;
+  if (!scene.law.stiffness_varies()) return;
+  const double E = scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max);
+  const auto check = [&](TableReader& t, const char* key, double pressure) {
+    const double kappa = std::pow(E / pressure, 2.0 / 3.0);
+    if (pressure > 0 && kappa < kLeastKappa)
+      t.fault(key,
+              fmt::format("{} = {}: kappa = (E~/P)^(2/3) = {:.3g}, expected at least {}: spheres would overlap "
+                          "too far for Hertz' law",
+                          t.path_of(key), pressure, kappa, kLeastKappa));
+  };
+  TableReader assembly = root.table("assembly", "", Need::optional);
+  if (assembly) check(assembly, "pressure", scene.assembly.pressure);
+  if (scene.load.empty()) return;
+  std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
+  for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()); ++k)
+    check(stages[k], "to", scene.load[k].to);
+}
+
 }  // namespace
 
 void check_resolution(TableReader& root, const Scene& scene) {
   check_pressures(root, scene);
+  check_overlaps(root, scene);
   check_stiffness(root, scene);
 }
 

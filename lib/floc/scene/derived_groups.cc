@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -12,18 +13,26 @@
 namespace floc {
 namespace {
 
+/// Without a density a grain of diameter 1 has mass 1.
 double mass_of(const Scene& scene, double diameter) {
-  return scene.grains.density.value_or(4.0 / std::numbers::pi) * std::numbers::pi / 4.0 * diameter * diameter;
+  const double unit_volume = scene.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
+  const double cube = scene.dimension == 2 ? diameter * diameter : diameter * diameter * diameter;
+  return scene.grains.density.value_or(1.0 / unit_volume) * unit_volume * cube;
 }
 
 /// Time step of the run (time unit of the scene): the smallest grain sets it.
+template <int Dim>
 double time_step(const Scene& scene) {
-  Packing<2> smallest;
+  Packing<Dim> smallest;
   smallest.law = scene.law;
-  smallest.grains = Grains<2>::with_size(1);
+  smallest.grains = Grains<Dim>::with_size(1);
   smallest.grains.radius[0] = 0.5 * scene.grains.diameter.min;
   smallest.grains.mass[0] = mass_of(scene, scene.grains.diameter.min);
-  return time_step_of(smallest, scene.relaxation.time_step);
+  return time_step_of(smallest, scene.relaxation.time_step, scene.assembly.pressure);
+}
+
+double time_step(const Scene& scene) {
+  return scene.dimension == 2 ? time_step<2>(scene) : time_step<3>(scene);
 }
 
 struct Steps {
@@ -57,10 +66,26 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
 
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
   const double F0 = scene.law.pull_off_force();
-  const double K_N = a * scene.law.contact_modulus(scene.dimension, a);
+  const double K_N = std::pow(a, scene.dimension - 1) * scene.law.contact_modulus(scene.dimension, a);
   groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact against adhesion"});
-  add_pressures(scene, F0 / a, "P_star", "a P/F0", groups);
+  add_pressures(scene, F0 / std::pow(a, scene.dimension - 1), "P_star",
+                scene.dimension == 2 ? "a P/F0" : "a^2 P/F0", groups);
   groups.push_back({"h0/a", F0 / K_N, "overlap of a free pair"});
+}
+
+/// Of elastic spheres: overlaps go as 1/kappa, the pressure between surfaces as kappa^(-1/2).
+void add_spheres(const Scene& scene, Groups& groups) {
+  const double E = scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max);
+  const auto kappa = [E](double pressure) { return std::pow(E / pressure, 2.0 / 3.0); };
+  double highest = scene.assembly.pressure;
+  for (const LoadStage& stage : scene.load) highest = std::max(highest, stage.to);
+  groups.push_back(
+      {"kappa", kappa(scene.assembly.pressure), "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure"});
+  groups.push_back({"kappa", kappa(highest), "at the highest pressure"});
+  add_pressures(scene, E, "P/E~", "P/E~", groups);
+  // Where z Phi = 4, of a contact that carries the mean force.
+  groups.push_back({"p_max/E~", 0.847131 / std::sqrt(kappa(highest)),
+                    "largest pressure between surfaces at the highest pressure, of the mean force"});
 }
 
 /// A number of the law over what makes it dimensionless, named after its symbol; nothing of those that scale
@@ -78,6 +103,7 @@ std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
     case Unit::rolling_stiffness:
       return DerivedGroup{symbol + "/(K_N a^2)", *n.value / (K_N * a * a), n.declared->meaning};
     case Unit::force:
+    case Unit::pressure:
       break;
   }
   return std::nullopt;
@@ -114,6 +140,13 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
         {"T0", std::sqrt(a * m / scene.law.pull_off_force()), "sqrt(a m/F0), unit of time of the scene"});
 }
 
+/// K_N; where it varies, that of the mean force under the first pressure, 0.665 kappa P a (z Phi = 4).
+double typical_stiffness(const Scene& scene) {
+  const double a = scene.grains.diameter.max, modulus = scene.law.contact_modulus(scene.dimension, a);
+  if (!scene.law.stiffness_varies()) return modulus * std::pow(a, scene.dimension - 2);
+  return 0.665 * std::pow(modulus / scene.assembly.pressure, 2.0 / 3.0) * scene.assembly.pressure * a;
+}
+
 }  // namespace
 
 double expected_cost(const Scene& scene) {
@@ -124,8 +157,7 @@ double expected_cost(const Scene& scene) {
   // The step of the scene that was timed, in sqrt(m/K_N).
   constexpr double kTimedStep = 0.1;
   const double step =
-      time_step(scene) / std::sqrt(mass_of(scene, scene.grains.diameter.max) /
-                                   scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max));
+      time_step(scene) / std::sqrt(mass_of(scene, scene.grains.diameter.max) / typical_stiffness(scene));
   const Steps steps = count_steps(scene);
   const double start = scene.starts_from_state() ? 1.0 : kAssembly;
   return kSecondsPerGrainAndStep * scene.grains.count * (start + steps.up + kUnloading * steps.down) *
@@ -141,6 +173,8 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   if (scene.law.adhesion) {
     add_cohesion(scene, a, groups);
     add_slot("adhesion", scene, a, groups);
+  } else if (scene.law.stiffness_varies()) {
+    add_spheres(scene, groups);
   } else {
     const double K_N = scene.law.contact_modulus(scene.dimension, a);
     groups.push_back({"kappa", K_N / scene.assembly.pressure, "K_N/P at the first pressure"});
@@ -150,8 +184,10 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   add_rates(scene, a, m, groups);
   groups.push_back({"time_step", time_step(scene), "step of the dynamics (time unit of the scene)"});
   const Steps steps = count_steps(scene);
-  // Aggregation is equilibrated without pressure first.
-  const int assembled = scene.assembly.protocol == AssemblyOptions::Protocol::aggregation ? 2 : 1;
+  // Aggregation is equilibrated without pressure first, what is shaken before.
+  const bool twice = scene.assembly.protocol == AssemblyOptions::Protocol::aggregation ||
+                     (scene.assembly.vibration && !scene.starts_from_state());
+  const int assembled = twice ? 2 : 1;
   groups.push_back(
       {"equilibria", static_cast<double>(assembled + steps.up + steps.down), "states of the path"});
   groups.push_back({"cost", expected_cost(scene), "expected, seconds on one core; to a factor of two"});

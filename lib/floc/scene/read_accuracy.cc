@@ -35,7 +35,12 @@ void refuse_settings(TableReader& root) {
 
 void check_table_covers(TableReader& t, const Scene& scene) {
   const std::optional<double> kappa = stiffness_number(scene);
-  if (!kappa)
+  if (scene.dimension != 2)
+    t.fault(
+        "",
+        "[accuracy]: expected a scene in two dimensions, of which the shipped table was measured; here give "
+        "the settings themselves ([equilibrium], run.time_step)");
+  else if (!kappa)
     t.fault("",
             "[accuracy]: expected a scene with contact.adhesion; the shipped table was measured on cohesive "
             "grains");

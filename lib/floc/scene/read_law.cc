@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "floc/contact/law_description.h"
 
 namespace floc {
@@ -15,14 +17,23 @@ constexpr double kPlaceholder = 1.0;
 NumberRule rule_of(const DeclaredNumber& n) {
   static constexpr bool (*kHolds[])(double) = {[](double x) { return holds(Requirement::positive, x); },
                                                [](double x) { return holds(Requirement::not_negative, x); },
-                                               [](double x) { return holds(Requirement::at_most_one, x); }};
+                                               [](double x) { return holds(Requirement::at_most_one, x); },
+                                               [](double x) { return holds(Requirement::poisson_ratio, x); }};
   return {kHolds[static_cast<int>(n.at_first)], n.expectation.c_str()};
 }
 
-/// Slots one model of which a scene has to name by its keyword: those that can hold several, and the normal
-/// force.
+/// Slots of which a scene has to name the model: those where none is meant without a name.
 bool names_its_model(const DeclaredSlot& slot) {
-  return slot.models.size() > 1 || !slot.optional;
+  return std::none_of(slot.models.begin(), slot.models.end(),
+                      [](const DeclaredModel& m) { return m.is_default; });
+}
+
+/// Whether a model has a number that no other model of its slot has, and so is told by it.
+bool has_own_number(const DeclaredSlot& slot, const DeclaredModel& model) {
+  return std::any_of(model.numbers.begin(), model.numbers.end(), [&](const DeclaredNumber& n) {
+    return std::count_if(slot.models.begin(), slot.models.end(),
+                         [&](const DeclaredModel& other) { return other.number(n.key) != nullptr; }) == 1;
+  });
 }
 
 /// "a table {law = "tail", force, range} or {law = "constant", force}"
@@ -31,7 +42,8 @@ std::string expected_table(const DeclaredSlot& slot) {
   for (const DeclaredModel& model : slot.models) {
     if (&model != &slot.models.front()) text += " or ";
     std::string keys;
-    if (names_its_model(slot)) keys = fmt::format("law = \"{}\"", model.keyword);
+    if (names_its_model(slot) || (!model.is_default && !has_own_number(slot, model)))
+      keys = fmt::format("law = \"{}\"", model.keyword);
     for (const DeclaredNumber& n : model.numbers) keys += (keys.empty() ? "" : ", ") + n.key;
     for (const DeclaredChoice& c : model.choices) keys += (keys.empty() ? "" : ", ") + c.key;
     text += "{" + keys + "}";
@@ -48,13 +60,24 @@ void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const Decla
                                     chosen.keyword, slot.key, n.key, other.keyword, n.key));
 }
 
+/// The model that is meant where none is named: the default, unless a number is given that another alone has.
+std::size_t unnamed_model(const TableReader& t, const DeclaredSlot& slot) {
+  std::size_t meant = 0;
+  for (std::size_t k = 0; k < slot.models.size(); ++k)
+    if (slot.models[k].is_default) meant = k;
+  for (std::size_t k = 0; k < slot.models.size(); ++k)
+    for (const DeclaredNumber& n : slot.models[k].numbers)
+      if (t.has(n.key) && !slot.models[meant].number(n.key)) return k;
+  return meant;
+}
+
 void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
   if (!t && slot.optional) return;
   std::vector<std::string> keywords;
   for (const DeclaredModel& model : slot.models) keywords.push_back(model.keyword);
   const auto chosen = t.choice("law", keywords, names_its_model(slot) ? Need::required : Need::optional);
-  if (slot.models.size() > 1 && !chosen) return;
-  const DeclaredModel& model = slot.models[chosen.value_or(0)];
+  if (!chosen && (t.has("law") || (slot.models.size() > 1 && names_its_model(slot)))) return;
+  const DeclaredModel& model = slot.models[chosen ? *chosen : unnamed_model(t, slot)];
   model.choose(law);
   for (const LawNumber& n : numbers_of(law)) {
     if (!n.key.starts_with(slot.key + ".")) continue;
@@ -69,14 +92,19 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
 
 }  // namespace
 
-LawParameters read_law(TableReader& root) {
+LawParameters read_law(TableReader& root, int dimension) {
   TableReader t = root.table("contact", "a table [contact]");
   LawParameters law;
   for (const DeclaredSlot& slot : declared_slots())
     read_slot(t.table(slot.key, expected_table(slot).c_str(), slot.optional ? Need::optional : Need::required),
               slot, law);
-  if (law.rolling && !law.friction)
-    t.fault("rolling", "contact.rolling: needs contact.friction; grains that slide freely need not roll");
+  // Numbers have been checked one by one, with the words of a scene.
+  std::vector<std::string> faults = law.faults_between_slots();
+  for (const std::string& fault : law.faults_in_dimension(dimension)) faults.push_back(fault);
+  for (const std::string& fault : faults) {
+    const std::string slot = fault.substr(8, fault.find_first_of(".:", 8) - 8);  // after "contact."
+    t.fault(slot, fault);
+  }
   t.refuse_other_keys();
   return law;
 }

@@ -7,6 +7,6 @@ namespace floc {
 
 /// Reads the table [contact]: one table for each slot of the law, its keys those that the slot's models
 /// declare. What cannot be used is recorded as a fault; the law then holds some valid number in its place.
-LawParameters read_law(TableReader& root);
+LawParameters read_law(TableReader& root, int dimension);
 
 }  // namespace floc

@@ -35,10 +35,12 @@ constexpr bool not_negative(double x) {
 constexpr bool in_unit_interval(double x) {
   return x >= 0 && x <= 1;
 }
-/// Beyond this a fluid of disks is too dense for grains to be placed at random without overlap.
-constexpr double kDensestGas = 0.6;
-constexpr bool is_gas(double x) {
-  return x > 0 && x <= kDensestGas;
+/// Beyond these a fluid of disks, or of spheres, is too dense for grains to be placed at random without overlap.
+constexpr bool is_gas_of_disks(double x) {
+  return x > 0 && x <= 0.6;
+}
+constexpr bool is_gas_of_spheres(double x) {
+  return x > 0 && x <= 0.49;
 }
 /// The explicit scheme is unstable from 0.4 on (RelaxationOptions::time_step).
 constexpr bool is_stable_step(double x) {
@@ -48,7 +50,6 @@ constexpr bool is_stable_step(double x) {
 constexpr bool is_steps_per_decade(double x) {
   return x > 0 && x <= 1000;
 }
-constexpr std::int64_t kLargestInt = std::numeric_limits<int>::max();
 constexpr std::int64_t kMaxSteps = 10'000;
 constexpr std::int64_t kMaxThreads = 1024;
 
@@ -57,10 +58,7 @@ constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 void read_scene_table(TableReader& root, Scene& scene) {
   TableReader t = root.table("scene", "a table [scene]");
   scene.name = t.text("name", "a string", Need::optional).value_or(scene.name);
-  scene.dimension = static_cast<int>(t.integer("dimension", {2, kLargestInt, "2"}).value_or(2));
-  if (scene.dimension != 2)
-    t.fault("dimension", fmt::format("scene.dimension = {}: expected 2; scenes are assembled in the plane only",
-                                     scene.dimension));
+  scene.dimension = static_cast<int>(t.integer("dimension", {2, 3, "2 or 3"}).value_or(2));
   const std::vector<std::string> units = {"reduced", "SI"};
   if (const auto chosen = t.choice("units", units)) scene.units = units[*chosen];
   t.refuse_other_keys();
@@ -138,8 +136,9 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
   TableReader t = root.table("grains", "a table [grains]");
   const auto count = t.integer("count", {2, kMaxGrains, "a whole number of grains, 2 to 1e8"});
   scene.grains.count = static_cast<int>(count.value_or(0));
-  scene.grains.density = t.number("density", {positive, "a positive number (mass per area in 2D)"},
-                                  scene.units == "SI" ? Need::required : Need::optional);
+  scene.grains.density =
+      t.number("density", {positive, "a positive number (mass per area in 2D, per volume in 3D)"},
+               scene.units == "SI" ? Need::required : Need::optional);
   scene.grains.diameter =
       read_diameters(t.table("diameter", "a table, e.g. {distribution = \"uniform\", min = 0.5, max = 1.0}"),
                      source, directory);
@@ -156,9 +155,14 @@ void read_cell(TableReader& root, Scene& scene) {
     t.refuse("solid_fraction", "cell.solid_fraction: the cell is that of assembly.state; expected no such key");
   else
     scene.assembly.solid_fraction =
-        t.number("solid_fraction", {is_gas,
-                                    "a solid fraction in (0, 0.6], at which grains can be placed at random "
-                                    "without overlap"})
+        t.number("solid_fraction",
+                 scene.dimension == 2
+                     ? NumberRule{is_gas_of_disks,
+                                  "a solid fraction in (0, 0.6], at which grains can be placed at random "
+                                  "without overlap"}
+                     : NumberRule{is_gas_of_spheres,
+                                  "a solid fraction in (0, 0.49], at which spheres can be placed at random "
+                                  "without overlap"})
             .value_or(0);
   scene.relaxation.cell_mass =
       t.number("mass", {positive, "a positive number (mass of the cell's sides over that of all grains)"})
@@ -180,6 +184,29 @@ void read_cell(TableReader& root, Scene& scene) {
   t.refuse_other_keys();
 }
 
+/// How the cell answers to its load in one part of a run.
+CellResponse read_cell_response(TableReader& t) {
+  return {
+      t.number("inertial_number_cap", {positive, "a positive number (|L'/L| sqrt(m/P))"}, Need::optional),
+      t.number("cell_mass", {positive, "a positive number (mass of the cell's sides over that of all grains)"},
+               Need::optional)};
+}
+
+/// How a saved packing is shaken before it is compressed.
+std::optional<Vibration> read_vibration(TableReader& assembly) {
+  if (!assembly.has("vibration")) return std::nullopt;
+  TableReader t = assembly.table("vibration", "a table {dilation, collisions}");
+  Vibration vibration;
+  vibration.dilation =
+      t.number("dilation", {[](double x) { return x >= 1 && x <= 2; }, "a factor of all lengths, 1 to 2"})
+          .value_or(1);
+  vibration.collisions = t.number("collisions", {[](double x) { return x > 0 && x <= 1e6; },
+                                                 "a number of collisions a grain, to 1e6"})
+                             .value_or(1);
+  t.refuse_other_keys();
+  return vibration;
+}
+
 void read_assembly(TableReader& root, const std::string& directory, Scene& scene) {
   TableReader t = root.table("assembly", "a table [assembly]");
   using Protocol = AssemblyOptions::Protocol;
@@ -189,19 +216,31 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   scene.assembly.pressure =
       t.number("pressure", {positive, "a positive number (first pressure, compression positive)"}).value_or(0);
   const NumberRule agitation{positive, "a positive number (V0/V*, V* = sqrt(F0 D0/m))"};
-  if (protocol && scene.assembly.protocol == Protocol::direct)
+  const bool aggregates = scene.assembly.protocol == Protocol::aggregation;
+  if (protocol && scene.assembly.protocol == Protocol::direct && scene.law.adhesion)
     t.refuse("agitation",
              "assembly.agitation: grains start at rest with protocol = \"direct\"; expected "
              "\"aggregation\", or no agitation");
   else
     scene.assembly.agitation =
-        t.number("agitation", agitation, scene.starts_from_state() ? Need::optional : Need::required)
-            .value_or(0);
-  if (scene.starts_from_state())
-    read_saved_start(t, directory, scene);
+        t.number("agitation", agitation, aggregates || !protocol ? Need::required : Need::optional).value_or(0);
+  if (scene.law.friction)
+    scene.assembly.friction =
+        t.number("friction", {not_negative, "a friction coefficient >= 0"}, Need::optional);
   else
+    t.refuse("friction",
+             "assembly.friction: the contact law has no friction; expected contact.friction, or no such key");
+  scene.assembly.cell = read_cell_response(t);
+  if (aggregates)
+    t.refuse("vibration", "assembly.vibration: expected protocol = \"direct\" or \"state\", or no such key");
+  else
+    scene.assembly.vibration = read_vibration(t);
+  if (scene.starts_from_state()) {
+    read_saved_start(t, directory, scene);
+  } else {
     for (const char* key : {"state", "copies", "state_sha256"})
       t.refuse(key, fmt::format("assembly.{}: expected protocol = \"state\", or no such key", key));
+  }
   t.refuse_other_keys();
 }
 
@@ -249,6 +288,11 @@ LoadStage read_stage(TableReader t, double from, LawParameters& law) {
   if (to && !by_decade && !by_number && !is_one_step)
     t.fault("steps", fmt::format("{} is missing: expected it or steps", t.path_of("steps_per_decade")));
   stage.set = t.flat_numbers("set");
+  stage.cell = read_cell_response(t);
+  if (to && stage.to == 0 && stage.cell.inertial_number_cap)
+    t.fault("inertial_number_cap",
+            fmt::format("{}: at P = 0 it lets nothing move; expected cell.strain_rate_cap",
+                        t.path_of("inertial_number_cap")));
   apply_changes(t, stage, law);
   if (to && stage.to == 0 && law.pull_off_force() == 0)
     t.fault("to",
@@ -325,10 +369,13 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
     assembly.fault("protocol",
                    "assembly.protocol = \"aggregation\": grains stick by an adhesion with a tail; expected "
                    "contact.adhesion = {law = \"tail\", force, range}, or protocol = \"direct\"");
+  constexpr const char* kNothingMoves =
+      "{}: the aggregation protocol passes through P = 0, where it lets nothing move; "
+      "expected cell.strain_rate_cap";
   if (cell.has("inertial_number_cap") && !cell.has("strain_rate_cap"))
-    cell.fault("inertial_number_cap",
-               "cell.inertial_number_cap: the aggregation protocol passes through P = 0, where "
-               "it lets nothing move; expected strain_rate_cap");
+    cell.fault("inertial_number_cap", fmt::format(kNothingMoves, "cell.inertial_number_cap"));
+  if (assembly.has("inertial_number_cap"))
+    assembly.fault("inertial_number_cap", fmt::format(kNothingMoves, "assembly.inertial_number_cap"));
 }
 
 /// Puts diameters that came from a file into the scene itself, so that its text is complete; true if it did.
@@ -364,7 +411,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   Scene scene;
   scene.name = std::filesystem::path(place).stem().string();
   read_scene_table(root, scene);
-  scene.law = read_law(root);
+  scene.law = read_law(root, scene.dimension);
   read_assembly(root, directory, scene);
   read_grains(root, source, directory, scene);
   read_cell(root, scene);

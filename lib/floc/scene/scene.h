@@ -13,14 +13,15 @@ inline constexpr std::int64_t kMaxGrains = 100'000'000;
 /// A scene file, parsed: the options of a run, and what concerns who makes it.
 struct Scene : RunOptions {
   std::string name;
-  int dimension = 2;
   double checkpoint_every = 60.0;  ///< seconds of wall time between checkpoints
   std::string start;               ///< what the run starts from where that is a saved packing; empty elsewhere
   std::string accuracy;            ///< setting that [accuracy] chose and why; empty without one
 
   bool starts_from_state() const { return assembly.protocol == AssemblyOptions::Protocol::state; }
   /// Whether another seed makes another sample: all but a saved packing that starts at rest are random.
-  bool is_random() const { return !starts_from_state() || assembly.agitation > 0.0; }
+  bool is_random() const {
+    return !starts_from_state() || assembly.agitation > 0.0 || assembly.vibration.has_value();
+  }
 };
 
 }  // namespace floc

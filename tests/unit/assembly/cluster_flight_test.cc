@@ -40,7 +40,7 @@ TEST(ClusterFlight, MovesAClusterAsItsDynamicsDo) {
   const Packing<2> start = drifting_pair();
   ASSERT_EQ(start.contacts.size(), 1u);
   Packing<2> flown = start;
-  const ClusterFlight flight(flown);
+  const ClusterFlight<2> flight(flown);
   EXPECT_LT(flight.inner_energy(), 1e-20);
   EXPECT_EQ(flight.fly(flown, 0.01, 20.0), 20.0);
 
@@ -63,15 +63,15 @@ TEST(ClusterFlight, MovesAClusterAsItsDynamicsDo) {
 TEST(ClusterFlight, EndsWhereClustersAreNear) {
   Packing<2> packing = disks_at({Vec<2>(1.0, 1.0), Vec<2>(5.0, 1.0), Vec<2>(1.0, 6.0)});
   packing.grains.velocity = {Vec<2>(0.03, 0.0), Vec<2>(-0.02, 0.0), Vec<2>(0.0, 0.0)};
-  EXPECT_NEAR(ClusterFlight(packing).fly(packing, 0.01, 1e6), (3.0 - 0.01) / 0.05, 1e-9);
+  EXPECT_NEAR(ClusterFlight<2>(packing).fly(packing, 0.01, 1e6), (3.0 - 0.01) / 0.05, 1e-9);
   EXPECT_NEAR((packing.grains.position[1] - packing.grains.position[0]).norm() - 1.0, 0.01, 1e-9);
 }
 
 TEST(ClusterFlight, EndsAfterTheLongestTimeWhereNothingMeets) {
   Packing<2> packing = disks_at({Vec<2>(1.0, 1.0), Vec<2>(5.0, 4.0)});
-  EXPECT_EQ(ClusterFlight(packing).fly(packing, 0.01, 1e4), 1e4);
+  EXPECT_EQ(ClusterFlight<2>(packing).fly(packing, 0.01, 1e4), 1e4);
   packing.grains.velocity = {Vec<2>(0.1, 0.0), Vec<2>(-0.1, 0.0)};  // they pass each other, again and again
-  EXPECT_EQ(ClusterFlight(packing).fly(packing, 0.01, 400.0), 400.0);
+  EXPECT_EQ(ClusterFlight<2>(packing).fly(packing, 0.01, 400.0), 400.0);
   EXPECT_NEAR(packing.grains.position[0][0], 41.0, 1e-9);
 }
 
@@ -85,7 +85,7 @@ TEST(ClusterFlight, DoesNotTurnWhatWindsAroundTheCell) {
   find_contacts(packing);
   ASSERT_EQ(packing.contacts.size(), 10u);
   for (int k = 0; k < 10; ++k) packing.grains.velocity[k] = Vec<2>(0.3, k < 5 ? 1e-3 : -1e-3);
-  const ClusterFlight flight(packing);
+  const ClusterFlight<2> flight(packing);
   EXPECT_NEAR(flight.inner_energy(), 0.5e-6, 1e-12);
   flight.fly(packing, 0.01, 2.0);
   for (int k = 0; k < 10; ++k)

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "floc/contact/damping/viscous_damping.h"
+#include "floc/contact/normal/linear_repulsion.h"
 
 namespace floc {
 namespace {
@@ -27,25 +28,28 @@ TEST(ViscousDamping, RatioIsThatOfItsRestitution) {
 TEST(ViscousDamping, CoefficientIsTwiceTheRatioTimesTheCriticalRoot) {
   const double zeta = damping_ratio(0.3);
   const ViscousDamping effective{0.3, DampingMass::effective};
-  EXPECT_DOUBLE_EQ(effective.coefficient(CollisionMass::between(3.0, 1.5), 7.0),
+  EXPECT_DOUBLE_EQ(effective.coefficient(CollisionMass::between(3.0, 1.5), LinearRepulsion{7.0}),
                    2 * zeta * std::sqrt(1.0 * 7.0));
   const ViscousDamping grain{0.3, DampingMass::grain};
-  EXPECT_DOUBLE_EQ(grain.coefficient(CollisionMass::between(3.0, 1.5), 7.0), 2 * zeta * std::sqrt(2.0 * 7.0));
-  EXPECT_DOUBLE_EQ(grain.coefficient(CollisionMass::between(3.0, 3.0), 7.0), 2 * zeta * std::sqrt(3.0 * 7.0));
+  EXPECT_DOUBLE_EQ(grain.coefficient(CollisionMass::between(3.0, 1.5), LinearRepulsion{7.0}),
+                   2 * zeta * std::sqrt(2.0 * 7.0));
+  EXPECT_DOUBLE_EQ(grain.coefficient(CollisionMass::between(3.0, 3.0), LinearRepulsion{7.0}),
+                   2 * zeta * std::sqrt(3.0 * 7.0));
 }
 
 TEST(ViscousDamping, RestitutionOfAPairDependsNeitherOnSizesNorOnWhichGrainIsFirst) {
   for (const DampingMass rule : {DampingMass::effective, DampingMass::grain}) {
     const ViscousDamping damping{0.3, rule};
     const double ratio_among_equals =
-        damping.coefficient(CollisionMass::between(1.0, 1.0), 7.0) / (2 * std::sqrt(0.5 * 7.0));
+        damping.coefficient(CollisionMass::between(1.0, 1.0), LinearRepulsion{7.0}) /
+        (2 * std::sqrt(0.5 * 7.0));
     for (const double mass : {0.001, 0.25, 4.0}) {
       const double effective = mass / (1.0 + mass);
-      EXPECT_EQ(damping.coefficient(CollisionMass::between(1.0, mass), 7.0),
-                damping.coefficient(CollisionMass::between(mass, 1.0), 7.0));
-      EXPECT_NEAR(
-          damping.coefficient(CollisionMass::between(1.0, mass), 7.0) / (2 * std::sqrt(effective * 7.0)),
-          ratio_among_equals, 1e-15);
+      EXPECT_EQ(damping.coefficient(CollisionMass::between(1.0, mass), LinearRepulsion{7.0}),
+                damping.coefficient(CollisionMass::between(mass, 1.0), LinearRepulsion{7.0}));
+      EXPECT_NEAR(damping.coefficient(CollisionMass::between(1.0, mass), LinearRepulsion{7.0}) /
+                      (2 * std::sqrt(effective * 7.0)),
+                  ratio_among_equals, 1e-15);
     }
   }
 }
@@ -54,7 +58,8 @@ TEST(ViscousDamping, GrainMassRuleGivesTwoEqualSpheresTheSmallerRestitution) {
   const ViscousDamping grain{std::sqrt(0.2), DampingMass::grain};
   const double mass = 2.0, stiffness = 5.0;
   const double zeta_of_pair =
-      grain.coefficient(CollisionMass::between(mass, mass), stiffness) / (2 * std::sqrt(mass / 2 * stiffness));
+      grain.coefficient(CollisionMass::between(mass, mass), LinearRepulsion{stiffness}) /
+      (2 * std::sqrt(mass / 2 * stiffness));
   // The restitution of the spheres of [SVI2024], to three digits (docs/physics.md, "Damping").
   EXPECT_NEAR(restitution_at(zeta_of_pair), 0.308, 5e-4);
 }

@@ -36,7 +36,7 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
                                    packing.grains.radius[c.j] * cross<double>(rotation(c.j), n_ij));
     const Vec<Dim> approach = branch(out, c) - r;
     test::shear_spring(c) = to_shear<double>(n_ij, Vec<Dim>(approach - arms));
-    test::rolling_spring(c) = rotation(c.i) - rotation(c.j);
+    test::rolling_spring(c) = rolling_part<double>(n_ij, RotationVector<Dim>(rotation(c.i) - rotation(c.j)));
   }
   refresh_contacts(out);
   return out;

@@ -38,8 +38,9 @@ void stretch(Packing<Dim>& packing, double reach, unsigned seed) {
     const double rotation_cap = rolling.coefficient * c.elastic_force / rolling.rolling_stiffness;
     test::shear_spring(c) =
         reach * uniform(engine) * shear_cap * to_shear<double>(c.normal, direction).normalized();
-    for (int a = 0; a < kRotations<Dim>; ++a)
-      test::rolling_spring(c)[a] = reach * uniform(engine) * rotation_cap;
+    RotationVector<Dim> rotation;
+    for (int a = 0; a < kRotations<Dim>; ++a) rotation[a] = reach * uniform(engine) * rotation_cap;
+    test::rolling_spring(c) = rolling_part<double>(c.normal, rotation);
   }
 }
 
@@ -82,7 +83,7 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
                           twist_about(normal, RotationVector<Dim>(0.5 * (rotation_i + rotation_j))), c,
                           motion[k]);
     motion[k].slip = to_shear<double>(normal, Vec<Dim>(r - branch(packing, c) - cross<double>(mean, r)));
-    motion[k].relative_rotation = rotation_i - rotation_j;
+    motion[k].relative_rotation = rolling_part<double>(normal, RotationVector<Dim>(rotation_i - rotation_j));
   }
   respond<Dim>(out, motion, out.contacts);
   return out;

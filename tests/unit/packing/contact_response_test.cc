@@ -54,7 +54,7 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   const Shear<Dim> along = to_shear<double>(t.contact.normal, other).normalized();
   RotationVector<Dim> axis;
   for (int a = 0; a < kRotations<Dim>; ++a) axis[a] = normal(engine);
-  axis.normalize();
+  axis = rolling_part<double>(t.contact.normal, axis).normalized();
   const double longest = 0.5 * elastic / 80.0;
   const double furthest = 0.1 * elastic / 3.0;
   test::shear_spring(t.contact) = 0.3 * tangential * longest * along;
@@ -88,17 +88,21 @@ ContactTangent<Dim> tangent_at(const Touching<Dim>& t, const LawParameters& law 
 template <int Dim>
 ContactTangent<Dim> by_differences(const Touching<Dim>& t) {
   using Row = Eigen::Matrix<double, kDofs<Dim>, 1>;
+  Mat<kRotations<Dim>> axes = Mat<kRotations<Dim>>::Identity();
+  if constexpr (Dim == 3) axes = t.frame;
   const auto carried = [&](int dof, double by) {
     Touching<Dim> moved = t;
     if (dof == 0) moved.contact.gap -= by;
     if (dof > 0 && dof < Dim)
       moved.motion.slip += by * to_shear<double>(t.contact.normal, Vec<Dim>(t.frame.col(dof)));
-    if (dof >= Dim) moved.motion.relative_rotation[dof - Dim] -= by;  // of i against j
+    if (dof >= Dim)  // of i against j
+      moved.motion.relative_rotation -=
+          by * rolling_part<double>(t.contact.normal, RotationVector<Dim>(axes.col(dof - Dim)));
     const Contact<Dim> c = after(moved);
     Row f;
     f[0] = c.normal_force;
     for (int a = 1; a < Dim; ++a) f[a] = c.shear_force.dot(t.frame.col(a));
-    f.template tail<kRotations<Dim>>() = c.rolling_moment;
+    f.template tail<kRotations<Dim>>() = axes.transpose() * c.rolling_moment;
     return f;
   };
   constexpr double kStep = 1e-6;

@@ -22,17 +22,17 @@ Scene small() {
 constexpr int kEquilibria = 5;
 
 /// Drives the run of a directory as far as the options say.
-DriveReport drive_in(const std::string& path, const DriveOptions& driving) {
+DriveReport drive_in(const std::string& path, const DriveOptions<2>& driving) {
   const Scene scene = small();
   RunDirectory directory(path, Existing::resume, scene);
-  floc::Run<2> run = start_or_resume(directory, scene);
+  floc::Run<2> run = start_or_resume<2>(directory, scene);
   return drive(run, directory, driving);
 }
 
 TEST(Drive, ARunStoppedAtAnyStretchAndResumedIsTheUnbrokenRun) {
   const ScratchDirectory scratch;
   EXPECT_EQ(drive_in(scratch.file("whole"), {}).outcome, DriveReport::done);
-  DriveOptions driving;
+  DriveOptions<2> driving;
   int n_chunks = 0, n_stops = 0;
   driving.stop = [&] { return ++n_chunks % 37 == 0; };
   while (drive_in(scratch.file("broken"), driving).outcome == DriveReport::stopped) ++n_stops;
@@ -43,7 +43,7 @@ TEST(Drive, ARunStoppedAtAnyStretchAndResumedIsTheUnbrokenRun) {
 
 TEST(Drive, TellsOfEachStretchAndOfEachEquilibriumOnceItIsSaved) {
   const ScratchDirectory scratch;
-  DriveOptions driving;
+  DriveOptions<2> driving;
   int n_chunks = 0;
   std::vector<int> steps;
   driving.chunk = [&](const floc::Run<2>& run) { n_chunks += !run.finished(); };
@@ -65,7 +65,7 @@ TEST(Drive, SaysWhatBlocksAStepThatGivesUp) {
   scene.relaxation.tolerance.force = 1e-300;  // nothing is that well balanced
   scene.relaxation.max_time = 500.0;
   RunDirectory directory(scratch.file("run"), Existing::refuse, scene);
-  floc::Run<2> run = start_or_resume(directory, scene);
+  floc::Run<2> run = start_or_resume<2>(directory, scene);
   const DriveReport report = drive(run, directory, {});
   EXPECT_EQ(report.outcome, DriveReport::gave_up);
   EXPECT_EQ(report.relaxation.blocking.substr(0, 5), "force");

@@ -204,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"law = \"tail\", force = 1.0, range = 1e-3", "law = \"tail\", force = 1.0, range = 0",
                  "contact.adhesion.range = 0: expected"},
         BadScene{"[cell]", "range = 1e-3\n[cell]", "unknown key contact.range"},
-        BadScene{"dimension = 2", "dimension = 3", "scene.dimension = 3: expected 2"},
+        BadScene{"dimension = 2", "dimension = 4", "scene.dimension = 4: expected 2 or 3"},
         BadScene{"units = \"reduced\"\n", "", "scene.units is missing: expected \"reduced\" or \"SI\""},
         BadScene{"strain_rate_cap = 0.05", "strain_rate_cap = 0.05\ninertial_number_cap = 1e-3", "not both"},
         BadScene{"strain_rate_cap = 0.05\n", "", "cell.strain_rate_cap is missing"},
@@ -310,7 +310,7 @@ TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
     EXPECT_EQ(s.load.back().to, s.assembly.pressure);
     ++n;
   }
-  EXPECT_EQ(n, 8);
+  EXPECT_EQ(n, 15);
 }
 
 }  // namespace

@@ -73,8 +73,8 @@ TEST_F(SceneOfAState, HasTheGrainsThatTheRunWillHave) {
   EXPECT_EQ(s.grains.diameter.min, 0.5);
   EXPECT_EQ(s.grains.diameter.max, 1.0);
   EXPECT_NEAR(s.assembly.solid_fraction, 0.5, 1e-12);
-  EXPECT_EQ(s.assembly.saved.copies, (Vec<2, int>(3, 2)));
-  EXPECT_EQ(s.assembly.saved.read().grains.position, saved_.packing.grains.position);
+  EXPECT_EQ(s.assembly.saved.copies_along<2>(), (Vec<2, int>(3, 2)));
+  EXPECT_EQ(s.assembly.saved.read_packing<2>().grains.position, saved_.packing.grains.position);
   for (const DerivedGroup& g : derived_groups(s)) {
     if (g.name == "N") {
       EXPECT_EQ(g.value, 180.0);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "floc/contact/declaration.h"
+#include "floc/contact/normal_response.h"
 #include "floc/contact/pair_geometry.h"
 
 namespace floc {
@@ -30,6 +31,7 @@ struct ViscousDamping {
   DampingMass mass_rule = DampingMass::effective;
 
   static constexpr const char* kKeyword = "viscous";
+  static constexpr bool kIsDefault = true;
   static constexpr Number<ViscousDamping> kNumbers[] = {
       {"restitution", &ViscousDamping::restitution, Unit::ratio, "e_N", Requirement::at_most_one,
        "a restitution coefficient e_N in (0, 1]", "restitution coefficient"}};
@@ -39,9 +41,15 @@ struct ViscousDamping {
        [](ViscousDamping& d, int rule) { d.mass_rule = static_cast<DampingMass>(rule); }}};
 
   /// Damping coefficient c of a pair (force * time/length).
-  double coefficient(const CollisionMass& mass, double normal_stiffness) const {
+  /// @param normal  of a stiffness that does not vary
+  template <class Normal>
+  double coefficient(const CollisionMass& mass, const Normal& normal) const {
     const double m = mass_rule == DampingMass::effective ? mass.effective : mass.grain;
-    return 2.0 * damping_ratio(restitution) * std::sqrt(m * normal_stiffness);
+    return 2.0 * damping_ratio(restitution) * std::sqrt(m * normal.normal_stiffness);
+  }
+  template <class T>
+  T force(const T& coefficient, const NormalResponse<T>&, const T& gap_rate) const {
+    return -coefficient * gap_rate;
   }
 
   bool operator==(const ViscousDamping&) const = default;

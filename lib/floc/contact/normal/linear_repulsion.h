@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "floc/base/lanes.h"
+#include "floc/contact/contact_load.h"
 #include "floc/contact/declaration.h"
 #include "floc/contact/pair_geometry.h"
 
@@ -30,11 +31,13 @@ struct LinearRepulsion {
     return lanes::select(pair.gap < T(0), T(0.5 * normal_stiffness * pair.gap * pair.gap), T(0));
   }
   /// Stiffness where the elastic force is FNe > 0: that of a contact of which only the force is known.
-  double stiffness_at_force(double) const { return normal_stiffness; }
+  double stiffness_at_force(const PairGeometry<>&, double) const { return normal_stiffness; }
   /// Modulus of a packing of grains of diameter a that a pressure is measured against: K_N/a^(Dim-2).
-  double modulus(int dim, double diameter) const { return normal_stiffness / std::pow(diameter, dim - 2); }
+  double modulus_of_packing(int dim, double diameter) const {
+    return normal_stiffness / std::pow(diameter, dim - 2);
+  }
   /// No contact is stiffer.
-  double stiffness_bound() const { return normal_stiffness; }
+  double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return normal_stiffness; }
 
   bool operator==(const LinearRepulsion&) const = default;
 };

@@ -14,6 +14,7 @@ struct RollingSpring {
   double rolling_stiffness;  ///< K_R (force * length)
 
   static constexpr const char* kKeyword = "spring";
+  static constexpr bool kIsDefault = true;
   static constexpr Number<RollingSpring> kNumbers[] = {
       {"coefficient", &RollingSpring::coefficient, Unit::length, "mu_R", Requirement::not_negative,
        "a number >= 0 (mu_R, a length)", "rolling friction"},
@@ -39,8 +40,6 @@ struct RollingSpring {
   }
   /// K_R while nothing yields, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>&) const { return rolling_stiffness; }
-  /// No contact is stiffer.
-  double stiffness_bound() const { return rolling_stiffness; }
   /// Resistance that can carry nothing is none, and must not stiffen the network either.
   bool acts() const { return coefficient != 0.0; }
 

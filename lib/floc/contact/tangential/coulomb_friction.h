@@ -15,6 +15,7 @@ struct CoulombFriction {
   double tangential_stiffness;  ///< K_T (force/length)
 
   static constexpr const char* kKeyword = "coulomb";
+  static constexpr bool kIsDefault = true;
   static constexpr Number<CoulombFriction> kNumbers[] = {
       {"coefficient", &CoulombFriction::coefficient, Unit::ratio, "mu", Requirement::not_negative,
        "a number >= 0 (mu)", "friction coefficient"},
@@ -40,8 +41,6 @@ struct CoulombFriction {
   }
   /// K_T while nothing slides, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }
-  /// No contact is stiffer.
-  double stiffness_bound() const { return tangential_stiffness; }
   /// Friction that can carry nothing is none, and must not stiffen the network either.
   bool acts() const { return coefficient != 0.0; }
 

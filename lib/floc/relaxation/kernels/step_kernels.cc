@@ -2,16 +2,20 @@
 
 namespace floc {
 
-const StepKernels<2>& step_kernels(InstructionSet set, LatticeShape shape, std::size_t law_index) {
+template <int Dim>
+const StepKernels<Dim>& step_kernels(InstructionSet set, LatticeShape shape, std::size_t law_index) {
   switch (set) {
     case InstructionSet::avx512:
-      return step_kernels_avx512(shape)[law_index];
+      return step_kernels_avx512<Dim>(shape)[law_index];
     case InstructionSet::avx2:
-      return step_kernels_avx2(shape)[law_index];
+      return step_kernels_avx2<Dim>(shape)[law_index];
     case InstructionSet::portable:
       break;
   }
-  return step_kernels_portable(shape)[law_index];
+  return step_kernels_portable<Dim>(shape)[law_index];
 }
+
+template const StepKernels<2>& step_kernels<2>(InstructionSet, LatticeShape, std::size_t);
+template const StepKernels<3>& step_kernels<3>(InstructionSet, LatticeShape, std::size_t);
 
 }  // namespace floc

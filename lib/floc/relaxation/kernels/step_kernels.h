@@ -25,16 +25,49 @@ inline constexpr int kSumGroup = 8;
 inline constexpr double kDashpotShare = 0.8;
 inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
 
-/// Doubles of the row that a pair writes: force on j, and with friction the moments on i and on j.
+/// The row that a pair writes: force on j, and where grains rotate the moments on i and on j. Places are in
+/// doubles from its beginning. Grain i and grain j each read a vector of kLanes that holds what concerns them.
+template <int Dim, bool kRotates>
+struct RowLayout;
+template <>
+struct RowLayout<2, false> {
+  static constexpr int kSize = 2, kLanes = 2, kForce = 0, kReadI = 0, kReadJ = 0;
+};
+template <>
+struct RowLayout<2, true> {
+  static constexpr int kSize = 4, kLanes = 4, kForce = 0, kMomentI = 2, kMomentJ = 3, kReadI = 0, kReadJ = 0;
+};
+template <>
+struct RowLayout<3, false> {
+  static constexpr int kSize = 4, kLanes = 4, kForce = 0, kReadI = 0, kReadJ = 0;
+};
+template <>
+struct RowLayout<3, true> {
+  static constexpr int kSize = 10, kLanes = 8, kMomentI = 0, kForce = 3, kMomentJ = 6, kReadI = 0, kReadJ = 3;
+};
+/// What a grain may read beyond the end of the last row.
+inline constexpr int kRowMargin = 8;
+
+template <int Dim>
 constexpr int row_size(bool rotates) {
-  return rotates ? 4 : 2;
+  return rotates ? RowLayout<Dim, true>::kSize : RowLayout<Dim, false>::kSize;
 }
+/// Place of the force in a row.
+template <int Dim>
+constexpr int force_in_row(bool rotates) {
+  return rotates ? RowLayout<Dim, true>::kForce : RowLayout<Dim, false>::kForce;
+}
+
+/// Numbers of an orientation: an angle, or a quaternion (w, x, y, z) whose length does not matter.
+template <int Dim>
+inline constexpr int kOrientationNumbers = Dim == 2 ? 1 : 4;
 
 /// The grains as kernels are handed them: pointers to the arrays of all.
 template <int Dim>
 struct GrainView {
   double *x[Dim], *v[Dim], *force[Dim];
-  double *spin, *torque, *angle;
+  double *spin[kRotations<Dim>], *torque[kRotations<Dim>];
+  double* orientation[kOrientationNumbers<Dim>];
   const double *mass, *inverse_mass, *inertia, *inverse_inertia;
   const double* x_list[Dim];           ///< positions when the list was built
   const double* inverse_skin_squared;  ///< of the distances that grains may move before the next list
@@ -140,11 +173,15 @@ enum class LatticeShape { rectangular, triangular };
 
 /// The kernels of alternative `law_index` of AnyContactLaw.
 /// @pre supported(set)
-const StepKernels<2>& step_kernels(InstructionSet set, LatticeShape shape, std::size_t law_index);
+template <int Dim>
+const StepKernels<Dim>& step_kernels(InstructionSet set, LatticeShape shape, std::size_t law_index);
 
-/// The tables behind it, one for each translation unit of an instruction set. Null where it was not compiled.
-const StepKernels<2>* step_kernels_portable(LatticeShape shape);
-const StepKernels<2>* step_kernels_avx2(LatticeShape shape);
-const StepKernels<2>* step_kernels_avx512(LatticeShape shape);
+/// The tables behind it, one for each translation unit of an instruction set and dimension.
+template <int Dim>
+const StepKernels<Dim>* step_kernels_portable(LatticeShape shape);
+template <int Dim>
+const StepKernels<Dim>* step_kernels_avx2(LatticeShape shape);
+template <int Dim>
+const StepKernels<Dim>* step_kernels_avx512(LatticeShape shape);
 
 }  // namespace floc

@@ -2,8 +2,9 @@
 
 namespace floc {
 
-const StepKernels<2>* step_kernels_avx2(LatticeShape shape) {
-  return step_kernel_table<Avx2>(shape);
+template <>
+const StepKernels<2>* step_kernels_avx2<2>(LatticeShape shape) {
+  return step_kernel_table<Avx2, 2>(shape);
 }
 
 }  // namespace floc

@@ -2,8 +2,9 @@
 
 namespace floc {
 
-const StepKernels<2>* step_kernels_avx512(LatticeShape shape) {
-  return step_kernel_table<Avx512>(shape);
+template <>
+const StepKernels<2>* step_kernels_avx512<2>(LatticeShape shape) {
+  return step_kernel_table<Avx512, 2>(shape);
 }
 
 }  // namespace floc

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "floc/contact/contact_law.h"
+#include "floc/geometry/frame_turn.h"
 #include "floc/relaxation/kernels/pack.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
@@ -15,11 +16,10 @@ namespace floc {
 
 template <class Isa, int Dim, LatticeShape kShape, bool kRotates>
 struct GrainKernels {
-  static_assert(Dim == 2, "orientations in 3D are not integrated yet");
-  static constexpr int kRow = row_size(kRotates);
+  using Layout = RowLayout<Dim, kRotates>;
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   using P = Pack<Isa>;
-  using Row = typename VectorOf<kRow>::Type;
+  using Row = typename VectorOf<Layout::kLanes>::Type;
 
   [[gnu::flatten]] static void kick_and_drift(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick,
                                               const Drift<Dim>& drift, BlockSums<Dim>& sums) {
@@ -33,10 +33,7 @@ struct GrainKernels {
     }
     if constexpr (kRotates) {
       kick_rotation(grains, begin, kick.half_step);
-      const double* const spin = grains.spin + begin;
-      double* const angle = grains.angle + begin;
-#pragma GCC ivdep
-      for (int k = 0; k < kGrainBlock; ++k) angle[k] += drift.time_step * spin[k];
+      turn(grains, begin, drift.time_step);
     }
     P largest(0.0);
     for (int k = 0; k < kGrainBlock; k += P::kWidth) {
@@ -63,8 +60,11 @@ struct GrainKernels {
         sums.momentum_flux[a][b] = block_sum(grains.v[a] + begin, grains.v[b] + begin, grains.mass + begin);
     if constexpr (kRotates) {
       kick_rotation(grains, begin, kick.half_step);
-      const double* const spin = grains.spin + begin;
-      sums.rotation = block_sum(spin, spin, grains.inertia + begin);
+      sums.rotation = 0.0;
+      for (int a = 0; a < kRotations<Dim>; ++a) {
+        const double* const spin = grains.spin[a] + begin;
+        sums.rotation += block_sum(spin, spin, grains.inertia + begin);
+      }
     }
   }
 
@@ -138,17 +138,46 @@ struct GrainKernels {
       double shift = pairs.image[b][p] * cell.lattice[b][b];
       if constexpr (kTriangular)
         for (int e = b + 1; e < Dim; ++e) shift += pairs.image[e][p] * cell.lattice[b][e];
-      virial += pairs.row[static_cast<std::ptrdiff_t>(kRow) * p + a] * shift;
+      virial += pairs.row[static_cast<std::ptrdiff_t>(Layout::kSize) * p + Layout::kForce + a] * shift;
     }
     return virial;
   }
 
   static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step) {
     const double* const inverse_inertia = grains.inverse_inertia + begin;
-    const double* const torque = grains.torque + begin;
-    double* const spin = grains.spin + begin;
+    for (int a = 0; a < kRotations<Dim>; ++a) {
+      const double* const torque = grains.torque[a] + begin;
+      double* const spin = grains.spin[a] + begin;
 #pragma GCC ivdep
-    for (int k = 0; k < kGrainBlock; ++k) spin[k] += torque[k] * (half_step * inverse_inertia[k]);
+      for (int k = 0; k < kGrainBlock; ++k) spin[k] += torque[k] * (half_step * inverse_inertia[k]);
+    }
+  }
+
+  /// Turns the grains by their spins; nothing reads how they lie. In 3D q <- (1, spin dt/2) q, whose direction
+  /// is right to second order, kept from growing.
+  static void turn(const GrainView<Dim>& grains, int begin, double time_step) {
+    if constexpr (Dim == 2) {
+      const double* const spin = grains.spin[0] + begin;
+      double* const angle = grains.orientation[0] + begin;
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) angle[k] += time_step * spin[k];
+    } else {
+      const double *const x = grains.spin[0] + begin, *const y = grains.spin[1] + begin,
+                          *const z = grains.spin[2] + begin;
+      double *const qw = grains.orientation[0] + begin, *const qx = grains.orientation[1] + begin,
+                    *const qy = grains.orientation[2] + begin, *const qz = grains.orientation[3] + begin;
+      const double half = 0.5 * time_step;
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) {
+        const double a = half * x[k], b = half * y[k], c = half * z[k];
+        const double keep = 1.0 - 0.5 * (a * a + b * b + c * c);
+        const double w0 = qw[k], x0 = qx[k], y0 = qy[k], z0 = qz[k];
+        qw[k] = keep * w0 - (a * x0 + b * y0 + c * z0);
+        qx[k] = keep * x0 + (a * w0 + b * z0 - c * y0);
+        qy[k] = keep * y0 + (b * w0 + c * x0 - a * z0);
+        qz[k] = keep * z0 + (c * w0 + a * y0 - b * x0);
+      }
+    }
   }
 
   /// sum p q over a block, in eight interleaved parts: a fixed order that registers of any width can follow,
@@ -168,25 +197,26 @@ struct GrainKernels {
     return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
   }
 
-  static void add_row(const PairView<Dim>& pairs, int place, Row& sum) {
+  static void add_row(const double* from, Row& sum) {
     Row row;
-    __builtin_memcpy(&row, pairs.row + place, sizeof(Row));
+    __builtin_memcpy(&row, from, sizeof(Row));
     sum += row;
   }
 
   /// Sums of the rows of each grain of the block. Rows of pairs that do not interact are zero and leave no
   /// trace, so the sums do not depend on which of them the list holds.
-  static void sum_rows(const PairView<Dim>& pairs, const SideSumsPlan& plan, Row (&total)[kGrainBlock]) {
+  /// @param first  of the row that is at place 0, what the grains read of it
+  static void sum_rows(const double* first, const SideSumsPlan& plan, Row (&total)[kGrainBlock]) {
     const int* row = plan.row;
     for (int g = 0; g < SideSumsPlan::kGroups; ++g) {
       Row sum[kSumGroup] = {};
       for (const int* const end = row + plan.depth[g] * kSumGroup; row != end; row += kSumGroup)
-        for (int l = 0; l < kSumGroup; ++l) add_row(pairs, row[l], sum[l]);
+        for (int l = 0; l < kSumGroup; ++l) add_row(first + row[l], sum[l]);
       for (int l = 0; l < kSumGroup; ++l) total[plan.grain[g * kSumGroup + l]] = sum[l];
     }
     for (int k = 0; k < plan.n_deep; ++k) {
       Row sum = total[plan.grain[k]];
-      for (const int* const end = row + plan.n_beyond[k]; row != end; ++row) add_row(pairs, *row, sum);
+      for (const int* const end = row + plan.n_beyond[k]; row != end; ++row) add_row(first + *row, sum);
       total[plan.grain[k]] = sum;
     }
   }
@@ -194,12 +224,15 @@ struct GrainKernels {
   static void sum_forces(const GrainView<Dim>& grains, const PairView<Dim>& pairs, const BlockSumsPlan& plan,
                          int begin) {
     Row as_i[kGrainBlock], as_j[kGrainBlock];
-    sum_rows(pairs, plan.as_i, as_i);
-    sum_rows(pairs, plan.as_j, as_j);
+    sum_rows(pairs.row + Layout::kReadI, plan.as_i, as_i);
+    sum_rows(pairs.row + Layout::kReadJ, plan.as_j, as_j);
+    constexpr int kForceI = Layout::kForce - Layout::kReadI, kForceJ = Layout::kForce - Layout::kReadJ;
     for (int k = 0; k < kGrainBlock; ++k) {
-      const Row force = as_j[k] - as_i[k];
-      for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = force[a];
-      if constexpr (kRotates) grains.torque[begin + k] = as_i[k][Dim] + as_j[k][Dim + 1];
+      for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = as_j[k][kForceJ + a] - as_i[k][kForceI + a];
+      if constexpr (kRotates)
+        for (int a = 0; a < kRotations<Dim>; ++a)
+          grains.torque[a][begin + k] =
+              as_i[k][Layout::kMomentI - Layout::kReadI + a] + as_j[k][Layout::kMomentJ - Layout::kReadJ + a];
     }
   }
 };
@@ -218,7 +251,7 @@ struct Walls {
 template <class Isa, int Dim, class Partner, class Law>
 struct PairKernel {
   static constexpr bool kRotates = Law::kHasFriction;
-  static constexpr int kRow = row_size(kRotates);
+  using Layout = RowLayout<Dim, kRotates>;
   using P = Pack<Isa>;
   using V = Vec<Dim, P>;
 
@@ -245,11 +278,17 @@ struct PairKernel {
   /// way at once, where one long chain of operations would be waited for.
   static constexpr int kPacksInFlight = 8;
 
+  /// Whether anything that the law remembers lies in the tangent plane, and turns with it.
+  static constexpr bool kTurns = Dim == 3 && kRotates;
+  struct NoTurn {};
+  using Turn = std::conditional_t<kTurns, FrameTurn<P>, NoTurn>;
+
   /// Geometry and relative motion of one pack of pairs.
   struct PairKinematics {
     V n;
     P arm_i, arm_j;
     ContactMotion<Dim, P> motion;
+    [[no_unique_address]] Turn turn;
   };
 
   /// Position and velocities of the first, or the second, grain of each pair of a pack.
@@ -265,7 +304,8 @@ struct PairKernel {
       gathered.x[a] = gather(grains.x[a], grain);
       gathered.v[a] = gather(grains.v[a], grain);
     }
-    if constexpr (kRotates) gathered.spin[0] = gather(grains.spin, grain);
+    if constexpr (kRotates)
+      for (int a = 0; a < kRotations<Dim>; ++a) gathered.spin[a] = gather(grains.spin[a], grain);
     return gathered;
   }
 
@@ -292,8 +332,15 @@ struct PairKernel {
     a.arm_j = distance - a.arm_i;
     if constexpr (kRotates) {
       // Both turn their surfaces the same way round.
-      add_slip(a, centres, RotationVector<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin),
-               RotationVector<Dim, P>(i.spin - j.spin), cell);
+      RotationVector<Dim, P> surfaces = a.arm_i * i.spin + a.arm_j * j.spin;
+      if constexpr (kTurns) {
+        const P inverse = P(1.0) / distance;
+        a.turn = {n, V(centres * (P(cell.slip_time) * inverse)),
+                  RotationVector<Dim, P>(P(cell.slip_time) * (i.spin + j.spin))};
+        // The branch of the middle of the step, whose velocities these are.
+        surfaces = surfaces * (P(1.0) - P(0.5 * cell.slip_time) * a.motion.gap_rate * inverse);
+      }
+      add_slip(a, centres, surfaces, RotationVector<Dim, P>(i.spin - j.spin), cell);
     }
     return a;
   }
@@ -311,6 +358,8 @@ struct PairKernel {
     PairKinematics a = normal_kinematics(n, distance, foot, pairs, p);
     a.arm_i = distance;
     a.arm_j = P(0.0);
+    // The normal stays; about it the frame turns with the mean of the grain's spin and none.
+    if constexpr (kTurns) a.turn = {n, V(V::Zero()), RotationVector<Dim, P>(P(cell.slip_time) * i.spin)};
     if constexpr (kRotates) add_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), i.spin, cell);
     return a;
   }
@@ -327,11 +376,19 @@ struct PairKernel {
     return a;
   }
 
+  /// In 3D across the normal of the middle of the step, which makes it right to second order.
   /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
   static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
                        const RotationVector<Dim, P>& rotation, const PairCell<Dim>& cell) {
-    a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
-    a.motion.relative_rotation = P(cell.slip_time) * rotation;
+    if constexpr (kTurns) {
+      const V& middle = a.turn.mean_normal();
+      const V slip = to_shear<P>(middle, V(velocity - cross<P>(surfaces, middle)));
+      a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, slip);
+      a.motion.relative_rotation = P(cell.slip_time) * to_shear<P>(a.n, V(to_shear<P>(middle, V(rotation))));
+    } else {
+      a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
+      a.motion.relative_rotation = P(cell.slip_time) * rolling_part<P>(a.n, rotation);
+    }
   }
 
   static void respond(const Law& law, const PairKinematics& a, const PairView<Dim>& pairs, int p) {
@@ -339,19 +396,41 @@ struct PairKernel {
     if constexpr (Law::kHasDamping) motion.damping = P::load(pairs.damping + p);
     PackedMemory<Law::template kMemorySize<Dim>, P> memory;
     load(pairs, p, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
+    if constexpr (kTurns)
+      turn(a.turn, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
     const ContactForces<Dim, P> f = law.respond(motion, memory);
     store(memory, pairs, p, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
 
     V on_j = f.normal.force() * a.n;
     if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous + p) * a.n;
-    double* const row = pairs.row + static_cast<std::ptrdiff_t>(kRow) * p;
+    P row[Layout::kSize];
+    for (P& number : row) number = P(0.0);
     if constexpr (kRotates) {
       const V shear = from_shear<P>(a.n, f.shear);
       on_j -= shear;
-      const P unit = moment<P>(a.n, shear)[0];
-      Records<Isa>::store_two(row + Dim, kRow, a.arm_i * unit - f.rolling[0], a.arm_j * unit + f.rolling[0]);
+      const RotationVector<Dim, P> unit = moment<P>(a.n, shear);
+      for (int b = 0; b < kRotations<Dim>; ++b) {
+        row[Layout::kMomentI + b] = a.arm_i * unit[b] - f.rolling[b];
+        row[Layout::kMomentJ + b] = a.arm_j * unit[b] + f.rolling[b];
+      }
     }
-    Records<Isa>::store_two(row, kRow, on_j[0], on_j[1]);
+    for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
+    double* const to = pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * p;
+    for (int b = 0; b < Layout::kSize; b += 2)
+      Records<Isa>::store_two(to + b, Layout::kSize, row[b], row[b + 1]);
+  }
+
+  /// Turns what the law remembers in the tangent plane to where that is now.
+  template <class Memory, int... k>
+  static void turn(const Turn& turn, Memory& memory, std::integer_sequence<int, k...>) {
+    ((turn_number<k>(turn, memory)), ...);
+  }
+  template <int k, class Memory>
+  static void turn_number([[maybe_unused]] const Turn& turn, [[maybe_unused]] Memory& memory) {
+    if constexpr (begins_tangent<Law, Dim>(k)) {
+      const V turned = turn(V(memory.value[k], memory.value[k + 1], memory.value[k + 2]));
+      for (int a = 0; a < Dim; ++a) memory.value[k + a] = turned[a];
+    }
   }
 
   template <class Memory, int... k>
@@ -376,23 +455,31 @@ struct PairKernel {
 };
 
 /// The kernels of every alternative of the law table, in its order.
-template <class Isa, LatticeShape kShape, class Laws>
+template <class Isa, int Dim, LatticeShape kShape, class Laws>
 struct StepKernelTable;
-template <class Isa, LatticeShape kShape, class... Law>
-struct StepKernelTable<Isa, kShape, std::variant<Law...>> {
+template <class Isa, int Dim, LatticeShape kShape, class... Law>
+struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
   using Grains = std::conditional_t<kShape == LatticeShape::triangular, GrainsInTriangularLattice,
                                     GrainsInRectangularLattice>;
-  static constexpr StepKernels<2> kTable[] = {
-      {&GrainKernels<Isa, 2, kShape, Law::kHasFriction>::kick_and_drift,
-       &PairKernel<Isa, 2, Grains, Law>::compute, &PairKernel<Isa, 2, Walls, Law>::compute,
-       &GrainKernels<Isa, 2, kShape, Law::kHasFriction>::sum_and_kick}...};
+  /// None of a law for another dimension.
+  template <class L>
+  static constexpr StepKernels<Dim> kernels_of() {
+    if constexpr (L::kDimension != 0 && L::kDimension != Dim) {
+      return {};
+    } else {
+      return {&GrainKernels<Isa, Dim, kShape, L::kHasFriction>::kick_and_drift,
+              &PairKernel<Isa, Dim, Grains, L>::compute, &PairKernel<Isa, Dim, Walls, L>::compute,
+              &GrainKernels<Isa, Dim, kShape, L::kHasFriction>::sum_and_kick};
+    }
+  }
+  static constexpr StepKernels<Dim> kTable[] = {kernels_of<Law>()...};
 };
 
-template <class Isa>
-const StepKernels<2>* step_kernel_table(LatticeShape shape) {
+template <class Isa, int Dim>
+const StepKernels<Dim>* step_kernel_table(LatticeShape shape) {
   return shape == LatticeShape::rectangular
-             ? StepKernelTable<Isa, LatticeShape::rectangular, AnyContactLaw>::kTable
-             : StepKernelTable<Isa, LatticeShape::triangular, AnyContactLaw>::kTable;
+             ? StepKernelTable<Isa, Dim, LatticeShape::rectangular, AnyContactLaw>::kTable
+             : StepKernelTable<Isa, Dim, LatticeShape::triangular, AnyContactLaw>::kTable;
 }
 
 }  // namespace floc

@@ -2,8 +2,9 @@
 
 namespace floc {
 
-const StepKernels<2>* step_kernels_portable(LatticeShape shape) {
-  return step_kernel_table<Portable>(shape);
+template <>
+const StepKernels<2>* step_kernels_portable<2>(LatticeShape shape) {
+  return step_kernel_table<Portable, 2>(shape);
 }
 
 }  // namespace floc

@@ -1,0 +1,79 @@
+// Contact updates per second of spheres: elastic ones (Hertz, Mindlin friction, damping) and linear ones, size by
+// size and for each instruction set. Time is that of the processor:
+//   floc_bench --benchmark_filter=spheres
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "floc/assembly/gas.h"
+#include "floc/packing/tile.h"
+#include "floc/relaxation/relaxer.h"
+#include "step_bench.h"
+
+namespace floc {
+namespace {
+
+constexpr int kUnit = 500;  ///< grains of the packing that larger ones are tiled from
+
+enum Law { kHertz, kLinear, kLinearRolling };
+
+/// In units of the diameter, the mass and E~ of a grain, or its K_N.
+LawParameters law_of(int which) {
+  LawParameters law;
+  if (which == kHertz) {
+    law.normal = HertzRepulsion{0.91, 0.3};
+    law.damping = CriticalDamping{0.98};
+    law.friction = MindlinFriction{0.3};
+    return law;
+  }
+  law.normal = LinearRepulsion{1.0};
+  law.damping = ViscousDamping{0.1, DampingMass::effective};
+  law.friction = CoulombFriction{0.3, 0.8};
+  if (which == kLinearRolling) law.rolling = RollingSpring{0.005, 1e-4};
+  return law;
+}
+
+/// Equilibrium under a pressure of kappa = 8395 (glass at 100 kPa), or of P a/K_N = 1e-4.
+Packing<3> relaxed_from_gas(int which) {
+  GrainOptions grains;
+  grains.count = kUnit;
+  grains.diameter.min = grains.diameter.max = 1.0;
+  RandomStream random(1, 1);
+  RelaxationOptions options;
+  options.inertial_number_cap = 0.03;
+  const double pressure = which == kHertz ? std::pow(8395.0, -1.5) : 1e-4;
+  Relaxer<3> relaxer(options, make_gas<3>(grains, law_of(which), 0.45, random), Vec<3>::Constant(pressure));
+  while (relaxer.advance() == RelaxationStatus::running) continue;
+  return relaxer.packing();
+}
+
+/// That of a law, tiled to at least n grains; each is made once.
+const Packing<3>& dense(int n, int which) {
+  static std::map<std::tuple<int, int>, Packing<3>> made;
+  const auto [entry, is_new] = made.try_emplace({n, which});
+  Packing<3>& packing = entry->second;
+  if (!is_new) return packing;
+  if (n == kUnit) return packing = relaxed_from_gas(which);
+  const int across = static_cast<int>(std::ceil(std::cbrt(static_cast<double>(n) / kUnit) - 1e-9));
+  return packing = tiled<3>(dense(kUnit, which), {across, across, across});
+}
+
+void spheres(benchmark::State& state) {
+  step(state, dense(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))),
+       RelaxationOptions{}.time_step, 1, static_cast<InstructionSet>(state.range(2)));
+}
+BENCHMARK(spheres)
+    ->ArgNames({"grains", "law", "instructions"})
+    ->ArgsProduct({{4000, 108000},
+                   {kHertz, kLinear, kLinearRolling},
+                   {static_cast<int>(InstructionSet::avx512)}})
+    ->ArgsProduct({{4000},
+                   {kHertz},
+                   {static_cast<int>(InstructionSet::portable), static_cast<int>(InstructionSet::avx2)}})
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace floc

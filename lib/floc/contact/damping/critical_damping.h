@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+
+#include "floc/contact/declaration.h"
+#include "floc/contact/normal_response.h"
+#include "floc/contact/pair_geometry.h"
+
+namespace floc {
+
+/// Viscous normal force that is a fixed fraction of critical damping at the present stiffness,
+/// -2 zeta sqrt(m_eff K_N) dh/dt. Under Hertz' law the restitution of a collision then does not depend on its
+/// speed; from zeta = 0.912871 on grains never part. It may pull. It is no part of the static force.
+struct CriticalDamping {
+  double critical_fraction;  ///< zeta
+
+  static constexpr const char* kKeyword = "critical";
+  static constexpr bool kFollowsNormalStiffness = true;
+  static constexpr Number<CriticalDamping> kNumbers[] = {
+      {"critical_fraction", &CriticalDamping::critical_fraction, Unit::ratio, "zeta", Requirement::positive,
+       "a positive number (zeta, fraction of critical damping)", "fraction of critical damping"}};
+
+  /// What the root of the stiffness is multiplied by, of a pair.
+  template <class Normal>
+  double coefficient(const CollisionMass& mass, const Normal&) const {
+    return 2.0 * critical_fraction * std::sqrt(mass.effective);
+  }
+  template <class T>
+  T force(const T& coefficient, const NormalResponse<T>& normal, const T& gap_rate) const {
+    using std::sqrt;
+    return -coefficient * sqrt(normal.stiffness) * gap_rate;
+  }
+
+  bool operator==(const CriticalDamping&) const = default;
+};
+
+}  // namespace floc

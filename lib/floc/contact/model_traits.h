@@ -1,0 +1,33 @@
+#pragma once
+
+/// What models of a contact law say of themselves where it is not the rule.
+namespace floc {
+
+/// Dimension that a model is for, 0: any.
+template <class Model>
+consteval int dimension_of() {
+  if constexpr (requires { Model::kDimension; }) return Model::kDimension;
+  return 0;
+}
+template <class Model>
+inline constexpr int kDimensionOf = dimension_of<Model>();
+
+/// Whether a model is meant where a scene gives numbers of its slot and names no model.
+template <class Model>
+inline constexpr bool kIsDefault = requires {
+  requires Model::kIsDefault;
+};
+
+/// Whether the stiffness of a normal law varies with the overlap.
+template <class Normal>
+inline constexpr bool kStiffnessVaries = requires {
+  requires Normal::kStiffnessVaries;
+};
+
+/// Whether a model takes its stiffness, or its damping, from the present stiffness along the normal.
+template <class Model>
+inline constexpr bool kFollowsNormalStiffness = requires {
+  requires Model::kFollowsNormalStiffness;
+};
+
+}  // namespace floc

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/lanes.h"
+#include "floc/contact/contact_load.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/pair_geometry.h"
+
+namespace floc {
+
+/// Repulsion of elastic spheres, FNe = (4/3) E* sqrt(R*) d^(3/2) at an overlap d, with 1/E* = 2 (1 - nu^2)/E of
+/// two grains of one material and the reduced radius R* (docs/physics.md, "Spheres of Hertz and Mindlin").
+/// [AR2007], Eq. 1.
+struct HertzRepulsion {
+  double modulus;  ///< E, Young's modulus (force/length^2)
+  double poisson;  ///< nu, in (-1, 1/2)
+
+  static constexpr const char* kKeyword = "hertz";
+  static constexpr int kDimension = 3;
+  static constexpr bool kNeedsReducedRadius = true;
+  static constexpr bool kStiffnessVaries = true;
+  static constexpr Number<HertzRepulsion> kNumbers[] = {
+      {"modulus", &HertzRepulsion::modulus, Unit::pressure, "E", Requirement::positive,
+       "a positive number (E, Young's modulus, force per area)", "Young's modulus"},
+      {"poisson", &HertzRepulsion::poisson, Unit::ratio, "nu", Requirement::poisson_ratio,
+       "Poisson's ratio nu, in (-1, 0.5)", "Poisson's ratio"}};
+
+  /// E/(1 - nu^2): what a pressure is measured against.
+  double plane_modulus() const { return modulus / (1.0 - poisson * poisson); }
+
+  template <class T>
+  T force(const PairGeometry<T>& pair) const {
+    return T(2.0 / 3.0) * contact_stiffness(pair) * overlap(pair);
+  }
+  template <class T>
+  T stiffness(const PairGeometry<T>& pair) const {
+    return contact_stiffness(pair);
+  }
+  /// Mindlin's K_T = K_N (2 - 2 nu)/(2 - nu).
+  template <class T>
+  T shear_stiffness(const PairGeometry<T>& pair) const {
+    return T(shear_ratio()) * contact_stiffness(pair);
+  }
+  /// (2/5) FNe d.
+  template <class T>
+  T energy(const PairGeometry<T>& pair) const {
+    return T(0.4) * force(pair) * overlap(pair);
+  }
+  double shear_ratio() const { return (2.0 - 2.0 * poisson) / (2.0 - poisson); }
+
+  /// Overlap at which the elastic force is `elastic` >= 0.
+  double overlap_at_force(const PairGeometry<>& pair, double elastic) const {
+    return std::pow(0.75 * elastic / (0.5 * plane_modulus() * std::sqrt(pair.reduced_radius)), 2.0 / 3.0);
+  }
+  /// Largest overlap of two free grains that meet at a speed: all their energy is elastic then.
+  double overlap_of_impact(const PairGeometry<>& pair, double speed) const {
+    return std::pow(
+        15.0 * pair.reduced_mass * speed * speed / (8.0 * plane_modulus() * std::sqrt(pair.reduced_radius)),
+        0.4);
+  }
+  /// K_N where the elastic force is `elastic`.
+  double stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
+    return contact_stiffness(PairGeometry<>(-overlap_at_force(pair, elastic), pair.reduced_radius));
+  }
+  double modulus_of_packing(int, double) const { return plane_modulus(); }
+  /// No contact is stiffer as long as it carries no more than the load.
+  double stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
+    const double deepest = std::max(
+        {load.overlap, overlap_at_force(pair, load.force), overlap_of_impact(pair, load.impact_speed)});
+    return contact_stiffness(PairGeometry<>(-deepest, pair.reduced_radius));
+  }
+
+  bool operator==(const HertzRepulsion&) const = default;
+
+ private:
+  template <class T>
+  static T overlap(const PairGeometry<T>& pair) {
+    return lanes::max(T(-pair.gap), T(0));
+  }
+  /// 2 E* sqrt(R* d) of surfaces that touch, else 0: a root of zero has no derivative.
+  template <class T>
+  T contact_stiffness(const PairGeometry<T>& pair) const {
+    using std::sqrt;
+    const auto touches = pair.gap < T(0);
+    const T root = sqrt(lanes::select(touches, T(pair.reduced_radius * -pair.gap), T(1)));
+    return lanes::select(touches, T(T(plane_modulus()) * root), T(0));
+  }
+};
+
+}  // namespace floc

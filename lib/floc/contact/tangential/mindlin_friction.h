@@ -1,0 +1,58 @@
+#pragma once
+
+#include "floc/base/lanes.h"
+#include "floc/contact/capped_spring.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/normal_response.h"
+#include "floc/contact/pair_geometry.h"
+
+namespace floc {
+
+/// Friction of elastic spheres: T grows by K_T times the slip, K_T following the present normal force, and is
+/// cut back to mu FNe. Where the normal force falls, T falls with K_T; where it grows, T stays: no closed path
+/// gives energy back then (docs/physics.md, "Spheres of Hertz and Mindlin"). [AR2007], section II.
+struct MindlinFriction {
+  double coefficient;  ///< mu
+
+  static constexpr const char* kKeyword = "mindlin";
+  static constexpr int kDimension = 3;
+  static constexpr bool kFollowsNormalStiffness = true;
+  static constexpr Number<MindlinFriction> kNumbers[] = {{"coefficient", &MindlinFriction::coefficient,
+                                                          Unit::ratio, "mu", Requirement::not_negative,
+                                                          "a number >= 0 (mu)", "friction coefficient"}};
+  static constexpr Memory kMemory[] = {
+      {"tangential_force", MemoryKind::tangent, Unit::force,
+       "tangential force on id1, a vector normal to the normal"},
+      {"last_stiffness", MemoryKind::scalar, Unit::stiffness, "K_T that the tangential force belongs to"}};
+
+  /// Takes up the slip of one motion. @param memory  as declared. @return tangential force on i
+  template <class T, class V>
+  V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* memory) const {
+    Eigen::Map<V> force(memory);
+    T& last = memory[V::RowsAtCompileTime];
+    const T stiffness = normal.shear_stiffness;
+    const auto unloads = stiffness < last;
+    const T scale = lanes::select(unloads, T(stiffness / lanes::select(unloads, last, T(1))), T(1));
+    force = capped(V(force * scale + slip * stiffness), T(coefficient * normal.elastic));
+    last = stiffness;
+    return force;
+  }
+  template <class V>
+  bool is_mobilised(double elastic, const double* memory, double tolerance) const {
+    return Eigen::Map<const V>(memory).norm() >= (1.0 - tolerance) * (coefficient * elastic);
+  }
+  /// Sets the memory to a force; to which stiffness it belongs shows at the next motion.
+  template <class V>
+  void set_force(const V& force, double /*stiffness*/, double* memory) const {
+    Eigen::Map<V>{memory} = force;
+    memory[V::RowsAtCompileTime] = 0.0;
+  }
+  /// K_T while nothing slides, of a contact whose surfaces touch.
+  double stiffness(const NormalResponse<double>& normal) const { return normal.shear_stiffness; }
+  /// Friction that can carry nothing is none, and must not stiffen the network either.
+  bool acts() const { return coefficient != 0.0; }
+
+  bool operator==(const MindlinFriction&) const = default;
+};
+
+}  // namespace floc

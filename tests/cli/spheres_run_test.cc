@@ -1,0 +1,154 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/kill_and_resume.h"
+
+namespace floc::test {
+namespace {
+
+/// Glass beads, put together without friction, under rising and falling pressure: four equilibria in seconds.
+std::string beads() {
+  return R"([scene]
+name = "beads"
+dimension = 3
+units = "SI"
+[grains]
+count = 70
+density = 2500
+diameter = {distribution = "constant", value = 1e-3}
+[contact]
+normal = {law = "hertz", modulus = 70e9, poisson = 0.3}
+friction = {law = "mindlin", coefficient = 0.3}
+damping = {critical_fraction = 0.98}
+[cell]
+solid_fraction = 0.45
+mass = 1.0
+inertial_number_cap = 0.03
+[assembly]
+protocol = "direct"
+pressure = 1e6
+friction = 0.02
+[[load]]
+name = "load"
+to = 10e6
+steps_per_decade = 2
+[[load]]
+name = "unload"
+to = 1e6
+steps_per_decade = 1
+inertial_number_cap = 1e-2
+[equilibrium]
+force = 1e-4
+moment = 1e-4
+stress = 1e-4
+energy = 1e-7
+[run]
+seed = 3
+checkpoint_every = 0.02
+)";
+}
+
+/// With one part of the text exchanged for another.
+std::string with(std::string text, const std::string& old, const std::string& replacement) {
+  text.replace(text.find(old), old.size(), replacement);
+  return text;
+}
+
+class SpheresRun : public ::testing::Test {
+ protected:
+  Outcome run(const std::string& scene, const std::string& arguments) {
+    write_text(scratch_.file("beads.toml"), scene);
+    return run_floc("run beads.toml " + arguments, scratch_.path());
+  }
+  std::string file(const std::string& name) const { return scratch_.file(name); }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(SpheresRun, MakesStatesThatVerifyAndRowsWithThreeSides) {
+  const Outcome made = run(beads(), "-o out");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const Outcome verified = run_floc("verify out/state-*.h5", scratch_.path());
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+  EXPECT_THAT(content_of(file("out/path.csv")), testing::HasSubstr(",state,ending,L3\n0,assembly,"));
+  const Outcome moduli = run_floc("moduli out/state-0003.h5", scratch_.path());
+  EXPECT_EQ(moduli.code, 0) << moduli.err;
+}
+
+TEST_F(SpheresRun, GivesTheSameFilesForTwoThreads) {
+  ASSERT_EQ(run(beads(), "--until 1 -o one").code, 0);
+  ASSERT_EQ(run(beads(), "--until 1 -o two --threads 2").code, 0);
+  expect_same_results(file("one"), file("two"), 2);
+}
+
+TEST_F(SpheresRun, SurvivesTenKillsWithoutATrace) {
+  kill_and_resume(10, 7, beads(), 4);
+}
+
+/// Put together with little friction, shaken, then pressed with all of it.
+TEST_F(SpheresRun, ShakesWhatItHasPutTogetherAndSurvivesKills) {
+  const std::string shaken =
+      with(beads(), "friction = 0.02", "friction = 0\nvibration = {dilation = 1.02, collisions = 20}");
+  const Outcome made = run(shaken, "--until 1 -o out");
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(run_floc("verify out/state-*.h5", scratch_.path()).code, 0);
+  kill_and_resume(5, 8, shaken, 5);
+}
+
+/// The first equilibrium again, shaken: another packing, of as many beads, made from a seed.
+TEST_F(SpheresRun, StartsFromAShakenState) {
+  ASSERT_EQ(run(beads(), "--until 0 -o first").code, 0);
+  std::string shaken = with(beads(), "protocol = \"direct\"",
+                            "protocol = \"state\"\nstate = \"first/state-0000.h5\"\n"
+                            "vibration = {dilation = 1.02, collisions = 20}");
+  const std::size_t grains = shaken.find("[grains]"), contact = shaken.find("[contact]");
+  shaken.erase(grains, contact - grains);
+  shaken = with(shaken, "solid_fraction = 0.45\n", "");
+  write_text(file("shaken.toml"), shaken);
+  const auto made = [&](const char* seed, const char* out) {
+    return run_floc(std::string("run shaken.toml --until 0 --seed ") + seed + " -o " + out, scratch_.path());
+  };
+  const Outcome one = made("1", "c1");
+  ASSERT_EQ(one.code, 0) << one.err;
+  ASSERT_EQ(made("1", "again").code, 0);
+  ASSERT_EQ(made("2", "c2").code, 0);
+  EXPECT_EQ(rows_without_seconds(file("c1/path.csv")), rows_without_seconds(file("again/path.csv")));
+  EXPECT_NE(rows_without_seconds(file("c1/path.csv")), rows_without_seconds(file("c2/path.csv")));
+}
+
+struct BadBeads {
+  const char *old, *replacement, *words;
+};
+class SpheresRefusal : public ::testing::TestWithParam<BadBeads> {};
+
+TEST_P(SpheresRefusal, NamesWhatWasExpected) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("bad.toml"), with(beads(), GetParam().old, GetParam().replacement));
+  const Outcome check = run_floc("scene check bad.toml", scratch.path());
+  EXPECT_NE(check.code, 0);
+  EXPECT_THAT(check.err + check.out, testing::HasSubstr(GetParam().words));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, SpheresRefusal,
+    testing::Values(
+        BadBeads{"dimension = 3", "dimension = 2", "law = \"hertz\": is for spheres, expected dimension = 3"},
+        BadBeads{"dimension = 3", "dimension = 4", "expected 2 or 3"},
+        BadBeads{"poisson = 0.3", "poisson = 0.5", "expected Poisson's ratio nu, in (-1, 0.5)"},
+        BadBeads{"{critical_fraction = 0.98}", "{restitution = 0.5}", "damping follows the stiffness"},
+        BadBeads{"law = \"mindlin\", coefficient = 0.3", "coefficient = 0.3, stiffness = 1e5",
+                 "it follows from Poisson's ratio"},
+        BadBeads{"law = \"hertz\", modulus = 70e9, poisson = 0.3", "law = \"linear\", stiffness = 1e5",
+                 "expected contact.damping = {restitution}"},
+        BadBeads{"law = \"hertz\", modulus", "law = \"hertz\", stiffness = 1.0, modulus",
+                 "a hertz normal has no stiffness"},
+        BadBeads{"to = 10e6", "to = 10e9", "expected at least 30: spheres would overlap too far"},
+        BadBeads{"solid_fraction = 0.45", "solid_fraction = 0.55", "a solid fraction in (0, 0.49]"},
+        BadBeads{"friction = 0.02", "friction = -1", "a friction coefficient >= 0"},
+        BadBeads{"friction = 0.02", "vibration = {dilation = 0.5, collisions = 5}",
+                 "expected a factor of all lengths, 1 to 2"}));
+
+}  // namespace
+}  // namespace floc::test

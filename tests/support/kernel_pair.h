@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+
+#include "floc/contact/law_table.h"
+#include "floc/relaxation/grain_arrays.h"
+#include "floc/relaxation/interaction.h"
+#include "floc/relaxation/row_sums.h"
+
+namespace floc::test {
+
+/// Two spheres of unit diameter and mass whose motion is given step by step, and what they exert on each other
+/// by the kernels that run, of one instruction set. The second lies at first on the x axis beside the other.
+class KernelPair {
+ public:
+  KernelPair(const LawParameters& law, double overlap, InstructionSet instructions)
+      : grains_(start(overlap), {0, 1}),
+        interaction_(Partner::grain, law, compose_law(law), instructions, LatticeShape::rectangular) {
+    const std::array<double, 2> radius{0.5, 0.5}, mass{1.0, 1.0};
+    interaction_.set_pairs({{{0, 1, {0, 0, 0}}}, Partner::grain, radius, mass, interaction_.law(), 1e-9});
+    rows_ = {{&interaction_.pairs()}, row_size<3>(interaction_.law()), 2};
+    interaction_.set_rows(rows_.rows(0));
+    inverse_skin_squared_.assign(grains_.x[0].size(), 1.0);
+  }
+
+  Vec<3> position(int grain) const { return {grains_.x[0][grain], grains_.x[1][grain], grains_.x[2][grain]}; }
+
+  /// Moves both spheres there in a time, at constant velocities, while they spin.
+  void move(const std::array<Vec<3>, 2>& to, const std::array<Vec<3>, 2>& spin, double time) {
+    for (int i = 0; i < 2; ++i)
+      for (int a = 0; a < 3; ++a) {
+        grains_.v[a][i] = (to[i][a] - grains_.x[a][i]) / time;
+        grains_.x[a][i] = to[i][a];
+        grains_.spin[a][i] = spin[i][a];
+      }
+    PairCell<3> cell{{}, {}, time, {}};
+    for (int a = 0; a < 3; ++a) cell.lattice[a][a] = 100.0;
+    interaction_.compute(0, grains_.view(grains_.x, inverse_skin_squared_), cell);
+  }
+  /// The same to an overlap, without slip.
+  void approach(double overlap, double time = 1.0) {
+    const Vec<3> n = normal();
+    move({position(0), position(0) + (1.0 - overlap) * n}, {Vec<3>::Zero(), Vec<3>::Zero()}, time);
+  }
+  /// Slip by a vector in the tangent plane at constant places: both turn.
+  void slip(const Vec<3>& by) {
+    // j against i by -(l_i w_i + l_j w_j) x n, arms half of the branch each.
+    const Vec<3> n = normal(), r = position(1) - position(0);
+    const Vec<3> spin = -n.cross(by) / r.norm();
+    move({position(0), position(1)}, {spin, spin}, 1.0);
+  }
+
+  /// Both at once.
+  void approach_and_slip(double overlap, const Vec<3>& by) {
+    const Vec<3> n = normal();
+    const double mean_distance = 0.5 * ((position(1) - position(0)).norm() + 1.0 - overlap);
+    const Vec<3> spin = -n.cross(by) / mean_distance;
+    move({position(0), position(0) + (1.0 - overlap) * n}, {spin, spin}, 1.0);
+  }
+
+  Vec<3> normal() const { return (position(1) - position(0)).normalized(); }
+  Vec<3> force_on_j() const { return row(RowLayout<3, true>::kForce); }
+  Vec<3> moment_on_i() const { return row(RowLayout<3, true>::kMomentI); }
+  Vec<3> moment_on_j() const { return row(RowLayout<3, true>::kMomentJ); }
+  double normal_force() const { return force_on_j().dot(normal()); }
+  /// On i.
+  Vec<3> tangential_force() const { return normal() * normal_force() - force_on_j(); }
+
+  /// What the pair remembers.
+  ContactMemory<3> memory() const { return interaction_.memory(0, false); }
+  void set_memory(const ContactMemory<3>& memory) { interaction_.load_memory(0, memory, false); }
+
+ private:
+  static Grains<3> start(double overlap) {
+    Grains<3> grains = Grains<3>::with_size(2);
+    grains.position[1][0] = 1.0 - overlap;
+    grains.radius.assign(2, 0.5);
+    grains.mass.assign(2, 1.0);
+    return grains;
+  }
+  Vec<3> row(int at) const {
+    const double* first = interaction_.view().row + at;
+    return {first[0], first[1], first[2]};
+  }
+
+  GrainArrays<3> grains_;
+  Interaction<3> interaction_;
+  RowSums<3> rows_;
+  AlignedVector<double> inverse_skin_squared_;
+};
+
+}  // namespace floc::test

@@ -1,0 +1,223 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "floc/packing/balance.h"
+#include "floc/relaxation/equilibrator.h"
+#include "floc/relaxation/relaxation_options.h"
+#include "support/dynamics.h"
+#include "support/kernel_pair.h"
+
+namespace floc {
+namespace {
+
+using test::after;
+using test::agitated_gas;
+using test::cohesive_law;
+using test::expect_same_bits;
+using test::KernelPair;
+using test::pressed;
+
+TEST(Spheres, ListsLeaveNoTraceInTheBits) {
+  const Packing<3> gas = agitated_gas<3>(200, cohesive_law());
+  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+  const Packing<3> tight = after(gas, {dt, 1e-3}, {600});
+  ASSERT_GT(tight.contacts.size(), 50u);
+  expect_same_bits(tight, after(gas, {dt, 0.3}, {600}));
+  expect_same_bits(tight, after(gas, {dt, 0.05}, {100, 250, 250}));
+}
+
+TEST(Spheres, ThreadsLeaveNoTraceInTheBits) {
+  const Packing<3> gas = agitated_gas<3>(300, cohesive_law());
+  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+  expect_same_bits(after(gas, {dt, 0.05, 1}, {600}), after(gas, {dt, 0.05, 2}, {600}));
+}
+
+TEST(Spheres, VectorInstructionsLeaveNoTraceInTheBits) {
+  LawParameters frictionless = cohesive_law();
+  frictionless.friction.reset();
+  frictionless.rolling.reset();
+  LawParameters sliding = cohesive_law();
+  sliding.rolling.reset();
+  for (const LawParameters& law : {cohesive_law(), sliding, frictionless}) {
+    const Packing<3> gas = agitated_gas<3>(150, law);
+    const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+    const Packing<3> portable = after(gas, {dt, 0.05, 1, InstructionSet::portable}, {600});
+    ASSERT_GT(portable.contacts.size(), 30u);
+    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512})
+      if (supported(set)) expect_same_bits(portable, after(gas, {dt, 0.05, 1, set}, {600}));
+  }
+}
+
+/// Lattice vectors that lean change how the boundary is written, not the motion.
+TEST(Spheres, MoveAlikeInLatticesOfOtherVectors) {
+  Packing<3> gas = agitated_gas<3>(150, cohesive_law());
+  Packing<3> leaning = gas;
+  leaning.cell.matrix(2, 1) = gas.cell.matrix(1, 1);
+  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+  const auto fixed = BoundaryControl<3>::fixed();
+  const auto straight = make_dynamics(gas, fixed, {dt, 0.05});
+  const auto skewed = make_dynamics(leaning, fixed, {dt, 0.05});
+  straight->advance(100, Motion::free);
+  skewed->advance(100, Motion::free);
+  const Packing<3> p = straight->packing(), q = skewed->packing();
+  ASSERT_GT(p.contacts.size(), 5u);
+  EXPECT_EQ(p.contacts.size(), q.contacts.size());
+  for (int i = 0; i < gas.grains.size(); ++i) {
+    EXPECT_LT((p.grains.velocity[i] - q.grains.velocity[i]).norm(), 1e-9);
+    EXPECT_LT((p.grains.angular_velocity[i] - q.grains.angular_velocity[i]).norm(), 1e-8);
+  }
+}
+
+/// Two spheres that meet off centre, spinning: momentum and angular momentum are conserved to rounding, since
+/// both arms together are the branch.
+TEST(Spheres, ACollisionConservesAngularMomentum) {
+  Packing<3> pair;
+  pair.law = cohesive_law();
+  pair.cell.matrix *= 10.0;
+  pair.grains = Grains<3>::with_size(2);
+  pair.grains.position = {Vec<3>(4.0, 5.0, 5.0), Vec<3>(4.8, 5.2, 5.1)};
+  pair.grains.velocity = {Vec<3>(0.7, 0.1, 0.0), Vec<3>(-0.3, 0.0, 0.2)};
+  pair.grains.angular_velocity = {Vec<3>(0.1, -2.0, 0.4), Vec<3>(3.0, 0.2, 1.0)};
+  pair.grains.radius = {0.5, 0.25};
+  pair.grains.mass = {1.0, 0.125};
+  const auto angular_momentum = [](const Packing<3>& p) {
+    Vec<3> sum = Vec<3>::Zero();
+    for (int i = 0; i < 2; ++i)
+      sum += p.grains.mass[i] * p.grains.position[i].cross(p.grains.velocity[i]) +
+             p.grains.inertia(i) * p.grains.angular_velocity[i];
+    return sum;
+  };
+  const double dt = time_step_of(pair, RelaxationOptions{}.time_step);
+  const auto dynamics = make_dynamics(pair, BoundaryControl<3>::fixed(), {dt, 0.05});
+  dynamics->advance(500, Motion::free);
+  const Packing<3> end = dynamics->packing();
+  EXPECT_GT((end.grains.angular_velocity[0] - pair.grains.angular_velocity[0]).norm(), 0.05);
+  EXPECT_LT((angular_momentum(end) - angular_momentum(pair)).norm(), 1e-12);
+}
+
+/// q of a sphere that spins freely about one axis for a time.
+TEST(Spheres, OrientationFollowsTheSpin) {
+  Packing<3> one;
+  one.law = cohesive_law();
+  one.cell.matrix *= 10.0;
+  one.grains = Grains<3>::with_size(1);
+  one.grains.position[0].setConstant(5.0);
+  one.grains.angular_velocity[0] = Vec<3>(0.3, -1.0, 0.5);
+  one.grains.radius = {0.5};
+  one.grains.mass = {1.0};
+  const auto dynamics = make_dynamics(one, BoundaryControl<3>::fixed(), {1e-3, 0.05});
+  dynamics->advance(2000, Motion::free);
+  const Vec<3> spin = one.grains.angular_velocity[0];
+  const Eigen::Quaterniond exact(Eigen::AngleAxisd(2.0 * spin.norm(), spin.normalized()));
+  EXPECT_LT(dynamics->packing().grains.orientation[0].angularDistance(exact), 1e-6);
+}
+
+LawParameters frictional_law() {
+  LawParameters law;
+  law.normal = LinearRepulsion{1.0};
+  law.friction = CoulombFriction{100.0, 0.7};
+  return law;
+}
+
+/// A pair with a spring along y that turns rigidly about an axis, by its length in radians, in n steps.
+/// @return the spring over what it would be in a frame that turns with the pair
+struct Turned {
+  double length;  ///< over that of the start
+  double angle;   ///< between them (radians)
+};
+Turned turned_rigidly(const Vec<3>& axis, int n, InstructionSet set) {
+  KernelPair pair(frictional_law(), 1e-3, set);
+  pair.slip(Vec<3>(0.0, 0.1, 0.0));
+  const Vec<3> start = pair.tangential_force();
+  const Vec<3> x_i = pair.position(0), x_j = pair.position(1);
+  const double dt = 1.0;
+  for (int k = 1; k <= n; ++k) {
+    const Eigen::AngleAxisd turn(axis.norm() * k / n, axis.normalized());
+    pair.move({turn * x_i, turn * x_j}, {axis / n, axis / n}, dt);
+  }
+  const Vec<3> exact = Eigen::AngleAxisd(axis.norm(), axis.normalized()) * start;
+  const Vec<3> end = pair.tangential_force();
+  return {end.norm() / start.norm(), std::atan2(end.cross(exact).norm(), end.dot(exact))};
+}
+
+TEST(Spheres, ARigidTurnKeepsTheTangentialForce) {
+  const Vec<3> axis(0.3, 0.4, 1.2);
+  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (!supported(set)) continue;
+    const Turned coarse = turned_rigidly(axis, 500, set), fine = turned_rigidly(axis, 1000, set);
+    EXPECT_NEAR(fine.length, 1.0, 3e-6);  // slip of a chord against its arc
+    EXPECT_LT(fine.angle, 4e-6);
+    EXPECT_NEAR(coarse.angle / fine.angle, 4.0, 0.2);
+  }
+}
+
+TEST(Spheres, TheTangentialForceTurnsWithTheMeanSpinAboutTheNormal) {
+  const auto end_of = [](double spin_i, double spin_j) {
+    KernelPair pair(frictional_law(), 1e-3, widest_instruction_set());
+    pair.slip(Vec<3>(0.0, 1e-4, 0.0));
+    for (int k = 0; k < 1000; ++k)
+      pair.move({pair.position(0), pair.position(1)}, {Vec<3>(spin_i, 0.0, 0.0), Vec<3>(spin_j, 0.0, 0.0)},
+                1e-3);
+    return Vec<3>(pair.tangential_force() / (0.7e-4));
+  };
+  EXPECT_LT((end_of(0.8, 0.8) - Vec<3>(0.0, std::cos(0.8), std::sin(0.8))).norm(), 1e-7);
+  EXPECT_LT((end_of(0.8, -0.8) - Vec<3>(0.0, 1.0, 0.0)).norm(), 1e-12);
+}
+
+/// Gears roll on each other: neither the force nor its direction changes.
+TEST(Spheres, GearsKeepTheTangentialForce) {
+  KernelPair pair(frictional_law(), 1e-3, widest_instruction_set());
+  pair.slip(Vec<3>(0.0, 1e-4, 0.0));
+  const Vec<3> before = pair.tangential_force();
+  for (int k = 0; k < 100; ++k)
+    pair.move({pair.position(0), pair.position(1)}, {Vec<3>(0.0, 0.3, 0.2), Vec<3>(0.0, -0.3, -0.2)}, 1e-2);
+  EXPECT_LT((pair.tangential_force() - before).norm(), 1e-16);
+}
+
+TEST(Spheres, MomentsOfAContactAreThoseOfItsShearForce) {
+  KernelPair pair(frictional_law(), 1e-3, widest_instruction_set());
+  pair.slip(Vec<3>(0.0, 1e-4, -2e-4));
+  EXPECT_NEAR(pair.normal_force(), 1e-3, 1e-15);
+  EXPECT_LT((pair.tangential_force() - 0.7 * Vec<3>(0.0, 1e-4, -2e-4)).norm(), 1e-16);
+  const double arm = 0.5 * (1.0 - 1e-3);
+  const Vec<3> unit = pair.normal().cross(pair.tangential_force());
+  EXPECT_LT((pair.moment_on_i() - arm * unit).norm(), 1e-16);
+  EXPECT_LT((pair.moment_on_j() - arm * unit).norm(), 1e-16);
+}
+
+/// Rolling resistance acts on rotations about axes in the tangent plane alone.
+TEST(Spheres, RollingResistsRotationsAboutTangentsOnly) {
+  LawParameters law = frictional_law();
+  law.rolling = RollingSpring{100.0, 0.3};
+  KernelPair pair(law, 1e-3, widest_instruction_set());
+  pair.move({pair.position(0), pair.position(1)}, {Vec<3>(0.2, 1e-3, 2e-3), Vec<3>(-0.3, -1e-3, -2e-3)}, 1.0);
+  EXPECT_LT(pair.tangential_force().norm(), 1e-16);
+  EXPECT_LT((pair.moment_on_j() - 0.3 * Vec<3>(0.0, 2e-3, 4e-3)).norm(), 1e-16);
+  EXPECT_EQ(pair.moment_on_i(), -pair.moment_on_j());
+}
+
+TEST(Spheres, AFrictionalGasRelaxesToEquilibrium) {
+  LawParameters law;
+  law.normal = LinearRepulsion{1.0};
+  law.damping = ViscousDamping{0.1, DampingMass::effective};
+  law.friction = CoulombFriction{0.3, 0.8};
+  const Packing<3> gas = test::gas_of<3>(120, law, 0.45);
+  const Vec<3> target = Vec<3>::Constant(1e-3);
+  RelaxationOptions options;
+  options.inertial_number_cap = 1e-2;
+  const auto relaxer = make_equilibrator<3>(options, gas, target);
+  RelaxationStatus status = RelaxationStatus::running;
+  while (status == RelaxationStatus::running) status = relaxer->advance();
+  ASSERT_EQ(status, RelaxationStatus::converged) << relaxer->report().blocking;
+  const Residuals left = residuals(relaxer->packing(), target);
+  EXPECT_LT(left.force, options.tolerance.force);
+  EXPECT_LT(left.moment, options.tolerance.moment);
+  EXPECT_LT(left.stress, options.tolerance.stress);
+  EXPECT_LT(left.energy, options.tolerance.energy);
+  EXPECT_EQ(relaxer->report().n_negative, 0);
+  EXPECT_GT(solid_fraction(relaxer->packing()), 0.55);
+}
+
+}  // namespace
+}  // namespace floc

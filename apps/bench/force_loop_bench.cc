@@ -1,7 +1,7 @@
 // Contact updates per second of the time stepping, law by law, size by size and for each instruction set: what
 // a scene pays for the physics it names. Time is that of the processor. Compare the rows of one run; single
 // figures depend on the machine. FLOC_BENCH_GRAINS=1000000 adds a size; FLOC_BENCH_STATE=state.h5 adds a
-// packing of disks from a file.
+// packing from a file.
 
 #include <benchmark/benchmark.h>
 
@@ -154,8 +154,9 @@ void sizes(benchmark::internal::Benchmark* b) {
 BENCHMARK(force_loop)->Apply(sizes)->MeasureProcessCPUTime()->Unit(benchmark::kMicrosecond);
 
 void steps_of_state(benchmark::State& state, const char* file) {
-  step(state, std::get<State<2>>(read_state(file)).packing, relaxation().time_step, 1,
-       widest_instruction_set());
+  std::visit(
+      [&](const auto& read) { step(state, read.packing, relaxation().time_step, 1, widest_instruction_set()); },
+      read_state(file));
 }
 [[maybe_unused]] const auto* const kStepsOfState = [] {
   const char* file = std::getenv("FLOC_BENCH_STATE");

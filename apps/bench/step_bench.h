@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include "floc/packing/balance.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/dynamics.h"
 
 namespace floc {
@@ -27,8 +28,8 @@ inline double peak_megabytes() {
 template <int Dim>
 void step(benchmark::State& state, const Packing<Dim>& packing, double time_step, int threads,
           InstructionSet instructions) {
-  DynamicsSettings settings{time_step_of(packing, time_step, static_stress(packing).trace() / Dim), 0.01,
-                            threads};
+  DynamicsSettings settings{time_step_of(packing, time_step, static_stress(packing).trace() / Dim),
+                            0.01 * largest_diameter(packing.grains), threads};
   settings.instructions = instructions;
   if (!supported(settings.instructions)) return state.SkipWithError("not on this processor");
   const auto dynamics = make_dynamics(packing, pressed(packing), settings);

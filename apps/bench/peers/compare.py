@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Contact updates per processor second of floc, LAMMPS and YADE on two packings, in one run, and their ratios.
+"""Contact updates per processor second of floc, LAMMPS and YADE on packings of disks and spheres, in one run, and
+their ratios.
 
-  apps/bench/peers/compare.py BUILD_DIRECTORY
+  apps/bench/peers/compare.py BUILD_DIRECTORY [SCENE...]
 
 needs the benchmarks (cmake -DFLOC_BUILD_BENCHMARKS=ON); programs that are not installed are left out. Contacts are the
 pairs between which a force acts: at the end of the steps in LAMMPS and YADE, in floc those of the packing.
@@ -15,9 +16,11 @@ import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SCENES = {  # laws of LAMMPS, law of YADE
-    "friction": ({"hooke": "gran/hooke/history"}, "CundallStrack"),
-    "cohesion": ({"jkr": "granular, JKR", "dmt": "granular, DMT"}, "CohesionMoment"),
+SCENES = {  # grains, script and laws of LAMMPS, law of YADE
+    "friction": ("1400 disks", "lammps_steps.in", {"hooke": "gran/hooke/history"}, "CundallStrack"),
+    "cohesion": ("1400 disks", "lammps_steps.in", {"jkr": "granular, JKR", "dmt": "granular, DMT"}, "CohesionMoment"),
+    "spheres": ("4000 glass beads", "lammps_spheres.in",
+                {"hertz": "gran/hertz/history", "mindlin": "granular, mindlin_rescale/force"}, None),
 }
 
 
@@ -28,7 +31,8 @@ def output(*command, **options):
 def make_packing(floc, scene, folder):
     """The relaxed packing, for floc (its state file), LAMMPS (packing.data) and YADE (packing.xyz)."""
     output(floc, "run", os.path.join(HERE, scene + ".toml"), "-o", folder)
-    state = os.path.join(folder, "state-0000.h5")
+    state = sorted(name for name in os.listdir(folder) if name.startswith("state-"))[-1]
+    state = os.path.join(folder, state)
     for name in "packing.data", "packing.xyz":
         output(floc, "convert", state, os.path.join(folder, name))
     return state
@@ -42,8 +46,8 @@ def floc_steps(build, state):
     return result["contacts"], result["items_per_second"]
 
 
-def lammps_steps(folder, law, barostat):
-    text = output("lmp", "-in", os.path.join(HERE, "lammps_steps.in"), "-var", "data", "packing.data", "-var", "law",
+def lammps_steps(folder, script, law, barostat):
+    text = output("lmp", "-in", os.path.join(HERE, script), "-var", "data", "packing.data", "-var", "law",
                   law, "-var", "barostat", barostat, cwd=folder, env={**os.environ, "OMP_NUM_THREADS": "1"})
     share = float(re.search(r"([\d.]+)% CPU use", text).group(1)) / 100
     seconds = share * float(re.search(r"Loop time of ([\d.e+-]+)", text).group(1))
@@ -58,25 +62,25 @@ def yade_steps(folder, scene):
 
 
 def compare(build, scene, folder):
-    laws, yade_law = SCENES[scene]
+    _, script, laws, yade_law = SCENES[scene]
     state = make_packing(os.path.join(build, "apps/floc/floc"), scene, folder)
     rows = {"floc, stress control": floc_steps(build, state)}
     if shutil.which("lmp"):
         for law, name in laws.items():
-            rows[f"LAMMPS {name}, fix nph"] = lammps_steps(folder, law, "yes")
-            rows[f"LAMMPS {name}, no barostat"] = lammps_steps(folder, law, "no")
-    if shutil.which("yade"):
+            rows[f"LAMMPS {name}, fix nph"] = lammps_steps(folder, script, law, "yes")
+            rows[f"LAMMPS {name}, no barostat"] = lammps_steps(folder, script, law, "no")
+    if yade_law and shutil.which("yade"):
         rows[f"YADE {yade_law}, stress control"] = yade_steps(folder, scene)
     return rows
 
 
 def main():
     build = sys.argv[1]
-    for scene in SCENES:
+    for scene in sys.argv[2:] or SCENES:
         with tempfile.TemporaryDirectory() as folder:
             rows = compare(build, scene, folder)
         _, own = rows["floc, stress control"]
-        print(f"{f'1400 disks, {scene}, one core':40s} contacts  million contact updates/s  floc is faster by")
+        print(f"{f'{SCENES[scene][0]}, {scene}, one core':40s} contacts  million contact updates/s  floc is faster by")
         for name, (contacts, rate) in rows.items():
             print(f"{name:40s} {contacts:8.0f} {rate / 1e6:26.1f} {own / rate:18.1f}", flush=True)
 

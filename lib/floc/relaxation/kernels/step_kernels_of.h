@@ -384,7 +384,8 @@ struct PairKernel {
       const V& middle = a.turn.mean_normal();
       const V slip = to_shear<P>(middle, V(velocity - cross<P>(surfaces, middle)));
       a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, slip);
-      a.motion.relative_rotation = P(cell.slip_time) * to_shear<P>(a.n, V(to_shear<P>(middle, V(rotation))));
+      if constexpr (Law::kHasRolling)
+        a.motion.relative_rotation = P(cell.slip_time) * to_shear<P>(a.n, V(to_shear<P>(middle, V(rotation))));
     } else {
       a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
       a.motion.relative_rotation = P(cell.slip_time) * rolling_part<P>(a.n, rotation);

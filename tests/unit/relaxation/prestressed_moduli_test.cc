@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "floc/elasticity/moduli.h"
+#include "floc/packing/contact_forces.h"
+#include "floc/relaxation/equilibrator.h"
+#include "floc/relaxation/static_solver.h"
+#include "support/crystals.h"
+#include "support/dynamics.h"
+
+namespace floc {
+namespace {
+
+LawParameters glass(double friction) {
+  LawParameters law;
+  law.normal = HertzRepulsion{0.91, 0.3};
+  law.friction = MindlinFriction{friction};
+  law.damping = CriticalDamping{0.98};
+  return law;
+}
+
+/// State A: put together without friction, which then is there, with no force yet.
+Packing<3> beads_put_together_without_friction(int n, double pressure, std::uint64_t seed) {
+  RelaxationOptions options;
+  options.inertial_number_cap = 1e-2;
+  const auto relaxer =
+      make_equilibrator<3>(options, test::gas_of<3>(n, glass(0.0), 0.45, seed), Vec<3>::Constant(pressure));
+  while (relaxer->advance() == RelaxationStatus::running) continue;
+  Packing<3> packing = relaxer->packing();
+  packing.law = glass(0.3);
+  refresh_contacts(packing);
+  return packing;
+}
+
+Packing<3> solved(const Packing<3>& from, const Vec<3>& stress) {
+  StaticSolverOptions options;
+  options.target = 1e-12;
+  options.max_iterations = 40;
+  options.largest_displacement = 1.0;
+  const auto solution = solve_statics(from, stress, options);
+  EXPECT_LT(solution.residual, 1e-11) << solution.reason;
+  return solution.packing;
+}
+
+/// Compliances of a packing under an isotropic pressure: what its sides shorten by when a stress changes.
+Mat<3> compliance_by_differences(const Packing<3>& packing, double pressure) {
+  const double step = 1e-4 * pressure;
+  Mat<3> compliance;
+  for (int a = 0; a < 3; ++a) {
+    const auto sides_at = [&](double by) {
+      const Packing<3> end = solved(packing, Vec<3>(Vec<3>::Constant(pressure) + by * Vec<3>::Unit(a)));
+      EXPECT_EQ(end.contacts.size(), packing.contacts.size());
+      return Vec<3>(end.cell.matrix.diagonal());
+    };
+    const Vec<3> more = sides_at(step), less = sides_at(-step);
+    compliance.col(a) = (less.array().log() - more.array().log()) / (2.0 * step);
+  }
+  return compliance;
+}
+
+/// Largest difference of compliances from those of moduli with prestress, over the largest.
+double error_of_moduli(const Packing<3>& start, double pressure) {
+  const Packing<3> packing = solved(start, Vec<3>::Constant(pressure));
+  ModuliOptions options;
+  options.prestress = true;
+  const Mat<3> expected = Mat<3>(elastic_moduli(packing, options).C).inverse();
+  const Mat<3> found = compliance_by_differences(packing, pressure);
+  return (found - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
+}
+
+TEST(PrestressedModuli, OfAnFccCrystalAreRelaxedDifferences) {
+  const Packing<3> crystal = test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, glass(0.3));
+  // P = z N/(6 c r^2)
+  const double pressure = 12.0 / (6.0 / std::sqrt(2.0) * 0.99 * 0.99) * std::pow(0.01, 1.5) / 3.0;
+  EXPECT_NEAR(pressure, 9.619519e-4, 1e-9);
+  EXPECT_LT(error_of_moduli(crystal, pressure), 1e-6);
+}
+
+/// No tangential force yet, and none of the contacts changes: what friction adds to the forces is of second
+/// order.
+TEST(PrestressedModuli, OfBeadsPutTogetherWithoutFrictionAreRelaxedDifferences) {
+  const double pressure = std::pow(400.0, -1.5);
+  EXPECT_LT(error_of_moduli(beads_put_together_without_friction(100, pressure, 3), pressure), 1e-6);
+}
+
+}  // namespace
+}  // namespace floc

@@ -39,9 +39,33 @@ to = 0.1
 steps = 1
 )";
 
+/// 40 elastic spheres, in units of their E/(1 - nu^2), pressed at once and loaded tenfold.
+const char* const kSpheres = R"([scene]
+dimension = 3
+units = "reduced"
+[grains]
+count = 40
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+[contact]
+normal = {law = "hertz", modulus = 0.91, poisson = 0.3}
+friction = {law = "mindlin", coefficient = 0.3}
+damping = {critical_fraction = 0.5}
+[cell]
+solid_fraction = 0.4
+mass = 1.0
+inertial_number_cap = 0.05
+[assembly]
+protocol = "direct"
+pressure = 1e-6
+[[load]]
+to = 1e-5
+steps = 1
+)";
+
 struct Extreme {
   const char* name;
   std::vector<const char*> set;
+  const char* scene = kScene;
 };
 
 std::string settings(const std::vector<const char*>& set) {
@@ -58,7 +82,7 @@ class Scene : public ::testing::TestWithParam<Extreme> {};
 
 TEST_P(Scene, ReachesEquilibriaThatVerify) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("scene.toml"), kScene);
+  write_text(scratch.file("scene.toml"), GetParam().scene);
   const Outcome run = run_floc("run scene.toml -o out" + settings(GetParam().set), scratch.path());
   ASSERT_EQ(run.code, 0) << run.err;
   const Outcome verify = run_floc("verify out/state-*.h5", scratch.path());
@@ -97,6 +121,18 @@ const Extreme kExtremes[] = {
     {"three_grains", {"grains.count=3"}},
     {"sizes_1_to_30",
      {"grains.diameter={distribution=\"bidisperse\",small=0.033,large=1.0,share_of_large=0.3}"}},
+    {"spheres_kappa_31", {"assembly.pressure=1e-3", "load.0.to=5.7e-3"}, kSpheres},
+    {"spheres_kappa_1e6", {"assembly.pressure=1e-9", "load.0.to=1e-8"}, kSpheres},
+    {"spheres_mu_0", {"contact.friction.coefficient=0"}, kSpheres},
+    {"spheres_mu_10", {"contact.friction.coefficient=10"}, kSpheres},
+    {"spheres_nu_minus_0_9", {"contact.normal.poisson=-0.9"}, kSpheres},
+    {"spheres_nu_0_49", {"contact.normal.poisson=0.49"}, kSpheres},
+    {"spheres_hardly_damped", {"contact.damping.critical_fraction=0.01"}, kSpheres},
+    {"spheres_critically_damped", {"contact.damping.critical_fraction=1"}, kSpheres},
+    {"two_spheres", {"grains.count=2"}, kSpheres},
+    {"spheres_1_to_5",
+     {"grains.diameter={distribution=\"bidisperse\",small=0.2,large=1.0,share_of_large=0.3}"},
+     kSpheres},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Scene, ::testing::ValuesIn(kExtremes),
                          [](const auto& test) { return std::string(test.param.name); });
@@ -106,6 +142,7 @@ struct Refusal {
   std::vector<const char*> set;
   int code;
   const char* message;
+  const char* scene = kScene;
 };
 void PrintTo(const Refusal& refusal, std::ostream* out) {
   *out << refusal.name;
@@ -115,7 +152,7 @@ class Refused : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(Refused, InWords) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("scene.toml"), kScene);
+  write_text(scratch.file("scene.toml"), GetParam().scene);
   const Outcome run = run_floc("run scene.toml -o out" + settings(GetParam().set), scratch.path());
   EXPECT_EQ(run.code, GetParam().code) << run.err;
   EXPECT_THAT(run.err, HasSubstr(GetParam().message));
@@ -145,6 +182,21 @@ const Refusal kRefusals[] = {
      "than "
      "equilibrium.force = 1.0e-05"},
     {"too_little_time", {"equilibrium.max_time=1"}, 3, "did not converge: "},
+    {"spheres_pressed_too_far",
+     {"load.0.to=1e-2"},
+     4,
+     "kappa = (E~/P)^(2/3) = 21.5, expected at least 30",
+     kSpheres},
+    {"spheres_damped_beyond_critical",
+     {"contact.damping.critical_fraction=5"},
+     4,
+     "expected a fraction zeta of critical damping, in (0, 1]",
+     kSpheres},
+    {"spheres_of_poisson_half",
+     {"contact.normal.poisson=0.5"},
+     4,
+     "expected Poisson's ratio nu, in (-1, 0.5)",
+     kSpheres},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Refused, ::testing::ValuesIn(kRefusals),
                          [](const auto& test) { return std::string(test.param.name); });

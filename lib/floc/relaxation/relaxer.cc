@@ -54,12 +54,27 @@ double largest_mass(const Packing<Dim>& packing) {
 }
 
 /// Mean kinetic energy per grain of those that interact with others (energy), by their scales. A grain that
-/// touches nothing spins for ever, which says nothing about the packing.
+/// touches nothing spins for ever, which says nothing about the packing. So does a sphere about its one contact,
+/// or about the line through two: with fewer than three contacts its spin does not count.
 template <int Dim>
 double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales<Dim>& scales) {
-  std::vector<bool> touched(packing.grains.size(), false);
-  for (const Contact<Dim>& c : packing.contacts) touched[c.i] = touched[c.j] = true;
-  return scaled_kinetic_energy(packing, scales, touched);
+  std::vector<int> n_contacts(packing.grains.size(), 0);
+  for (const Contact<Dim>& c : packing.contacts) ++n_contacts[c.i], ++n_contacts[c.j];
+  if constexpr (Dim == 2) {
+    std::vector<bool> touched;
+    for (const int n : n_contacts) touched.push_back(n > 0);
+    return scaled_kinetic_energy(packing, scales, touched);
+  } else {
+    const Grains<Dim>& g = packing.grains;
+    double sum = 0.0;
+    for (int i = 0; i < g.size(); ++i) {
+      if (n_contacts[i] == 0) continue;
+      double twice = g.mass[i] * g.velocity[i].squaredNorm();
+      if (n_contacts[i] >= 3) twice += g.inertia(i) * g.angular_velocity[i].squaredNorm();
+      sum += twice / scales.work_share(i);
+    }
+    return g.size() == 0 ? 0.0 : 0.5 * sum / g.size();
+  }
 }
 
 /// Whether factorising the tangent is expected to cost less than settling by motion. In 3D the work grows with

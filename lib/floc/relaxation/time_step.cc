@@ -37,30 +37,12 @@ ContactLoad load_on(const Packing<Dim>& packing, double pressure) {
   return load;
 }
 
-/// Of two of the largest grains, whose contacts are the stiffest, or of one with a wall.
+/// Of a grain and the partner with which its contact is stiffest: one of the largest, or a wall.
 template <int Dim>
-PairGeometry<> largest_pair(const Packing<Dim>& packing, bool with_wall) {
-  const double radius = 0.5 * largest_diameter(packing.grains);
-  double mass = 0.0;
-  for (const double m : packing.grains.mass) mass = std::max(mass, m);
-  return with_wall ? PairGeometry<>(0.0, radius, mass) : PairGeometry<>(0.0, 0.5 * radius, 0.5 * mass);
-}
-
-template <int Dim>
-ContactStiffness stiffest_contact(const Packing<Dim>& packing, double pressure) {
-  const ContactLoad load = load_on(packing, pressure);
-  const auto bound_of = [&](const LawParameters& parameters, bool with_wall) {
-    const PairGeometry<> pair = largest_pair(packing, with_wall);
-    return std::visit([&](const auto& law) { return law.stiffness_bound(pair, load); },
-                      compose_law(parameters));
-  };
-  ContactStiffness bound = bound_of(packing.law, false);
-  if (!packing.walls.empty()) {
-    const ContactStiffness on_wall = bound_of(packing.wall_law, true);
-    bound = {std::max(bound.normal, on_wall.normal), std::max(bound.tangential, on_wall.tangential),
-             std::max(bound.rolling, on_wall.rolling)};
-  }
-  return bound;
+PairGeometry<> stiffest_pair(const Grains<Dim>& grains, int i, int largest, bool with_wall) {
+  if (with_wall) return {0.0, grains.radius[i], grains.mass[i]};
+  return {0.0, reduced(grains.radius[i], grains.radius[largest]),
+          reduced(grains.mass[i], grains.mass[largest])};
 }
 
 }  // namespace
@@ -68,16 +50,27 @@ ContactStiffness stiffest_contact(const Packing<Dim>& packing, double pressure) 
 template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times, double pressure) {
   const Grains<Dim>& g = packing.grains;
+  const ContactLoad load = load_on(packing, pressure);
+  const int largest = static_cast<int>(std::max_element(g.radius.begin(), g.radius.end()) - g.radius.begin());
   double shortest = std::numeric_limits<double>::infinity();
-  const ContactStiffness bound = stiffest_contact(packing, pressure);
-  // Springs across the contact vibrate faster than those along it where they are stiffer.
-  const double stiffest = std::max(bound.normal, bound.tangential);
-  for (int i = 0; i < g.size(); ++i) {
-    shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
-    // Rolling is stable to 1.45 times the step in units of its own period that vibration allows (measured in
-    // crystals).
-    if (bound.rolling > 0.0) shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / bound.rolling));
-  }
+  const auto shorten = [&](const LawParameters& parameters, bool with_wall) {
+    std::visit(
+        [&](const auto& law) {
+          for (int i = 0; i < g.size(); ++i) {
+            const ContactStiffness bound = law.stiffness_bound(stiffest_pair(g, i, largest, with_wall), load);
+            // Springs across the contact vibrate faster than those along it where they are stiffer.
+            const double stiffest = std::max(bound.normal, bound.tangential);
+            shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
+            // Rolling is stable to 1.45 times the step in units of its own period that vibration allows
+            // (measured in crystals).
+            if (bound.rolling > 0.0)
+              shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / bound.rolling));
+          }
+        },
+        compose_law(parameters));
+  };
+  shorten(packing.law, false);
+  if (!packing.walls.empty()) shorten(packing.wall_law, true);
   constexpr double kOverDisks = Dim == 2 ? 1.0 : kCrystalLimit<Dim> / kCrystalLimit<2>;
   return kOverDisks * time_step_in_contact_times * shortest;
 }

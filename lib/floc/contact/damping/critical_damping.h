@@ -17,8 +17,8 @@ struct CriticalDamping {
   static constexpr const char* kKeyword = "critical";
   static constexpr bool kFollowsNormalStiffness = true;
   static constexpr Number<CriticalDamping> kNumbers[] = {
-      {"critical_fraction", &CriticalDamping::critical_fraction, Unit::ratio, "zeta", Requirement::positive,
-       "a positive number (zeta, fraction of critical damping)", "fraction of critical damping"}};
+      {"critical_fraction", &CriticalDamping::critical_fraction, Unit::ratio, "zeta", Requirement::at_most_one,
+       "a fraction zeta of critical damping, in (0, 1]", "fraction of critical damping"}};
 
   /// What the root of the stiffness is multiplied by, of a pair.
   template <class Normal>

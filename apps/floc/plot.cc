@@ -12,7 +12,6 @@
 #include "output.h"
 #include "path_plots.h"
 #include "run_states.h"
-#include "state_picture.h"
 #include "state_plots.h"
 
 namespace floc {
@@ -145,7 +144,13 @@ Made scattering_of_states(const PlotArguments& arguments) {
   Made made;
   std::vector<ScatteringSample> samples;
   made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any) {
-    samples.push_back(scattering_sample(name_of_state(any), disks_of(file, any, "this plot of I(k)").packing));
+    ScatteringSample sample = std::visit(
+        [&](const auto& state) { return scattering_sample(name_of_state(any), state.packing); }, any);
+    if (!samples.empty() && samples.front().dimension != sample.dimension)
+      throw InputError(file,
+                       fmt::format("is {}D, and those before it are not: a plot of I(k) is of one dimension",
+                                   sample.dimension));
+    samples.push_back(std::move(sample));
     if (!samples.back().refusal.empty()) spdlog::warn("{}: no law is drawn: {}", file, samples.back().refusal);
     return int{kDone};
   });

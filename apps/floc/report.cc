@@ -38,13 +38,14 @@ struct ReportArguments {
 };
 
 /// What a report needs of a run, read once.
+template <int Dim>
 struct Run {
   std::string directory;
   PathTable path;
   std::vector<std::string> files;
-  std::vector<State<2>> shown;  ///< the states of which there are pictures and distributions
+  std::vector<State<Dim>> shown;  ///< the states of which there are pictures and distributions
   std::vector<std::string> shown_files;
-  std::optional<State<2>> first;
+  std::optional<State<Dim>> first;
   std::vector<ModuliPoint> moduli;
   Table packings{{"state", "branch", "P*", "Φ", "z", "z+", "z−", "z0", "distant", "rattlers x0"}, {}};
   Table elasticity{
@@ -65,8 +66,9 @@ std::set<std::size_t> shown_states(const PathTable& path) {
   return shown;
 }
 
-void add_state(const State<2>& state, Run& run) {
-  const Packing<2>& packing = state.packing;
+template <int Dim>
+void add_state(const State<Dim>& state, Run<Dim>& run) {
+  const Packing<Dim>& packing = state.packing;
   ModuliOptions options;
   options.unloaded = state.target_stress.isZero(0.0);
   const Moduli m = elastic_moduli(packing, options);
@@ -85,9 +87,14 @@ void add_state(const State<2>& state, Run& run) {
     run.state_warnings["no equilibrium: " + message].push_back(state.path.step);
 }
 
+/// Unit of pressures and moduli in reduced units.
+template <int Dim>
+constexpr const char* kPressureUnit = Dim == 2 ? "F0/a" : "F0/a²";
+
 /// Reads all states, which must be as many as the path has rows.
-Run read_run(const std::string& directory) {
-  Run run;
+template <int Dim>
+Run<Dim> read_run(const std::string& directory) {
+  Run<Dim> run;
   run.directory = directory;
   run.path = read_path(table_of_run(directory), {});
   run.files = states_of_run(directory);
@@ -99,7 +106,11 @@ Run read_run(const std::string& directory) {
   const std::set<std::size_t> shown = shown_states(run.path);
   for (std::size_t k = 0; k < run.files.size(); ++k) {
     const AnyState any = read_state(run.files[k]);
-    const State<2>& state = disks_of(run.files[k], any, "a report");
+    const auto* found = std::get_if<State<Dim>>(&any);
+    if (found == nullptr)
+      throw InputError(run.files[k], fmt::format("is not {}D as {} is: expected the states of one run", Dim,
+                                                 run.files.front()));
+    const State<Dim>& state = *found;
     add_state(state, run);
     if (k == 0) run.first = state;
     if (shown.contains(k)) run.shown.push_back(state), run.shown_files.push_back(run.files[k]);
@@ -107,12 +118,14 @@ Run read_run(const std::string& directory) {
   return run;
 }
 
-std::string pressure_text(const State<2>& state) {
+template <int Dim>
+std::string pressure_text(const State<Dim>& state) {
   return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean()));
 }
 
-std::string provenance_section(const Run& run) {
-  const State<2>& state = *run.first;
+template <int Dim>
+std::string provenance_section(const Run<Dim>& run) {
+  const State<Dim>& state = *run.first;
   Table table{{"", ""}, {}};
   const auto add = [&table](const char* name, const std::string& value) {
     table.rows.push_back({name, value});
@@ -133,16 +146,18 @@ std::string provenance_section(const Run& run) {
 
 /// The scene of a run, from the text in its states. Of one that started from a state only the run is sure to be
 /// there: its first state has the same grains.
-Scene scene_of(const Run& run) {
+template <int Dim>
+Scene scene_of(const Run<Dim>& run) {
   std::vector<std::string> changes;
   if (run.first->path.step == 0 && !run.first->provenance.parent_sha256.empty())
     changes = {fmt::format("assembly.state=\"{}\"", fs::path(run.files.front()).filename().string()),
                fmt::format("assembly.state_sha256=\"{}\"", sha256_of_file(run.files.front())),
-               "assembly.copies=[1, 1]"};
+               Dim == 2 ? "assembly.copies=[1, 1]" : "assembly.copies=[1, 1, 1]"};
   return parse_scene(run.first->scene, "the scene", run.directory, changes);
 }
 
-std::string groups_section(Run& run) {
+template <int Dim>
+std::string groups_section(Run<Dim>& run) {
   if (run.first->scene.empty()) return "";
   Table table{{"group", "value", "meaning"}, {}};
   try {
@@ -155,7 +170,8 @@ std::string groups_section(Run& run) {
   return "<h2>Dimensionless groups</h2>\n" + html_table(table);
 }
 
-std::string fit_section(const ConsolidationFit& fit, Run& run) {
+template <int Dim>
+std::string fit_section(const ConsolidationFit& fit, Run<Dim>& run) {
   for (const std::string& warning : fit.warnings) run.warnings.push_back("fit of consolidation: " + warning);
   if (!fit.found()) {
     run.warnings.push_back("no fit of consolidation: " + fit.refusal);
@@ -173,13 +189,15 @@ std::string fit_section(const ConsolidationFit& fit, Run& run) {
          html_table(table);
 }
 
-std::string plots_section(const FittedConsolidation& fitted, Run& run) {
+template <int Dim>
+std::string plots_section(const FittedConsolidation& fitted, Run<Dim>& run) {
   std::string out = "<h2>Plots</h2>\n<div class=\"plots\">\n";
   const auto add = [&out](const Plot& plot, const std::string& caption) {
     out += html_figure(plot_as_svg(plot), caption);
   };
   add(consolidation_plot({run.path}, fitted), "Consolidation curve, its fit, unloading and elastic line.");
-  add(moduli_plot(run.moduli, run.first->units == "reduced" ? "F_0/a" : run.first->units),
+  add(moduli_plot(run.moduli, run.first->units == "reduced" ? std::string(Dim == 2 ? "F_0/a" : "F_0/a^2")
+                                                            : run.first->units),
       "Bulk and shear moduli between their bounds.");
   add(coordination_plot(run.path.table), "Coordination by the sign of the normal force; open: unloading.");
   std::vector<ForceSample> forces;
@@ -197,17 +215,19 @@ std::string plots_section(const FittedConsolidation& fitted, Run& run) {
   return out + "</div>\n";
 }
 
-std::string pictures_section(const Run& run) {
+template <int Dim>
+std::string pictures_section(const Run<Dim>& run) {
   std::string out = "<h2>Force networks</h2>\n";
   for (std::size_t k = 0; k < run.shown.size(); ++k)
-    out += html_figure(draw_sheet<2>({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
+    out += html_figure(draw_sheet<Dim>({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
                        "Forces at " + pressure_text(run.shown[k]) + ", " +
                            fs::path(run.shown_files[k]).filename().string() +
                            ": lines join the centres of grains that interact, as wide as the force is large.");
   return out;
 }
 
-std::string warnings_section(const Run& run) {
+template <int Dim>
+std::string warnings_section(const Run<Dim>& run) {
   std::string out = "<h2>Warnings</h2>\n";
   if (run.warnings.empty() && run.state_warnings.empty()) return out + "<p>None.</p>\n";
   out += "<ul class=\"warnings\">\n";
@@ -217,27 +237,30 @@ std::string warnings_section(const Run& run) {
   return out + "</ul>\n";
 }
 
-std::string page_of(Run& run) {
+template <int Dim>
+std::string page_of(Run<Dim>& run) {
   const FittedConsolidation fitted = fitted_consolidation({run.path});
   const std::string title = "floc report: " + fs::path(run.directory).lexically_normal().string();
-  const State<2>& dense = run.shown.back();
+  const State<Dim>& dense = run.shown.back();
   const std::string groups = groups_section(run), fit = fit_section(fitted.fit, run),
                     plots = plots_section(fitted, run);
   std::string body = "<h1>" + html_text(title) + "</h1>\n";
-  body += html_text(fmt::format("{} disks, {} equilibria, up to {}, Φ = {:.4f}.", dense.packing.grains.size(),
-                                run.files.size(), pressure_text(dense), solid_fraction(dense.packing)));
+  body += html_text(fmt::format("{} {}, {} equilibria, up to {}, Φ = {:.4f}.", dense.packing.grains.size(),
+                                Dim == 2 ? "disks" : "spheres", run.files.size(), pressure_text(dense),
+                                solid_fraction(dense.packing)));
   body += warnings_section(run) + pictures_section(run) + plots + fit;
   body += "<h2>States</h2>\n" + html_table(run.packings);
   body += "<h2>Moduli</h2>\n<p>In " +
-          std::string(run.first->units == "reduced" ? "F0/a" : html_text(run.first->units)) +
+          (run.first->units == "reduced" ? kPressureUnit<Dim> : html_text(run.first->units)) +
           "; ± are bounds of what solving and rounding leave.</p>\n" + html_table(run.elasticity);
   body += groups + provenance_section(run);
   if (!run.first->scene.empty()) body += "<h2>Scene</h2>\n<pre>" + html_text(run.first->scene) + "</pre>\n";
   return html_page(title, body);
 }
 
-int report(const ReportArguments& arguments) {
-  Run run = read_run(arguments.directory);
+template <int Dim>
+int report_of(const ReportArguments& arguments) {
+  Run<Dim> run = read_run<Dim>(arguments.directory);
   const std::string page = page_of(run);
   write_bytes_atomically(arguments.output, page);
   print_table({{"run", "report", "n_states", "n_warnings", "bytes"},
@@ -246,6 +269,12 @@ int report(const ReportArguments& arguments) {
                  static_cast<std::int64_t>(page.size())}}},
               arguments.format);
   return kDone;
+}
+
+int report(const ReportArguments& arguments) {
+  table_of_run(arguments.directory);  // names what is missing in the directory of an ensemble
+  const AnyState first = read_state(states_of_run(arguments.directory).front());
+  return std::holds_alternative<State<2>>(first) ? report_of<2>(arguments) : report_of<3>(arguments);
 }
 
 }  // namespace

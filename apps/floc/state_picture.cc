@@ -41,12 +41,6 @@ double zero_force_of(const State<Dim>& state) {
 
 }  // namespace
 
-const State<2>& disks_of(const std::string& file, const AnyState& state, const std::string& what) {
-  const auto* disks = std::get_if<State<2>>(&state);
-  if (disks == nullptr) throw InputError(file, "is 3D, and " + what + " is of disks");
-  return *disks;
-}
-
 template <int Dim>
 PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state, Shown shown) {
   PackingPicture<Dim> picture;

@@ -16,11 +16,6 @@ enum class Shown {
   grains,             ///< nothing but grains
 };
 
-/// The 2D state among states of any dimension.
-/// @param what  is of disks only, such as "I(k)"
-/// @throws InputError for a 3D state
-const State<2>& disks_of(const std::string& file, const AnyState& state, const std::string& what);
-
 /// The picture of a state, its numbers as caption.
 /// @throws InputError where a mechanism leaves a step of stress without a solution
 template <int Dim>

@@ -115,18 +115,20 @@ set key top right
   return plot;
 }
 
-ScatteringSample scattering_sample(const std::string& name, const Packing<2>& packing) {
+template <int Dim>
+ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& packing) {
   constexpr double kLargestFitted = 0.5;
   const double a = largest_diameter(packing.grains);
-  const double unit = 2.0 * std::numbers::pi / a;
+  const double unit = 2.0 * std::numbers::pi / a, unit_I = std::pow(a, Dim);
   const Scattering s = scattering(packing);
   std::vector<ScatteredPoint> points;
   ScatteringSample sample;
   sample.name = name;
+  sample.dimension = Dim;
   for (std::size_t b = 0; b < s.k.size(); ++b) {
     points.push_back({s.k[b], s.I[b], s.n_vectors[b]});
     sample.k.push_back(s.k[b] / unit);
-    sample.I.push_back(s.I[b] / (a * a));
+    sample.I.push_back(s.I[b] / unit_I);
     sample.error.push_back(sample.I.back() / std::sqrt(static_cast<double>(s.n_vectors[b])));
   }
   const ScatteringFit fit = fit_scattering(points, 0.0, kLargestFitted * unit);
@@ -142,7 +144,7 @@ ScatteringSample scattering_sample(const std::string& name, const Packing<2>& pa
   for (int n = 0; n <= kSteps; ++n) {
     const double k = fit.low * std::pow(fit.high / fit.low, static_cast<double>(n) / kSteps);
     sample.fit_k.push_back(k / unit);
-    sample.fit_I.push_back(scattered_intensity(I0, xi, dF, k) / (a * a));
+    sample.fit_I.push_back(scattered_intensity(I0, xi, dF, k) / unit_I);
   }
   sample.parameters =
       fmt::format("d_F = {}, ξ/a = {}", value_and_error(dF, fit.parameters[2].standard_error.value_or(0.0)),
@@ -177,12 +179,13 @@ set bars 0.4
 {range}set format x '%g'
 set format y '10^{{%T}}'
 set xlabel 'k a/2π'
-set ylabel 'I(k)/a^2'
+set ylabel 'I(k)/a^{dimension}'
 set key bottom left
 {colors}plot {curves}{laws}
 )",
                             fmt::arg("range", range_script(plot, "x", all, 0, true)),
-                            fmt::arg("colors", kColors), fmt::arg("curves", curves), fmt::arg("laws", laws));
+                            fmt::arg("dimension", samples.front().dimension), fmt::arg("colors", kColors),
+                            fmt::arg("curves", curves), fmt::arg("laws", laws));
   return plot;
 }
 
@@ -190,5 +193,7 @@ template ForceSample force_sample(const std::string&, const std::string&, const 
                                   ForceUnit);
 template ForceSample force_sample(const std::string&, const std::string&, const Packing<3>&, ForceKind,
                                   ForceUnit);
+template ScatteringSample scattering_sample(const std::string&, const Packing<2>&);
+template ScatteringSample scattering_sample(const std::string&, const Packing<3>&);
 
 }  // namespace floc

@@ -29,15 +29,18 @@ Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceU
 /// A state whose scattering is plotted.
 struct ScatteringSample {
   std::string name;
-  std::vector<double> k, I, error;   ///< in 2 pi/a and a^2, a the largest diameter
+  int dimension = 2;
+  std::vector<double> k, I, error;   ///< in 2 pi/a and a^dimension, a the largest diameter
   std::vector<double> fit_k, fit_I;  ///< the law where it was fitted; empty without a fit
   std::string parameters;            ///< of the law, in words
   std::string refusal;               ///< why there is no fit
 };
 
 /// I(k), the grains' indicator scattered, and the law fitted for k up to half of 2 pi/a.
-ScatteringSample scattering_sample(const std::string& name, const Packing<2>& packing);
+template <int Dim>
+ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& packing);
 
+/// @pre all samples are of one dimension
 Plot scattering_plot(const std::vector<ScatteringSample>& samples);
 
 }  // namespace floc

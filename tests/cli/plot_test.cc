@@ -4,8 +4,10 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "floc/io/state_file.h"
 #include "support/places.h"
 #include "support/small_run.h"
+#include "support/states.h"
 
 namespace floc::test {
 namespace {
@@ -108,6 +110,15 @@ TEST_F(PlotCommand, ScatteringIsPlottedAndWhatIsNotFittedIsSaid) {
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(content_of(file("i.svg")), HasSubstr("</svg>"));
   EXPECT_GT(block(content_of(file("i.dat")), "P* = ").size(), 5u);
+}
+
+TEST_F(PlotCommand, ScatteringOfSpheresIsInTheirVolume) {
+  write_state(file("spheres.h5"), busy_state<3>());
+  EXPECT_EQ(floc("plot spheres.h5 --show scattering -o i3.svg").code, 0);
+  EXPECT_THAT(content_of(file("i3.gp")), HasSubstr("I(k)/a^3"));
+  const Outcome mixed = floc("plot spheres.h5 run/state-0007.h5 --show scattering -o i3.svg");
+  EXPECT_EQ(mixed.code, 4);
+  EXPECT_THAT(mixed.err, HasSubstr("run/state-0007.h5: is 2D, and those before it are not"));
 }
 
 TEST_F(PlotCommand, BadInputIsNamed) {

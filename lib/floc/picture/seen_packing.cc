@@ -116,7 +116,10 @@ class Sight {
     tube.from = camera_.seen(from + begin * (to - from));
     tube.to = camera_.seen(from + end * (to - from));
     tube.from_end = begin > inside_i ? TubeEnd::cut : begin > 0.0 ? TubeEnd::at_sphere : TubeEnd::round;
-    tube.to_end = end < 1.0 - inside_j ? TubeEnd::cut : end < 1.0 ? TubeEnd::at_sphere : TubeEnd::round;
+    const bool at_wall = line.j >= static_cast<int>(home_.size());
+    tube.to_end = at_wall || end < 1.0 - inside_j ? TubeEnd::cut
+                  : end < 1.0                     ? TubeEnd::at_sphere
+                                                  : TubeEnd::round;
     tube.width = width;
     tube.kind = line.kind;
     seen_.tubes.push_back(tube);

@@ -21,7 +21,7 @@ struct SeenSphere {
 enum class TubeEnd {
   round,      ///< about the centre of a sphere that the tube is wider than
   at_sphere,  ///< where the tube leaves a sphere
-  cut,        ///< at a face of the cell
+  cut,        ///< at a face of the cell or at a wall
 };
 
 /// A contact between the surfaces of its spheres as drawn.

@@ -14,6 +14,9 @@ constexpr double kPaleSpheres = 0.25;
 constexpr double kPaleTubes = 0.65;
 /// Radii below which light and shade are not to be seen, and only make files large (points).
 constexpr double kSmallestShaded = 0.6;
+/// Of arrows, in mean diameters: thinner than in 2D, for there are more of them in the same place.
+constexpr double kArrowWidth = 0.04;
+constexpr double kArrowHead = 0.2;
 /// Where the light comes from, on the page (y down).
 const Vec<2> kLight = Vec<2>(-0.6, -0.8);
 
@@ -90,7 +93,7 @@ class SeenDrawing {
         case SeenPacking::Part::arrow: {
           const SeenArrow& a = seen_.arrows[mark.index];
           set_color(page_, paler(palette::kArrow, pale(mark)));
-          draw_arrow(page_, on_page(a.from), on_page(a.to), 0.05 * diameter, 0.35 * diameter);
+          draw_arrow(page_, on_page(a.from), on_page(a.to), kArrowWidth * diameter, kArrowHead * diameter);
           break;
         }
       }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "floc/elasticity/moduli.h"
+#include "floc/packing/contact_forces.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -79,6 +80,29 @@ TEST(IncrementForces, OfASquareLatticeAreTheStressTimesTheSpacing) {
   }
   const PackingPicture<2> deviatoric = step(StressStep::deviatoric);
   EXPECT_NE(deviatoric.lines[0].kind, deviatoric.lines[1].kind);
+}
+
+TEST(IncrementForces, OfACubicLatticeAreTheStressTimesTheFace) {
+  // A sphere that touches its own images across the six faces of its cell, of side 0.98.
+  Packing<3> packing;
+  packing.law = elastic_law(2.0, 0.6, 0.1);
+  packing.cell.matrix *= 0.98;
+  packing.grains = Grains<3>::with_size(1);
+  packing.grains.radius = {0.5};
+  packing.grains.mass = {1.0};
+  for (int axis = 2; axis >= 0; --axis) packing.contacts.emplace_back().image[axis] = 1;
+  refresh_contacts(packing);
+  const ModuliOptions options;
+  const ContactNetwork<3> network = options.loaded_network(packing);
+  const Moduli moduli = elastic_moduli(packing, options);
+  const PackingPicture<3> picture =
+      increment_forces(packing, network, *step_response(network, moduli.response, StressStep::isotropic));
+  ASSERT_EQ(picture.lines.size(), 3u);
+  EXPECT_EQ(picture.force_unit, "a² δP");
+  for (const ContactLine<3>& line : picture.lines) {
+    EXPECT_EQ(line.kind, LineKind::compression);
+    EXPECT_NEAR(line.force, 0.98 * 0.98, 1e-12);
+  }
 }
 
 }  // namespace

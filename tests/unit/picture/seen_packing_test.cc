@@ -121,6 +121,16 @@ TEST(SeenPacking, ContactsAcrossAFaceAreCutThere) {
   EXPECT_TRUE(seen.tubes[1].to.isApprox(Vec<3>(4, 2, 2), kRounding));
 }
 
+TEST(SeenPacking, ContactsWithAWallEndFlatOnIt) {
+  PackingPicture<3> picture = spheres_at({{2, 2, 3.5}});
+  picture.lines = {line_between(picture, 0, 1, {2, 2, 4})};
+  const auto seen = seen_packing(picture, from_above(), {});
+  ASSERT_EQ(seen.tubes.size(), 1u);
+  EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(2, 2, 4), kRounding));
+  EXPECT_EQ(seen.tubes[0].from_end, TubeEnd::at_sphere);
+  EXPECT_EQ(seen.tubes[0].to_end, TubeEnd::cut);
+}
+
 TEST(SeenPacking, ASphereHidesWhatIsInItAndBehindIt) {
   const SeenSphere sphere{{0, 0, 0}, 1.0, 0};
   // Level with its equator or behind: the width of its outline. Before its front: nothing.

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "fit_commands.h"
@@ -16,6 +18,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> inputs;
   CompactionReference reference;
+  std::string plateau = "p";
   std::string columns;
   std::string format;
 };
@@ -35,6 +38,22 @@ std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNam
   return samples;
 }
 
+/// What a smaller error would need: more "samples", another "law", or a clearer "plateau".
+const char* limit_of(const CompactionErrorParts& parts) {
+  if (parts.plateau > std::max(parts.scatter, parts.law)) return "plateau";
+  return parts.law > parts.scatter ? "law" : "samples";
+}
+
+Json budget_as_json(const CompactionFit& fit) {
+  Json budget = Json::object();
+  for (const CompactionErrorParts& parts : fit.error_parts)
+    budget[parts.name] = {{"scatter", number_or_null(parts.scatter)},
+                          {"law", fit.errors_from_runs ? number_or_null(parts.law) : Json(nullptr)},
+                          {"plateau", number_or_null(parts.plateau)},
+                          {"limited_by", limit_of(parts)}};
+  return budget;
+}
+
 Json as_json(const std::string& name, const CompactionFit& fit, const CompactionReference& reference) {
   Json object;
   object["sample"] = name;
@@ -49,8 +68,38 @@ Json as_json(const std::string& name, const CompactionFit& fit, const Compaction
       object["correlation"][fit.parameters[i].name][fit.parameters[j].name] =
           number_or_null(fit.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
+  object["plateau"] = reference.plateau == PlateauPressure::own ? "p" : "p_crit";
+  object["errors_from"] = fit.errors_from_runs ? "runs" : "residuals";
+  object["error_budget"] = budget_as_json(fit);
+  object["profiled"] = fit.profiled;
+  object["rows_left_out"] = Json::object();
+  if (!fit.below_p_0.empty()) object["rows_left_out"]["below_p_0"] = fit.below_p_0;
+  if (!fit.beside_plateau.empty()) object["rows_left_out"]["beside_plateau"] = fit.beside_plateau;
   object["warnings"] = fit.warnings;
   return object;
+}
+
+/// Says what was fitted and what the errors are made of.
+void log_fit(const std::string& name, const CompactionFit& fit) {
+  for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);
+  if (!fit.found()) {
+    spdlog::warn("{}: no fit: {}", name, fit.refusal);
+    return;
+  }
+  const std::string flagged = fit.beside_plateau.empty()
+                                  ? ""
+                                  : fmt::format("; beside the plateau: rows {}", ranges(fit.beside_plateau));
+  spdlog::info("{}: fitted {} samples, rows {}{}; r.m.s. residual of e {:.3g}", name, fit.used.size(),
+               ranges(fit.used), flagged, fit.rms);
+  std::vector<std::string> budget;
+  for (const CompactionErrorParts& parts : fit.error_parts)
+    budget.push_back(fmt::format("{} {:.2g}, {:.2g} and {:.2g} ({})", parts.name, parts.scatter, parts.law,
+                                 parts.plateau, limit_of(parts)));
+  spdlog::info(
+      "{}: errors from {}, from what the law misses and from which samples are beside the plateau "
+      "(what limits): {}",
+      name, fit.errors_from_runs ? "the scatter between repeated runs" : "the residuals",
+      fmt::join(budget, "; "));
 }
 
 int fit_tables(const Arguments& arguments) {
@@ -63,11 +112,8 @@ int fit_tables(const Arguments& arguments) {
     const CompactionFit fit =
         fit_dynamic_compaction(read_samples(CsvTable::read(file), columns), arguments.reference);
     array.push_back(as_json(name, fit, arguments.reference));
-    for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);
-    if (!fit.found()) {
-      spdlog::warn("{}: no fit: {}", name, fit.refusal);
-      return static_cast<int>(kNotConverged);
-    }
+    log_fit(name, fit);
+    if (!fit.found()) return static_cast<int>(kNotConverged);
     for (const FittedParameter& p : fit.parameters) {
       std::vector<TableValue> row = {name, p.name};
       for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
@@ -94,10 +140,22 @@ Command add_fit_dynamic_compaction(CommandLine fit) {
   app.add_option("--p-D", reference.p_D, "pressure at which the plateau is e_min + De, in the unit of p [0.01]")
       .positive();
   app.add_option("--eta-m", reference.eta_m, "eta* at which (1 - e_r)/e_r = s_m [0.045]").positive();
-  app.add_option("--p-0", reference.p_0, "smallest p_crit = sc^2/se fitted [that of --p-D]").positive();
+  app.add_option(
+         "--plateau", arguments->plateau,
+         "pressure that the plateau e_max is taken at: p of the sample, or p_crit = sc^2/se, as the law is "
+         "printed: no dense sample then has a plateau, and A and a are not identified [p]")
+      .one_of({"p", "p_crit"});
+  app.add_option(
+         "--p-0", reference.p_0,
+         "smallest pressure of the plateau fitted [none is too small; with --plateau p_crit that of --p-D]")
+      .positive();
   add_columns_option(app, arguments->columns, "e, p, sc, se");
   add_format_option(app, arguments->format);
-  return {app, [arguments] { return fit_tables(*arguments); }};
+  return {app, [arguments] {
+            arguments->reference.plateau =
+                arguments->plateau == "p" ? PlateauPressure::own : PlateauPressure::critical;
+            return fit_tables(*arguments);
+          }};
 }
 
 }  // namespace floc

@@ -96,6 +96,7 @@ TEST(FitDynamicCompaction, BadTablesAreRefused) {
   EXPECT_EQ(zero.code, 4);
   EXPECT_THAT(zero.err, HasSubstr("stdin:2: sc = 0: expected a positive number"));
   EXPECT_EQ(run_floc("fit dynamic-compaction -", ".", "e,p,sc,se\n1,1,1,1\n").code, 3);
+  EXPECT_EQ(run_floc("fit dynamic-compaction - --plateau sc", ".", "e,p,sc,se\n1,1,1,1\n").code, 2);
 }
 
 TEST(FitForceDistribution, BadTablesAreRefused) {

@@ -161,22 +161,45 @@ TEST(Units, ComeFromTheHeaderAndStayWithPressures) {
   EXPECT_THAT(csv.out, HasSubstr("P0_star,100,,,,true,kPa"));
 }
 
-TEST(FitDynamicCompaction, ReadsATable) {
+/// Samples that follow the law, their plateau at p or at p_crit = sc^2/se; six decimals.
+std::string compacted_samples(bool at_p_crit) {
   std::string table = "e,p,sc,se\n";
   for (const double p : {0.01, 1.0, 10.0, 100.0})
     for (const double sc : {1.5, 3.0, 9.0, 30.0}) {
       const double x = sc / std::sqrt(p * 100) / 0.045;
       const double S = 0.475 * std::pow(x, 0.74) + (1 / 1.55 - 0.475) * std::pow(x, 2.3);
-      const double plateau = 1 / (1 + 0.24 * std::log(sc * sc / 100 / 0.01));
+      const double plateau = 1 / (1 + 0.24 * std::log((at_p_crit ? sc * sc / 100 : p) / 0.01));
       table += std::to_string(0.76 + plateau * S / (1 + S)) + "," + std::to_string(p) + "," +
                std::to_string(sc) + ",100\n";
     }
+  return table;
+}
+
+TEST(FitDynamicCompaction, ReadsATable) {
+  for (const bool at_p_crit : {false, true}) {
+    const Outcome o = run_floc(
+        std::string("fit dynamic-compaction - --format json --plateau ") + (at_p_crit ? "p_crit" : "p"), ".",
+        compacted_samples(at_p_crit));
+    ASSERT_EQ(o.code, 0) << o.err;
+    const json fit = json::parse(o.out).at(0);
+    // The table has six decimals.
+    EXPECT_NEAR(fit["parameters"]["C"]["value"], 0.24, 1e-3);
+    EXPECT_EQ(fit["plateau"], at_p_crit ? "p_crit" : "p");
+  }
+}
+
+TEST(FitDynamicCompaction, TheBudgetAndTheFlaggedRowsAreSaid) {
+  const std::string table = compacted_samples(false) + "2.5,1,9,100\n";
   const Outcome o = run_floc("fit dynamic-compaction - --format json", ".", table);
   ASSERT_EQ(o.code, 0) << o.err;
-  const json p = json::parse(o.out).at(0)["parameters"];
-  // The table has six decimals.
-  EXPECT_NEAR(p["e_min"]["value"], 0.76, 1e-3);
-  EXPECT_NEAR(p["C"]["value"], 0.24, 1e-3);
+  const json fit = json::parse(o.out).at(0);
+  EXPECT_EQ(fit["rows_left_out"]["beside_plateau"], json::array({16}));
+  EXPECT_EQ(fit["n_points"], 16);
+  EXPECT_EQ(fit["errors_from"], "residuals");
+  EXPECT_TRUE(fit["error_budget"]["C"]["law"].is_null());
+  EXPECT_GT(fit["error_budget"]["C"]["scatter"], 0.0);
+  EXPECT_THAT(o.err, HasSubstr("1 of the 17 samples lie beside the plateau"));
+  EXPECT_THAT(o.err, HasSubstr("beside the plateau: rows 16"));
 }
 
 TEST(FitForceDistribution, FitsEveryFormOfATable) {

@@ -3,27 +3,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
+#include <optional>
+#include <tuple>
 
 #include "floc/base/dense_solvers.h"
 #include "floc/fitting/least_squares.h"
-#include "floc/fitting/line_fit.h"
+#include "floc/fitting/profile_likelihood.h"
+#include "floc/fitting/robust.h"
 #include "floc/fitting/student_t.h"
 
 namespace floc {
 namespace {
 
+constexpr int kParameters = 7;
+constexpr std::array<const char*, kParameters> kNames = {"e_min", "De", "C", "A", "s_m", "a", "b"};
+using Parameters = Eigen::Matrix<double, kParameters, 1>;
+
+/// A sample as the law is fitted to it. Its plateau is written about the middle of the pressures, where it
+/// exists: at p_D it need not.
 struct CompactionResidual {
-  static constexpr int kParameters = 7;
-  double log_p_crit, log_x, e;
+  static constexpr int kParameters = floc::kParameters;
+  double log_p;  ///< of the plateau, over that middle
+  double log_x, e, weight;
   template <class T>
   T operator()(const T* theta) const {
-    return compacted_void_ratio(theta, log_p_crit, log_x) - e;
+    return weight * (compacted_void_ratio(theta, log_p, log_x) - e);
+  }
+};
+using Residuals = std::vector<CompactionResidual>;
+
+/// What the law is fitted to.
+struct CompactionData {
+  std::vector<int> rows;  ///< the samples of `residuals`
+  Residuals residuals;
+  double log_p_D = 0.0;  ///< ln p_D over the middle of the pressures
+  double log_x_1 = 0.0;  ///< ln x at eta* = 1
+
+  CompactionData without(const std::vector<int>& left_out) const {
+    CompactionData rest{{}, {}, log_p_D, log_x_1};
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (std::find(left_out.begin(), left_out.end(), rows[k]) == left_out.end())
+        rest.rows.push_back(rows[k]), rest.residuals.push_back(residuals[k]);
+    return rest;
   }
 };
 
-/// For given e_min and S the plateau is linear: e_r/(e - e_min) = 1/De + C ln(p_crit/p_D).
-bool add_plateau(const std::vector<CompactionResidual>& data, Eigen::VectorXd& theta) {
+double plateau_pressure(const CompactedSample& s, PlateauPressure plateau) {
+  return plateau == PlateauPressure::own ? s.p : s.sc * s.sc / s.se;
+}
+
+/// For given e_min and S the plateau is linear: e_r/(e - e_min) = 1/De + C ln p.
+bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   const auto n = static_cast<Eigen::Index>(data.size());
   Eigen::MatrixXd columns(n, 2);
   Eigen::VectorXd y(n);
@@ -35,10 +68,10 @@ bool add_plateau(const std::vector<CompactionResidual>& data, Eigen::VectorXd& t
     // Weighted by the square of what it divides, so that errors count as they do in e.
     const double over = r.e - theta[0];
     const double e_r = S / (1.0 + S);
-    columns.row(i) << over * over / e_r, over * over / e_r * r.log_p_crit;
+    columns.row(i) << over * over / e_r, over * over / e_r * r.log_p;
     y[i] = over;
   }
-  // Of many equal solutions, where p_crit does not vary, the smallest.
+  // Of many equal solutions, where the pressure does not vary, the smallest.
   const Eigen::Vector2d found = least_squares_solution(columns, y);
   if (!(found[0] > 0.0) || !found.allFinite()) return false;
   theta[1] = -std::log(found[0]);
@@ -47,7 +80,7 @@ bool add_plateau(const std::vector<CompactionResidual>& data, Eigen::VectorXd& t
 }
 
 /// Starts over the range of e_min and of the crossover; those published in [SVI2024] are among them.
-std::vector<Eigen::VectorXd> starts_of(const std::vector<CompactionResidual>& data) {
+std::vector<Eigen::VectorXd> starts_of(const Residuals& data) {
   const auto less = [](const auto& r, const auto& s) { return r.e < s.e; };
   const auto [low, high] = std::minmax_element(data.begin(), data.end(), less);
   std::vector<Eigen::VectorXd> starts;
@@ -55,7 +88,7 @@ std::vector<Eigen::VectorXd> starts_of(const std::vector<CompactionResidual>& da
     for (const double a : {0.4, 0.74, 1.2})
       for (const double step : {0.6, 1.56})
         for (const double scale : {0.2, 1.0, 5.0}) {
-          Eigen::VectorXd theta(7);
+          Eigen::VectorXd theta(kParameters);
           theta << low->e - below * (high->e - low->e), 0.0, 0.0, std::log(0.475 * scale),
               std::log(0.17 * scale), std::log(a), std::log(step);
           if (add_plateau(data, theta)) starts.push_back(theta);
@@ -63,41 +96,284 @@ std::vector<Eigen::VectorXd> starts_of(const std::vector<CompactionResidual>& da
   return starts;
 }
 
-/// The parameters as functions of theta: values, gradients, and how their intervals are made.
-void add_parameters(const LeastSquaresSolution& solution, CompactionFit& fit) {
-  const Eigen::VectorXd& t = solution.theta;
-  const auto n = static_cast<int>(solution.residuals.size());
-  const int dof = n - CompactionResidual::kParameters;
-  const double variance = solution.sum_of_squares / dof;
-  const Eigen::MatrixXd covariance = variance * unit_covariance(solution.jacobian);
-  const double t95 = student_t_95(dof);
+std::optional<LeastSquaresSolution> solve(const Residuals& data) {
+  Eigen::VectorXd best;
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::VectorXd theta : starts_of(data)) {
+    const double left = descend(data, theta);
+    if (left < least && theta.allFinite()) least = left, best = theta;
+  }
+  return best.size() > 0 ? minimize(data, best) : std::nullopt;
+}
+
+/// What a robust fit says of each sample.
+struct RobustView {
+  Eigen::VectorXd misfit;      ///< e - law
+  double deviation = 0.0;      ///< of a sample that follows the law
+  std::vector<bool> may_flag;  ///< above the plateau, or at eta* > 1
+};
+
+/// Weights and solution follow each other until they agree: samples far off count for nothing.
+std::optional<RobustView> robust_view(const CompactionData& data) {
+  auto solution = solve(data.residuals);
+  if (!solution) return std::nullopt;
+  Residuals weighted = data.residuals;
+  Eigen::VectorXd misfit = -solution->residuals;
+  constexpr int kRounds = 100;
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::VectorXd weights = loss_weights(Loss::cauchy, misfit);
+    for (std::size_t k = 0; k < weighted.size(); ++k)
+      weighted[k].weight = weights[static_cast<Eigen::Index>(k)];
+    const Eigen::VectorXd before = solution->theta;
+    auto next = minimize(weighted, before);
+    if (!next) break;
+    solution = std::move(next);
+    misfit = -solution->residuals.cwiseQuotient(weights);
+    if ((solution->theta - before).norm() <= 1e-6 * before.norm()) break;
+  }
+  RobustView view{misfit, 0.0, {}};
+  std::vector<double> sizes(misfit.begin(), misfit.end());
+  for (double& size : sizes) size = std::abs(size);
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  constexpr double kNormal = 1.4826;  // deviation over median size of a normal variable
+  // Tables keep some ten digits.
+  view.deviation = std::max(kNormal * *middle, 1e-10);
+  const Eigen::VectorXd& t = solution->theta;
+  for (const CompactionResidual& r : data.residuals) {
+    const double e_max = t[0] + 1.0 / (std::exp(-t[1]) + t[2] * r.log_p);
+    view.may_flag.push_back(r.log_x > data.log_x_1 || r.e > e_max);
+  }
+  return view;
+}
+
+/// Samples beside the plateau by more than a number of deviations.
+std::vector<int> beside_plateau(const CompactionData& data, const RobustView& view, double n_deviations) {
+  std::vector<int> rows;
+  for (std::size_t k = 0; k < data.rows.size(); ++k)
+    if (view.may_flag[k] && std::abs(view.misfit[static_cast<Eigen::Index>(k)]) > n_deviations * view.deviation)
+      rows.push_back(data.rows[k]);
+  return rows;
+}
+
+/// The parameters in the coordinates that their errors are made in: e_min, 1/De, C, and the logarithms of A,
+/// s_m, a and b.
+Parameters coordinates(const Eigen::VectorXd& t, double log_p_D) {
+  Parameters y;
+  y << t[0], std::exp(-t[1]) + t[2] * log_p_D, t[2], t[3], -std::log(std::exp(t[3]) + std::exp(t[4])), t[5],
+      std::log(std::exp(t[5]) + std::exp(t[6]));
+  return y;
+}
+
+/// Gradients of the coordinates to theta.
+Eigen::MatrixXd gradients(const Eigen::VectorXd& t, double log_p_D) {
   const double A = std::exp(t[3]), rest = std::exp(t[4]), a = std::exp(t[5]), b = a + std::exp(t[6]);
-  // Gradients of e_min, ln De, C, ln A, ln s_m, ln a, ln b.
-  Eigen::MatrixXd G = Eigen::MatrixXd::Identity(7, 7);
+  Eigen::MatrixXd G = Eigen::MatrixXd::Identity(kParameters, kParameters);
+  G.row(1) << 0, -std::exp(-t[1]), log_p_D, 0, 0, 0, 0;
   G.row(4) << 0, 0, 0, -A / (A + rest), -rest / (A + rest), 0, 0;
   G.row(6) << 0, 0, 0, 0, 0, a / b, 1.0 - a / b;
-  const auto error = [&](int k) {
+  return G;
+}
+
+/// Standard errors of the coordinates; sums only over what each depends on, as others may have infinite
+/// variance.
+Parameters errors_of(const Eigen::MatrixXd& G, const Eigen::MatrixXd& covariance) {
+  Parameters errors;
+  for (int k = 0; k < kParameters; ++k) {
     double sum = 0.0;
-    for (int i = 0; i < 7; ++i)
-      for (int j = 0; j < 7; ++j)
+    for (int i = 0; i < kParameters; ++i)
+      for (int j = 0; j < kParameters; ++j)
         if (G(k, i) != 0.0 && G(k, j) != 0.0) sum += G(k, i) * covariance(i, j) * G(k, j);
-    return std::sqrt(std::max(sum, 0.0));
-  };
-  fit.parameters = {from_value("e_min", t[0], error(0), t95),
-                    from_logarithm("De", t[1], error(1), t95),
-                    from_value("C", t[2], error(2), t95),
-                    from_logarithm("A", t[3], error(3), t95),
-                    from_logarithm("s_m", -std::log(A + rest), error(4), t95),
-                    from_logarithm("a", t[5], error(5), t95),
-                    from_logarithm("b", std::log(b), error(6), t95)};
-  for (FittedParameter& p : fit.parameters) {
-    if (p.identified) continue;
-    fit.warnings.push_back(fmt::format("{} is not identified by these data", p.name));
-    p.value = p.standard_error = std::nullopt;
+    errors[k] = std::sqrt(std::max(sum, 0.0));
   }
-  const Eigen::MatrixXd c = G * covariance * G.transpose();
+  return errors;
+}
+
+/// Variance of e between runs of the same p, sc and se; absent without any.
+std::optional<double> variance_between_runs(const std::vector<CompactedSample>& samples,
+                                            const std::vector<int>& rows) {
+  std::map<std::tuple<double, double, double>, std::vector<double>> runs;
+  for (const int i : rows) {
+    const CompactedSample& s = samples[static_cast<std::size_t>(i)];
+    runs[{s.p, s.sc, s.se}].push_back(s.e);
+  }
+  double sum = 0.0;
+  int dof = 0;
+  for (const auto& [point, e] : runs) {
+    const Eigen::Map<const Eigen::ArrayXd> v(e.data(), static_cast<Eigen::Index>(e.size()));
+    sum += (v - v.mean()).square().sum();
+    dof += static_cast<int>(e.size()) - 1;
+  }
+  return dof > 0 ? std::optional(sum / dof) : std::nullopt;
+}
+
+/// A solution and the errors of its coordinates.
+struct CompactionEstimate {
+  CompactionData data;
+  LeastSquaresSolution solution;
+  double variance = 0.0;              ///< of the residuals
+  double scatter_share = 1.0;         ///< of it, between runs
+  Eigen::MatrixXd covariance;         ///< of theta, from the residuals
+  Parameters value, scatter, spread;  ///< coordinates, their errors from residuals and from the flags
+
+  int dof() const { return static_cast<int>(data.rows.size()) - kParameters; }
+  double error(int k) const { return std::hypot(scatter[k], spread[k]); }
+};
+
+/// What the coordinates change by where fewer or more samples count as beside the plateau.
+Parameters spread_over_flags(const CompactionEstimate& estimate, const CompactionData& all,
+                             const RobustView& view, const std::vector<int>& flagged) {
+  Parameters sum = Parameters::Zero();
+  constexpr std::array<double, 2> kOtherLimits = {2.5, 6.0};
+  for (const double limit : kOtherLimits) {
+    const std::vector<int> others = beside_plateau(all, view, limit);
+    const CompactionData rest = all.without(others);
+    if (others == flagged || rest.rows.size() <= kParameters) continue;
+    if (const auto solution = minimize(rest.residuals, estimate.solution.theta))
+      sum += (coordinates(solution->theta, all.log_p_D) - estimate.value).cwiseAbs2() / kOtherLimits.size();
+  }
+  return sum.cwiseSqrt();
+}
+
+CompactionEstimate estimate_of(CompactionData data, LeastSquaresSolution solution) {
+  CompactionEstimate e{std::move(data), std::move(solution), 0.0, 1.0, {}, {}, {}, Parameters::Zero()};
+  e.variance = e.solution.sum_of_squares / e.dof();
+  e.covariance = e.variance * unit_covariance(e.solution.jacobian);
+  e.value = coordinates(e.solution.theta, e.data.log_p_D);
+  e.scatter = errors_of(gradients(e.solution.theta, e.data.log_p_D), e.covariance);
+  return e;
+}
+
+FittedParameter parameter_of(const CompactionEstimate& e, int k) {
+  const double t95 = student_t_95(e.dof());
+  const std::string name = kNames[static_cast<std::size_t>(k)];
+  if (k == 0 || k == 2) return from_value(name, e.value[k], e.error(k), t95);
+  if (k == 1 && e.value[k] > 0.0) return from_inverse(name, e.value[k], e.error(k), t95);
+  if (k == 1) return {name, std::nullopt, std::nullopt, std::nullopt, std::nullopt, false};
+  return from_logarithm(name, e.value[k], e.error(k), t95);
+}
+
+/// Replaces the interval of A or a, coordinates of theta, by that of the profile likelihood.
+void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionFit& fit) {
+  const double error = e.error(k);
+  // Below this the sum of squares is rounding, and the interval is that of the covariance.
+  if (!std::isfinite(error) || error < 1e-9) return;
+  const double t95 = student_t_95(e.dof());
+  const double inflated = std::pow(t95 * error / e.scatter[k], 2) * e.variance;
+  // Powers below a hundredth and above a hundred, and prefactors as far off, say nothing any more.
+  const double reach = std::log(100.0);
+  const double center = e.value[k];
+  const ProfileSearch search{
+      center,         e.solution.sum_of_squares, e.solution.sum_of_squares + inflated, center - reach,
+      center + reach, std::min(t95 * error, 1.0)};
+  const ProfileInterval found = profile_interval(search, [&]() -> ProfileFunction {
+    return [&e, k, theta = e.solution.theta](double value) mutable {
+      Eigen::VectorXd start = theta;
+      start[k] = value;
+      const auto solution = minimize(e.data.residuals, start, {}, k);
+      if (!solution) return std::numeric_limits<double>::infinity();
+      theta = solution->theta;
+      return solution->sum_of_squares;
+    };
+  });
+  p.low95 = p.high95 = std::nullopt;
+  if (found.low) p.low95 = std::exp(*found.low);
+  if (found.high) p.high95 = std::exp(*found.high);
+  constexpr double kIdentifiedFactor = 10.0;
+  p.identified = p.low95 && p.high95 && *p.value < kIdentifiedFactor * *p.low95 &&
+                 *p.high95 < kIdentifiedFactor * *p.value;
+  fit.profiled.push_back(p.name);
+}
+
+/// Of each part of the error of a coordinate what it is of the parameter.
+CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedParameter& p) {
+  const double all = e.error(k);
+  const double unit = all > 0.0 ? *p.standard_error / all : 0.0;
+  return {p.name, unit * e.scatter[k] * std::sqrt(e.scatter_share),
+          unit * e.scatter[k] * std::sqrt(1.0 - e.scatter_share), unit * e.spread[k]};
+}
+
+/// The first power is seen only by dense samples, e_r < 1/2, where it is the larger one.
+int n_of_first_power(const CompactionEstimate& e) {
+  const Eigen::VectorXd& t = e.solution.theta;
+  const double a = std::exp(t[5]), step = std::exp(t[6]);
+  return static_cast<int>(std::count_if(e.data.residuals.begin(), e.data.residuals.end(), [&](const auto& r) {
+    const double first = std::exp(t[3] + a * r.log_x), second = std::exp(t[4] + (a + step) * r.log_x);
+    return first > second && first + second < 1.0;
+  }));
+}
+
+void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
+  // Prefactor and power of a line take two samples, its place beside the other one a third.
+  const bool sees_first_power = n_of_first_power(e) >= 3;
+  for (int k = 0; k < kParameters; ++k) {
+    FittedParameter p = parameter_of(e, k);
+    const bool of_first_power = p.name == "A" || p.name == "a";
+    if (of_first_power) {
+      profile(e, k, p, fit);
+      p.identified = p.identified && sees_first_power;
+    }
+    if (p.identified) {
+      fit.error_parts.push_back(parts_of(e, k, p));
+    } else {
+      const char* why =
+          k == 1 && !(e.value[k] > 0.0) ? ": the plateau has a pole on the way to p_D"
+          : of_first_power && !sees_first_power
+              ? ": fewer than three samples are as dense as e_r < 1/2, where the smaller power rules"
+              : "";
+      fit.warnings.push_back(fmt::format("{} is not identified by these data{}", p.name, why));
+      p.value = p.standard_error = std::nullopt;
+    }
+    fit.parameters.push_back(std::move(p));
+  }
+  const Eigen::MatrixXd G = gradients(e.solution.theta, e.data.log_p_D);
+  Eigen::MatrixXd c = G * e.covariance * G.transpose();
+  // 1/De falls as De grows.
+  c.row(1) *= -1.0, c.col(1) *= -1.0;
   const Eigen::VectorXd scale = c.diagonal().cwiseSqrt().cwiseInverse();
   fit.correlation = scale.asDiagonal() * c * scale.asDiagonal();
+}
+
+/// The samples whose plateau pressure is no less than p_0.
+CompactionData data_of(const std::vector<CompactedSample>& samples, const CompactionReference& reference,
+                       double p_0, CompactionFit& fit) {
+  CompactionData data;
+  data.log_x_1 = -std::log(reference.eta_m);
+  double middle = 0.0;
+  for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
+    const CompactedSample& s = samples[static_cast<std::size_t>(i)];
+    const double p = plateau_pressure(s, reference.plateau);
+    // A sample typed with a few digits at p_0 is meant to be taken.
+    if (p < p_0 * (1 - 1e-6)) {
+      fit.below_p_0.push_back(i);
+      continue;
+    }
+    middle += std::log(p);
+    data.rows.push_back(i);
+    data.residuals.push_back({std::log(p), std::log(s.sc / std::sqrt(s.p * s.se) / reference.eta_m), s.e, 1.0});
+  }
+  if (!data.rows.empty()) middle /= static_cast<double>(data.rows.size());
+  for (CompactionResidual& r : data.residuals) r.log_p -= middle;
+  data.log_p_D = std::log(reference.p_D) - middle;
+  return data;
+}
+
+/// Says what is left out, and compares what is left with runs that were repeated.
+void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& estimate, CompactionFit& fit) {
+  if (!fit.beside_plateau.empty())
+    fit.warnings.push_back(fmt::format(
+        "{} of the {} samples lie beside the plateau, above it or off the law at eta* > 1 by more than four "
+        "deviations, and are flagged, not fitted",
+        fit.beside_plateau.size(), samples.size()));
+  fit.rms = std::sqrt(estimate.solution.sum_of_squares / static_cast<double>(fit.used.size()));
+  const auto between_runs = variance_between_runs(samples, fit.used);
+  fit.errors_from_runs = between_runs.has_value();
+  if (!between_runs || !(estimate.variance > 0.0)) return;
+  estimate.scatter_share = std::min(*between_runs / estimate.variance, 1.0);
+  if (estimate.scatter_share < 0.25)
+    fit.warnings.push_back(
+        fmt::format("the law misses e by {:.3g}, repeated runs scatter by {:.3g}: errors are those of the law",
+                    std::sqrt(estimate.variance), std::sqrt(*between_runs)));
 }
 
 }  // namespace
@@ -105,39 +381,38 @@ void add_parameters(const LeastSquaresSolution& solution, CompactionFit& fit) {
 CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                      const CompactionReference& reference) {
   CompactionFit fit;
-  const double p_0 = reference.p_0 > 0.0 ? reference.p_0 : reference.p_D;
-  std::vector<CompactionResidual> data;
-  for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
-    const CompactedSample& s = samples[static_cast<std::size_t>(i)];
-    const double p_crit = s.sc * s.sc / s.se;
-    // A sample typed with a few digits at p_0 is meant to be taken.
-    if (p_crit < p_0 * (1 - 1e-6)) continue;
-    data.push_back(
-        {std::log(p_crit / reference.p_D), std::log(s.sc / std::sqrt(s.p * s.se) / reference.eta_m), s.e});
-    fit.used.push_back(i);
-  }
-  if (fit.used.size() < samples.size())
-    fit.warnings.push_back(
-        fmt::format("{} of the {} samples have p_crit = sc^2/se below {:.4g} and are left out",
-                    samples.size() - fit.used.size(), samples.size(), p_0));
-  if (data.size() <= CompactionResidual::kParameters) {
-    fit.refusal = fmt::format("{} samples with p_crit >= {:.4g}, the law needs {}", data.size(), p_0,
-                              CompactionResidual::kParameters + 1);
+  const bool at_own = reference.plateau == PlateauPressure::own;
+  const char* name = at_own ? "p" : "p_crit = sc^2/se";
+  const double p_0 = reference.p_0 > 0.0 || at_own ? reference.p_0 : reference.p_D;
+  const CompactionData data = data_of(samples, reference, p_0, fit);
+  if (!fit.below_p_0.empty())
+    fit.warnings.push_back(fmt::format("{} of the {} samples have {} below {:.4g} and are left out",
+                                       fit.below_p_0.size(), samples.size(), name, p_0));
+  const auto too_few = [&](const char* which) {
+    return fmt::format("{} samples{}, the law needs {}", fit.used.size(), which, kParameters + 1);
+  };
+  fit.used = data.rows;
+  if (fit.used.size() <= kParameters) {
+    fit.refusal = too_few(p_0 > 0.0 ? fmt::format(" with {} >= {:.4g}", name, p_0).c_str() : "");
     return fit;
   }
-  Eigen::VectorXd best;
-  double least = std::numeric_limits<double>::infinity();
-  for (Eigen::VectorXd theta : starts_of(data)) {
-    const double left = descend(data, theta);
-    if (left < least && theta.allFinite()) least = left, best = theta;
+  const auto view = robust_view(data);
+  if (view) fit.beside_plateau = beside_plateau(data, *view, 4.0);
+  const CompactionData kept = data.without(fit.beside_plateau);
+  fit.used = kept.rows;
+  if (fit.used.size() <= kParameters) {
+    fit.refusal = too_few(" on the plateau or below");
+    return fit;
   }
-  const auto solution = best.size() > 0 ? minimize(data, best) : std::nullopt;
-  if (!solution) {
+  const auto solution = solve(kept.residuals);
+  if (!view || !solution) {
     fit.refusal = "no start leads to a solution: the void ratio does not follow the law";
     return fit;
   }
-  fit.rms = std::sqrt(solution->sum_of_squares / static_cast<double>(data.size()));
-  add_parameters(*solution, fit);
+  CompactionEstimate estimate = estimate_of(kept, *solution);
+  estimate.spread = spread_over_flags(estimate, data, *view, fit.beside_plateau);
+  describe(samples, estimate, fit);
+  add_parameters(estimate, fit);
   return fit;
 }
 

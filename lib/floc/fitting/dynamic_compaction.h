@@ -18,29 +18,46 @@ struct CompactedSample {
   double se;  ///< k_n/d, > 0, unit of p
 };
 
-/// Reference values of the law: they are chosen, not fitted, because the law has the same form for any of them.
+/// The pressure that the plateau of a sample is taken at.
+enum class PlateauPressure {
+  own,       ///< p of the sample
+  critical,  ///< p_crit = sc^2/se, which is p where eta* = 1: as the law is printed
+};
+
+/// What the law is fitted with. The reference values are chosen, not fitted, because the law has the same form
+/// for any of them.
 struct CompactionReference {
   double p_D = 0.01;     ///< pressure at which the plateau is e_min + De, unit of p; 0.01 MPa in [SVI2024]
   double eta_m = 0.045;  ///< eta* at which (1 - e_r)/e_r = s_m; that of [SVI2024]
-  /// Smallest p_crit = sc^2/se fitted: the plateau has a pole below p_D; p_D if not positive.
+  /// Smallest pressure of the plateau fitted. If not positive: none is too small for `own`; for `critical`
+  /// p_D, below which the published plateau soon has a pole.
   double p_0 = 0.0;
+  PlateauPressure plateau = PlateauPressure::own;
 };
 
 /// The law of dynamic compaction ([SVI2024], Eqs 13-17, 29-31) on any scalar:
 ///
-///   e = e_min + e_r De / (1 + C De ln(p_crit/p_D)),   p_crit = sc^2/se
+///   e = e_min + e_r De/(1 + C De ln(p/p_D))
 ///   e_r = S/(1 + S),   S = A x^a + (1/s_m - A) x^b,   x = eta*/eta_m,   eta* = sc/sqrt(p se)
 ///
 /// @param theta  e_min, ln De, C, ln A, ln(1/s_m - A), ln a, ln(b - a)
 template <class T>
-T compacted_void_ratio(const T* theta, double log_p_crit_over_p_D, double log_x) {
+T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
   using std::exp;
   const T De = exp(theta[1]);
   const T a = exp(theta[5]);
   const T b = a + exp(theta[6]);
   const T S = exp(theta[3] + a * log_x) + exp(theta[4] + b * log_x);
-  return theta[0] + De / (1.0 + theta[2] * De * log_p_crit_over_p_D) * S / (1.0 + S);
+  return theta[0] + De / (1.0 + theta[2] * De * log_p_over_p_D) * S / (1.0 + S);
 }
+
+/// What the standard error of a parameter is made of.
+struct CompactionErrorParts {
+  std::string name;      ///< of the parameter
+  double scatter = 0.0;  ///< between repeated runs or, without any, of the residuals
+  double law = 0.0;      ///< what the law misses by more than repeated runs scatter; 0 without any
+  double plateau = 0.0;  ///< of which samples count as beside the plateau
+};
 
 /// What a fit of the law found, or why there is none.
 struct CompactionFit {
@@ -48,15 +65,25 @@ struct CompactionFit {
   std::vector<FittedParameter> parameters;  ///< e_min, De, C, A, s_m, a, b
   Eigen::MatrixXd correlation;              ///< in their order
   std::vector<int> used;                    ///< indices of the samples fitted
+  std::vector<int> below_p_0;               ///< of those left out for the pressure of their plateau
+  std::vector<int> beside_plateau;          ///< of those flagged
   double rms = 0.0;                         ///< root mean square residual of e
+  bool errors_from_runs = false;  ///< the scatter is that between runs of the same p, sc and se, not residuals
+  std::vector<CompactionErrorParts> error_parts;  ///< of the parameters that have a standard error
+  std::vector<std::string> profiled;  ///< parameters whose interval is that of the profile likelihood
   std::vector<std::string> warnings;
 
   bool found() const { return refusal.empty(); }
 };
 
-/// Least squares in e from starts computed on a grid. Samples with p_crit < p_0 are left out. Refused with
-/// fewer than eight samples; parameters that the samples do not identify (De and C, where p_crit hardly varies)
-/// are said.
+/// Least squares in e from starts computed on a grid.
+///
+/// Samples beside the plateau are flagged and not fitted: those above it, or off the law at eta* > 1, where it
+/// is all plateau, by more than four deviations of the residuals, measured by a robust fit of all. Standard
+/// errors: from the covariance at the solution, scaled by the residual variance, and from what the parameters
+/// change by where samples count as beside the plateau at 2.5 or at 6 deviations. Intervals: Student's t in
+/// e_min, 1/De, C and the logarithms of the others; of A and a the profile likelihood. Refused with fewer than
+/// eight samples; parameters that the samples do not identify are said and have no value.
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);
 

@@ -42,60 +42,15 @@ void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::Ve
 }
 
 /// Best sum of squares with one coordinate held, followed from solution to solution.
-class Profile {
- public:
-  Profile(const LawEstimate& estimate, int coordinate)
-      : estimate_(estimate), coordinate_(coordinate), theta_(estimate.solution.theta) {}
-
-  /// Infinite if the solver fails.
-  double operator()(double value) {
-    Eigen::VectorXd start = theta_;
-    start[coordinate_] = value;
-    const auto solution = solve_law_from(estimate_.law, estimate_.points, start, coordinate_);
+ProfileFunction profile_of(const LawEstimate& estimate, int coordinate) {
+  return [&estimate, coordinate, theta = estimate.solution.theta](double value) mutable {
+    Eigen::VectorXd start = theta;
+    start[coordinate] = value;
+    const auto solution = solve_law_from(estimate.law, estimate.points, start, coordinate);
     if (!solution) return std::numeric_limits<double>::infinity();
-    theta_ = solution->theta;
+    theta = solution->theta;
     return solution->sum_of_squares;
-  }
-
- private:
-  const LawEstimate& estimate_;
-  int coordinate_;
-  Eigen::VectorXd theta_;
-};
-
-/// Where the profile crosses `allowed` on one side of the solution: steps of `step` (signed) that grow, then
-/// the rule of false position in the root of the excess, which is nearly linear. Absent if it does not up to
-/// `end`.
-std::optional<double> crossing(const LawEstimate& estimate, int coordinate, double step, double end,
-                               double allowed) {
-  Profile profile(estimate, coordinate);
-  const double least = estimate.solution.sum_of_squares;
-  const double target = std::sqrt(allowed - least);
-  const auto miss = [&](double at) { return std::sqrt(std::max(profile(at) - least, 0.0)) - target; };
-  double inside = estimate.solution.theta[coordinate];
-  double miss_inside = -target;
-  double outside = inside;
-  double miss_outside = -target;
-  while (miss_outside < 0.0) {
-    if (outside == end) return std::nullopt;
-    inside = outside;
-    miss_inside = miss_outside;
-    outside += step;
-    step *= 1.6;
-    if ((end - outside) * step < 0.0) outside = end;
-    miss_outside = miss(outside);
-  }
-  constexpr int kRounds = 40;
-  constexpr double kAccuracy = 1e-3;  // of the interval's width, far below its statistical meaning
-  for (int round = 0; round < kRounds; ++round) {
-    const double share = std::isfinite(miss_outside) ? miss_inside / (miss_inside - miss_outside) : 0.5;
-    const double middle = inside + std::clamp(share, 0.05, 0.95) * (outside - inside);
-    const double m = miss(middle);
-    (m < 0.0 ? inside : outside) = middle;
-    (m < 0.0 ? miss_inside : miss_outside) = m;
-    if (std::abs(m) < kAccuracy * target) return middle;
-  }
-  return 0.5 * (inside + outside);
+  };
 }
 
 }  // namespace
@@ -209,10 +164,8 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const double low_end = is_inverse ? 1e-3 : std::log(1e-2);
   const double high_end = is_inverse ? 1e3 : std::log(1e2);
   const double step = finite ? std::min(t95 * error, 1.0) : 0.5;
-  ProfileInterval interval;
-  if (center > low_end) interval.low = crossing(estimate, coordinate, -step, low_end, allowed);
-  if (center < high_end) interval.high = crossing(estimate, coordinate, step, high_end, allowed);
-  return interval;
+  return profile_interval({center, estimate.solution.sum_of_squares, allowed, low_end, high_end, step},
+                          [&] { return profile_of(estimate, coordinate); });
 }
 
 }  // namespace floc

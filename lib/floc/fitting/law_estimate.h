@@ -6,6 +6,7 @@
 
 #include "floc/fitting/consolidation_solver.h"
 #include "floc/fitting/fitted_parameter.h"
+#include "floc/fitting/profile_likelihood.h"
 
 namespace floc {
 
@@ -60,9 +61,6 @@ FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& cov
 /// Interval of one coordinate of theta from the profile of the sum of squares: where the best fit with the
 /// coordinate held is worse by t95^2 times `variance_ratio` residual variances. An end is absent if the data
 /// allow any value on that side.
-struct ProfileInterval {
-  std::optional<double> low, high;
-};
 ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, const Covariance& covariance);
 
 }  // namespace floc

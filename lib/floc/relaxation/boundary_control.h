@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
 
-#include "floc/base/vec.h"
+#include "floc/packing/load_target.h"
 
 namespace floc {
 
@@ -11,6 +14,32 @@ namespace floc {
 enum class Imposed {
   stress,  ///< the component follows the stress that acts on it
   rate,    ///< it moves at a given strain rate; at rate zero it is fixed
+};
+
+/// The smooth way of axes from one length to another, at rest at both ends: the logarithmic strain goes as
+/// 3 t^2 - 2 t^3 of the time t.
+template <int Dim>
+struct BoundaryWay {
+  static constexpr double kPeak = 1.5;  ///< largest rate over the mean rate
+
+  Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();  ///< (length); axes where they are equal stay
+  double begun = 0.0;                                       ///< how long ago the way began (time)
+  double duration = 0.0;                                    ///< (time)
+
+  bool any() const { return from != to; }
+  bool over(double since) const { return begun + since >= duration; }
+  /// Length of an axis so long after now.
+  double length(int axis, double since) const {
+    if (over(since)) return to[axis];
+    const double t = (begun + since) / duration;
+    return from[axis] * std::pow(to[axis] / from[axis], t * t * (3.0 - 2.0 * t));
+  }
+  double largest_strain() const {
+    double largest = 0.0;
+    for (int a = 0; a < Dim; ++a)
+      if (from[a] != to[a]) largest = std::max(largest, std::abs(std::log(to[a] / from[a])));
+    return largest;
+  }
 };
 
 /// How the boundary of a packing moves (docs/physics.md, "Boundary control"): each component of stress and
@@ -25,6 +54,9 @@ struct BoundaryControl {
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
   double mass = 0.0;  ///< inertia M of a component of the lattice (mass)
   double rate_cap = std::numeric_limits<double>::infinity();  ///< largest strain rate under stress (1/time)
+  BoundaryWay<Dim> way;  ///< of axes at a rate: where one has a way, it replaces the target
+  /// Mean stress that sets the scale of forces; absent: that of the stresses imposed.
+  std::optional<double> reference_stress;
 
   /// Nothing moves.
   static BoundaryControl fixed() {
@@ -43,7 +75,21 @@ struct BoundaryControl {
     return control;
   }
 
+  /// Stresses and lengths on the axes, shear fixed. @param stress  imposed; on strained axes carried
+  static BoundaryControl imposing(const LoadTarget<Dim>& load, const Vec<Dim>& stress, double mass,
+                                  double rate_cap = std::numeric_limits<double>::infinity()) {
+    BoundaryControl control = normal_stress(stress, mass, rate_cap);
+    for (int a = 0; a < Dim; ++a) {
+      if (!load.strained(a)) continue;
+      control.imposed[a] = Imposed::rate;
+      control.target[a] = 0.0;
+    }
+    if (load.any_strained()) control.reference_stress = stress.mean();
+    return control;
+  }
+
   bool is_fixed() const {
+    if (way.any()) return false;
     for (int k = 0; k < kSymmetric<Dim>; ++k)
       if (imposed[k] == Imposed::stress || target[k] != 0.0) return false;
     return true;
@@ -59,8 +105,9 @@ struct BoundaryControl {
       if (what == Imposed::stress) return true;
     return false;
   }
-  /// Mean of the stresses imposed on axes; zero where there is none.
+  /// The reference stress, else the mean of the stresses imposed on axes; zero where there is none.
   double mean_stress() const {
+    if (reference_stress) return *reference_stress;
     double sum = 0.0;
     int n = 0;
     for (int a = 0; a < Dim; ++a)

@@ -101,6 +101,18 @@ void ExplicitDynamics<Dim>::kick_lattice() {
   impose_rates();
 }
 
+/// Rates at which this step's drift brings the axes that have a way to where they are to be at its end.
+template <int Dim>
+void ExplicitDynamics<Dim>::follow_way() {
+  const BoundaryWay<Dim>& way = control_.way;
+  if (!way.any()) return;
+  const Vec<Dim> side = sides();
+  for (int a = 0; a < Dim; ++a) {
+    if (control_.imposed[a] == Imposed::stress || way.from[a] == way.to[a]) continue;
+    control_.target[a] = way.over(time_) ? 0.0 : (1.0 - way.length(a, time_ + dt_) / side[a]) / dt_;
+  }
+}
+
 /// Components of the velocity gradient h' h^-1 that are given. Shortening counts positive.
 template <int Dim>
 void ExplicitDynamics<Dim>::impose_rates() {
@@ -122,6 +134,7 @@ void ExplicitDynamics<Dim>::impose_rates() {
   template Vec<Dim> ExplicitDynamics<Dim>::sides() const; \
   template Cell<Dim> ExplicitDynamics<Dim>::cell() const; \
   template void ExplicitDynamics<Dim>::kick_boundary();   \
+  template void ExplicitDynamics<Dim>::follow_way();      \
   template void ExplicitDynamics<Dim>::impose_rates();
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

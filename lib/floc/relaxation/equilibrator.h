@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/load_target.h"
 #include "floc/relaxation/motion_observer.h"
 #include "floc/relaxation/relaxation_options.h"
 
@@ -16,7 +18,7 @@ enum class RelaxationStatus { running, converged, gave_up };
 struct RelaxationReport {
   Residuals residuals;
   int n_negative = -1;       ///< negative eigenvalues of an equilibrium's stiffness matrix; -1 before
-  std::string ending;        ///< "polished", "dynamic", "static", "diverged"; empty while it runs
+  std::string ending;        ///< "polished", "dynamic", "static", "diverged", "unloaded"; empty while it runs
   std::string blocking;      ///< criterion that is worst against its tolerance, with its grain
   double decay_rate = 0.0;   ///< of the force residual (1/time); positive when it falls
   std::string phase;         ///< what it is doing: "moving", "finishing", ...
@@ -41,18 +43,29 @@ class Equilibrator {
   virtual Packing<Dim> release_packing() = 0;
   /// Static stress of the packing as it is now.
   virtual const Mat<Dim>& stress() const = 0;
+  /// What each axis is loaded with: the stress imposed; where a length is, the stress carried now.
+  virtual const Vec<Dim>& target_stress() const = 0;
   virtual RelaxationReport report() const = 0;
   /// Its progress, as text for equilibrators of the same kind alone.
   virtual std::string progress() const = 0;
 };
 
 /// The equilibrator that the options ask for; today always the explicit relaxer (relaxer.h).
-/// @param target_stress  stress on each axis, compression positive
+/// @param load           what is imposed on each axis
 /// @param progress       of an equilibrator that was stopped; empty: from the beginning
 /// @throws InputError if `progress` is not one of this kind of equilibrator
 template <int Dim>
 std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
-                                                     const Vec<Dim>& target_stress,
+                                                     const LoadTarget<Dim>& load,
                                                      const std::string& progress = "");
+
+/// @param target_stress  stress on each axis, compression positive
+template <int Dim>
+std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
+                                                     const Vec<Dim>& target_stress,
+                                                     const std::string& progress = "") {
+  return make_equilibrator<Dim>(options, std::move(packing), LoadTarget<Dim>::normal_stress(target_stress),
+                                progress);
+}
 
 }  // namespace floc

@@ -126,6 +126,7 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
 /// mid-step, which keeps the scheme symmetric in time.
 template <int Dim>
 void ExplicitDynamics<Dim>::begin_step() {
+  follow_way();
   kick_boundary();
   const Mat<Dim> middle = lattice_ + 0.5 * dt_ * lattice_rate_;
   const Mat<Dim> next = lattice_ + dt_ * lattice_rate_;
@@ -137,6 +138,7 @@ void ExplicitDynamics<Dim>::begin_step() {
   copy<Dim>(list_stretch_, drift_.list_stretch);
   kick_ = kick_over(0.5 * dt_);
   walls_.drift(dt_);
+  time_ += dt_;
   ++steps_since_list_;
 }
 

@@ -40,6 +40,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void kick_boundary();
   void kick_lattice();
   void kick_walls();
+  void follow_way();
   void impose_rates();
   Mat<Dim> lattice_force() const;
   void begin_step();
@@ -69,6 +70,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   BoundaryControl<Dim> control_;
   WallMotion<Dim> walls_;
   double dt_;
+  double time_ = 0.0;  ///< since this was made
   double skin_;
   int threads_;
   double largest_diameter_;

@@ -13,6 +13,10 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("skin", p.skin);
   visit("solid_fraction", p.solid_fraction);
   visit("imbalance_sign", p.imbalance_sign);
+  visit("side_before", p.side_before);
+  visit("way_duration", p.way_duration);
+  visit("carried_stress", p.carried_stress);
+  visit("finishing_since_stress", p.finishing_since_stress);
   visit("contact_set", p.contact_set);
   visit("unchanged_stretches", p.unchanged_chunks);
   visit("finishing_since_phi", p.finishing_since_phi);

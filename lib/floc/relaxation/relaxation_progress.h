@@ -16,6 +16,10 @@ struct RelaxationProgress {
   std::vector<double> solid_fraction;  ///< at the end of each recent chunk, the oldest first
   /// Of each axis: sign of stress - target at the start; 0 once it has changed.
   std::vector<double> imbalance_sign;
+  std::vector<double> side_before;     ///< of each axis where any is strained (length)
+  double way_duration = 0.0;           ///< of strained axes to their new length (time)
+  std::vector<double> carried_stress;  ///< where an axis is strained: at the end of each recent chunk
+  double finishing_since_stress = 0.0;
   std::uint64_t contact_set = 0;     ///< fingerprint of the contact list
   int unchanged_chunks = 0;          ///< chunks since that last changed
   double finishing_since_phi = 0.0;  ///< solid fraction when finishing began

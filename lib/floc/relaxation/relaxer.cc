@@ -36,6 +36,15 @@ constexpr double kOvershoot = 2.0;
 constexpr int kTrialIterations = 2;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
 constexpr double kFinishPhi = 1e-4;
+/// At a constant density a packing is still when the stress that strained axes carry moved less than this (in
+/// F1/a^(D-1)) in the window, and the finish must not change it by more.
+constexpr double kSteadyStress = 1e-3;
+constexpr double kFinishStress = 1e-2;
+/// Strained axes move no faster than this over sqrt(a m/F1): beside the time a packing takes to settle, a step of
+/// 1e-3 is short at that rate. The scene's caps hold where they are lower.
+constexpr double kWayInertialNumber = 1e-3;
+/// Reduced pressure below which strained axes carry nothing: no packing is in equilibrium that near to zero.
+constexpr double kNoPressure = 1e-12;
 /// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
 constexpr double kDefaultInertialNumber = 1e-3;
 /// Newton refinement is tried where it is known to succeed, and after a failure again a while later, each time
@@ -145,40 +154,91 @@ double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& pac
     return *options.strain_rate_cap * std::sqrt(packing.law.pull_off_force() / (a * m));
   if (options.inertial_number_cap || packing.law.pull_off_force() == 0.0)
     return options.inertial_number_cap.value_or(kDefaultInertialNumber) *
-           std::sqrt(target_stress.mean() * std::pow(a, Dim - 2) / m);
+           std::sqrt(std::max(target_stress.mean(), 0.0) * std::pow(a, Dim - 2) / m);
   return std::numeric_limits<double>::infinity();
 }
 
 template <int Dim>
-Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
+Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
                       RelaxationProgress progress)
     : options_(options),
       packing_(std::move(packing)),
-      target_(target_stress),
-      progress_(std::move(progress)),
-      time_step_(time_step_of(packing_, options.time_step, target_stress.mean())),
-      time_unit_(inertial_time(packing_, target_stress)) {
+      load_(load),
+      target_(load.stress),
+      progress_(std::move(progress)) {
   require_periodic(packing_, "a packing is relaxed");
   measure();
+  time_step_ = time_step_of(packing_, options.time_step, std::max(target_.mean(), 0.0));
   if (progress_.skin == 0.0) progress_.skin = first_skin(options, packing_.grains);
-  if (progress_.imbalance_sign.empty()) {
-    const Vec<Dim> imbalance = stress_.diagonal() - target_stress;
-    for (int a = 0; a < Dim; ++a) progress_.imbalance_sign.push_back(imbalance[a] < 0.0 ? -1.0 : 1.0);
+  if (load_.any_strained() && progress_.side_before.empty()) begin_way();
+  if (progress_.imbalance_sign.empty() && !way().any()) begin_response();
+}
+
+/// From the lengths before this relaxation to those imposed.
+template <int Dim>
+BoundaryWay<Dim> Relaxer<Dim>::way() const {
+  BoundaryWay<Dim> way;
+  for (int a = 0; a < Dim; ++a) {
+    if (!load_.strained(a)) continue;
+    way.from[a] = progress_.side_before[a];
+    way.to[a] = load_.side[a];
   }
+  way.begun = progress_.time;
+  way.duration = progress_.way_duration;
+  return way;
+}
+
+template <int Dim>
+void Relaxer<Dim>::begin_way() {
+  for (int a = 0; a < Dim; ++a) progress_.side_before.push_back(packing_.cell.matrix(a, a));
+  double fastest =
+      std::min(options_.inertial_number_cap.value_or(kWayInertialNumber), kWayInertialNumber) / time_unit_;
+  if (options_.strain_rate_cap) fastest = std::min(fastest, strain_rate_cap(options_, packing_, target_));
+  const double strain = way().largest_strain();
+  if (strain > 0.0) progress_.way_duration = BoundaryWay<Dim>::kPeak * strain / fastest;
+}
+
+/// What the axes under stress have to answer to.
+template <int Dim>
+void Relaxer<Dim>::begin_response() {
+  const Vec<Dim> imbalance = stress_.diagonal() - target_;
+  for (int a = 0; a < Dim; ++a)
+    progress_.imbalance_sign.push_back(load_.strained(a) ? 0.0 : imbalance[a] < 0.0 ? -1.0 : 1.0);
+}
+
+/// Whether nothing acts on the grains any more: no adhesion, and no stress on any axis.
+template <int Dim>
+bool Relaxer<Dim>::carries_no_stress() const {
+  return load_.any_strained() && packing_.law.pull_off_force() == 0.0 &&
+         !(reduced_pressure(packing_, target_.mean()) > kNoPressure);
+}
+
+template <int Dim>
+double Relaxer<Dim>::mean_carried_stress() const {
+  double sum = 0.0;
+  int n = 0;
+  for (int a = 0; a < Dim; ++a)
+    if (load_.strained(a)) sum += stress_(a, a), ++n;
+  return sum / n;
 }
 
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::advance() {
   // Newton steps know no velocities: a packing that moves goes its way.
   const bool at_rest = residuals_.energy < options_.tolerance.energy;
-  if (options_.finish != Finish::dynamic && progress_.n_steps == 0 && at_rest && !target_.isZero(0.0) &&
+  if (options_.finish != Finish::dynamic && progress_.n_steps == 0 && at_rest && !load_.unloaded() &&
       solve_without_motion())
     return RelaxationStatus::converged;
-  const auto control = BoundaryControl<Dim>::normal_stress(
-      target_,
+  if (carries_no_stress() && (progress_.n_steps == 0 || way().over(0.0))) {
+    ending_ = "unloaded";
+    return RelaxationStatus::gave_up;
+  }
+  auto control = BoundaryControl<Dim>::imposing(
+      load_, target_,
       options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0),
       strain_rate_cap(options_, packing_, target_));
-  time_step_ = time_step_of(packing_, options_.time_step, target_.mean());
+  control.way = way();
+  time_step_ = time_step_of(packing_, options_.time_step, std::max(target_.mean(), 0.0));
   auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
   packing_.contacts = {};  // dynamics has them now: a large packing is held once
   const bool finishing = progress_.phase == RelaxationProgress::finishing;
@@ -201,7 +261,8 @@ RelaxationStatus Relaxer<Dim>::advance() {
   progress_.force_residual.push_back(residuals_.force);
   if (progress_.force_residual.size() > 10) progress_.force_residual.erase(progress_.force_residual.begin());
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
-  if (status == RelaxationStatus::running && progress_.time > options_.max_time * time_unit_)
+  if (status == RelaxationStatus::running &&
+      progress_.time - progress_.way_duration > options_.max_time * time_unit_)
     return RelaxationStatus::gave_up;
   return status;
 }
@@ -226,7 +287,25 @@ bool Relaxer<Dim>::density_is_steady() {
   const std::size_t window = chunks_in(kSteadyWindow) + 1;
   while (phi.size() > window) phi.erase(phi.begin());  // by more than one where the time step has grown
   const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
-  return phi.size() == window && *high - *low < kSteadyPhi;
+  return phi.size() == window && *high - *low < kSteadyPhi && carried_stress_is_steady(window);
+}
+
+/// Where axes are strained, the density alone does not tell whether grains still rearrange.
+template <int Dim>
+bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
+  if (!load_.any_strained()) return true;
+  std::vector<double>& carried = progress_.carried_stress;
+  carried.push_back(mean_carried_stress());
+  while (carried.size() > window) carried.erase(carried.begin());
+  const auto [low, high] = std::minmax_element(carried.begin(), carried.end());
+  return carried.size() == window && *high - *low < kSteadyStress * stress_scale();
+}
+
+/// F1/a^(D-1).
+template <int Dim>
+double Relaxer<Dim>::stress_scale() const {
+  const ForceScale scale = force_scale(packing_, target_);
+  return scale.force / std::pow(scale.length, Dim - 1);
 }
 
 /// Vibrations that nothing damps, and the coasting of a floppy packing without load, may move the density for
@@ -258,10 +337,15 @@ std::size_t Relaxer<Dim>::chunks_in(double time_units) const {
 /// load; or when it does nothing but vibrate.
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_motion() {
+  if (progress_.imbalance_sign.empty()) {
+    if (!way().over(0.0)) return RelaxationStatus::running;
+    begin_response();
+  }
+  if (carries_no_stress()) return RelaxationStatus::running;  // which the next chunk says
   const bool responded = responded_to_load();
   const bool steady_density = density_is_steady();
   const bool steady_contacts = contacts_are_steady();
-  const bool unloaded = target_.isZero(0.0);
+  const bool unloaded = load_.unloaded();
   const bool steady = (responded && steady_density) || ((responded || unloaded) && steady_contacts);
   if (!steady) return RelaxationStatus::running;
   const GrainScales<Dim> scales(packing_, target_);
@@ -271,6 +355,7 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   if (energy < limit * scale.force * scale.length || vibrates(energy)) {
     progress_.phase = RelaxationProgress::finishing;
     progress_.finishing_since_phi = progress_.solid_fraction.back();
+    if (load_.any_strained()) progress_.finishing_since_stress = mean_carried_stress();
     progress_.finishing_chunks = 0;
     progress_.next_refinement = 1;
   }
@@ -280,9 +365,13 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_finish() {
   ++progress_.finishing_chunks;
-  if (std::abs(solid_fraction(packing_) - progress_.finishing_since_phi) > kFinishPhi) {
+  const bool other_stress =
+      load_.any_strained() &&
+      std::abs(mean_carried_stress() - progress_.finishing_since_stress) > kFinishStress * stress_scale();
+  if (other_stress || std::abs(solid_fraction(packing_) - progress_.finishing_since_phi) > kFinishPhi) {
     progress_.phase = RelaxationProgress::moving;
     progress_.solid_fraction.clear();
+    progress_.carried_stress.clear();
     return RelaxationStatus::running;
   }
   const bool within = residuals_.within(options_.tolerance);
@@ -303,7 +392,16 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
 
 template <int Dim>
 bool Relaxer<Dim>::refine_by_newton() {
-  return accept_if_equilibrium(solve_statics(packing_, target_, StaticSolverOptions{}), "polished");
+  return accept_if_equilibrium(solve_from(packing_, {}, StaticSolverOptions{}), "polished");
+}
+
+/// @param way  from the lengths of `start` to others; of what is strained, nothing else moves
+template <int Dim>
+StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const BoundaryWay<Dim>& way,
+                                             const StaticSolverOptions& options) const {
+  auto control = BoundaryControl<Dim>::imposing(load_, target_, 0.0);
+  control.way = way;
+  return solve_statics(start, control, options);
 }
 
 /// A static step without dynamics, where dynamics would end in the same state, or where the scene takes any
@@ -316,11 +414,11 @@ bool Relaxer<Dim>::solve_without_motion() {
   if (!any && packing_.law.stiffness_varies() && packing_.law.resists_sliding()) return false;
   StaticSolverOptions trial;
   trial.max_iterations = kTrialIterations;
-  StaticSolution<Dim> solution = solve_statics(packing_, target_, any ? StaticSolverOptions{} : trial);
+  StaticSolution<Dim> solution = solve_from(packing_, way(), any ? StaticSolverOptions{} : trial);
   if (!any) {
     if (!is_elastic_step(packing_, solution.packing)) return false;
     // No spring has reached a cap, so it makes no difference where the rest starts.
-    solution = solve_statics(solution.packing, target_, StaticSolverOptions{});
+    solution = solve_from(solution.packing, {}, StaticSolverOptions{});
     if (!is_elastic_step(packing_, solution.packing)) return false;
   }
   return accept_if_equilibrium(std::move(solution), "static");
@@ -332,12 +430,14 @@ template <int Dim>
 bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending) {
   if (!solution.converged) return false;
   const Mat<Dim> stress = static_stress(solution.packing);
-  const Residuals reached = residuals(solution.packing, target_, stress);
+  const Vec<Dim> target = load_.stress_with(stress);
+  const Residuals reached = residuals(solution.packing, target, stress);
   if (!reached.within(options_.tolerance)) return false;
   const int n_negative = count_negative_eigenvalues(solution.packing);
   if (n_negative > 0) return false;
   packing_ = std::move(solution.packing);
   stress_ = stress;
+  target_ = target;
   residuals_ = reached;
   n_negative_ = n_negative;
   ending_ = ending;
@@ -347,6 +447,8 @@ bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const cha
 template <int Dim>
 void Relaxer<Dim>::measure() {
   stress_ = static_stress(packing_);
+  target_ = load_.stress_with(stress_);
+  time_unit_ = inertial_time(packing_, target_);
   residuals_ = residuals(packing_, target_, stress_);
 }
 
@@ -375,6 +477,9 @@ RelaxationReport Relaxer<Dim>::report() const {
   report.blocking = fmt::format("{} {:.2e} against {:.0e}", worst->name, worst->value, worst->tolerance);
   if (worst->grain >= 0) report.blocking += fmt::format(" (grain {})", worst->grain);
   if (ending_ == "diverged") report.blocking = "the motion diverged, run.time_step is too large";
+  if (ending_ == "unloaded")
+    report.blocking =
+        "every contact has opened: the packing carries no stress (stress zero) at the lengths imposed";
   const std::vector<double>& history = progress_.force_residual;
   if (history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)
     report.decay_rate = std::log(history.front() / history.back()) /
@@ -384,18 +489,17 @@ RelaxationReport Relaxer<Dim>::report() const {
 
 template <int Dim>
 std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
-                                                     const Vec<Dim>& target_stress,
-                                                     const std::string& progress) {
+                                                     const LoadTarget<Dim>& load, const std::string& progress) {
   return std::make_unique<Relaxer<Dim>>(
-      options, std::move(packing), target_stress,
+      options, std::move(packing), load,
       progress.empty() ? RelaxationProgress{} : relaxation_progress(progress));
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                                           \
-  template std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions&, Packing<Dim>, \
-                                                                const Vec<Dim>&, const std::string&);   \
-  template double inertial_time(const Packing<Dim>&, const Vec<Dim>&);                                  \
-  template double strain_rate_cap(const RelaxationOptions&, const Packing<Dim>&, const Vec<Dim>&);      \
+#define FLOC_INSTANTIATE(Dim)                                                                                \
+  template std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions&, Packing<Dim>,      \
+                                                                const LoadTarget<Dim>&, const std::string&); \
+  template double inertial_time(const Packing<Dim>&, const Vec<Dim>&);                                       \
+  template double strain_rate_cap(const RelaxationOptions&, const Packing<Dim>&, const Vec<Dim>&);           \
   template class Relaxer<Dim>;
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

@@ -13,15 +13,20 @@
 
 namespace floc {
 
-/// Takes a packing to equilibrium under a diagonal stress: by Newton steps where nothing rearranges, else by
-/// dynamics until motion has stopped, power control, then Newton steps (see Finish). State to state in chunks
-/// of a fixed number of time steps: a run that is stopped between two of them and continued gives the same
-/// bits.
+/// Takes a packing to equilibrium under stresses or lengths of its axes: by Newton steps where nothing
+/// rearranges, else by dynamics until motion has stopped, power control, then Newton steps (see Finish). State
+/// to state in chunks of a fixed number of time steps: a run that is stopped between two of them and continued
+/// gives the same bits.
 template <int Dim>
 class Relaxer final : public Equilibrator<Dim> {
  public:
-  Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
+  Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
           RelaxationProgress progress = {});
+  /// @param target_stress  stress on each axis, compression positive
+  Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
+          RelaxationProgress progress = {})
+      : Relaxer(options, std::move(packing), LoadTarget<Dim>::normal_stress(target_stress),
+                std::move(progress)) {}
 
   /// One chunk. Where the motion diverges, the packing is the one it began with, its springs at rest.
   RelaxationStatus advance() override;
@@ -30,25 +35,36 @@ class Relaxer final : public Equilibrator<Dim> {
   const Packing<Dim>& packing() const override { return packing_; }
   Packing<Dim> release_packing() override { return std::move(packing_); }
   const Mat<Dim>& stress() const override { return stress_; }
+  const Vec<Dim>& target_stress() const override { return target_; }
   RelaxationReport report() const override;
   std::string progress() const override { return as_text(progress_); }
 
  private:
+  BoundaryWay<Dim> way() const;
+  void begin_way();
+  void begin_response();
+  bool carries_no_stress() const;
+  double mean_carried_stress() const;
   bool responded_to_load();
   bool density_is_steady();
+  bool carried_stress_is_steady(std::size_t window);
+  double stress_scale() const;
   bool contacts_are_steady();
   bool vibrates(double energy) const;
   std::size_t chunks_in(double time_units) const;
   RelaxationStatus check_motion();
   RelaxationStatus check_finish();
   bool refine_by_newton();
+  StaticSolution<Dim> solve_from(const Packing<Dim>& start, const BoundaryWay<Dim>& way,
+                                 const StaticSolverOptions& options) const;
   bool solve_without_motion();
   bool accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending);
   void measure();
 
   RelaxationOptions options_;
   Packing<Dim> packing_;
-  Vec<Dim> target_;
+  LoadTarget<Dim> load_;
+  Vec<Dim> target_;  ///< stress imposed; where a length is, the stress carried
   RelaxationProgress progress_;
   Mat<Dim> stress_;  ///< of the packing, like the residuals
   Residuals residuals_;

@@ -108,13 +108,27 @@ class StaticProblem {
   }
 
   /// The configuration after a displacement of all unknowns.
-  Configuration<Dim> moved(const Configuration<Dim>& from, Eigen::VectorXd step) const {
+  Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step) const {
+    return moved(from, step, strain_of(step));
+  }
+
+  /// The start, its axes brought to the ends of their way: grains follow.
+  Configuration<Dim> strained(const Configuration<Dim>& from, const BoundaryWay<Dim>& way) const {
+    Mat<Dim> strain = Mat<Dim>::Zero();
+    for (int a = 0; a < Dim; ++a)
+      if (way.from[a] != way.to[a]) strain(a, a) = way.to[a] / way.from[a] - 1.0;
+    return moved(from, Eigen::VectorXd::Zero(order()), strain);
+  }
+
+  /// @param wanted  strain of the lattice, which grains follow beside their displacements
+  Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step,
+                           const Mat<Dim>& wanted) const {
     Configuration<Dim> to = from;
     const Mat<Dim> lattice = from.cell.matrix;
-    to.cell.matrix = lattice + lattice * strain_of(step).transpose();
+    to.cell.matrix = lattice + lattice * wanted.transpose();
     const Mat<Dim> strain = strain_between(lattice, to.cell.matrix);  // of the lattice as it is rounded
-    for (int k = 0; k < n_strains(); ++k)
-      step[order() - n_strains() + k] = strain(strains_[k][0], strains_[k][1]) * scale_.length;
+    const Mat<Dim> unknown = strain * scale_.length;                  // rounded as unknowns are
+    const Mat<Dim> applied = (wanted.array() != 0.0).select(unknown / scale_.length, Mat<Dim>::Zero());
     for (int i = 0; i < n_grains(); ++i) {
       Vec<Dim> high;
       for (int a = 0; a < Dim; ++a) high[a] = from.centre[i][a].high;
@@ -131,8 +145,8 @@ class StaticProblem {
       transport_memory(quantities_, normal, twist_about(normal, rotation_i, rotation_j), c, motion);
       const double share = share_i(c);
       const RotationVector<Dim> mean_rotation = share * rotation_i + (1.0 - share) * rotation_j;
-      motion.slip += to_shear<double>(
-          normal, Vec<Dim>(relative_displacement(from, k, step) - cross<double>(mean_rotation, to.branch[k])));
+      motion.slip += to_shear<double>(normal, Vec<Dim>(relative_displacement(from, k, step, applied) -
+                                                       cross<double>(mean_rotation, to.branch[k])));
       motion.relative_rotation += rolling_part<double>(normal, RotationVector<Dim>(rotation_i - rotation_j));
     }
     evaluate(to);
@@ -142,7 +156,8 @@ class StaticProblem {
   double largest_relative_displacement(const Configuration<Dim>& at, const Eigen::VectorXd& step) const {
     double largest = 0.0;
     for (std::size_t k = 0; k < at.contacts.size(); ++k)
-      if (interacts(at.contacts[k])) largest = std::max(largest, relative_displacement(at, k, step).norm());
+      if (interacts(at.contacts[k]))
+        largest = std::max(largest, relative_displacement(at, k, step, strain_of(step)).norm());
     return largest / scale_.length;
   }
 
@@ -257,11 +272,11 @@ class StaticProblem {
     return from.template triangularView<Eigen::Lower>().solve(Mat<Dim>(to - from)).transpose();
   }
 
-  Vec<Dim> relative_displacement(const Configuration<Dim>& at, std::size_t k,
-                                 const Eigen::VectorXd& step) const {
+  Vec<Dim> relative_displacement(const Configuration<Dim>& at, std::size_t k, const Eigen::VectorXd& step,
+                                 const Mat<Dim>& strain) const {
     const Contact<Dim>& c = at.remembered[k];
     return step.segment<Dim>(first_unknown<Dim>(c.j)) - step.segment<Dim>(first_unknown<Dim>(c.i)) +
-           strain_of(step) * at.branch[k];
+           strain * at.branch[k];
   }
 
   static Vec<Dim> force_on_i(const Contact<Dim>& c) { return c.shear_force - c.normal_force * c.normal; }
@@ -360,7 +375,14 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   TangentMatrix<Dim> tangent = problem.tangent_pattern();
   UnsymmetricFactor factor;
   StaticSolution<Dim> solution;
-  double travelled = 0.0;
+  double travelled = control.way.any() ? control.way.largest_strain() : 0.0;
+  if (travelled > options.largest_displacement) {
+    solution.reason = "the lengths imposed lie too far away";
+    solution.residual = now.worst;
+    solution.packing = problem.packing(now);
+    return solution;
+  }
+  if (control.way.any()) now = problem.strained(now, control.way);
   const double target_residual = std::max(options.target, problem.rounding_of_stress());
   for (; now.worst > target_residual; ++solution.iterations) {
     if (solution.iterations == options.max_iterations) {

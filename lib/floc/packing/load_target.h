@@ -1,0 +1,29 @@
+#pragma once
+
+#include "floc/base/vec.h"
+
+namespace floc {
+
+/// What an equilibrium imposes on the boundary: on each axis a stress or a length.
+template <int Dim>
+struct LoadTarget {
+  Vec<Dim> stress = Vec<Dim>::Zero();  ///< on axes under stress, compression positive (force/length^(Dim-1))
+  Vec<Dim> side = Vec<Dim>::Zero();    ///< of the other axes (length); zero on axes under stress
+
+  static LoadTarget normal_stress(const Vec<Dim>& stress) { return {stress}; }
+
+  bool strained(int axis) const { return side[axis] > 0.0; }
+  bool any_strained() const { return side.maxCoeff() > 0.0; }
+  /// Whether nothing is imposed but zero stress.
+  bool unloaded() const { return !any_strained() && stress.isZero(0.0); }
+  /// The stresses imposed; where none is, those carried. They set the scale of forces.
+  /// @param carried  stress of the packing
+  Vec<Dim> stress_with(const Mat<Dim>& carried) const {
+    Vec<Dim> out = stress;
+    for (int a = 0; a < Dim; ++a)
+      if (strained(a)) out[a] = carried(a, a);
+    return out;
+  }
+};
+
+}  // namespace floc

@@ -1,0 +1,223 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "floc/elasticity/moduli.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/contact_forces.h"
+#include "floc/relaxation/equilibrator.h"
+#include "floc/relaxation/static_solver.h"
+#include "support/crystals.h"
+#include "support/dynamics.h"
+#include "support/lattices.h"
+
+namespace floc {
+namespace {
+
+/// Linear contacts without adhesion, K_T = 0.8 K_N, in units of K_N and a.
+LawParameters linear_law(double friction) {
+  LawParameters law;
+  law.normal = LinearRepulsion{1.0};
+  law.friction = CoulombFriction{friction, 0.8};
+  law.damping = ViscousDamping{0.1, DampingMass::effective};
+  return law;
+}
+
+/// The length of one axis changes by a logarithmic strain; the others keep theirs, or their stress.
+template <int Dim>
+LoadTarget<Dim> driven(const Packing<Dim>& packing, int axis, double strain, bool others_strained) {
+  LoadTarget<Dim> load;
+  const Mat<Dim> stress = static_stress(packing);
+  for (int a = 0; a < Dim; ++a) {
+    if (a == axis)
+      load.side[a] = packing.cell.matrix(a, a) * std::exp(-strain);
+    else if (others_strained)
+      load.side[a] = packing.cell.matrix(a, a);
+    else
+      load.stress[a] = stress(a, a);
+  }
+  return load;
+}
+
+template <int Dim>
+Packing<Dim> solved(const Packing<Dim>& from, const LoadTarget<Dim>& load) {
+  StaticSolverOptions options;
+  options.target = 1e-13;
+  options.max_iterations = 60;
+  options.largest_displacement = 1.0;
+  auto control = BoundaryControl<Dim>::imposing(load, load.stress_with(static_stress(from)), 0.0);
+  for (int a = 0; a < Dim; ++a)
+    if (load.strained(a)) control.way.from[a] = from.cell.matrix(a, a), control.way.to[a] = load.side[a];
+  const StaticSolution<Dim> solution = solve_statics(from, control, options);
+  EXPECT_LT(solution.residual, 1e-11) << solution.reason;
+  return solution.packing;
+}
+
+/// A gas pressed without friction, which then is there, with no force yet.
+template <int Dim>
+Packing<Dim> dense_packing(int n, double pressure, std::uint64_t seed) {
+  LawParameters smooth = linear_law(0.5);
+  smooth.friction.reset();
+  RelaxationOptions options;
+  options.inertial_number_cap = 1e-2;
+  const auto relaxer = make_equilibrator<Dim>(
+      options, test::gas_of<Dim>(n, smooth, Dim == 2 ? 0.6 : 0.45, seed), Vec<Dim>::Constant(pressure));
+  while (relaxer->advance() == RelaxationStatus::running) continue;
+  Packing<Dim> packing = relaxer->packing();
+  packing.law = linear_law(1e3);  // however little a contact carries, none slides
+  refresh_contacts(packing);
+  return solved<Dim>(packing, LoadTarget<Dim>::normal_stress(Vec<Dim>::Constant(pressure)));
+}
+
+template <int Dim>
+Mat<Dim> stiffness(const Packing<Dim>& packing) {
+  ModuliOptions options;
+  options.prestress = true;
+  return elastic_moduli(packing, options).C;
+}
+
+constexpr double kStrain = 3e-7;
+
+/// Half the difference of two small steps, one each way: of the stress, and of the logarithmic strain.
+template <int Dim>
+struct Answer {
+  Vec<Dim> stress, strain;
+};
+template <int Dim>
+Answer<Dim> answer(const Packing<Dim>& packing, int axis, bool others_strained) {
+  const auto end = [&](double strain) {
+    const Packing<Dim> at = solved(packing, driven(packing, axis, strain, others_strained));
+    EXPECT_EQ(at.contacts.size(), packing.contacts.size());
+    return at;
+  };
+  const Packing<Dim> more = end(kStrain), less = end(-kStrain);
+  return {0.5 * (static_stress(more) - static_stress(less)).diagonal(),
+          0.5 * (less.cell.matrix.diagonal().array() / more.cell.matrix.diagonal().array()).log()};
+}
+
+/// d sigma_lateral/d sigma_driven = C_ld/C_dd, and E and nu of the compliances, of every axis.
+template <int Dim>
+void expect_elastic_answers(const Packing<Dim>& packing) {
+  const Mat<Dim> C = stiffness(packing), S = C.inverse();
+  for (int d = 0; d < Dim; ++d) {
+    const Answer<Dim> oedometric = answer(packing, d, true);
+    const Answer<Dim> triaxial = answer(packing, d, false);
+    EXPECT_NEAR(oedometric.stress[d] / kStrain / C(d, d), 1.0, 1e-5) << d;
+    EXPECT_NEAR(triaxial.stress[d] / kStrain * S(d, d), 1.0, 1e-5) << d;
+    for (int l = 0; l < Dim; ++l) {
+      if (l == d) continue;
+      EXPECT_NEAR(oedometric.stress[l] / oedometric.stress[d], C(l, d) / C(d, d), 1e-5) << d << l;
+      EXPECT_NEAR(-triaxial.strain[l] / triaxial.strain[d], -S(l, d) / S(d, d), 1e-5) << d << l;
+    }
+  }
+}
+
+TEST(DirectedLoad, OfATriangularCrystalIsThatOfItsModuli) {
+  const Packing<2> crystal = test::triangular_crystal(4, 1.0, linear_law(0.5));
+  expect_elastic_answers(crystal);
+}
+
+TEST(DirectedLoad, OfAnFccCrystalIsThatOfItsModuli) {
+  expect_elastic_answers(test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, linear_law(0.5)));
+}
+
+TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
+  expect_elastic_answers(dense_packing<2>(60, 1e-3, 3));
+  expect_elastic_answers(dense_packing<3>(60, 1e-3, 4));
+}
+
+/// The relaxer takes such steps at once, and a cycle of them leaves nothing.
+template <int Dim>
+void expect_closed_cycle(const Packing<Dim>& start) {
+  Packing<Dim> packing = start;
+  const std::vector<Vec<Dim>> before = start.grains.position;
+  const Vec<Dim> sides = start.cell.matrix.diagonal();
+  RelaxationOptions options;
+  options.tolerance = {1e-9, 1e-9, 1e-9, 5e-8};
+  for (const double strain : {1e-5, 0.0}) {
+    LoadTarget<Dim> load = LoadTarget<Dim>{Vec<Dim>::Zero(), sides};
+    load.side[Dim - 1] *= std::exp(-strain);
+    const auto relaxer = make_equilibrator<Dim>(options, packing, load);
+    ASSERT_EQ(relaxer->advance(), RelaxationStatus::converged);
+    EXPECT_EQ(relaxer->report().ending, "static");
+    EXPECT_EQ(relaxer->target_stress(), Vec<Dim>(relaxer->stress().diagonal()));
+    packing = relaxer->packing();
+    EXPECT_NEAR(packing.cell.matrix(Dim - 1, Dim - 1) / load.side[Dim - 1], 1.0, 1e-15);
+  }
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    farthest = std::max(farthest, (packing.grains.position[i] - before[i]).norm());
+  EXPECT_LT(farthest, 1e-9);
+}
+
+TEST(DirectedLoad, AClosedElasticCycleBringsGrainsBack) {
+  expect_closed_cycle(test::triangular_crystal(4, 1.0, linear_law(0.5)));
+  expect_closed_cycle(dense_packing<2>(60, 1e-3, 3));
+}
+
+/// By motion alone.
+RelaxationOptions moving() {
+  RelaxationOptions options;
+  options.finish = Finish::dynamic;
+  options.inertial_number_cap = 1e-3;
+  return options;
+}
+
+TEST(DirectedLoad, AStrainedAxisMovesToItsLengthAndStandsStill) {
+  const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
+  const LoadTarget<2> load = driven<2>(start, 1, 2e-3, false);
+  const auto relaxer = make_equilibrator<2>(moving(), start, load);
+  double fastest = 0.0, shortest = start.cell.matrix(1, 1);
+  relaxer->set_observer({0.0, [&](const Packing<2>& packing, double) {
+                           fastest = std::max(
+                               fastest, std::abs(packing.cell.velocity(1, 1) / packing.cell.matrix(1, 1)));
+                           shortest = std::min(shortest, packing.cell.matrix(1, 1));
+                         }});
+  RelaxationStatus status = RelaxationStatus::running;
+  while (status == RelaxationStatus::running) status = relaxer->advance();
+  ASSERT_EQ(status, RelaxationStatus::converged) << relaxer->report().blocking;
+  const Packing<2>& end = relaxer->packing();
+  EXPECT_NEAR(end.cell.matrix(1, 1) / load.side[1], 1.0, 1e-14);
+  EXPECT_GE(shortest, load.side[1] * (1.0 - 1e-14));  // nowhere beyond
+  EXPECT_EQ(end.cell.velocity(1, 1), 0.0);
+  EXPECT_LE(fastest, 1.001e-3 * std::sqrt(1e-3 / 1.0) * 1.1);  // the cap, at a pressure near the first
+  const Mat<2> stress = static_stress(end);
+  EXPECT_NEAR(stress(0, 0), 1e-3, 1e-8);  // kept
+  EXPECT_GT(stress(1, 1), 1.05e-3);       // driven
+  EXPECT_LT(relaxer->report().residuals.stress, 1e-5);
+}
+
+TEST(DirectedLoad, IsContinuedFromItsProgressBitByBit) {
+  const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
+  const LoadTarget<2> load = driven<2>(start, 1, 5e-3, true);
+  auto whole = make_equilibrator<2>(moving(), start, load);
+  auto broken = make_equilibrator<2>(moving(), start, load);
+  RelaxationStatus status = RelaxationStatus::running;
+  while (status == RelaxationStatus::running) {
+    status = whole->advance();
+    EXPECT_EQ(broken->advance(), status);
+    if (status != RelaxationStatus::running) break;
+    const std::string progress = broken->progress();
+    broken = make_equilibrator<2>(moving(), broken->release_packing(), load, progress);
+  }
+  EXPECT_EQ(status, RelaxationStatus::converged);
+  test::expect_same_bits(whole->packing(), broken->packing());
+}
+
+/// Where every axis is drawn out, nothing would ever come to rest.
+TEST(DirectedLoad, APackingDrawnApartEndsInWords) {
+  const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
+  LoadTarget<2> load;
+  load.side = 1.02 * start.cell.matrix.diagonal();
+  const auto relaxer = make_equilibrator<2>(moving(), start, load);
+  RelaxationStatus status = RelaxationStatus::running;
+  int n_chunks = 0;
+  while (status == RelaxationStatus::running && ++n_chunks < 5000) status = relaxer->advance();
+  EXPECT_EQ(status, RelaxationStatus::gave_up);
+  EXPECT_THAT(relaxer->report().blocking, testing::HasSubstr("stress zero"));
+}
+
+}  // namespace
+}  // namespace floc

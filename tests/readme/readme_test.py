@@ -1,0 +1,497 @@
+#!/usr/bin/env python3
+"""Runs every command that README.md shows, and compares every number it prints with what they give.
+
+    readme_test.py --floc PROGRAM --source DIRECTORY [--long]
+
+Without --long what takes seconds: the commands on the demo and the tables that are shipped. With --long what takes
+minutes to an hour. A block of commands runs as a shell runs it, in a directory that holds data/ as the repository
+does. Every output block and every table of README is claimed by a check below or by a reason why none is possible
+(UNCHECKED_TABLES, NOT_RUN): new ones fail until they are. A number agrees if it rounds to the digits that are printed.
+"""
+import argparse
+import csv
+import io
+import math
+import os
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+# Blocks of commands by a part of their text.
+NOT_RUN = {
+    ".ci/demo    # installs": "installs packages and builds; .ci/demo is a script of its own",
+    "floc_mutate csv 1000000": "a million mutations take hours; the fuzz tests run 5000 of each",
+    "cmake --preset release\n": "builds and installs; install.find_package does that",
+    "cmake -S . -B build -DCMAKE_PREFIX_PATH": "a project of the user; install.find_package builds one",
+    "export PATH=": "where the program is",
+    "floc fit dynamic-compaction TABLE": None,  # line by line, see LINES_NOT_RUN
+}
+LINES_NOT_RUN = {
+    "floc fit dynamic-compaction TABLE": "TABLE is the reader's",
+    "floc structure seeds/seed-*": "seeds/ is the reader's ensemble; as --average in the tests of structure",
+    "| rsvg-convert": "another program's; the picture in a pipe is tested by draw_test",
+}
+LONG = {
+    "floc run data/scenes/demo.toml -o ensemble": "four samples of the demo",
+    "floc fit consolidation ensemble": "with them",
+    "floc tradeoff data/scenes/demo.toml": "eleven minutes",
+    "--track-contacts 0.1": "a run of its own",
+    "--bootstrap 1000": "a minute",
+    "-o frames/ --as png": "forty pictures",
+}
+# Tables by a part of their header, whose numbers no command prints, or not the same ones twice.
+UNCHECKED_TABLES = {
+    "| group | meaning |": "words",
+    "| | loose | dense |": "processor time",
+    "| column | meaning |": "words",
+    "| column of a contact | meaning |": "words",
+    "| read | from |": "words",
+    "| code | meaning |": "words",
+    "| key | meaning |": "words",
+    "| normal | adhesion |": "words",
+    "| place | holds |": "words",
+    "| criterion | default |": "defaults, which the tests of scenes hold",
+    "| grains | physics | portable": "processor time",
+    "| physics | program | million": "processor time",
+    "| what | range tested |": "ctest -L extremes holds them",
+    "| module | holds |": "a test holds the layers",
+}
+
+DEMO = re.compile(r"floc run data/scenes/demo\.toml -o demo( |$)")
+NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+
+
+def rounds_to(shown, value):
+    """Whether a value rounds to a number as it is written."""
+    mantissa, _, exponent = shown.lower().partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    digits = mantissa.lstrip("+-").replace(".", "").lstrip("0")
+    unit = 10.0 ** (int(exponent or 0) - decimals)
+    # "26590" and "440" are three or four digits of a larger number: zeros at the end of a whole number may be filling.
+    if decimals == 0 and not exponent:
+        unit *= 10 ** (len(digits) - len(digits.rstrip("0"))) if digits else 1
+    return abs(float(shown) - value) <= 0.5000001 * unit + 1e-12 * abs(value)
+
+
+class Readme:
+    def __init__(self, source):
+        self.lines = open(os.path.join(source, "README.md"), encoding="utf-8").read().split("\n")
+        self.blocks = []  # (language, text, line)
+        self.tables = []  # (header, rows of cells, line)
+        inside = None
+        for number, line in enumerate(self.lines, 1):
+            if line.startswith("```"):
+                if inside is None:
+                    inside = (line[3:], [], number)
+                else:
+                    self.blocks.append((inside[0], "\n".join(inside[1]) + "\n", inside[2]))
+                    inside = None
+            elif inside is not None:
+                inside[1].append(line)
+            elif line.startswith("|") and re.fullmatch(r"[|\- :]+", self.lines[number]):
+                rows = []
+                for row in self.lines[number + 1:]:
+                    if not row.startswith("|"):
+                        break
+                    rows.append([cell.strip() for cell in row.strip().strip("|").split("|")])
+                self.tables.append((line, rows, number))
+
+    def text(self):
+        return "\n".join(self.lines)
+
+    def block(self, part):
+        found = [text for language, text, _ in self.blocks if part in text]
+        if len(found) != 1:
+            raise AssertionError(f"README has {len(found)} blocks with {part!r}, expected one")
+        return found[0]
+
+    def table(self, part):
+        found = [rows for header, rows, _ in self.tables if part in header]
+        if len(found) != 1:
+            raise AssertionError(f"README has {len(found)} tables with {part!r}, expected one")
+        return found[0]
+
+
+class Test:
+    def __init__(self, floc, source, long):
+        self.source = source
+        self.long = long
+        self.readme = Readme(source)
+        self.faults = []
+        self.progress_of_demo = ""
+        self.claimed_blocks = set()
+        self.claimed_tables = set()
+        self.directory = tempfile.mkdtemp(prefix="floc-readme-")
+        shutil.copytree(os.path.join(source, "data"), os.path.join(self.directory, "data"))
+        self.environment = dict(os.environ, PATH=os.path.dirname(floc) + os.pathsep + os.environ["PATH"])
+
+    # What the checks use.
+
+    def fault(self, words):
+        print("FAULT:", words, flush=True)
+        self.faults.append(words)
+
+    def shell(self, command, expected=0):
+        began = time.time()
+        done = subprocess.run(["bash", "-c", "set -o pipefail; " + command], cwd=self.directory, env=self.environment,
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+        print(f"{time.time() - began:7.1f} s  {command}", flush=True)
+        if done.returncode != expected:
+            self.fault(f"exit code {done.returncode}, expected {expected}: {command}\n{done.stderr[-2000:]}")
+        return done
+
+    def rows(self, command):
+        return list(csv.DictReader(io.StringIO(self.shell(command + " --format csv").stdout)))
+
+    def number(self, shown, value, what):
+        if not rounds_to(shown, float(value)):
+            self.fault(f"{what}: README says {shown}, the program {value}")
+
+    def claim_block(self, part):
+        text = self.readme.block(part)
+        self.claimed_blocks.add(text)
+        return text
+
+    def claim_table(self, part):
+        self.claimed_tables.add(part)
+        return self.readme.table(part)
+
+    # Commands.
+
+    def commands(self):
+        for language, text, line in self.readme.blocks:
+            if language != "sh" or any(part in text and why for part, why in NOT_RUN.items()):
+                continue
+            joined = text.replace("\\\n", " ")
+            for command in joined.split("\n"):
+                if not command.strip() or any(part in command for part in LINES_NOT_RUN):
+                    continue
+                if any(part in command for part in LONG) != self.long or self.is_made(command):
+                    continue
+                self.prepare(command)
+                done = self.shell(command)
+                if DEMO.match(command) and "--resume" not in command:
+                    self.progress_of_demo = done.stderr
+
+    def prepare(self, command):
+        """Inputs that README describes in words."""
+        if "floc draw" in command and "spheres.h5" in command and not self.exists("spheres.h5"):
+            self.shell("floc run data/scenes/spheres_demo.toml -o spheres --set grains.count=60 --until 1 && "
+                       "cp spheres/state-0001.h5 spheres.h5")
+        if "grains.csv crystal.h5" in command:
+            open(os.path.join(self.directory, "grains.csv"), "w").write(self.readme.block("x,y,r\n"))
+        if "demo again" in command:
+            self.shell("cp -r demo again")
+
+    def is_made(self, command):
+        """README runs the demo twice, to begin with and as an example: once is enough."""
+        return DEMO.match(command) and "--resume" not in command and self.exists("demo")
+
+    def exists(self, name):
+        return os.path.exists(os.path.join(self.directory, name))
+
+    # Numbers of the short part.
+
+    def demo_moduli(self):
+        rows = self.rows("floc moduli demo/state-*.h5")
+        path = self.path("demo/path.csv")
+        names = ["B_reuss", "B_S", "B", "B_voigt", "G", "G_voigt"]
+        for cells in self.claim_table("| branch | P*"):
+            row = rows[self.step_at(path, cells[0], cells[1])]
+            for name, shown in zip(["phi", "z"] + names, cells[2:]):
+                self.number(shown, row[name], f"demo, {cells[0]} P* = {cells[1]}, {name}")
+            for low, high in zip(["B_reuss", "B_S", "B"], ["B_S", "B", "B_voigt"]):
+                if float(row[low]) > float(row[high]):
+                    self.fault(f"{low} > {high} at P* = {cells[1]}")
+
+    @staticmethod
+    def step_at(path, branch, pressure):
+        """The step of a branch at the pressure nearest to the one printed; loading begins where assembly ends."""
+        branches = {"load", "assembly"} if branch == "load" else {branch}
+        return min((abs(math.log(float(r["P_star"]) / float(pressure))), k) for k, r in enumerate(path)
+                   if r["branch"] in branches and float(r["P_star"]) > 0)[1]
+
+    def path(self, name):
+        return list(csv.DictReader(open(os.path.join(self.directory, name))))
+
+    def fit_of_demo_tables(self):
+        rows = self.rows("floc fit consolidation data/tables/demo")
+        pooled = {r["parameter"]: r for r in rows if r["sample"] == "pooled"}
+        names = {"P1*": "P1_star", "P0*": "P0_star"}
+        for name, value, error, interval in self.claim_table("| parameter | value "):
+            row = pooled[names.get(name, name)]
+            self.number(value, row["value"], f"fit of data/tables/demo, {name}")
+            self.number(error, row["stderr"], f"fit of data/tables/demo, error of {name}")
+            low, high = interval.split(" to ")
+            self.number(low, row["low95"], f"fit of data/tables/demo, low95 of {name}")
+            self.number(high, row["high95"], f"fit of data/tables/demo, high95 of {name}")
+
+    def demo_results(self):
+        """The last lines of .ci/demo: the fit of eight samples, which README prints too, beside the demo's own."""
+        said = self.shell(f"FLOC=$(command -v floc) '{self.source}/.ci/demo-results' \"$PWD/demo\"").stdout
+        lines = said.strip().split("\n")
+        fitted = {line.split()[0]: line.split() for line in lines[-7:-1]}
+        names = {"P1*": "P1_star", "P0*": "P0_star"}
+        for name, value, error, _ in self.readme.table("| parameter | value "):
+            cells = fitted.get(names.get(name, name))
+            if not cells or len(cells) != 4:
+                self.fault(f".ci/demo: no line of {name} in\n{said[-1000:]}")
+                continue
+            self.number(value, cells[1], f".ci/demo, {name} of eight samples")
+            self.number(error, cells[2], f".ci/demo, error of {name}")
+        own = {r["parameter"]: r["value"] for r in self.rows("floc fit consolidation demo")}
+        self.number(fitted["lambda"][3], own["lambda"], ".ci/demo, lambda of the demo")
+        if "not identified" in lines[-1] or "lambda = 0.197 +- 0.090" not in lines[-1]:
+            self.fault(f".ci/demo: its last line is {lines[-1]!r}")
+
+    def progress(self):
+        text = self.claim_block("step 9/40 load P")
+        said = self.progress_of_demo
+        for line in text.strip().split("\n"):
+            found = re.match(r"(step \d+/40 load P = [\d.]+: )phi ([\d.]+), (\d+) contacts, residual ([\d.e-]+) (\(\w+\))",
+                             line)
+            if not found:
+                continue  # what is said while it moves depends on the machine
+            start, phi, contacts, residual, ending = found.groups()
+            now = re.search(re.escape(start) + r"phi ([\d.]+), (\d+) contacts, residual ([\d.e-]+) (\(\w+\))", said)
+            if not now or now.groups() != (phi, contacts, residual, ending):
+                self.fault(f"progress: README says {line!r}, the program {now and now.group(0)!r}")
+
+    def scene_check(self):
+        shown = self.claim_block("group                value  meaning")
+        printed = self.shell("floc scene check powder.toml --format table").stdout
+        for line in shown.strip().split("\n"):
+            words = line.split()
+            if words[0] not in ("...", "cost") and not any(words == other.split() for other in printed.split("\n")):
+                self.fault(f"scene check: no line {line!r} in\n{printed}")
+        name, cost = [line.split()[:2] for line in printed.split("\n") if line.startswith("cost")][0]
+        self.number([line.split()[1] for line in shown.split("\n") if line.startswith("cost")][0], cost, name)
+
+    def scene_faults(self):
+        shown = self.claim_block("contact.damping.restitution is missing")
+        text = open(os.path.join(self.directory, "powder.toml")).read()
+        open(os.path.join(self.directory, "misspelt.toml"), "w").write(text.replace("restitution =", "restituton =", 1))
+        said = self.shell("floc scene check misspelt.toml", expected=4).stderr.replace("misspelt", "powder")
+        if said.strip() != shown.strip():
+            self.fault(f"faults of a scene: README says\n{shown}the program\n{said}")
+
+    def rolling_stiffness(self):
+        found = re.search(r"With `--rolling-stiffness` B = ([\d, ]+) and G = ([\d, ]+): the network of a loose",
+                          self.readme.text().replace("\n", " "))
+        rows = self.rows("floc moduli demo/state-0001.h5 --rolling-stiffness 10,100,1000")
+        if not found:
+            return self.fault("README no longer says what --rolling-stiffness gives")
+        for name, numbers in zip("BG", found.groups()):
+            for shown, row in zip(numbers.split(", "), rows):
+                self.number(shown, row[name], f"--rolling-stiffness {row['rolling_stiffness']}, {name}")
+
+    def network(self):
+        names = ["z", "z_plus", "z_minus", "x22", "moment_2", "pressed_share", "pressed_percolates", "pulled_largest",
+                 "energy_share_95", "correlation_normal", "indeterminacy"]
+        rows = self.rows("floc network demo/state-*.h5")
+        for cells in self.claim_table("| state           | P*"):
+            row = rows[int(cells[0].split(",")[0])]
+            self.number(cells[1], row["P_star"], f"floc network, state {cells[0]}, P*")
+            for name, shown in zip(names, cells[2:]):
+                self.number(shown, row[name], f"floc network, state {cells[0]}, {name}")
+
+    def compare(self):
+        text = self.claim_block("before              after               n_kept")
+        lines = [line.split() for line in text.strip().split("\n")]
+        rows = {r["before"]: r for r in self.rows("floc compare demo/state-*.h5")}
+        for cells in lines[1:]:
+            for name, shown in zip(lines[0][2:], cells[2:]):
+                self.number(shown, rows[cells[0]][name], f"floc compare {cells[0]}, {name}")
+
+    def crystal(self):
+        found = re.search(r"gives B = ([\d.]+) and G = ([\d.]+), the closed forms", self.readme.text())
+        row = self.rows("floc moduli crystal.h5")[0]
+        for name, shown in zip("BG", found.groups()):
+            self.number(shown, row[name], f"crystal, {name}")
+
+    def preconsolidation(self):
+        found = re.search(r"here ([\d.]+) and ([\d.]+), loaded to 1", self.readme.text())
+        rows = [r for r in self.rows("floc fit preconsolidation data/tables/reload") if r["parameter"] == "P_c"]
+        for shown, row in zip(found.groups(), rows):
+            self.number(shown, row["value"], "P_c of " + row["sample"])
+
+    def lammps(self):
+        shown = self.claim_block("lammps.h5: 60 grains in 2D")
+        command = self.readme.block("floc convert data/packings/lammps/disks.dump")
+        done = self.shell(command.replace("lammps.h5 \\", "lammps.h5 --overwrite \\"))
+        said = done.stderr + done.stdout
+        for line in shown.strip().split("\n"):
+            if line in said:
+                continue
+            close = [other for other in said.split("\n") if self.same_numbers(line, other, 1e-13)]
+            if not close:
+                self.fault(f"LAMMPS: no line {line!r} in\n{said}")
+
+    @staticmethod
+    def same_numbers(a, b, tolerance):
+        x, y = NUMBER.findall(a), NUMBER.findall(b)
+        return (NUMBER.sub("#", a) == NUMBER.sub("#", b) and len(x) == len(y) and
+                all(abs(float(p) - float(q)) <= tolerance * abs(float(p)) for p, q in zip(x, y)))
+
+    def python(self):
+        code = self.readme.block("import h5py, numpy as np")
+        shown = self.claim_block("solid fraction   0.7")
+        open(os.path.join(self.directory, "read.py"), "w").write(code)
+        said = self.shell(f"'{sys.executable}' read.py").stdout
+        for line, other in zip(shown.strip().split("\n"), said.strip().split("\n")):
+            # Forces that cancel are rounding, which depends on numpy.
+            tolerance = 1.0 if line.startswith("largest net force") else 1e-9
+            if not self.same_numbers(line, other, tolerance):
+                self.fault(f"h5py: README says {line!r}, the script {other!r}")
+
+    def spheres(self):
+        states = list(csv.DictReader(open(os.path.join(self.source, "data/tables/spheres/states_500.csv"))))
+        text = self.readme.text()
+        columns = ["phi", "z_star_carrying", "x0_carrying", "Z_2"]
+        for cells in self.claim_table("| state | put together | P |"):
+            state = cells[0].lower()
+            first = [r for r in states if r["state"] == state and int(r["step"]) == self.assembled(states, state)]
+            for name, shown in zip(columns, [cells[3], cells[5], cells[7], cells[9]]):
+                percent = shown.endswith("%")
+                mean, deviation = shown.rstrip(" %").split(" +- ")
+                values = [float(r[name]) * (100.0 if percent else 1.0) for r in first]
+                self.number(mean, statistics.mean(values), f"spheres {cells[0]}, {name}")
+                self.number(deviation, statistics.stdev(values), f"spheres {cells[0]}, scatter of {name}")
+        for state, pattern in [("a", r"z\* of A is ([\d.]+) \+- ([\d.]+)"),
+                               ("b", r"z\* is ([\d.]+) \+- ([\d.]+) in B"), ("d", r"and ([\d.]+) \+- ([\d.]+) in D")]:
+            found = re.search(pattern, text.replace("\n", " "))
+            last = self.highest(states, state) if state == "a" else max(int(r["step"]) for r in states if r["state"] == state)
+            values = [float(r["z_star_carrying"]) for r in states if r["state"] == state and int(r["step"]) == last]
+            self.number(found.group(1), statistics.mean(values), f"spheres {state}, z*")
+            self.number(found.group(2), statistics.stdev(values), f"spheres {state}, scatter of z*")
+
+    @staticmethod
+    def assembled(states, state):
+        """The step at which they are put together: the last one before any load."""
+        return max(int(r["step"]) for r in states if r["state"] == state and r["branch"] == "assembly")
+
+    @staticmethod
+    def highest(states, state):
+        return max((float(r["P"]), int(r["step"])) for r in states if r["state"] == state)[1]
+
+    def tradeoff(self):
+        rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/tradeoff/tradeoff.csv"))))
+
+        def error(row):
+            values = [float(row[name]) for name in ("error_before_high", "error_after_high") if row[name]]
+            return max(values) if values else None
+
+        for knob, value, cost, of_phi, of_b, mean_phi, mean_b in self.claim_table("| knob | value | cost_ratio"):
+            chosen = {r["observable"]: r for r in rows if r["knob"] == knob and r["value"] == value}
+            what = f"tradeoff {knob} {value}"
+            if not chosen:
+                self.fault(what + ": not in data/tables/tradeoff/tradeoff.csv")
+                continue
+            any_row = chosen.get("phi", chosen.get("B"))
+            self.number(cost, any_row["cost_ratio"], what + ", cost_ratio")
+            for name, shown in (("phi", of_phi), ("B", of_b)):
+                if shown:
+                    self.number(shown, error(chosen[name]), f"{what}, error of {name}")
+            for name, shown in (("phi", mean_phi), ("B", mean_b)):
+                if shown:
+                    mean, stderr = shown.split(" +- ")
+                    self.number(mean, chosen[name]["mean_difference"], f"{what}, mean of {name}")
+                    self.number(stderr, chosen[name]["mean_stderr"], f"{what}, standard error of {name}")
+
+    # Numbers of the long part. Collapses are chaotic: another version or compiler makes other samples of the same
+    # ensemble, whose means agree within their errors.
+
+    def agrees(self, shown, error, value, what):
+        """Whether two means of four samples differ by no more than three standard errors of their difference."""
+        if abs(float(shown) - float(value)) > 3.0 * math.sqrt(2.0) * error:
+            self.fault(f"{what}: README says {shown}, with a standard error of {error:.2g}, the program {value}")
+
+    def ensembles(self):
+        """Four samples of 1400 disks of each scene, and the fits of two of them."""
+        scenes = {cells[0].strip("`") for cells in self.claim_table("| scene                          | P*")}
+        for scene in sorted(scenes):
+            self.shell(f"floc run data/scenes/{scene}.toml --seeds 1..4 --jobs 2 -o {scene} "
+                       f"{'' if scene.startswith('type2') else '--until 1'}")
+        for cells in self.readme.table("| scene                          | P*"):
+            scene = cells[0].strip("`")
+            phi, z = [], []
+            for seed in range(1, 5):
+                path = self.path(f"{scene}/seed-{seed}/path.csv")
+                row = path[self.step_at(path, "load", cells[1])]
+                phi.append(float(row["phi"]))
+                z.append(float(row["z"]))
+            mean, deviation = cells[2].split(" +- ")
+            self.agrees(mean, float(deviation) / 2.0, statistics.mean(phi), f"{scene}, P* = {cells[1]}, Phi")
+            self.agrees(cells[4], statistics.stdev(z) / 2.0, statistics.mean(z), f"{scene}, P* = {cells[1]}, z")
+        text = self.readme.text().replace("\n", " ")
+        for name, pattern in (("lambda", r"lambda = ([\d.]+) \+- ([\d.]+) without rolling resistance \(published [\d.]+\) "
+                                         r"and ([\d.]+) \+- ([\d.]+) with it"),
+                              ("Phi_max", r"Phi_max = ([\d.]+) \+- ([\d.]+) and ([\d.]+) \+- ([\d.]+)")):
+            shown = re.search(pattern, text).groups()
+            for k, scene in enumerate(("type2_no_rolling", "type2_rolling_small")):
+                rows = {r["parameter"]: r for r in self.rows(f"floc fit consolidation {scene}") if r["sample"] == "pooled"}
+                self.agrees(shown[2 * k], float(shown[2 * k + 1]), rows[name]["value"], f"{scene}, {name}")
+
+    def structures(self):
+        """After ensembles()."""
+        for scene, pressure, phi, xi, dF, size in self.claim_table("| scene                 | P*"):
+            scene = scene.strip("`")
+            path = self.path(f"{scene}/seed-1/path.csv")
+            step = self.step_at(path, "load", pressure)
+            row = self.rows(f"floc structure {scene}/seed-*/state-{step:04d}.h5 --average")[-1]
+            what = f"structure of {scene} at P* = {pressure}"
+            self.agrees(phi, 0.02 * float(phi), row["phi"], what + ", Phi")
+            self.agrees(size, 0.05 * float(size), row["pore_size"], what + ", pore_size")
+            for name, shown in (("xi", xi), ("dF", dF)):
+                if shown:
+                    value, error = shown.split(" +- ")
+                    self.agrees(value, float(error), row[name], f"{what}, {name}")
+
+    # All of it.
+
+    def nothing_is_unclaimed(self):
+        for language, text, line in self.readme.blocks:
+            if language == "" and text not in self.claimed_blocks and not text.startswith("x,y,r"):
+                self.fault(f"README:{line}: no check reads this block")
+        checked = self.claimed_tables | set(UNCHECKED_TABLES)
+        checked |= {"| scene                          | P*", "| scene                 | P*"}  # of the long part
+        for header, _, line in self.readme.tables:
+            if not any(part in header for part in checked):
+                self.fault(f"README:{line}: no check reads this table: {header}")
+
+    def run(self):
+        try:
+            self.commands()
+            if self.long:
+                self.ensembles()
+                self.structures()
+            else:
+                for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
+                              self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
+                              self.preconsolidation, self.lammps, self.python, self.spheres, self.tradeoff):
+                    try:
+                        check()
+                    except Exception as error:  # one stale place does not hide the others
+                        self.fault(f"{check.__name__}: {type(error).__name__}: {error}")
+                self.nothing_is_unclaimed()
+        finally:
+            shutil.rmtree(self.directory, ignore_errors=True)
+        print(f"{len(self.faults)} faults")
+        return 1 if self.faults else 0
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--floc", required=True)
+    parser.add_argument("--source", required=True)
+    parser.add_argument("--long", action="store_true")
+    arguments = parser.parse_args()
+    return Test(os.path.abspath(arguments.floc), os.path.abspath(arguments.source), arguments.long).run()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

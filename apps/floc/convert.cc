@@ -107,7 +107,7 @@ template <int Dim>
 void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
               State<Dim>& state) {
   if (const auto faults = state.packing.law.faults_in_dimension(Dim); !faults.empty())
-    throw InputError(arguments.law.empty() ? in : "--law", faults.front());
+    throw InputError(arguments.law.empty() ? in : "--law", faults.front().words);
   if (!imported.contacts_known) find_contacts(state.packing);
   if (!arguments.stress.empty()) {
     const std::vector<double> stress = parse_numbers("--stress", arguments.stress);
@@ -189,7 +189,7 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
   app.add_option(
       "--contacts", arguments.contacts,
       "file of contacts [found by geometry]: csv with id1, id2[, image1.., normal_force, shear_force1.., "
-      "rolling_moment]; a dump local of LAMMPS; interactions of YADE");
+      "rolling_moment.., twisting_moment]; a dump local of LAMMPS; interactions of YADE");
   app.add_option("--contact-columns", arguments.contact_columns,
                  "columns of the contacts, e.g. id1=c_pair[1],id2=c_pair[2],force1=c_force[1],...");
   app.add_option(

@@ -23,6 +23,8 @@ Names column_names() {
     for (const char* what : {"energy", "rank", "in_95"}) names.push_back(fmt::format("{}_{}", step, what));
   }
   for (const char* what : {"dead_end", "backbone", "scalar_backbone"}) names.emplace_back(what);
+  if (Dim == 3)
+    for (const char* step : {"isotropic", "deviatoric"}) names.push_back(fmt::format("{}_twisting", step));
   return names;
 }
 
@@ -54,6 +56,15 @@ void append_step(const std::optional<StepResponse<Dim>>& step, const ContactNetw
   values.emplace_back(step->rank[c] < step->n_holding);
 }
 
+/// Twisting moment.
+template <int Dim>
+void append_twisting(const std::optional<StepResponse<Dim>>& step, int c, Values& values) {
+  if (!step)
+    values.emplace_back();
+  else
+    values.emplace_back(c < 0 ? 0.0 : step->increments[c].twisting_moment);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -77,6 +88,8 @@ void add_increments(const std::string& file, const Packing<Dim>& packing, const 
     else
       values.emplace_back(c >= 0 && mechanics.backbone[c]);
     values.emplace_back(c >= 0 && mechanics.percolation.scalar_backbone[c]);
+    if (Dim == 3)
+      for (const auto* step : {&mechanics.isotropic, &mechanics.deviatoric}) append_twisting(*step, c, values);
     table.rows.push_back(std::move(values));
   }
 }

@@ -10,7 +10,9 @@
 
 #include "command.h"
 #include "floc/base/error.h"
+#include "floc/run/contact_tracker.h"
 #include "floc/run/drive.h"
+#include "floc/run/energy_tracker.h"
 #include "floc/scene/read_scene.h"
 #include "run_ensemble.h"
 #include "run_monitor.h"
@@ -34,6 +36,7 @@ struct RunArguments {
   std::optional<int> threads;
   std::optional<int> until;
   std::optional<double> track_contacts;  ///< time between two rows
+  bool track_energy = false;
   bool resume = false;
   bool overwrite = false;
 };
@@ -81,9 +84,10 @@ int run_scene(const Scene& scene, const RunArguments& arguments) {
   RunDirectory directory(arguments.directory, existing, options);
   Run<Dim> run = start_or_resume<Dim>(directory, options);
 
-  std::unique_ptr<ContactTracker<Dim>> tracker;
+  std::unique_ptr<MotionTable<Dim>> table;
   if (arguments.track_contacts && !run.finished())
-    tracker = track_contacts(run, options, directory, *arguments.track_contacts);
+    table = track_contacts(run, options, directory, *arguments.track_contacts);
+  if (arguments.track_energy && !run.finished()) table = track_energy(run, options, directory);
 
   if (!scene.start.empty()) fmt::print(stderr, "start: {}\n", scene.start);
   if (!scene.accuracy.empty()) fmt::print(stderr, "accuracy: {}\n", scene.accuracy);
@@ -96,7 +100,7 @@ int run_scene(const Scene& scene, const RunArguments& arguments) {
   driving.stop = [] { return g_interrupted != 0; };
   driving.chunk = [&monitor](const Run<Dim>& moving) { monitor.chunk(moving); };
   driving.equilibrium = [&monitor](const auto&... reached) { monitor.equilibrium(reached...); };
-  return report_outcome(drive(run, directory, driving, tracker.get()), run, arguments.directory);
+  return report_outcome(drive(run, directory, driving, table.get()), run, arguments.directory);
 }
 
 int run_scene(const RunArguments& arguments) {
@@ -126,6 +130,7 @@ int run_seeds(const RunArguments& arguments) {
   if (arguments.until) args.insert(args.end(), {"--until", std::to_string(*arguments.until)});
   if (arguments.track_contacts)
     args.insert(args.end(), {"--track-contacts", fmt::format("{}", *arguments.track_contacts)});
+  if (arguments.track_energy) args.emplace_back("--track-energy");
   if (arguments.resume) args.emplace_back("--resume");
   if (arguments.overwrite) args.emplace_back("--overwrite");
   return run_ensemble(directory, seeds, arguments.jobs, args, arguments.resume);
@@ -153,11 +158,16 @@ Command add_run(CommandLine program) {
   app.add_option("--set", arguments->overrides,
                  "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
-  app.add_option(
-         "--track-contacts", arguments->track_contacts,
-         "record in DIR/contacts.csv which contacts open and close inside steps, looking each DT of simulated "
-         "time (at least each 500 time steps)")
-      .positive();
+  const Option track_contacts = app.add_option("--track-contacts", arguments->track_contacts,
+                                               "record in DIR/contacts.csv which contacts open and close "
+                                               "inside steps, looking each DT of simulated "
+                                               "time (at least each 500 time steps)")
+                                    .positive();
+  app.add_flag("--track-energy", arguments->track_energy,
+               "keep in DIR/energy.csv the account of the energy: work of the boundary, what is stored, what "
+               "is lost and "
+               "in what; needs equilibrium.finish = \"dynamic\", and some 20 times the time")
+      .excludes(track_contacts);
   app.add_option("--until", arguments->until, "Stop after the equilibrium of this number").non_negative();
   return {app,
           [arguments] { return arguments->seeds.empty() ? run_scene(*arguments) : run_seeds(*arguments); }};

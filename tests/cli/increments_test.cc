@@ -107,7 +107,7 @@ TEST_F(Increments, OfSpheresHaveThreeComponents) {
   ASSERT_EQ(moduli("cubic.h5 --increments out.csv").code, 0);
   const auto rows = written();
   ASSERT_THAT(rows, SizeIs(4));
-  EXPECT_THAT(rows[0], SizeIs(31));
+  EXPECT_THAT(rows[0], SizeIs(33));
   for (int k = 1; k <= 3; ++k) EXPECT_NEAR(std::stod(rows[k][8]), 1.0, 1e-12);
 }
 

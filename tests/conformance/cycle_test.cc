@@ -69,6 +69,7 @@ struct LoopWork {
   double viscous = 0.0;
   double tangential = 0.0;
   double rolling = 0.0;
+  double twisting = 0.0;
   double stored = 0.0;   ///< left in the springs at the end
   double largest = 0.0;  ///< largest energy the springs held
 };
@@ -79,25 +80,32 @@ LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
   testing::Remembered<Law, Dim> history;
   Shear<Dim> shear = Shear<Dim>::Zero();
   RotationVector<Dim> rolling = RotationVector<Dim>::Zero();
+  double twisting = 0.0;
   const double dt = 1e-3;
   for (int k = 1; k <= n_steps; ++k) {
     const double from = static_cast<double>(k - 1) / n_steps;
     const double to = static_cast<double>(k) / n_steps;
     const double opening = loop.gap(to) - loop.gap(from);
-    const ContactMotion<Dim> motion{pair_at(loop.gap(to)), opening / dt,
+    const ContactMotion<Dim> motion{pair_at(loop.gap(to)),
+                                    opening / dt,
                                     law.damping_coefficient(CollisionMass::between(1.0, 0.5)),
-                                    loop.slip(to) - loop.slip(from), loop.rotation(to) - loop.rotation(from)};
+                                    loop.slip(to) - loop.slip(from),
+                                    loop.rotation(to) - loop.rotation(from),
+                                    (loop.rotation(to) - loop.rotation(from))[kRotations<Dim> - 1]};
     const ContactForces<Dim> f = law.respond(motion, history);
     work.normal += law.energy(pair_at(loop.gap(to))) - law.energy(pair_at(loop.gap(from)));
     work.viscous -= f.viscous * opening;
     work.tangential += 0.5 * (shear + f.shear).dot(motion.slip);
     work.rolling += 0.5 * (rolling + f.rolling).dot(motion.relative_rotation);
     shear = f.shear;
+    work.twisting += 0.5 * (twisting + f.twisting) * motion.twist;
     rolling = f.rolling;
+    twisting = f.twisting;
     work.stored = 0.0;
     const ContactStiffness stiffness = testing::stiffness_at<Dim>(law, loop.gap(to));
     if (stiffness.tangential > 0) work.stored += 0.5 * shear.squaredNorm() / stiffness.tangential;
     if (stiffness.rolling > 0) work.stored += 0.5 * rolling.squaredNorm() / stiffness.rolling;
+    if (stiffness.twisting > 0) work.stored += 0.5 * twisting * twisting / stiffness.twisting;
     work.largest = std::max(work.largest, work.stored);
   }
   return work;
@@ -123,8 +131,10 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
       EXPECT_GE(work.viscous, 0.0);
       EXPECT_GE(work.tangential, -rounding);
       EXPECT_GE(work.rolling, -rounding);
-      EXPECT_GE(work.tangential + work.rolling, work.stored - rounding);
-      slid += work.tangential + work.rolling - work.stored;
+      EXPECT_GE(work.twisting, -rounding);
+      const double done = work.tangential + work.rolling + work.twisting;
+      EXPECT_GE(done, work.stored - rounding);
+      slid += done - work.stored;
       if (Law::kHasDamping) {
         EXPECT_GT(work.viscous, 0.0);
       }
@@ -147,6 +157,7 @@ TEST(Dissipation, IsZeroWhereNothingSlidesOrParts) {
       const LoopWork work = work_around(law, loop, kSteps);
       EXPECT_NEAR(work.tangential, 0.0, 1e-11 * work.largest);
       EXPECT_NEAR(work.rolling, 0.0, 1e-11 * work.largest);
+      EXPECT_NEAR(work.twisting, 0.0, 1e-11 * work.largest);
       EXPECT_NEAR(work.stored, 0.0, 1e-11 * work.largest);
     }
   });

@@ -31,6 +31,13 @@ ContactMotion<Dim> rolled(double gap, double rotation) {
   return motion;
 }
 
+template <int Dim>
+ContactMotion<Dim> twisted(double gap, double twist) {
+  ContactMotion<Dim> motion = at_gap<Dim>(gap);
+  motion.twist = twist;
+  return motion;
+}
+
 TEST(TangentialStiffness, IsTheSlopeOfTheShearForceInTheTangentPlane) {
   for_each_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
@@ -81,6 +88,20 @@ TEST(RollingStiffness, IsTheSlopeOfTheMoment) {
     }
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b) EXPECT_DOUBLE_EQ(forces.rolling[a].v[b], a == b ? kr : 0.0);
+  });
+}
+
+TEST(TwistingStiffness, IsTheSlopeOfTheMoment) {
+  for_each_law_and_dimension([](const auto& law, auto dimension) {
+    constexpr int Dim = decltype(dimension)::value;
+    using Law = std::decay_t<decltype(law)>;
+    using Dual = ceres::Jet<double, 1>;
+    testing::Remembered<Law, Dim, Dual> history;
+    ContactMotion<Dim, Dual> motion = at_gap<Dim, Dual>(Dual(-kOverlap));
+    motion.twist = Dual(1e-5, 0);
+    const double ktw = stiffness_at<Dim>(law, -kOverlap).twisting;
+    EXPECT_EQ(ktw > 0.0, Law::kHasTwisting);
+    EXPECT_DOUBLE_EQ(law.respond(motion, history).twisting.v[0], ktw);
   });
 }
 
@@ -142,6 +163,21 @@ TEST(RollingCap, IsMuRTimesTheElasticPart) {
   });
 }
 
+TEST(TwistingCap, IsMuTwTimesTheElasticPart) {
+  for_each_law_and_dimension([](const auto& law, auto dimension) {
+    constexpr int Dim = decltype(dimension)::value;
+    using Law = std::decay_t<decltype(law)>;
+    testing::Remembered<Law, Dim> history;
+    const auto forces = law.respond(twisted<Dim>(-kOverlap, -1.0), history);
+    if constexpr (Law::kHasTwisting)
+      EXPECT_DOUBLE_EQ(forces.twisting, -law.twisting.coefficient * testing::elastic_force_at(law, -kOverlap));
+    else
+      EXPECT_EQ(forces.twisting, 0.0);
+    EXPECT_EQ(forces.rolling.norm(), 0.0);
+    EXPECT_EQ(forces.shear.norm(), 0.0);
+  });
+}
+
 TEST(Springs, AreCutBackWithTheCapAndDoNotComeBack) {
   for_each_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
@@ -149,6 +185,7 @@ TEST(Springs, AreCutBackWithTheCapAndDoNotComeBack) {
     testing::Remembered<Law, Dim> history;
     ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1.0);
     motion.relative_rotation[0] = 1.0;
+    motion.twist = 1.0;
     const auto full = law.respond(motion, history);
     const auto half = law.respond(at_gap<Dim>(-kOverlap / 2), history);
     const auto again = law.respond(at_gap<Dim>(-kOverlap), history);
@@ -157,6 +194,8 @@ TEST(Springs, AreCutBackWithTheCapAndDoNotComeBack) {
     EXPECT_NEAR(half.rolling[0], share * full.rolling[0], 1e-14 * full.rolling[0]);
     EXPECT_EQ(again.shear[0], half.shear[0]);
     EXPECT_EQ(again.rolling[0], half.rolling[0]);
+    EXPECT_NEAR(half.twisting, share * full.twisting, 1e-14 * full.twisting);
+    EXPECT_EQ(again.twisting, half.twisting);
   });
 }
 
@@ -167,10 +206,12 @@ TEST(Springs, BelowTheirCapsFeelNoChangeOfTheNormalForce) {
     testing::Remembered<Law, Dim> history;
     ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1e-6);
     motion.relative_rotation[0] = 1e-5;
+    motion.twist = 1e-5;
     const auto before = law.respond(motion, history);
     const auto after = law.respond(at_gap<Dim>(-3 * kOverlap), history);
     EXPECT_EQ(after.shear, before.shear);
     EXPECT_EQ(after.rolling, before.rolling);
+    EXPECT_EQ(after.twisting, before.twisting);
   });
 }
 
@@ -183,11 +224,13 @@ TEST(Springs, AreClearedWhenTheSurfacesPart) {
       testing::Remembered<Law, Dim> history;
       ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1e-6);
       motion.relative_rotation[0] = 1e-5;
+      motion.twist = 1e-5;
       law.respond(motion, history);
       law.respond(at_gap<Dim>(parted), history);
       const auto forces = law.respond(at_gap<Dim>(-kOverlap), history);
       EXPECT_EQ(forces.shear.norm(), 0.0);
       EXPECT_EQ(forces.rolling.norm(), 0.0);
+      EXPECT_EQ(forces.twisting, 0.0);
     }
   });
 }

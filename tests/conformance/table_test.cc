@@ -35,7 +35,7 @@ TEST(Table, EveryCombinationOfKeywordsHasARowOfItsOwn) {
   for (const double force : {-1.0, 0.5})
     for (const double range : {0.0, 1e-3})
       for (const bool damped : {false, true})
-        for (const int springs : {0, 1, 2}) {
+        for (const int springs : {0, 1, 2, 3}) {
           if (force < 0 && range > 0) continue;
           LawParameters p;
           p.normal = LinearRepulsion{1e5};
@@ -44,11 +44,37 @@ TEST(Table, EveryCombinationOfKeywordsHasARowOfItsOwn) {
           if (damped) p.damping = ViscousDamping{0.5, DampingMass::grain};
           if (springs > 0) p.friction = CoulombFriction{0.5, 1e5};
           if (springs > 1) p.rolling = RollingSpring{0.01, 10.0};
+          if (springs > 2) p.twisting = TwistingSpring{0.01, 10.0};
           ++n_combinations;
           rows.insert(compose_law(p).index());
         }
-  EXPECT_EQ(n_combinations, 18);
-  EXPECT_EQ(rows.size(), 18u);
+  EXPECT_EQ(n_combinations, 24);
+  EXPECT_EQ(rows.size(), 24u);
+}
+
+TEST(Table, TwistingAloneNeitherResistsRollingNorYieldsToIt) {
+  LawParameters p;
+  p.normal = LinearRepulsion{1e5};
+  p.friction = CoulombFriction{0.5, 1e5};
+  p.twisting = TwistingSpring{0.01, 10.0};
+  std::visit(
+      []<class Law>(const Law& law) {
+        EXPECT_TRUE(Law::kHasTwisting);
+        testing::Remembered<Law, 3> memory;
+        ContactMotion<3> motion = testing::at_gap<3>(-1e-4);
+        motion.relative_rotation = Vec<3>(0.1, 0.2, 0.0);
+        motion.twist = 1.0;
+        const ContactForces<3> f = law.respond(motion, memory);
+        EXPECT_EQ(f.rolling, Vec<3>::Zero());
+        EXPECT_DOUBLE_EQ(f.twisting, 0.01 * f.normal.elastic);
+        const Mobilised m = law.template mobilised<3>(f.normal.elastic, memory, 0.0);
+        EXPECT_FALSE(m.rolling);
+        EXPECT_TRUE(m.twisting);
+        const ContactStiffness k = law.template stiffness<3>(motion.pair, memory);
+        EXPECT_EQ(k.rolling, 0.0);
+        EXPECT_EQ(k.twisting, 10.0);
+      },
+      compose_law(p));
 }
 
 TEST(Table, AdhesionOfNoForceIsNoAdhesion) {
@@ -70,7 +96,7 @@ TEST(EmptySlots, CostNoByteOfTheContactRecord) {
     using Law = std::decay_t<decltype(law)>;
     const std::size_t components = memory_size<typename Law::NormalModel>(Dim) +
                                    memory_size<typename Law::TangentialModel>(Dim) +
-                                   (Law::kHasRolling ? kRotations<Dim> : 0);
+                                   (Law::kHasRolling ? kRotations<Dim> : 0) + (Law::kHasTwisting ? 1 : 0);
     using History = testing::Remembered<Law, Dim>;
     // The language gives an object without members one byte.
     EXPECT_EQ(sizeof(History), components > 0 ? components * sizeof(double) : 1u);
@@ -85,7 +111,7 @@ TEST(EmptySlots, CostNoByteOfTheLaw) {
   for_each_law([](const auto& law) {
     EXPECT_EQ(sizeof(law), kSlotBytes<decltype(law.repulsion)> + kSlotBytes<decltype(law.adhesion)> +
                                kSlotBytes<decltype(law.damping)> + kSlotBytes<decltype(law.friction)> +
-                               kSlotBytes<decltype(law.rolling)>);
+                               kSlotBytes<decltype(law.rolling)> + kSlotBytes<decltype(law.twisting)>);
   });
 }
 

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <initializer_list>
 #include <numeric>
 
 #include "floc/assembly/gas.h"
 #include "floc/relaxation/dynamics.h"
+#include "floc/relaxation/relaxation_options.h"
 
 namespace floc::test {
 
@@ -75,6 +77,47 @@ void expect_same_bits(const Packing<Dim>& p, const Packing<Dim>& q) {
   EXPECT_EQ(p.cell.velocity, q.cell.velocity);
   ASSERT_EQ(p.contacts.size(), q.contacts.size());
   for (std::size_t c = 0; c < p.contacts.size(); ++c) EXPECT_EQ(p.contacts[c].memory, q.contacts[c].memory);
+}
+
+/// Neighbour lists of other skins, and chunks, give the same bits.
+template <int Dim>
+void expect_no_trace_of_lists() {
+  const Packing<Dim> gas = agitated_gas<Dim>(200, cohesive_law());
+  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+  const Packing<Dim> tight = after(gas, {dt, 1e-3}, {600});
+  ASSERT_GT(tight.contacts.size(), 50u);
+  expect_same_bits(tight, after(gas, {dt, 0.3}, {600}));
+  expect_same_bits(tight, after(gas, {dt, 0.05}, {100, 250, 250}));
+}
+
+template <int Dim>
+void expect_no_trace_of_threads() {
+  const Packing<Dim> gas = agitated_gas<Dim>(300, cohesive_law());
+  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+  const Packing<Dim> one = after(gas, {dt, 0.05, 1}, {600});
+  const Packing<Dim> two = after(gas, {dt, 0.05, 2}, {600});
+  // The team's second thread stays alive after its work.
+  const auto tasks = std::filesystem::directory_iterator("/proc/self/task");
+  EXPECT_GE(std::distance(begin(tasks), end(tasks)), 2);
+  expect_same_bits(one, two);
+}
+
+/// The laws of every slot the force loop reads. @param n_contacts  more than these at the end
+template <int Dim>
+void expect_no_trace_of_instructions(std::size_t n_contacts) {
+  LawParameters frictionless = cohesive_law();
+  frictionless.friction.reset();
+  frictionless.rolling.reset();
+  LawParameters sliding = cohesive_law();
+  sliding.rolling.reset();
+  for (const LawParameters& law : {cohesive_law(), sliding, frictionless}) {
+    const Packing<Dim> gas = agitated_gas<Dim>(150, law);
+    const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+    const Packing<Dim> portable = after(gas, {dt, 0.05, 1, InstructionSet::portable}, {600});
+    ASSERT_GT(portable.contacts.size(), n_contacts);
+    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512})
+      if (supported(set)) expect_same_bits(portable, after(gas, {dt, 0.05, 1, set}, {600}));
+  }
 }
 
 }  // namespace floc::test

@@ -71,17 +71,20 @@ struct Sample<RollingSpring> {
   static std::string name() { return " rolling"; }
 };
 
-template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling>
-constexpr auto sample_law(std::type_identity<ContactLaw<Normal, Adhesion, Damping, Tangential, Rolling>>) {
-  return ContactLaw<Normal, Adhesion, Damping, Tangential, Rolling>{
-      Sample<Normal>::value, Sample<Adhesion>::value, Sample<Damping>::value, Sample<Tangential>::value,
-      Sample<Rolling>::value};
+template <>
+struct Sample<TwistingSpring> {
+  static constexpr TwistingSpring value{0.04, 20.0};
+  static std::string name() { return " twisting"; }
+};
+
+template <class... Models>
+constexpr auto sample_law(std::type_identity<ContactLaw<Models...>>) {
+  return ContactLaw<Models...>{Sample<Models>::value...};
 }
 
-template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling>
-std::string law_name(std::type_identity<ContactLaw<Normal, Adhesion, Damping, Tangential, Rolling>>) {
-  return Sample<Normal>::name() + Sample<Adhesion>::name() + Sample<Damping>::name() +
-         Sample<Tangential>::name() + Sample<Rolling>::name();
+template <class... Models>
+std::string law_name(std::type_identity<ContactLaw<Models...>>) {
+  return (Sample<Models>::name() + ...);
 }
 
 /// Calls check(law) for every row of the table, naming the row in whatever fails.
@@ -128,6 +131,7 @@ LawParameters parameters_of(const Law& law) {
   p.damping = law.damping;
   p.friction = law.friction;
   p.rolling = law.rolling;
+  p.twisting = law.twisting;
   return p;
 }
 

@@ -39,7 +39,10 @@ class MovingPair {
     motion.slip = to_shear<double>(n, after - before - cross<double>(rotations, n));
     motion.relative_rotation = rolling_part<double>(n, RotationVector<Dim>(i.rotation - j.rotation));
     double twist = 0.0;
-    if constexpr (Dim == 3) twist = 0.5 * (i.rotation + j.rotation).dot(n);
+    if constexpr (Dim == 3) {
+      twist = 0.5 * (i.rotation + j.rotation).dot(n);
+      motion.twist = (i.rotation - j.rotation).dot(n);
+    }
     transport_memory(before.normalized(), normal(), twist);
     return law_.respond(motion, memory_);
   }

@@ -24,4 +24,9 @@ RotationVector<Dim> rolling_spring(const Contact<Dim>& c) {
   return c.memory.template segment<kRotations<Dim>>(MemoryLayout<Dim>::kRolling);
 }
 
+/// The rotation about the normal that it remembers under resistance to twisting (radians).
+inline double& twisting_spring(Contact<3>& c) {
+  return c.memory[MemoryLayout<3>::kTwisting];
+}
+
 }  // namespace floc::test

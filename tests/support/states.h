@@ -22,6 +22,7 @@ State<Dim> busy_state() {
   p.law.damping = ViscousDamping{0.015, DampingMass::effective};
   p.law.friction = CoulombFriction{0.5, 1e5};
   p.law.rolling = RollingSpring{0.005, 10.0};
+  if (Dim == 3) p.law.twisting = TwistingSpring{0.004, 8.0};
   p.cell.matrix *= 7.3;
   p.cell.matrix(0, 0) = 1.0 - 1e-5 / 3.0;
   p.cell.matrix(1, 0) = 0.1;
@@ -47,6 +48,7 @@ State<Dim> busy_state() {
   overlap.key = 4;
   test::shear_spring(overlap)[0] = 1e-6 / 3.0;
   test::rolling_spring(overlap)[0] = -1e-4 / 3.0;
+  if constexpr (Dim == 3) test::twisting_spring(overlap) = 1e-3 / 3.0;
   Contact<Dim> distant;
   distant.i = 1;
   distant.j = 2;

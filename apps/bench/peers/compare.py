@@ -16,11 +16,13 @@ import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SCENES = {  # grains, script and laws of LAMMPS, law of YADE
-    "friction": ("1400 disks", "lammps_steps.in", {"hooke": "gran/hooke/history"}, "CundallStrack"),
-    "cohesion": ("1400 disks", "lammps_steps.in", {"jkr": "granular, JKR", "dmt": "granular, DMT"}, "CohesionMoment"),
+SCENES = {  # grains, script and laws of LAMMPS, script and law of YADE
+    "friction": ("1400 disks", "lammps_steps.in", {"hooke": "gran/hooke/history"}, "yade_steps.py", "CundallStrack"),
+    "cohesion": ("1400 disks", "lammps_steps.in", {"jkr": "granular, JKR", "dmt": "granular, DMT"}, "yade_steps.py",
+                 "CohesionMoment"),
     "spheres": ("4000 glass beads", "lammps_spheres.in",
-                {"hertz": "gran/hertz/history", "mindlin": "granular, mindlin_rescale/force"}, None),
+                {"hertz": "gran/hertz/history", "mindlin": "granular, mindlin_rescale/force"}, "yade_spheres.py",
+                "HertzMindlin"),
 }
 
 
@@ -55,22 +57,22 @@ def lammps_steps(folder, script, law, barostat):
     return contacts, contacts * steps / seconds
 
 
-def yade_steps(folder, scene):
-    text = output("yade", "-n", "-x", "-j1", os.path.join(HERE, "yade_steps.py"), "packing.xyz", scene, cwd=folder)
+def yade_steps(folder, script, scene):
+    text = output("yade", "-n", "-x", "-j1", os.path.join(HERE, script), "packing.xyz", scene, cwd=folder)
     contacts, steps, seconds = map(float, re.search(r"contacts (\d+) steps (\d+) seconds ([\d.]+)", text).groups())
     return contacts, contacts * steps / seconds
 
 
 def compare(build, scene, folder):
-    _, script, laws, yade_law = SCENES[scene]
+    _, script, laws, yade_script, yade_law = SCENES[scene]
     state = make_packing(os.path.join(build, "apps/floc/floc"), scene, folder)
     rows = {"floc, stress control": floc_steps(build, state)}
     if shutil.which("lmp"):
         for law, name in laws.items():
             rows[f"LAMMPS {name}, fix nph"] = lammps_steps(folder, script, law, "yes")
             rows[f"LAMMPS {name}, no barostat"] = lammps_steps(folder, script, law, "no")
-    if yade_law and shutil.which("yade"):
-        rows[f"YADE {yade_law}, stress control"] = yade_steps(folder, scene)
+    if shutil.which("yade"):
+        rows[f"YADE {yade_law}, stress control"] = yade_steps(folder, yade_script, scene)
     return rows
 
 

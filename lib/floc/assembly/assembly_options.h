@@ -42,9 +42,9 @@ struct AssemblyOptions {
   /// protocol, and of others, where zero leaves grains at rest.
   double agitation = 0.0;
   double pressure = 0.0;  ///< first pressure (unit of stress of the scene)
-  std::optional<double>
-      friction;       ///< coefficient while grains are put together, where not that of the material
-  CellResponse cell;  ///< while grains are put together
+  /// Coefficient while grains are put together, where not that of the material.
+  std::optional<double> friction;
+  CellResponse cell;                   ///< while grains are put together
   std::optional<Vibration> vibration;  ///< of a saved packing, or of one put together from a gas
   SavedStart saved;                    ///< of the protocol that starts from one
 };

@@ -65,7 +65,6 @@ struct Attitude<2> {
     angle = flown * spin[0];
   }
   Vec<2> turned(const Vec<2>& v) const { return Eigen::Rotation2Dd(angle) * v; }
-  RotationVector<2> turned_spin(const RotationVector<2>& w) const { return w; }
   void turn(double& orientation) const { orientation += angle; }
 };
 template <>
@@ -76,6 +75,7 @@ struct Attitude<3> {
   /// Euler's equations by the method of Runge and Kutta of fourth order: the angular momentum stays, the moment
   /// of inertia turns with the body.
   void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
+    if (spin_at_start.isZero(0.0)) return;  // of a cluster that winds around the cell the inertia is unknown
     const Vec<3> angular_momentum = inertia * spin_at_start;
     const Mat<3> inverse = inertia.inverse();
     const auto spin_at = [&](const Eigen::Quaterniond& q) {
@@ -99,9 +99,19 @@ struct Attitude<3> {
     spin = spin_at(rotation);
   }
   Vec<3> turned(const Vec<3>& v) const { return rotation * v; }
-  RotationVector<3> turned_spin(const RotationVector<3>& w) const { return rotation * w; }
   void turn(Eigen::Quaterniond& orientation) const { orientation = rotation * orientation; }
 };
+
+/// What contacts remember in their tangent planes turns with their clusters; their normals, which nothing reads
+/// before they are found anew, stay behind.
+template <class Turned>
+void turn_memory(Packing<3>& packing, const Turned& turned) {
+  for (const RememberedQuantity& q : remembered_quantities(packing.law, 3)) {
+    if (!is_tangential(q.declared.kind)) continue;
+    for (Contact<3>& c : packing.contacts)
+      c.memory.segment<3>(q.begin) = turned(c.i, Vec<3>(c.memory.segment<3>(q.begin)));
+  }
+}
 
 }  // namespace
 
@@ -233,12 +243,14 @@ double ClusterFlight<Dim>::fly(Packing<Dim>& packing, double nearest, double lon
     g.velocity[i] = cluster.velocity + now.turned(Vec<Dim>(g.velocity[i] - cluster.velocity));
     if constexpr (Dim == 3) {
       // What the spin has changed by, seen from the body, is what tumbling is.
-      const RotationVector<Dim> change = now.spin - now.turned_spin(cluster.spin);
+      const RotationVector<Dim> change = now.spin - now.turned(cluster.spin);
       g.velocity[i] += cross<double>(change, now.turned(Vec<Dim>(place_[i] - cluster.centre)));
-      g.angular_velocity[i] = now.turned_spin(g.angular_velocity[i]) + change;
+      g.angular_velocity[i] = now.turned(g.angular_velocity[i]) + change;
     }
     now.turn(g.orientation[i]);
   }
+  if constexpr (Dim == 3)
+    turn_memory(packing, [&](int grain, const Vec<3>& v) { return attitude[cluster_of_[grain]].turned(v); });
   return flown;
 }
 

@@ -13,6 +13,7 @@ using NoAdhesion = Absent<1>;
 using NoDamping = Absent<2>;
 using NoFriction = Absent<3>;
 using NoRolling = Absent<4>;
+using NoTwisting = Absent<5>;
 
 template <class Model>
 inline constexpr bool kIsAbsent = false;

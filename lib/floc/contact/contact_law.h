@@ -23,39 +23,46 @@ struct ContactMotion {
   T gap_rate;            ///< dh/dt (length/time)
   T damping;             ///< damping coefficient of the pair (damping_coefficient())
   Shear<Dim, T> slip;    ///< tangential displacement of j against i since the memory was last updated
-  RotationVector<Dim, T>
-      relative_rotation;  ///< rolling of i against j since then (radians), see rolling_part()
+  /// Rolling of i against j since then (radians), see rolling_part().
+  RotationVector<Dim, T> relative_rotation;
+  /// Of spheres, rotation of i against j about the normal since then (radians).
+  T twist = T(0);
 };
 
-/// What a contact does to its grains. On j act +normal along n and -shear; on i the opposite. On i acts the
-/// moment -rolling besides that of the shear force, on j +rolling.
+/// What a contact does to its grains. On j act +normal along n and -shear; on i the opposite. On i act the
+/// moments -rolling and -twisting n besides that of the shear force, on j the opposite.
 template <int Dim, class T = double>
 struct ContactForces {
   NormalResponse<T> normal;        ///< static normal response
   T viscous;                       ///< dashpot force, compression positive; no part of the static force
   Shear<Dim, T> shear;             ///< tangential force on i, in the contact's frame (force)
   RotationVector<Dim, T> rolling;  ///< moment on j (force * length)
+  T twisting = T(0);               ///< of spheres, moment on j about n (force * length)
 };
 
-/// Stiffnesses of one contact for the network: along the normal, across it, and against rolling.
+/// Stiffnesses of one contact for the network: along the normal, across it, and against rolling and
+/// twisting.
 struct ContactStiffness {
-  double normal;      ///< K_N, or -F0/D0 of a distant attraction (force/length)
-  double tangential;  ///< K_T (force/length), 0 when the surfaces do not touch
-  double rolling;     ///< K_R (force * length), 0 when they do not touch
+  double normal;          ///< K_N, or -F0/D0 of a distant attraction (force/length)
+  double tangential;      ///< K_T (force/length), 0 when the surfaces do not touch
+  double rolling;         ///< K_R (force * length), 0 when they do not touch
+  double twisting = 0.0;  ///< K_tw (force * length), 0 when they do not touch
 };
 
 /// A contact law composed of slots; an absent slot (contact/absent.h) has no member, no branch and no memory.
 /// Every function that dynamics calls is a template on its number type and free of branches on values.
-template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling>
+template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 struct ContactLaw {
   static constexpr bool kHasAdhesion = !kIsAbsent<Adhesion>;
   static constexpr bool kHasDamping = !kIsAbsent<Damping>;
   static constexpr bool kHasFriction = !kIsAbsent<Tangential>;
   static constexpr bool kHasRolling = !kIsAbsent<Rolling>;
+  static constexpr bool kHasTwisting = !kIsAbsent<Twisting>;
   /// Whether the damping coefficient has to be multiplied by the root of the stiffness.
   static constexpr bool kDampingFollowsStiffness = kFollowsNormalStiffness<Damping>;
   /// Dimensions that the law is for, 0: any.
-  static constexpr int kDimension = std::max(kDimensionOf<Normal>, kDimensionOf<Tangential>);
+  static constexpr int kDimension =
+      std::max({kDimensionOf<Normal>, kDimensionOf<Tangential>, kDimensionOf<Twisting>});
 
   /// Whether the law reads those numbers of a pair; they are loaded for no other.
   static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
@@ -63,20 +70,23 @@ struct ContactLaw {
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
   || requires { requires Adhesion::kNeedsReducedMass; };
 
-  /// Numbers a contact remembers: those of the normal, the tangential and the rolling slot, in this order.
+  /// Numbers a contact remembers: those of the normal, the tangential, the rolling and the twisting slot, in this
+  /// order.
   template <int Dim>
-  static constexpr int kMemorySize =
-      memory_size<Normal>(Dim) + memory_size<Tangential>(Dim) + memory_size<Rolling>(Dim);
+  static constexpr int kMemorySize = memory_size<Normal>(Dim) + memory_size<Tangential>(Dim) +
+                                     memory_size<Rolling>(Dim) + memory_size<Twisting>(Dim);
 
   using NormalModel = Normal;
   using TangentialModel = Tangential;
   using RollingModel = Rolling;
+  using TwistingModel = Twisting;
 
   [[no_unique_address]] Normal repulsion;
   [[no_unique_address]] Adhesion adhesion;
   [[no_unique_address]] Damping damping;
   [[no_unique_address]] Tangential friction;
   [[no_unique_address]] Rolling rolling;
+  [[no_unique_address]] Twisting twisting;
 
   /// Largest gap at which the law still acts (length); the neighbour cutoff derives from it.
   double range() const {
@@ -117,8 +127,8 @@ struct ContactLaw {
     return u;
   }
 
-  /// Damping coefficient of a pair of grains, 0 without damping: (force * time/length), or that over the root of
-  /// a stiffness where damping follows it.
+  /// Damping coefficient of a pair of grains, 0 without damping: (force * time/length), or that over the root
+  /// of a stiffness where damping follows it.
   double damping_coefficient([[maybe_unused]] const CollisionMass& mass) const {
     if constexpr (kHasDamping) return damping.coefficient(mass, repulsion);
     return 0.0;
@@ -142,6 +152,8 @@ struct ContactLaw {
     if constexpr (kHasRolling)
       forces.rolling =
           rolling.respond(pair, forces.normal, motion.relative_rotation, memory.value + kRollingBegin<Dim>);
+    if constexpr (kHasTwisting)
+      forces.twisting = twisting.respond(forces.normal, motion.twist, memory.value + kTwistingBegin<Dim>);
     return forces;
   }
 
@@ -173,17 +185,22 @@ struct ContactLaw {
     if constexpr (kHasRolling)
       m.rolling = rolling.template is_mobilised<RotationVector<Dim>>(elastic, memory.value + kRollingBegin<Dim>,
                                                                      tolerance);
+    if constexpr (kHasTwisting)
+      m.twisting = twisting.is_mobilised(elastic, memory.value + kTwistingBegin<Dim>, tolerance);
     return m;
   }
 
   /// Sets the springs to those that carry given forces (signs of ContactForces) at given stiffnesses.
   template <int Dim>
-  void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& moment, const ContactStiffness& k,
+  void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& rolling_moment,
+                 [[maybe_unused]] double twisting_moment, const ContactStiffness& k,
                  PackedMemory<kMemorySize<Dim>>& memory) const {
     if constexpr (kHasFriction)
       if (k.tangential > 0.0) friction.set_force(shear, k.tangential, memory.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
-      if (k.rolling > 0.0) rolling.set_force(moment, k.rolling, memory.value + kRollingBegin<Dim>);
+      if (k.rolling > 0.0) rolling.set_force(rolling_moment, k.rolling, memory.value + kRollingBegin<Dim>);
+    if constexpr (kHasTwisting)
+      if (k.twisting > 0.0) twisting.set_force(twisting_moment, k.twisting, memory.value + kTwistingBegin<Dim>);
   }
 
  private:
@@ -200,6 +217,8 @@ struct ContactLaw {
   static constexpr int kTangentialBegin = memory_size<Normal>(Dim);
   template <int Dim>
   static constexpr int kRollingBegin = kTangentialBegin<Dim> + memory_size<Tangential>(Dim);
+  template <int Dim>
+  static constexpr int kTwistingBegin = kRollingBegin<Dim> + memory_size<Rolling>(Dim);
 
   template <int Size, class T>
   static const T* normal_memory(const PackedMemory<Size, T>& memory) {
@@ -212,6 +231,7 @@ struct ContactLaw {
     ContactStiffness k{response.stiffness, 0.0, 0.0};
     if constexpr (kHasFriction) k.tangential = friction.stiffness(response);
     if constexpr (kHasRolling) k.rolling = rolling.stiffness(response);
+    if constexpr (kHasTwisting) k.twisting = twisting.stiffness(response);
     return k;
   }
 };

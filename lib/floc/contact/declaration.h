@@ -66,6 +66,7 @@ enum class MemoryKind {
   scalar,    ///< a number: the same whichever way round the pair is read
   tangent,   ///< a displacement of j against i in the tangent plane, in the contact's frame
   rotation,  ///< a rotation of i against j; in 3D one about an axis in the tangent plane
+  twist,  ///< in 3D, a rotation of i against j about the normal: the same whichever way round the pair is read
 };
 
 /// One quantity that a contact remembers under a model.
@@ -76,15 +77,20 @@ struct Memory {
   const char* meaning;  ///< in words
 };
 
+/// Whether it lies in the tangent plane, and turns with it.
+constexpr bool is_tangential(MemoryKind kind) {
+  return kind == MemoryKind::tangent || kind == MemoryKind::rotation;
+}
+
 /// Numbers it takes: a 2D tangent and a 2D rotation are numbers, their 3D counterparts vectors of space.
 constexpr int n_components(MemoryKind kind, int dim) {
-  return kind == MemoryKind::scalar || dim == 2 ? 1 : 3;
+  return is_tangential(kind) && dim == 3 ? 3 : 1;
 }
 
 /// What each component is multiplied by when i and j are exchanged. A 2D tangent displacement changes its sign
 /// and so does the tangent it is measured along, which turns round with the normal.
 constexpr double parity(MemoryKind kind, int dim) {
-  if (kind == MemoryKind::scalar) return 1.0;
+  if (!is_tangential(kind)) return 1.0;
   return kind == MemoryKind::tangent && dim == 2 ? 1.0 : -1.0;
 }
 

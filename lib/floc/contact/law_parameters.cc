@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "floc/contact/law_description.h"
 #include "floc/contact/model_traits.h"
@@ -55,15 +56,15 @@ bool LawParameters::resists_sliding() const {
   });
 }
 
-std::vector<std::string> LawParameters::faults_in_dimension(int dimension) const {
-  std::vector<std::string> faults;
+std::vector<LawFault> LawParameters::faults_in_dimension(int dimension) const {
+  std::vector<LawFault> faults;
   for_each_slot(*this, [&](const char* key, const auto& slot) {
     slot.visit([&]<class Model>(const Model&) {
       if constexpr (kDimensionOf<Model> != 0) {
         if (kDimensionOf<Model> != dimension)
-          faults.push_back(fmt::format("contact.{}.law = \"{}\": is for {}, expected dimension = {}", key,
-                                       Model::kKeyword, kDimensionOf<Model> == 3 ? "spheres" : "disks",
-                                       kDimensionOf<Model>));
+          faults.push_back({key, fmt::format("contact.{}.law = \"{}\": is for {}, expected dimension = {}", key,
+                                             Model::kKeyword, kDimensionOf<Model> == 3 ? "spheres" : "disks",
+                                             kDimensionOf<Model>)});
       }
     });
   });
@@ -78,40 +79,40 @@ std::vector<std::string> LawParameters::validate() const {
     faults.push_back(
         fmt::format("contact.{} = {}: {}", n.key, *n.value, requirement_text(n.declared->requirement)));
   }
-  const std::vector<std::string> between = faults_between_slots();
-  faults.insert(faults.end(), between.begin(), between.end());
+  for (LawFault& fault : faults_between_slots()) faults.push_back(std::move(fault.words));
   return faults;
 }
 
-std::vector<std::string> LawParameters::faults_between_slots() const {
-  std::vector<std::string> faults;
-  const auto refuse = [&](bool fault, const char* words) {
-    if (fault) faults.emplace_back(words);
+std::vector<LawFault> LawParameters::faults_between_slots() const {
+  std::vector<LawFault> faults;
+  const auto refuse = [&](bool fault, const std::string& slot, const char* words) {
+    if (fault) faults.push_back({slot, "contact." + slot + words});
   };
-  refuse(rolling && !friction,
-         "contact.rolling: needs contact.friction; grains that slide freely need not roll");
+  refuse(rolling && !friction, "rolling", ": needs contact.friction; grains that slide freely need not roll");
+  refuse(twisting && !friction, "twisting",
+         ": needs contact.friction; grains that slide freely need not turn against each other");
   if (normal.holds<HertzRepulsion>()) {
-    refuse(
-        bool(adhesion),
-        "contact.adhesion: spheres under contact.normal.law = \"hertz\" do not adhere; expected no such table, "
-        "or contact.normal = {law = \"linear\", stiffness}");
-    refuse(damping.holds<ViscousDamping>(),
-           "contact.damping.restitution: under contact.normal.law = \"hertz\" damping follows the stiffness; "
+    refuse(bool(adhesion), "adhesion",
+           ": spheres under contact.normal.law = \"hertz\" do not adhere; expected no such table, "
+           "or contact.normal = {law = \"linear\", stiffness}");
+    refuse(damping.holds<ViscousDamping>(), "damping",
+           ".restitution: under contact.normal.law = \"hertz\" damping follows the stiffness; "
            "expected contact.damping = {critical_fraction}");
-    refuse(friction.holds<CoulombFriction>(),
-           "contact.friction.stiffness: under contact.normal.law = \"hertz\" it follows from Poisson's ratio; "
+    refuse(friction.holds<CoulombFriction>(), "friction",
+           ".stiffness: under contact.normal.law = \"hertz\" it follows from Poisson's ratio; "
            "expected contact.friction = {law = \"mindlin\", coefficient}");
-    refuse(
-        bool(rolling),
-        "contact.rolling: spheres under contact.normal.law = \"hertz\" do not resist rolling; expected no such "
-        "table, or contact.normal = {law = \"linear\", stiffness}");
+    refuse(bool(rolling), "rolling",
+           ": spheres under contact.normal.law = \"hertz\" do not resist rolling; expected no such "
+           "table, or contact.normal = {law = \"linear\", stiffness}");
+    refuse(bool(twisting), "twisting",
+           ": spheres under contact.normal.law = \"hertz\" do not resist twisting; expected no such "
+           "table, or contact.normal = {law = \"linear\", stiffness}");
   } else {
-    refuse(
-        damping.holds<CriticalDamping>(),
-        "contact.damping.critical_fraction: under contact.normal.law = \"linear\" expected contact.damping = "
-        "{restitution}");
-    refuse(friction.holds<MindlinFriction>(),
-           "contact.friction.law = \"mindlin\": its stiffness follows from contact.normal.law = \"hertz\"; "
+    refuse(damping.holds<CriticalDamping>(), "damping",
+           ".critical_fraction: under contact.normal.law = \"linear\" expected contact.damping = "
+           "{restitution}");
+    refuse(friction.holds<MindlinFriction>(), "friction",
+           ".law = \"mindlin\": its stiffness follows from contact.normal.law = \"hertz\"; "
            "expected that, or contact.friction = {coefficient, stiffness}");
   }
   return faults;

@@ -14,8 +14,15 @@
 #include "floc/contact/rolling/rolling_spring.h"
 #include "floc/contact/tangential/coulomb_friction.h"
 #include "floc/contact/tangential/mindlin_friction.h"
+#include "floc/contact/twisting/twisting_spring.h"
 
 namespace floc {
+
+/// Why the models of a law cannot be used together, or where they are.
+struct LawFault {
+  std::string slot;   ///< that is to blame
+  std::string words;  ///< "contact.SLOT...: requirement"
+};
 
 /// A contact law as a scene or a saved state names it: a model with its numbers in each slot, absent where
 /// nothing is said. THE lists of models: what is listed here is known to scenes, law texts, state files and the
@@ -26,6 +33,7 @@ struct LawParameters {
   LawSlot<NoDamping, ViscousDamping, CriticalDamping> damping;
   LawSlot<NoFriction, CoulombFriction, MindlinFriction> friction;
   LawSlot<NoRolling, RollingSpring> rolling;
+  LawSlot<NoTwisting, TwistingSpring> twisting;
 
   /// Calls visit(key, slot) for each slot, in this order. The key is that of its table in a scene.
   template <class Self, class Visit>
@@ -35,6 +43,7 @@ struct LawParameters {
     visit("damping", law.damping);
     visit("friction", law.friction);
     visit("rolling", law.rolling);
+    visit("twisting", law.twisting);
   }
 
   bool operator==(const LawParameters&) const = default;
@@ -56,9 +65,9 @@ struct LawParameters {
   /// Every fault as "key = value: requirement"; empty when the law can be used.
   std::vector<std::string> validate() const;
   /// Those of models that do not go together: what is left where every number is right.
-  std::vector<std::string> faults_between_slots() const;
+  std::vector<LawFault> faults_between_slots() const;
   /// Models that are for another dimension, as faults.
-  std::vector<std::string> faults_in_dimension(int dimension) const;
+  std::vector<LawFault> faults_in_dimension(int dimension) const;
 };
 
 }  // namespace floc

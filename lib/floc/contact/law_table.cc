@@ -15,7 +15,11 @@ LawParameters acting(LawParameters law) {
     if constexpr (requires { slot.reset(); })
       if (!acts) slot.reset();
   });
-  if (!law.friction) law.rolling.reset();
+  if (!law.friction) {
+    law.rolling.reset();
+    law.twisting.reset();
+  }
+  if (law.twisting && !law.rolling) law.rolling = RollingSpring{0.0, 1.0};  // any stiffness: the cap is zero
   if (law.adhesion.holds<TailAdhesion>() && law.range() == 0.0)
     law.adhesion = ConstantAdhesion{law.pull_off_force()};
   return law;
@@ -29,7 +33,7 @@ AnyContactLaw composed(const LawParameters& law) {
         return {};
       },
       law.normal.variant(), law.adhesion.variant(), law.damping.variant(), law.friction.variant(),
-      law.rolling.variant());
+      law.rolling.variant(), law.twisting.variant());
 }
 
 }  // namespace
@@ -47,13 +51,6 @@ AnyContactLaw compose_with_friction(const LawParameters& parameters) {
       law.friction = CoulombFriction{0.0, 1.0};  // any stiffness: the cap is zero
   }
   return composed(law);
-}
-
-bool is_compiled(const LawParameters& parameters) {
-  const LawParameters law = acting(parameters);
-  return std::visit([]<class... Models>(const Models&...) { return kIsCompiled<Models...>; },
-                    law.normal.variant(), law.adhesion.variant(), law.damping.variant(), law.friction.variant(),
-                    law.rolling.variant());
 }
 
 }  // namespace floc

@@ -16,17 +16,18 @@
 ///      form.
 namespace floc {
 
-/// Which compositions are compiled. Grains that slide freely need not roll. Friction and damping that follow the
-/// stiffness along the normal go with a stiffness that varies, others with one that does not; elastic spheres
-/// of varying stiffness neither adhere nor resist rolling.
-template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling>
-inline constexpr bool kIsCompiled =
+/// Which compositions are compiled. Grains that slide freely need not roll; a twisting spring goes with a rolling
+/// one, which can be given nothing to carry. Friction and damping that follow the stiffness along the normal go
+/// with a stiffness that varies, others with one that does not; elastic spheres of varying stiffness neither
+/// adhere nor resist rolling.
+template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
+inline constexpr bool kIsCompiled = (kIsAbsent<Twisting> || !kIsAbsent<Rolling>)&&(
     kStiffnessVaries<Normal>
         ? kIsAbsent<Adhesion>&& kIsAbsent<Rolling> &&
               (kIsAbsent<Damping> || kFollowsNormalStiffness<Damping>)&&(kIsAbsent<Tangential> ||
                                                                          kFollowsNormalStiffness<Tangential>)
         : (!kIsAbsent<Tangential> || kIsAbsent<Rolling>)&&!kFollowsNormalStiffness<Damping> &&
-              !kFollowsNormalStiffness<Tangential>;
+              !kFollowsNormalStiffness<Tangential>);
 
 namespace detail {
 
@@ -66,16 +67,13 @@ struct Compositions<Chosen<M...>, LawSlot<Models...>, Rest...> {
 using AnyContactLaw =
     detail::Compositions<detail::Chosen<>, decltype(LawParameters::normal), decltype(LawParameters::adhesion),
                          decltype(LawParameters::damping), decltype(LawParameters::friction),
-                         decltype(LawParameters::rolling)>::Type::Variant;
+                         decltype(LawParameters::rolling), decltype(LawParameters::twisting)>::Type::Variant;
 
 /// The composed law of a scene or saved state. Adhesion of zero force is no adhesion, a coefficient of zero no
-/// friction and no rolling resistance: such a spring could carry nothing, and must not stiffen the network
-/// either.
+/// friction and no resistance to rolling or twisting: such a spring could carry nothing, and must not stiffen
+/// the network either.
 /// @pre parameters.validate() is empty.
 AnyContactLaw compose_law(const LawParameters& parameters);
-
-/// Whether the composition that the parameters ask for is compiled.
-bool is_compiled(const LawParameters& parameters);
 
 /// The same law with a friction spring in any case, one that can carry nothing where the law has none.
 AnyContactLaw compose_with_friction(const LawParameters& parameters);

@@ -20,6 +20,7 @@ std::vector<RememberedQuantity> quantities_of(const LawParameters& law) {
   add_quantities(law.normal, MemoryLayout<Dim>::kNormal, Dim, quantities);
   add_quantities(law.friction, MemoryLayout<Dim>::kFriction, Dim, quantities);
   add_quantities(law.rolling, MemoryLayout<Dim>::kRolling, Dim, quantities);
+  add_quantities(law.twisting, MemoryLayout<Dim>::kTwisting, Dim, quantities);
   return quantities;
 }
 

@@ -32,8 +32,10 @@ struct MemoryLayout {
       kNormal + widest_memory(static_cast<const decltype(LawParameters::normal)*>(nullptr), Dim);
   static constexpr int kRolling =
       kFriction + widest_memory(static_cast<const decltype(LawParameters::friction)*>(nullptr), Dim);
-  static constexpr int kSize =
+  static constexpr int kTwisting =
       kRolling + widest_memory(static_cast<const decltype(LawParameters::rolling)*>(nullptr), Dim);
+  static constexpr int kSize =
+      kTwisting + widest_memory(static_cast<const decltype(LawParameters::twisting)*>(nullptr), Dim);
 };
 
 /// Everything a contact remembers, at the places of the layout; zero where its law remembers nothing.
@@ -45,9 +47,11 @@ template <class Law, int Dim>
 consteval int memory_place(int k) {
   constexpr int n_normal = memory_size<typename Law::NormalModel>(Dim);
   constexpr int n_friction = memory_size<typename Law::TangentialModel>(Dim);
+  constexpr int n_rolling = memory_size<typename Law::RollingModel>(Dim);
   if (k < n_normal) return MemoryLayout<Dim>::kNormal + k;
   if (k < n_normal + n_friction) return MemoryLayout<Dim>::kFriction + k - n_normal;
-  return MemoryLayout<Dim>::kRolling + k - n_normal - n_friction;
+  if (k < n_normal + n_friction + n_rolling) return MemoryLayout<Dim>::kRolling + k - n_normal - n_friction;
+  return MemoryLayout<Dim>::kTwisting + k - n_normal - n_friction - n_rolling;
 }
 
 /// Whether number k of a law's packed memory is the first of a vector in the tangent plane of a 3D contact.
@@ -58,13 +62,14 @@ consteval bool begins_tangent(int k) {
   const auto look_at = [&]<class Model>(std::type_identity<Model>) {
     if constexpr (requires { Model::kMemory; })
       for (const Memory& m : Model::kMemory) {
-        begins = begins || (at == k && m.kind != MemoryKind::scalar);
+        begins = begins || (at == k && is_tangential(m.kind));
         at += n_components(m.kind, Dim);
       }
   };
   look_at(std::type_identity<typename Law::NormalModel>{});
   look_at(std::type_identity<typename Law::TangentialModel>{});
   look_at(std::type_identity<typename Law::RollingModel>{});
+  look_at(std::type_identity<typename Law::TwistingModel>{});
   return Dim == 3 && begins;
 }
 

@@ -6,6 +6,9 @@ namespace floc {
 struct Mobilised {
   bool sliding = false;
   bool rolling = false;
+  bool twisting = false;
+
+  bool any() const { return sliding || rolling || twisting; }
 };
 
 }  // namespace floc

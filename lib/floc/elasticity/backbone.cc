@@ -12,7 +12,8 @@ constexpr double kCarries = 1e-9;
 template <int Dim>
 double size_of(const ForceIncrement<Dim>& f, double grain_size) {
   return std::sqrt(f.normal * f.normal + f.shear.squaredNorm() +
-                   f.rolling_moment.squaredNorm() / (grain_size * grain_size));
+                   (f.rolling_moment.squaredNorm() + f.twisting_moment * f.twisting_moment) /
+                       (grain_size * grain_size));
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ Sums sum_over_contacts(const ContactNetwork<Dim>& network) {
     if (c.distant) continue;
     const double terms = compliance_term(c.normal_force * c.normal_force, c.kn) +
                          compliance_term(c.shear_force.squaredNorm(), c.kt) +
-                         compliance_term(c.rolling_moment.squaredNorm(), c.kr);
+                         compliance_term(c.rolling_moment.squaredNorm(), c.kr) +
+                         compliance_term(c.twisting_moment * c.twisting_moment, c.ktw);
     ++s.n;
     s.kn += c.kn;
     s.kt += c.kt;

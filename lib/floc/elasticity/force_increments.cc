@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "floc/base/dense_solvers.h"
 #include "floc/elasticity/mechanisms.h"
@@ -40,7 +41,17 @@ template <int Dim>
 double energy_of(const NetworkContact<Dim>& c, const ForceIncrement<Dim>& f) {
   const auto term = [](double square, double k) { return k == 0.0 ? 0.0 : 0.5 * square / k; };
   return term(f.normal * f.normal, c.kn) + term(f.shear.squaredNorm(), c.kt) +
-         term(f.rolling_moment.squaredNorm(), c.kr);
+         term(f.rolling_moment.squaredNorm(), c.kr) + term(f.twisting_moment * f.twisting_moment, c.ktw);
+}
+
+/// The forces on the rows of a contact.
+template <int Dim>
+ForceIncrement<Dim> increment_of(const NetworkContact<Dim>& c, const ForceRows<Dim>& forces) {
+  ForceIncrement<Dim> f{forces[0], forces.template segment<Dim - 1>(1), RotationVector<Dim>::Zero(), 0.0};
+  RotationVector<Dim> about_axes = forces.template tail<kRotations<Dim>>();
+  if constexpr (Dim == 3) f.twisting_moment = std::exchange(about_axes[0], 0.0);
+  f.rolling_moment = rotation_axes(c.frame) * about_axes;
+  return f;
 }
 
 template <int Dim>
@@ -75,7 +86,7 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
   for (const NetworkContact<Dim>& c : network.contacts) {
     // A dead end follows its holder; its contact stays as it is.
     if (response.free.dead_end[c.i] || response.free.dead_end[c.j]) {
-      increments.push_back({0.0, Eigen::Matrix<double, Dim - 1, 1>::Zero(), RotationVector<Dim>::Zero()});
+      increments.push_back(increment_of<Dim>(c, ForceRows<Dim>::Zero()));
       continue;
     }
     const ContactRows<Dim> g = contact_rows(c);
@@ -83,9 +94,7 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
         row_stiffness(c).cwiseProduct(g.on_i * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.i)) +
                                       g.on_j * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.j)) +
                                       g.on_strain.leftCols(strain.size()) * strain);
-    increments.push_back(
-        {forces[0], forces.template segment<Dim - 1>(1),
-         RotationVector<Dim>(rotation_axes(c.frame) * forces.template tail<kRotations<Dim>>())});
+    increments.push_back(increment_of(c, forces));
   }
   return increments;
 }

@@ -13,6 +13,7 @@ struct ForceIncrement {
   double normal;                            ///< (force)
   Eigen::Matrix<double, Dim - 1, 1> shear;  ///< on i, along the tangents of the contact's frame (force)
   RotationVector<Dim> rolling_moment;       ///< on i (force * length)
+  double twisting_moment;                   ///< on i about the normal, of spheres (force * length)
 };
 
 /// Forces that a small strain adds in every contact, nothing sliding: k G U for the response U. Without

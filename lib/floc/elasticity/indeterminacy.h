@@ -9,7 +9,7 @@ namespace floc {
 struct Indeterminacy {
   /// h = components - unknowns + null modes: the dimension of the null space of the equilibrium matrix.
   int degree = 0;
-  int n_components = 0;  ///< of contact forces that have a stiffness: normal, tangential, rolling
+  int n_components = 0;  ///< of contact forces that have a stiffness: normal, tangential, rolling, twisting
   int n_unknowns = 0;    ///< kDofs a grain that has contacts, and the strains of the cell
   int n_null_modes = 0;  ///< k: motions free by structure, mechanisms, strains that cost nothing
 };

@@ -34,7 +34,8 @@ Averages average(const ContactNetwork<Dim>& network) {
     m.kt += c.kt;
     m.force += N;
     m.complementary += compliance_term(N * N, c.kn) + compliance_term(T2, c.kt) +
-                       compliance_term(c.rolling_moment.squaredNorm(), c.kr);
+                       compliance_term(c.rolling_moment.squaredNorm(), c.kr) +
+                       compliance_term(c.twisting_moment * c.twisting_moment, c.ktw);
     if (!(N > 0.0)) continue;
     m.n_pressed += 1.0;
     m.pressed += N;

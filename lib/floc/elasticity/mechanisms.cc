@@ -57,6 +57,7 @@ ContactNetwork<Dim> in_general_position(const ContactNetwork<Dim>& network) {
     c.kn = c.kn == 0.0 ? 0.0 : 1.0;
     c.kt = c.kt == 0.0 ? 0.0 : 1.0;
     c.kr = c.kr == 0.0 ? 0.0 : size * size;
+    c.ktw = c.ktw == 0.0 ? 0.0 : size * size;
   }
   return moved;
 }

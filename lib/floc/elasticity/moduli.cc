@@ -235,8 +235,8 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
 
 template <int Dim>
 Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, const auto& respond) {
-  const auto n_mobilised = std::count_if(packing.contacts.begin(), packing.contacts.end(),
-                                         [](const auto& c) { return c.sliding || c.rolling_yield; });
+  const auto n_mobilised =
+      std::count_if(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.yields(); });
   const NetworkLoad<Dim> load{static_stress(packing), options.unloaded, mean_field(packing),
                               static_cast<int>(n_mobilised)};
   return moduli_with(loaded(packing, options, load.stress), load, options, respond);

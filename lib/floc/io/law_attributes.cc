@@ -23,8 +23,8 @@ int keyword_index(const Hdf5Reader& file, const std::string& attribute, const st
                                                    given, fmt::join(known, ", ")));
 }
 
-/// The attributes that a file has for a slot, each key once: those of the model present (-1: none), and of models
-/// that are in every file.
+/// The attributes that a file has for a slot, each key once: those of the model present (-1: none), and of
+/// models that are in every file.
 std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool choices) {
   std::vector<std::string> keys;
   const auto add = [&](const std::string& key) {
@@ -45,8 +45,16 @@ std::string attribute_name(const std::string& slot, const std::string& key) {
   return slot + "_" + key;
 }
 
+/// Whether files name the slot of every law, also of one that leaves it empty: all but those of models that came
+/// later.
+bool is_named_in_every_file(const DeclaredSlot& slot) {
+  return std::any_of(slot.models.begin(), slot.models.end(),
+                     [](const DeclaredModel& model) { return model.is_in_every_file; });
+}
+
 void write_slot(Hdf5Writer& file, const DeclaredSlot& slot, LawParameters& law) {
   const int present = slot.present(law);
+  if (present < 0 && !is_named_in_every_file(slot)) return;
   file.attribute(kGroup, slot.key, present < 0 ? "none" : slot.models[present].keyword);
   const std::vector<LawNumber> numbers = numbers_of(law);
   for (const std::string& key : keys_of(slot, present, false)) {
@@ -64,6 +72,7 @@ void write_slot(Hdf5Writer& file, const DeclaredSlot& slot, LawParameters& law) 
 }
 
 void read_slot(const Hdf5Reader& file, const DeclaredSlot& slot, LawParameters& law) {
+  if (!is_named_in_every_file(slot) && !file.has_attribute(kGroup, slot.key.c_str())) return;
   std::vector<std::string> known;
   if (slot.optional) known.emplace_back("none");
   for (const DeclaredModel& model : slot.models) known.push_back(model.keyword);

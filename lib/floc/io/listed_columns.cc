@@ -52,7 +52,7 @@ int image_of(const CsvTable& table, int row, int column) {
 
 /// Columns of a list of contacts; -1 or empty where it has none.
 struct ContactColumns {
-  int id1, id2, normal_force, kn, kt, rolling_moment_2d;
+  int id1, id2, normal_force, kn, kt, rolling_moment_2d, twisting_moment;
   std::vector<int> image, force, shear_force, rolling_moment;
 
   ContactColumns(const NamedColumns& names, int dimension)
@@ -62,6 +62,7 @@ struct ContactColumns {
         kn(column_if(names, "kn")),
         kt(column_if(names, "kt")),
         rolling_moment_2d(dimension == 2 ? column_if(names, "rolling_moment") : -1),
+        twisting_moment(dimension == 3 ? column_if(names, "twisting_moment") : -1),
         image(numbered(names, "image", dimension)),
         force(numbered(names, "force", dimension)),
         shear_force(numbered(names, "shear_force", dimension)),
@@ -88,6 +89,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.rolling_moment = vector_of(table, row, columns.rolling_moment);
   if (columns.rolling_moment_2d >= 0)
     c.rolling_moment = Eigen::Vector3d(0.0, 0.0, table.number(row, columns.rolling_moment_2d));
+  c.twisting_moment = number_of(table, row, columns.twisting_moment);
   c.kn = number_of(table, row, columns.kn);
   c.kt = number_of(table, row, columns.kt);
   return c;
@@ -145,7 +147,7 @@ void check_contact_columns(const std::string& option, const std::map<std::string
   check_columns(option, "contact",
                 {"id1", "id2", "image1", "image2", "image3", "normal_force", "force1", "force2", "force3",
                  "shear_force1", "shear_force2", "shear_force3", "rolling_moment", "rolling_moment1",
-                 "rolling_moment2", "rolling_moment3", "kn", "kt"},
+                 "rolling_moment2", "rolling_moment3", "twisting_moment", "kn", "kt"},
                 given);
 }
 

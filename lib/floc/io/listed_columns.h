@@ -40,6 +40,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 ///   force1..      force on id1; if shear_force1.. is there too, the normal part alone
 ///   normal_force, shear_force1..  in place of it, or the tangential force on id1 besides force1..
 ///   rolling_moment (2D) or rolling_moment1..3, on id1
+///   twisting_moment (3D), on id1 about the normal from id1 to id2
 ///   kn, kt        stiffnesses
 /// @throws InputError naming file, line and column.
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension);

@@ -137,6 +137,7 @@ struct GivenForces {
   std::optional<double> normal;
   std::optional<Vec<Dim>> shear;
   std::optional<RotationVector<Dim>> rolling;
+  std::optional<double> twisting;  ///< the same whichever grain is the first
 };
 
 template <int Dim>
@@ -154,6 +155,7 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
     given.shear = on_first + *given.normal * normal;
   }
   if (listed.rolling_moment) given.rolling = sign * listed.rolling_moment->template tail<kRotations<Dim>>();
+  given.twisting = listed.twisting_moment;
   return given;
 }
 
@@ -170,7 +172,10 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
   if (given.rolling && !law.rolling)
     throw InputError(listed.place, "a rolling moment is given, but the law has no rolling");
   if (given.rolling) c.rolling_moment = *given.rolling;
-  if (given.normal || given.shear || given.rolling)
+  if (given.twisting && !law.twisting)
+    throw InputError(listed.place, "a twisting moment is given, but the law has no twisting");
+  if (given.twisting) c.twisting_moment = *given.twisting;
+  if (given.normal || given.shear || given.rolling || given.twisting)
     set_given_forces(packing, listed.kn, listed.kt, kCapTolerance, c);
 }
 

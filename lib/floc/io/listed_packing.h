@@ -31,7 +31,8 @@ struct ListedContact {
   std::optional<double> normal_force;    ///< positive in compression; none: follows from the law
   std::optional<Eigen::Vector3d> shear_force;
   std::optional<Eigen::Vector3d> rolling_moment;
-  std::optional<double> kn;  ///< none: the law's (force/length)
+  std::optional<double> twisting_moment;  ///< about the normal from id1 to id2
+  std::optional<double> kn;               ///< none: the law's (force/length)
   std::optional<double> kt;
 };
 

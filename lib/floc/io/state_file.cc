@@ -15,6 +15,7 @@
 #include "floc/io/hdf5_image.h"
 #include "floc/io/law_attributes.h"
 #include "floc/io/sealed_bytes.h"
+#include "floc/io/state_archive.h"
 #include "floc/io/state_layout.h"
 #include "floc/packing/require_periodic.h"
 
@@ -23,205 +24,6 @@ namespace {
 
 const std::string kFormat = "floc-state";
 const std::string kSignConvention = "compression_positive";
-
-std::string units_of(Quantity quantity, const std::string& system, int dim) {
-  const bool si = system == "SI";
-  switch (quantity) {
-    case Quantity::length:
-      return si ? "m" : "length";
-    case Quantity::velocity:
-      return si ? "m/s" : "length/time";
-    case Quantity::mass:
-      return si ? "kg" : "mass";
-    case Quantity::angle:
-      return "rad";
-    case Quantity::spin:
-      return si ? "rad/s" : "rad/time";
-    case Quantity::force:
-      return si ? "N" : "force";
-    case Quantity::moment:
-      return si ? "N m" : "force*length";
-    case Quantity::stiffness:
-      return si ? "N/m" : "force/length";
-    case Quantity::rolling_stiffness:
-      return si ? "N m/rad" : "force*length/rad";
-    case Quantity::stress:
-      if (dim == 2) return si ? "N/m" : "force/length";
-      return si ? "Pa" : "force/length^2";
-    case Quantity::count:
-    case Quantity::flag:
-    case Quantity::direction:
-    case Quantity::ratio:
-      break;
-  }
-  return "1";
-}
-
-/// How one item of an array lies in a row: its components, stored as real numbers, integers or flags.
-template <class T>
-struct Item {
-  using Stored = double;
-  static constexpr int kComponents = 1;
-  static double get(const T& item, int) { return item; }
-  static void set(T& item, int, double value) { item = value; }
-};
-template <>
-struct Item<int> {
-  using Stored = std::int32_t;
-  static constexpr int kComponents = 1;
-  static std::int32_t get(int item, int) { return item; }
-  static void set(int& item, int, std::int32_t value) { item = value; }
-};
-template <>
-struct Item<bool> {
-  using Stored = std::uint8_t;
-  static constexpr int kComponents = 1;
-  static std::uint8_t get(bool item, int) { return item ? 1 : 0; }
-  static void set(bool& item, int, std::uint8_t value) { item = value != 0; }
-};
-template <class T, int Rows>
-struct Item<Eigen::Matrix<T, Rows, 1>> {
-  using Stored = std::conditional_t<std::is_same_v<T, int>, std::int32_t, double>;
-  static constexpr int kComponents = Rows;
-  static Stored get(const Eigen::Matrix<T, Rows, 1>& item, int k) { return item[k]; }
-  static void set(Eigen::Matrix<T, Rows, 1>& item, int k, Stored value) { item[k] = value; }
-};
-template <>
-struct Item<Eigen::Quaterniond> {
-  using Stored = double;
-  static constexpr int kComponents = 4;
-  static double get(const Eigen::Quaterniond& q, int k) { return k == 0 ? q.w() : q.vec()[k - 1]; }
-  static void set(Eigen::Quaterniond& q, int k, double value) { (k == 0 ? q.w() : q.vec()[k - 1]) = value; }
-};
-
-/// One row an item; items of one component make a flat array.
-Shape shape_of(std::size_t n, int components) {
-  if (components == 1) return {n};
-  return {n, static_cast<std::uint64_t>(components)};
-}
-
-constexpr auto kItself = [](auto& item) -> auto& {
-  return item;
-};
-
-class WritingArchive {
- public:
-  WritingArchive(Hdf5Writer& file, std::string units, int dim)
-      : file_(file), units_(std::move(units)), dim_(dim) {}
-
-  template <class Items, class Get>
-  void rows(const Field& field, const Items& items, const Get& get) {
-    using Layout = Item<std::remove_cvref_t<decltype(get(items.front()))>>;
-    std::vector<typename Layout::Stored> values;
-    values.reserve(items.size() * Layout::kComponents);
-    for (const auto& item : items)
-      for (int k = 0; k < Layout::kComponents; ++k) values.push_back(Layout::get(get(item), k));
-    put(field, shape_of(items.size(), Layout::kComponents), values);
-  }
-
-  template <class Items>
-  void column(const Field& field, const Items& items) {
-    rows(field, items, kItself);
-  }
-  template <class Items>
-  void column_if_there(const Field& field, const Items& items, std::size_t) {
-    if (!items.empty()) column(field, items);
-  }
-
-  template <int Dim>
-  void matrix(const Field& field, const Mat<Dim>& m) {
-    std::vector<double> values;
-    for (int a = 0; a < Dim; ++a)
-      for (int b = 0; b < Dim; ++b) values.push_back(m(a, b));
-    put(field, {Dim, Dim}, values);
-  }
-
-  template <class T>
-  void put(const Field& field, const Shape& shape, const std::vector<T>& values) {
-    file_.array(field.path, shape, values);
-    file_.attribute(field.path, "units", units_of(field.quantity, units_, dim_));
-    if (*field.meaning != '\0') file_.attribute(field.path, "meaning", std::string(field.meaning));
-  }
-
-  void value(const char* group, const char* name, int v) { file_.attribute(group, name, std::int64_t{v}); }
-  template <class T>
-  void value(const char* group, const char* name, const T& v) {
-    file_.attribute(group, name, v);
-  }
-  /// A value that files of this version need not have.
-  template <class T>
-  void value_if_there(const char* group, const char* name, const T& v) {
-    value(group, name, v);
-  }
-
- private:
-  Hdf5Writer& file_;
-  std::string units_;
-  int dim_;
-};
-
-class ReadingArchive {
- public:
-  explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}
-
-  /// Fills one member of each of `items`, which already have their number.
-  template <class Items, class Get>
-  void rows(const Field& field, Items& items, const Get& get) {
-    using Layout = Item<std::remove_cvref_t<decltype(get(items.front()))>>;
-    const auto values = take<typename Layout::Stored>(field, shape_of(items.size(), Layout::kComponents));
-    std::size_t next = 0;
-    for (auto& item : items)
-      for (int k = 0; k < Layout::kComponents; ++k) Layout::set(get(item), k, values[next++]);
-  }
-
-  template <class Items>
-  void column(const Field& field, Items& items) {
-    rows(field, items, kItself);
-  }
-  template <class Items>
-  void column_if_there(const Field& field, Items& items, std::size_t size) {
-    if (!file_.has(field.path)) return;
-    items.resize(size);
-    column(field, items);
-  }
-
-  template <int Dim>
-  void matrix(const Field& field, Mat<Dim>& m) {
-    const auto values = take<double>(field, {Dim, Dim});
-    for (int a = 0; a < Dim; ++a)
-      for (int b = 0; b < Dim; ++b) m(a, b) = values[a * Dim + b];
-  }
-
-  template <class T>
-  std::vector<T> take(const Field& field, const Shape& shape) {
-    std::vector<T> values;
-    file_.array(field.path, shape, values);
-    if constexpr (std::is_same_v<T, double>) {
-      for (std::size_t k = 0; k < values.size(); ++k)
-        if (!std::isfinite(values[k]))
-          throw InputError(file_.place(field.path), fmt::format("entry {} is {}, expected a finite number",
-                                                                k / (values.size() / shape[0]), values[k]));
-    }
-    return values;
-  }
-
-  void value(const char* group, const char* name, int& v) {
-    std::int64_t wide = 0;
-    file_.attribute(group, name, wide);
-    v = static_cast<int>(wide);
-  }
-  template <class T>
-  void value(const char* group, const char* name, T& v) {
-    file_.attribute(group, name, v);
-  }
-  template <class T>
-  void value_if_there(const char* group, const char* name, T& v) {
-    if (file_.has_attribute(group, name)) value(group, name, v);
-  }
-
- private:
-  const Hdf5Reader& file_;
-};
 
 constexpr Field kStress = {"equilibrium/stress", Quantity::stress, "static, positive in compression"};
 constexpr Field kTarget = {"equilibrium/target", Quantity::stress, "diagonal of the stress imposed"};
@@ -372,6 +174,7 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
   archive.put(kId, {id.size()}, id);
   describe_grains<Dim>(archive, s.packing.grains);
   describe_contacts<Dim>(archive, s.packing.contacts);
+  if (s.packing.law.twisting) describe_twisting(archive, s.packing.contacts);
   write_memory(archive, s.packing);
   write_version_1_names(file, archive, s.packing);
   write_law(file, s.packing.law);
@@ -449,6 +252,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   describe_contacts<Dim>(archive, packing.contacts);
   check_contacts(file, packing);
   packing.law = read_law(file);
+  if (packing.law.twisting) describe_twisting(archive, packing.contacts);
   read_memory(archive, version, packing);
   read_equilibrium(file, archive, s);
   describe_attributes(archive, s);

@@ -106,6 +106,22 @@ void describe_contacts(Archive& archive, Contacts& contacts) {
       {"contacts/distant", flag, "attraction across a gap"}, [](auto& c) -> auto& { return c.distant; });
 }
 
+/// What contacts have besides under a law with resistance to twisting.
+template <class Archive, class Contacts>
+void describe_twisting(Archive& archive, Contacts& contacts) {
+  using enum Quantity;
+  const auto rows = [&](const Field& field, auto get) { archive.rows(field, contacts, get); };
+  rows(
+      {"contacts/twisting_moment", moment, "moment of the twisting spring on id1 about the normal"},
+      [](auto& c) -> auto& { return c.twisting_moment; });
+  rows(
+      {"contacts/ktw", rolling_stiffness, "against relative rotation about the normal"},
+      [](auto& c) -> auto& { return c.ktw; });
+  rows(
+      {"contacts/twisting_yield", flag, "the twisting spring is at its cap"},
+      [](auto& c) -> auto& { return c.twisting_yield; });
+}
+
 /// The attributes of a state file: `archive.value(group, name, variable)`.
 template <class Archive, class State>
 void describe_attributes(Archive& archive, State& s) {

@@ -181,7 +181,7 @@ void append(pugi::xml_node section, const ArrayText& array) {
 class Drawing {
  public:
   template <int Dim>
-  explicit Drawing(const Packing<Dim>& packing) {
+  explicit Drawing(const Packing<Dim>& packing) : has_twisting_(packing.law.twisting) {
     const Grains<Dim>& grains = packing.grains;
     for (int i = 0; i < grains.size(); ++i) {
       add_point(in_space<Dim>(grains.position[i]), grains.radius[i], grains.mass[i], i);
@@ -202,6 +202,7 @@ class Drawing {
     pugi::xml_node cell_data = piece.append_child("CellData");
     for (const ArrayText* array : {&normal_force_, &shear_force_, &gap_, &kn_, &kt_, &kr_, &distant_})
       append(cell_data, *array);
+    if (has_twisting_) append(cell_data, ktw_);
   }
 
  private:
@@ -229,6 +230,7 @@ class Drawing {
     kn_.add(c.kn);
     kt_.add(c.kt);
     kr_.add(c.kr);
+    if (has_twisting_) ktw_.add(c.ktw);
     distant_.add(static_cast<int>(c.distant));
   }
 
@@ -248,6 +250,7 @@ class Drawing {
     add_half(c.j, packing.grains.position[c.j] - half);
   }
 
+  bool has_twisting_;
   int n_points_ = 0;
   int n_cells_ = 0;
   int offset_ = 0;
@@ -264,6 +267,7 @@ class Drawing {
   ArrayText kn_{"Float64", "kn", 1, ""};
   ArrayText kt_{"Float64", "kt", 1, ""};
   ArrayText kr_{"Float64", "kr", 1, ""};
+  ArrayText ktw_{"Float64", "ktw", 1, ""};
   ArrayText distant_{"UInt8", "distant", 1, ""};
 };
 

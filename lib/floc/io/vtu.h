@@ -18,8 +18,8 @@ bool is_vtu(const std::string& path);
 Imported read_vtu(const std::string& path, const ImportOptions& options);
 
 /// A VTU file in ASCII, every digit of its numbers. Points: the grains, each a vertex, with radius, mass and
-/// id. Lines: the contacts, with normal_force, shear_force (on the grain of lower index), gap, kn, kt, kr and
-/// distant. A contact across the side of the cell is cut: from each of its grains a line goes half its length,
+/// id. Lines: the contacts, with normal_force, shear_force (on the grain of lower index), gap, kn, kt, kr,
+/// distant and, where the law resists twisting, ktw. A contact across the side of the cell is cut: from each of its grains a line goes half its length,
 /// to a point that is no grain, has radius 0 and id -1. In 2D z = 0.
 std::string vtu_text(const AnyState& state);
 

@@ -41,9 +41,11 @@ NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<D
   out.kn = c.kn;
   out.kt = c.kt;
   out.kr = c.kr;
+  out.ktw = c.ktw;
   out.normal_force = c.normal_force;
   out.shear_force = c.shear_force;
   out.rolling_moment = c.rolling_moment;
+  out.twisting_moment = c.twisting_moment;
   out.distant = c.distant;
   out.source = source;
   return out;

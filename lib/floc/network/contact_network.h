@@ -24,6 +24,7 @@ struct NetworkContact {
   double normal_force;                 ///< static, compression positive (force)
   Vec<Dim> shear_force;                ///< tangential force on i (force)
   RotationVector<Dim> rolling_moment;  ///< on i (force * length)
+  double twisting_moment = 0.0;        ///< on i about the normal (force * length)
   bool distant;                        ///< acts across a gap
   int source;                          ///< index in the contact list it came from
 

@@ -164,7 +164,7 @@ class FreeMotionFinder {
     spins_.push_back({grains, motion, pinned});
   }
 
-  /// Grains joined to `start` by rolling stiffness, itself included; empty if a tangential spring holds any.
+  /// Grains joined to `start` by rolling or twisting stiffness, itself included; empty if a tangential spring holds any.
   std::vector<int> free_rolling_group(int start, std::vector<bool>& visited) const {
     bool held = false;
     std::vector<int> group{start};
@@ -175,7 +175,7 @@ class FreeMotionFinder {
         const NetworkContact<Dim>& c = network_.contacts[k];
         if (c.kt != 0.0) held = true;
         const int other = other_end(k, group[at]);
-        if (c.kr == 0.0 || visited[other]) continue;
+        if ((c.kr == 0.0 && c.ktw == 0.0) || visited[other]) continue;
         visited[other] = true;
         group.push_back(other);
       }
@@ -183,7 +183,7 @@ class FreeMotionFinder {
     return held ? std::vector<int>{} : group;
   }
 
-  /// Without tangential springs a grain spins freely, and grains joined by rolling stiffness do so together.
+  /// Without tangential springs a grain spins freely, and grains joined by rolling or twisting stiffness do so together.
   void find_free_spins() {
     std::vector<bool> visited(network_.n_grains, false);
     for (int i = 0; i < network_.n_grains; ++i) {

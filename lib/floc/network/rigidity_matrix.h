@@ -23,7 +23,8 @@ Mat<Dim> unit_strain(int column);
 
 /// Relative motion of one contact, linear in the unknowns. Rows: overlap; tangential displacement of j against
 /// i along each tangent; rotation of j against i, in 3D about the normal (twisting), then about each tangent
-/// (rolling). Row by row they do work on normal force, tangential force on i and rolling moment on i: forces f are in balance with loads G^T f.
+/// (rolling). Row by row they do work on normal force, tangential force on i and moment on i: forces f are in
+/// balance with loads G^T f.
 template <int Dim>
 struct ContactRows {
   Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_i;  ///< unknowns of i; those of j are added if i = j

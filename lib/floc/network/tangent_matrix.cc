@@ -45,13 +45,13 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
   k.template block<kRotationDofs, Dim>(Dim, 0) = -share_i * moment_by_displacement;
   k.template block<kRotationDofs, Dim>(Dim + kRotationDofs, 0) = -share_j * moment_by_displacement;
   if constexpr (Dim == 3) {
-    const Vec<3>& rolling = c.rolling_moment;
-    const Mat<3> rolling_by_displacement = (n.dot(rolling) * across - n * (across * rolling).transpose()) / r;
-    k.template block<3, 3>(3, 0) -= rolling_by_displacement;
-    k.template block<3, 3>(6, 0) += rolling_by_displacement;
+    const Vec<3> springs = spring_moment<3>(c.rolling_moment, c.twisting_moment, n);
+    const Mat<3> springs_by_displacement = (n.dot(springs) * across - n * (across * springs).transpose()) / r;
+    k.template block<3, 3>(3, 0) -= springs_by_displacement;
+    k.template block<3, 3>(6, 0) += springs_by_displacement;
     Eigen::Matrix<double, 9, 1> by_twist;
-    const Vec<3> rolling_by_twist = n.cross(rolling);
-    by_twist << n.cross(shear), share_i * r * shear - rolling_by_twist, share_j * r * shear + rolling_by_twist;
+    const Vec<3> springs_by_twist = n.cross(springs);
+    by_twist << n.cross(shear), share_i * r * shear - springs_by_twist, share_j * r * shear + springs_by_twist;
     k.template block<9, 3>(0, 3) += 0.5 * by_twist * n.transpose();
     k.template block<9, 3>(0, 6) += 0.5 * by_twist * n.transpose();
   }

@@ -16,8 +16,9 @@ Balance<Dim> net_forces(const Packing<Dim>& packing) {
     // angular momentum is exact.
     const double arm_per_radius = 1.0 + c.gap / (g.radius[c.i] + packing.surface_radius(c.j));
     const RotationVector<Dim> unit_moment = moment<double>(c.normal, c.shear_force);
-    net.moment[c.i] += g.radius[c.i] * arm_per_radius * unit_moment + c.rolling_moment;
-    if (on_grain) net.moment[c.j] += g.radius[c.j] * arm_per_radius * unit_moment - c.rolling_moment;
+    const RotationVector<Dim> of_springs = spring_moment(c);
+    net.moment[c.i] += g.radius[c.i] * arm_per_radius * unit_moment + of_springs;
+    if (on_grain) net.moment[c.j] += g.radius[c.j] * arm_per_radius * unit_moment - of_springs;
   }
   return net;
 }

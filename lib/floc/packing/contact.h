@@ -21,13 +21,33 @@ struct Contact {
   Vec<Dim> shear_force = Vec<Dim>::Zero();      ///< tangential force on i (force)
   /// Moment of the rolling spring on i (force * length).
   RotationVector<Dim> rolling_moment = RotationVector<Dim>::Zero();
-  double kn = 0.0;             ///< normal stiffness, -F0/D0 for a distant attraction
-  double kt = 0.0;             ///< tangential stiffness (force/length)
-  double kr = 0.0;             ///< rolling stiffness (force * length)
-  bool sliding = false;        ///< the tangential spring is at its cap
-  bool rolling_yield = false;  ///< the rolling spring is at its cap
-  bool distant = false;        ///< acts across a gap, gap >= 0
+  /// Of spheres, moment of the twisting spring on i about the normal (force * length).
+  double twisting_moment = 0.0;
+  double kn = 0.0;              ///< normal stiffness, -F0/D0 for a distant attraction
+  double kt = 0.0;              ///< tangential stiffness (force/length)
+  double kr = 0.0;              ///< rolling stiffness (force * length)
+  double ktw = 0.0;             ///< twisting stiffness (force * length)
+  bool sliding = false;         ///< the tangential spring is at its cap
+  bool rolling_yield = false;   ///< the rolling spring is at its cap
+  bool twisting_yield = false;  ///< the twisting spring is at its cap
+  bool distant = false;         ///< acts across a gap, gap >= 0
   ContactMemory<Dim> memory = ContactMemory<Dim>::Zero();  ///< history, at the places of the layout
+
+  /// Whether any of its springs is at its cap.
+  bool yields() const { return sliding || rolling_yield || twisting_yield; }
 };
+
+/// Moment of rolling and twisting springs on i, a vector of space in 3D.
+template <int Dim>
+RotationVector<Dim> spring_moment(const RotationVector<Dim>& rolling, double twisting, const Vec<Dim>& normal) {
+  if constexpr (Dim == 3)
+    return rolling + twisting * normal;
+  else
+    return rolling;
+}
+template <int Dim>
+RotationVector<Dim> spring_moment(const Contact<Dim>& c) {
+  return spring_moment<Dim>(c.rolling_moment, c.twisting_moment, c.normal);
+}
 
 }  // namespace floc

@@ -13,7 +13,7 @@ void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
   const DoubleDoubleVec<Dim> r = exact_branch(packing, c);
   c.gap = surface_gap<Dim>(r, packing.grains.radius[c.i], packing.surface_radius(c.j));
   c.normal = rounded<Dim>(r).normalized();
-  respond_to_motion<Law, Dim>(law, packing.grains, Shear<Dim>::Zero(), RotationVector<Dim>::Zero(), c);
+  respond_to_motion<Law, Dim>(law, packing.grains, SurfaceMotion<Dim>{}, c);
 }
 
 /// Of the contacts with walls, or of those between grains alone.
@@ -42,9 +42,10 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
   c.kn = kn.value_or(k.normal);
   c.kt = Law::kHasFriction ? kt.value_or(k.tangential) : 0.0;
   c.kr = k.rolling;
+  c.ktw = k.twisting;
   auto memory = packed_memory<Law, Dim>(c.memory);
-  law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, {c.kn, c.kt, c.kr},
-                              memory);
+  law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, -c.twisting_moment,
+                              {c.kn, c.kt, c.kr, c.ktw}, memory);
   set_mobilised(law, memory, tolerance, c);
   c.memory = unpacked_memory<Law, Dim>(memory);
 }

@@ -24,11 +24,10 @@ void refresh_contacts(Packing<Dim>& packing);
 template <int Dim>
 Mobilised mobilised(const LawParameters& law, const Contact<Dim>& contact, double tolerance);
 
-/// Gives a contact of a packing forces that were measured or read: elastic part, stiffnesses not given and memory follow
-/// from the law. Shear force and rolling moment are taken as they are, capped or not.
+/// Gives a contact of a packing forces that were measured or read: elastic part, stiffnesses not given and
+/// memory follow from the law. Shear force and moments are taken as they are, capped or not.
 /// @param kn, kt  stiffnesses of the contact (force/length), those of the law where absent
-/// @pre the contact touches, or is to be taken as touching; normal_force, shear_force and rolling_moment are
-/// set
+/// @pre the contact touches, or is to be taken as touching; normal_force, shear_force and moments are set
 template <int Dim>
 void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std::optional<double> kt,
                       double tolerance, Contact<Dim>& contact);

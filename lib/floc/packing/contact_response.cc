@@ -71,6 +71,10 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
     for (int b = 0; b < kRotations<Dim>; ++b)
       motion.relative_rotation[a].derivative[Dim + b] = -rolling(a, b);  // of i against j
   }
+  if constexpr (Dim == 3) {
+    motion.twist = T(kBeyondCap * surface.twist + kTinyMotion);
+    motion.twist.derivative[Dim] = -1.0;
+  }
   auto memory = dual_memory<Law, Dim>(factor.cwiseProduct(start.memory));
   const ContactForces<Dim, T> f = law.respond(motion, memory);
 
@@ -82,6 +86,7 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
       for (int a = 0; a < kShearComponents<Dim>; ++a) k(1 + t, b) += tangents(a, t) * f.shear[a].derivative[b];
     for (int c = 0; c < kRotations<Dim>; ++c)
       for (int a = 0; a < kRotations<Dim>; ++a) k(Dim + c, b) -= rolling(a, c) * f.rolling[a].derivative[b];
+    if constexpr (Dim == 3) k(Dim, b) -= f.twisting.derivative[b];
   }
   return k;
 }
@@ -114,7 +119,7 @@ void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> mo
   std::visit(
       [&](const auto& composed) {
         for (std::size_t k = 0; k < contacts.size(); ++k)
-          respond_to_motion(composed, packing.grains, motion[k].slip, motion[k].relative_rotation, contacts[k]);
+          respond_to_motion(composed, packing.grains, motion[k], contacts[k]);
       },
       compose_law(packing.law));
 }

@@ -14,6 +14,7 @@ struct SurfaceMotion {
   Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of j against i (length)
   /// Rotation of i against j, in 3D that about axes in the tangent plane (radians).
   RotationVector<Dim> relative_rotation = RotationVector<Dim>::Zero();
+  double twist = 0.0;  ///< in 3D, rotation of i against j about the normal (radians)
 };
 
 /// Carries what a contact remembers, and its motion since, from its normal to another, which it then has.
@@ -35,8 +36,8 @@ void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> mo
              std::span<Contact<Dim>> contacts);
 
 /// Derivatives of what one contact does, rows and columns in the order of `ContactRows`: normal force,
-/// tangential force on i along each tangent, moment on i about each axis, by overlap, tangential displacement of
-/// j against i along each tangent, rotation of j against i about each axis.
+/// tangential force on i along each tangent, moment on i about each axis, by overlap, tangential displacement
+/// of j against i along each tangent, rotation of j against i about each axis.
 template <int Dim>
 using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 

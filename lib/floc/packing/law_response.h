@@ -1,6 +1,7 @@
 #pragma once
 
 #include "floc/contact/law_table.h"
+#include "floc/packing/contact_response.h"
 #include "floc/packing/packing.h"
 
 /// How one contact responds by a composed law: what all evaluations outside of the force loop share.
@@ -25,24 +26,28 @@ void set_mobilised(const Law& law, const PackedMemory<Law::template kMemorySize<
   if (!c.distant) m = law.template mobilised<Dim>(c.elastic_force, memory, tolerance);
   c.sliding = m.sliding;
   c.rolling_yield = m.rolling;
+  c.twisting_yield = m.twisting;
 }
 
 /// Static forces, stiffnesses, flags and memory of a contact whose surfaces have moved since its memory was
 /// updated; its gap and normal are those after the motion.
 template <class Law, int Dim>
-void respond_to_motion(const Law& law, const Grains<Dim>& grains, const Shear<Dim>& slip,
-                       const RotationVector<Dim>& relative_rotation, Contact<Dim>& c) {
+void respond_to_motion(const Law& law, const Grains<Dim>& grains, const SurfaceMotion<Dim>& surface,
+                       Contact<Dim>& c) {
   auto memory = packed_memory<Law, Dim>(c.memory);
-  const ContactMotion<Dim> motion{pair_geometry(grains, c), 0.0, 0.0, slip, relative_rotation};
+  const ContactMotion<Dim> motion{pair_geometry(grains, c),  0.0,          0.0, surface.slip,
+                                  surface.relative_rotation, surface.twist};
   const ContactForces<Dim> f = law.respond(motion, memory);
   c.normal_force = f.normal.force();
   c.elastic_force = f.normal.elastic;
   c.shear_force = from_shear<double>(c.normal, f.shear);
   c.rolling_moment = -f.rolling;
+  c.twisting_moment = -f.twisting;
   const ContactStiffness k = law.template stiffness<Dim>(motion.pair, memory);
   c.kn = k.normal;
   c.kt = k.tangential;
   c.kr = k.rolling;
+  c.ktw = k.twisting;
   c.distant = c.gap >= 0.0;
   set_mobilised(law, memory, kCapTolerance, c);
   c.memory = unpacked_memory<Law, Dim>(memory);

@@ -71,7 +71,8 @@ struct SeenPacking {
 /// Drawn radius of a sphere over its own.
 double sphere_size(const PackingPicture<3>& picture, const View& view);
 
-/// The spheres of the cell, each once where its centre is, and the contacts, cut at the faces of the cell. Spheres of which nothing is to be seen are left out.
+/// The spheres of the cell, each once where its centre is, and the contacts, cut at the faces of the cell.
+/// Spheres of which nothing is to be seen are left out.
 /// @param scale  for the widths of tubes and the lengths of arrows
 SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale);
 

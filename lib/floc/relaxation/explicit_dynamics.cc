@@ -285,7 +285,8 @@ void ExplicitDynamics<Dim>::rebuild_list() {
   steps_since_list_ = 0;
 }
 
-/// Pairs that may interact before bodies have moved by their skins. @param now  grains with their skins around them
+/// Pairs that may interact before bodies have moved by their skins.
+/// @param now  grains with their skins around them
 template <int Dim>
 std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(const Interaction<Dim>& interaction,
                                                                   const Grains<Dim>& now) const {

@@ -148,6 +148,7 @@ class StaticProblem {
       motion.slip += to_shear<double>(normal, Vec<Dim>(relative_displacement(from, k, step, applied) -
                                                        cross<double>(mean_rotation, to.branch[k])));
       motion.relative_rotation += rolling_part<double>(normal, RotationVector<Dim>(rotation_i - rotation_j));
+      if constexpr (Dim == 3) motion.twist += normal.dot(rotation_i - rotation_j);
     }
     evaluate(to);
     return to;
@@ -301,14 +302,13 @@ class StaticProblem {
       // Lever arms are shares of the branch by the radii: over its radius, the moment of the shear force is the
       // same on both.
       const RotationVector<Dim> shear_moment = moment<double>(at.branch[k], c.shear_force) / radii(c);
-      at.residual.template segment<kRotationDofs>(first_i + Dim) +=
-          shear_moment + c.rolling_moment / radius[c.i];
-      at.residual.template segment<kRotationDofs>(first_j + Dim) +=
-          shear_moment - c.rolling_moment / radius[c.j];
+      const RotationVector<Dim> of_springs = spring_moment(c);
+      at.residual.template segment<kRotationDofs>(first_i + Dim) += shear_moment + of_springs / radius[c.i];
+      at.residual.template segment<kRotationDofs>(first_j + Dim) += shear_moment - of_springs / radius[c.j];
       for (int s = 0; s < n_strains(); ++s)
         stress_balance[s] -= on_i[strains_[s][0]] * at.branch[k][strains_[s][1]] / scale_.length;
       at.n_contacts += c.gap < 0.0;
-      at.n_yielding += c.sliding || c.rolling_yield;
+      at.n_yielding += c.yields();
     }
     measure(at);
   }
@@ -338,6 +338,7 @@ class StaticProblem {
     out.normal_force = c.normal_force;
     out.shear_force = c.shear_force;
     out.rolling_moment = c.rolling_moment;
+    out.twisting_moment = c.twisting_moment;
     return out;
   }
 

@@ -63,8 +63,8 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
             shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
             // Rolling is stable to 1.45 times the step in units of its own period that vibration allows
             // (measured in crystals).
-            if (bound.rolling > 0.0)
-              shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / bound.rolling));
+            const double turning = std::max(bound.rolling, bound.twisting);
+            if (turning > 0.0) shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / turning));
           }
         },
         compose_law(parameters));

@@ -2,9 +2,8 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "floc/loading/run.h"
+#include "floc/run/motion_table.h"
 #include "floc/run/run_directory.h"
 
 namespace floc {
@@ -15,7 +14,7 @@ namespace floc {
 /// gained and lost (since the row before, or the beginning of the step), kept (of the contacts the step began
 /// with). The last row of a step is its equilibrium.
 template <int Dim>
-class ContactTracker {
+class ContactTracker final : public MotionTable<Dim> {
  public:
   /// @param file   where the rows go; those of an earlier part of the run, up to its point, are kept
   /// @param start  packing that the present step began with
@@ -23,17 +22,9 @@ class ContactTracker {
 
   /// Of a packing on its way. @param time  since the beginning of the run
   void record(const Run<Dim>& run, const Packing<Dim>& packing, double time);
-  /// The equilibrium a step ended with: the next one begins with it.
-  void finish_step(const Run<Dim>& run);
-
-  /// Writes the file anew. @throws IoError if it cannot be written
-  void write() const;
+  void finish_step(const Run<Dim>& run) override;
 
  private:
-  void read_rows(const RunPoint& point);
-
-  std::string file_;
-  std::vector<std::string> rows_;
   Packing<Dim> start_, previous_;
 };
 

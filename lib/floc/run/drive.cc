@@ -16,8 +16,8 @@ double seconds_since(Clock::time_point since) {
 template <int Dim>
 class Driver {
  public:
-  Driver(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options, ContactTracker<Dim>* tracker)
-      : run_(run), directory_(directory), options_(options), tracker_(tracker) {}
+  Driver(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options, MotionTable<Dim>* table)
+      : run_(run), directory_(directory), options_(options), table_(table) {}
 
   DriveReport drive() {
     step_began_ = last_checkpoint_ = Clock::now();
@@ -37,9 +37,9 @@ class Driver {
   void save() {
     const double seconds = seconds_since(step_began_);
     const State<Dim> state = run_.state();
-    if (tracker_ != nullptr) tracker_->finish_step(run_);
+    if (table_ != nullptr) table_->finish_step(run_);
     // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
-    if (tracker_ != nullptr) tracker_->write();
+    if (table_ != nullptr) table_->write();
     const std::string sha256 = directory_.save(state, seconds);
     if (options_.equilibrium) options_.equilibrium(state, run_.report(), seconds);
     run_.saved(sha256);
@@ -47,7 +47,7 @@ class Driver {
   }
 
   void checkpoint() {
-    if (tracker_ != nullptr) tracker_->write();
+    if (table_ != nullptr) table_->write();
     if (!run_.finished()) {
       State<Dim> state = run_.release_state();
       directory_.save_checkpoint(state, run_.point());
@@ -67,7 +67,7 @@ class Driver {
   Run<Dim>& run_;
   RunDirectory& directory_;
   const DriveOptions<Dim>& options_;
-  ContactTracker<Dim>* tracker_;
+  MotionTable<Dim>* table_;
   Clock::time_point step_began_, last_checkpoint_;
 };
 
@@ -82,13 +82,13 @@ Run<Dim> start_or_resume(RunDirectory& directory, const RunOptions& options) {
 
 template <int Dim>
 DriveReport drive(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options,
-                  ContactTracker<Dim>* tracker) {
-  return Driver(run, directory, options, tracker).drive();
+                  MotionTable<Dim>* table) {
+  return Driver(run, directory, options, table).drive();
 }
 
 #define FLOC_INSTANTIATE(Dim)                                               \
   template Run<Dim> start_or_resume<Dim>(RunDirectory&, const RunOptions&); \
-  template DriveReport drive(Run<Dim>&, RunDirectory&, const DriveOptions<Dim>&, ContactTracker<Dim>*);
+  template DriveReport drive(Run<Dim>&, RunDirectory&, const DriveOptions<Dim>&, MotionTable<Dim>*);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

@@ -3,7 +3,7 @@
 #include <functional>
 #include <limits>
 
-#include "floc/run/contact_tracker.h"
+#include "floc/run/motion_table.h"
 #include "floc/run/run_directory.h"
 
 namespace floc {
@@ -39,10 +39,10 @@ template <int Dim>
 Run<Dim> start_or_resume(RunDirectory& directory, const RunOptions& options);
 
 /// Drives a run and keeps its directory: a state and a row for each equilibrium, a checkpoint now and then.
-/// @param tracker  of the contacts of this run; null: they are not recorded
+/// @param table  of what is recorded of this run while it moves; null: nothing is
 /// @throws IoError if a file cannot be written
 template <int Dim>
 [[nodiscard]] DriveReport drive(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options,
-                                ContactTracker<Dim>* tracker = nullptr);
+                                MotionTable<Dim>* table = nullptr);
 
 }  // namespace floc

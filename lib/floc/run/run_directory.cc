@@ -45,6 +45,7 @@ RunDirectory::RunDirectory(const std::string& path, Existing existing, const Run
     for (int step = 0; fs::exists(state_path(step)); ++step) fs::remove(state_path(step));
     fs::remove(path_table());
     fs::remove(contact_table());
+    fs::remove(energy_table());
     remove_checkpoint();
   }
   if (count_states() > 0)
@@ -73,6 +74,9 @@ std::string RunDirectory::path_table() const {
 }
 std::string RunDirectory::contact_table() const {
   return path_ + "/contacts.csv";
+}
+std::string RunDirectory::energy_table() const {
+  return path_ + "/energy.csv";
 }
 
 template <int Dim>

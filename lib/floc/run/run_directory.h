@@ -48,6 +48,7 @@ class RunDirectory {
   std::string state_path(int step) const;
   std::string path_table() const;
   std::string contact_table() const;
+  std::string energy_table() const;
   /// The packing that a step begins with: the equilibrium before it. @pre it is saved
   template <int Dim>
   Packing<Dim> start_of(int step) const;

@@ -129,9 +129,11 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
     const double arm = stored.grains.radius[c.i] + stored.grains.radius[c.j];
     const double error =
         std::max({std::abs(c.normal_force - r.normal_force), std::abs(c.elastic_force - r.elastic_force),
-                  (c.shear_force - r.shear_force).norm(), (c.rolling_moment - r.rolling_moment).norm() / arm});
+                  (c.shear_force - r.shear_force).norm(), (c.rolling_moment - r.rolling_moment).norm() / arm,
+                  std::abs(c.twisting_moment - r.twisting_moment) / arm});
     result.value = std::max(result.value, error);
-    const bool same_state = std::tie(c.kn, c.kt, c.kr, c.distant) == std::tie(r.kn, r.kt, r.kr, r.distant);
+    const bool same_state =
+        std::tie(c.kn, c.kt, c.kr, c.ktw, c.distant) == std::tie(r.kn, r.kt, r.kr, r.ktw, r.distant);
     if (!(error <= result.limit))
       violations.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
     else if (!same_state)

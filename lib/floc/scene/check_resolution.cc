@@ -7,10 +7,23 @@
 #include <limits>
 #include <vector>
 
+#include "floc/scene/derived_groups.h"
+
 namespace floc {
 namespace {
 
 using Need = TableReader::Need;
+
+/// Calls check(table, key, pressure) for the first pressure and for that of each stage, until one ends it.
+template <class Check, class Ends>
+void for_each_pressure(TableReader& root, const Scene& scene, const Check& check, const Ends& ends) {
+  TableReader assembly = root.table("assembly", "", Need::optional);
+  if (assembly) check(assembly, "pressure", scene.assembly.pressure);
+  if (scene.load.empty()) return;
+  std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
+  for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()) && !ends(scene.load[k]); ++k)
+    check(stages[k], "to", scene.load[k].to);
+}
 
 /// A pressure below the possible error of a stress cannot be distinguished from zero.
 void check_pressures(TableReader& root, const Scene& scene) {
@@ -26,17 +39,11 @@ void check_pressures(TableReader& root, const Scene& scene) {
               "have, or a smaller equilibrium.stress",
               t.path_of(key), pressure, scene.dimension == 2 ? "a" : "a^2", least));
   };
-  TableReader assembly = root.table("assembly", "", Need::optional);
-  if (assembly) check(assembly, "pressure", scene.assembly.pressure);
-  if (scene.load.empty()) return;
-  std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
-  for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()); ++k) {
-    // A change of the adhesion changes what a stress is measured in.
-    if (std::any_of(scene.load[k].set.begin(), scene.load[k].set.end(),
-                    [](const auto& change) { return change.first == "adhesion.force"; }))
-      return;
-    check(stages[k], "to", scene.load[k].to);
-  }
+  // A change of the adhesion changes what a stress is measured in.
+  for_each_pressure(root, scene, check, [](const LoadStage& stage) {
+    return std::any_of(stage.set.begin(), stage.set.end(),
+                       [](const auto& change) { return change.first == "adhesion.force"; });
+  });
 }
 
 /// Contacts may be so stiff that the rounding of sides and positions leaves more than the tolerances.
@@ -74,21 +81,15 @@ void check_stiffness(TableReader& root, const Scene& scene) {
 void check_overlaps(TableReader& root, const Scene& scene) {
   constexpr double kLeastKappa = 30.0;
   if (!scene.law.stiffness_varies()) return;
-  const double E = scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max);
   const auto check = [&](TableReader& t, const char* key, double pressure) {
-    const double kappa = std::pow(E / pressure, 2.0 / 3.0);
+    const double kappa = hertz_kappa(scene, pressure);
     if (pressure > 0 && kappa < kLeastKappa)
       t.fault(key,
               fmt::format("{} = {}: kappa = (E~/P)^(2/3) = {:.3g}, expected at least {}: spheres would overlap "
                           "too far for Hertz' law",
                           t.path_of(key), pressure, kappa, kLeastKappa));
   };
-  TableReader assembly = root.table("assembly", "", Need::optional);
-  if (assembly) check(assembly, "pressure", scene.assembly.pressure);
-  if (scene.load.empty()) return;
-  std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
-  for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()); ++k)
-    check(stages[k], "to", scene.load[k].to);
+  for_each_pressure(root, scene, check, [](const LoadStage&) { return false; });
 }
 
 }  // namespace

@@ -76,15 +76,14 @@ void add_cohesion(const Scene& scene, double a, Groups& groups) {
 /// Of elastic spheres: overlaps go as 1/kappa, the pressure between surfaces as kappa^(-1/2).
 void add_spheres(const Scene& scene, Groups& groups) {
   const double E = scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max);
-  const auto kappa = [E](double pressure) { return std::pow(E / pressure, 2.0 / 3.0); };
   double highest = scene.assembly.pressure;
   for (const LoadStage& stage : scene.load) highest = std::max(highest, stage.to);
-  groups.push_back(
-      {"kappa", kappa(scene.assembly.pressure), "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure"});
-  groups.push_back({"kappa", kappa(highest), "at the highest pressure"});
+  groups.push_back({"kappa", hertz_kappa(scene, scene.assembly.pressure),
+                    "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure"});
+  groups.push_back({"kappa", hertz_kappa(scene, highest), "at the highest pressure"});
   add_pressures(scene, E, "P/E~", "P/E~", groups);
   // Where z Phi = 4, of a contact that carries the mean force.
-  groups.push_back({"p_max/E~", 0.847131 / std::sqrt(kappa(highest)),
+  groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
                     "largest pressure between surfaces at the highest pressure, of the mean force"});
 }
 
@@ -119,7 +118,7 @@ void add_slot(const std::string& slot, const Scene& scene, double a, Groups& gro
 }
 
 void add_law(const Scene& scene, double a, Groups& groups) {
-  for (const char* slot : {"friction", "rolling", "damping"}) add_slot(slot, scene, a, groups);
+  for (const char* slot : {"friction", "rolling", "twisting", "damping"}) add_slot(slot, scene, a, groups);
   if (scene.law.damping.holds<ViscousDamping>())
     groups.push_back({"zeta", damping_ratio(scene.law.damping.get<ViscousDamping>().restitution),
                       "fraction of critical damping"});
@@ -144,10 +143,14 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
 double typical_stiffness(const Scene& scene) {
   const double a = scene.grains.diameter.max, modulus = scene.law.contact_modulus(scene.dimension, a);
   if (!scene.law.stiffness_varies()) return modulus * std::pow(a, scene.dimension - 2);
-  return 0.665 * std::pow(modulus / scene.assembly.pressure, 2.0 / 3.0) * scene.assembly.pressure * a;
+  return 0.665 * hertz_kappa(scene, scene.assembly.pressure) * scene.assembly.pressure * a;
 }
 
 }  // namespace
+
+double hertz_kappa(const Scene& scene, double pressure) {
+  return std::pow(scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max) / pressure, 2.0 / 3.0);
+}
 
 double expected_cost(const Scene& scene) {
   // What assembling a gas costs, in loading steps.

@@ -99,12 +99,8 @@ LawParameters read_law(TableReader& root, int dimension) {
     read_slot(t.table(slot.key, expected_table(slot).c_str(), slot.optional ? Need::optional : Need::required),
               slot, law);
   // Numbers have been checked one by one, with the words of a scene.
-  std::vector<std::string> faults = law.faults_between_slots();
-  for (const std::string& fault : law.faults_in_dimension(dimension)) faults.push_back(fault);
-  for (const std::string& fault : faults) {
-    const std::string slot = fault.substr(8, fault.find_first_of(".:", 8) - 8);  // after "contact."
-    t.fault(slot, fault);
-  }
+  for (const auto& faults : {law.faults_between_slots(), law.faults_in_dimension(dimension)})
+    for (const LawFault& fault : faults) t.fault(fault.slot, fault.words);
   t.refuse_other_keys();
   return law;
 }

@@ -54,6 +54,9 @@ constexpr std::int64_t kMaxSteps = 10'000;
 constexpr std::int64_t kMaxThreads = 1024;
 
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
+constexpr NumberRule kCellMass{positive,
+                               "a positive number (mass of the cell's sides over that of all grains)"};
+constexpr NumberRule kInertialNumberCap{positive, "a positive number (|L'/L| sqrt(m/P))"};
 
 void read_scene_table(TableReader& root, Scene& scene) {
   TableReader t = root.table("scene", "a table [scene]");
@@ -164,14 +167,11 @@ void read_cell(TableReader& root, Scene& scene) {
                                   "a solid fraction in (0, 0.49], at which spheres can be placed at random "
                                   "without overlap"})
             .value_or(0);
-  scene.relaxation.cell_mass =
-      t.number("mass", {positive, "a positive number (mass of the cell's sides over that of all grains)"})
-          .value_or(1);
+  scene.relaxation.cell_mass = t.number("mass", kCellMass).value_or(1);
   scene.relaxation.strain_rate_cap =
       t.number("strain_rate_cap", {positive, "a positive number (|L'/L| in units of 1/T0, T0 = sqrt(a m/F0))"},
                Need::optional);
-  scene.relaxation.inertial_number_cap =
-      t.number("inertial_number_cap", {positive, "a positive number (|L'/L| sqrt(m/P))"}, Need::optional);
+  scene.relaxation.inertial_number_cap = t.number("inertial_number_cap", kInertialNumberCap, Need::optional);
   const bool by_time = t.has("strain_rate_cap");
   const bool by_inertia = t.has("inertial_number_cap");
   if (by_time && by_inertia)
@@ -186,10 +186,8 @@ void read_cell(TableReader& root, Scene& scene) {
 
 /// How the cell answers to its load in one part of a run.
 CellResponse read_cell_response(TableReader& t) {
-  return {
-      t.number("inertial_number_cap", {positive, "a positive number (|L'/L| sqrt(m/P))"}, Need::optional),
-      t.number("cell_mass", {positive, "a positive number (mass of the cell's sides over that of all grains)"},
-               Need::optional)};
+  return {t.number("inertial_number_cap", kInertialNumberCap, Need::optional),
+          t.number("cell_mass", kCellMass, Need::optional)};
 }
 
 /// How a saved packing is shaken before it is compressed.

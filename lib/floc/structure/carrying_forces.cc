@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/structure/mobilisation.h"
+
 namespace floc {
 namespace {
 
@@ -26,23 +28,6 @@ double reduced_moment(const Packing<Dim>& packing, const CarryingStructure& carr
   return sum / static_cast<double>(carrying.contacts.size());
 }
 
-template <int Dim>
-void add_mobilisation(const Packing<Dim>& packing, const CarryingStructure& carrying, double mean,
-                      CarryingForces& out) {
-  int n_above = 0, n_below = 0;
-  for (const int k : carrying.contacts) {
-    const Contact<Dim>& c = packing.contacts[k];
-    if (!(c.elastic_force > 0.0)) continue;
-    const double mobilised = c.shear_force.norm() / c.elastic_force;
-    if (c.elastic_force > mean)
-      out.M1 += mobilised, ++n_above;
-    else
-      out.M2 += mobilised, ++n_below;
-  }
-  if (n_above > 0) out.M1 /= n_above;
-  if (n_below > 0) out.M2 /= n_below;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -63,7 +48,10 @@ CarryingForces carrying_forces(const Packing<Dim>& packing, const CarryingStruct
   out.Z_third = reduced_moment(packing, carrying, mean, 1.0 / 3.0);
   out.Z2 = reduced_moment(packing, carrying, mean, 2.0);
   out.Z_five_thirds = reduced_moment(packing, carrying, mean, 5.0 / 3.0);
-  add_mobilisation(packing, carrying, mean, out);
+  MobilisationByForce mobilisation(mean);
+  for (const int k : carrying.contacts) mobilisation.add(packing.contacts[k]);
+  out.M1 = mobilisation.M1();
+  out.M2 = mobilisation.M2();
   return out;
 }
 

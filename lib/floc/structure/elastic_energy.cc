@@ -24,7 +24,8 @@ double elastic_energy(const Contact<Dim>& c) {
   const double N = c.elastic_force, h = -c.gap;
   const double normal = N > 0.0 && h > 0.0 ? N * N * h / (N + c.kn * h) : 0.0;
   return normal + spring_energy(c.shear_force.squaredNorm(), c.kt) +
-         spring_energy(c.rolling_moment.squaredNorm(), c.kr);
+         spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
+         spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
 }
 
 template <int Dim>

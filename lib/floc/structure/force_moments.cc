@@ -3,26 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/structure/mobilisation.h"
+
 namespace floc {
-namespace {
-
-template <int Dim>
-void add_mobilisation(const Packing<Dim>& packing, double mean, ForceMoments& out) {
-  int n_above = 0, n_below = 0;
-  for (const Contact<Dim>& c : packing.contacts) {
-    if (c.distant || !(c.elastic_force > 0.0)) continue;
-    const double mobilised = c.shear_force.norm() / c.elastic_force;
-    if (c.elastic_force > mean)
-      out.M1 += mobilised, ++n_above;
-    else
-      out.M2 += mobilised, ++n_below;
-  }
-  if (n_above > 0) out.M1 /= n_above;
-  if (n_below > 0) out.M2 /= n_below;
-}
-
-}  // namespace
-
 template <int Dim>
 ForceMoments force_moments(const Packing<Dim>& packing) {
   ForceMoments out;
@@ -41,7 +24,11 @@ ForceMoments force_moments(const Packing<Dim>& packing) {
   if (!(mean > 0.0)) return out;
   for (const Contact<Dim>& c : packing.contacts)
     for (int q = 2; q <= 4 && !c.distant; ++q) out.Z[q - 2] += std::pow(c.elastic_force / mean, q) / n;
-  add_mobilisation(packing, mean, out);
+  MobilisationByForce mobilisation(mean);
+  for (const Contact<Dim>& c : packing.contacts)
+    if (!c.distant) mobilisation.add(c);
+  out.M1 = mobilisation.M1();
+  out.M2 = mobilisation.M2();
   return out;
 }
 

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "floc/neighbors/find_contacts.h"
+#include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/relaxation/relaxation_options.h"
 #include "support/dynamics.h"
+#include "support/springs.h"
 
 namespace floc {
 namespace {
@@ -90,6 +94,63 @@ TEST(ClusterFlight, DoesNotTurnWhatWindsAroundTheCell) {
   flight.fly(packing, 0.01, 2.0);
   for (int k = 0; k < 10; ++k)
     EXPECT_LT((packing.grains.position[k] - (places[k] + Vec<2>(0.6, 0.0))).norm(), 1e-12);
+}
+
+TEST(ClusterFlight, MovesSpheresThatWindAroundTheCellWithoutTurningThem) {
+  Packing<3> packing;
+  packing.law = test::cohesive_law();
+  packing.cell.matrix *= 4.0;
+  packing.grains = Grains<3>::with_size(4);
+  for (int k = 0; k < 4; ++k) packing.grains.position[k] = Vec<3>(k + 0.5, 2.0, 1.0);
+  packing.grains.radius.assign(4, 0.5 + 0.5 * kOverlap);
+  packing.grains.mass.assign(4, 1.0);
+  packing.grains.velocity.assign(4, Vec<3>(0.1, 0.0, 0.2));
+  const std::vector<Vec<3>> places = packing.grains.position;
+  find_contacts(packing);
+  ASSERT_EQ(packing.contacts.size(), 4u);
+  EXPECT_EQ(ClusterFlight<3>(packing).fly(packing, 0.01, 2.0), 2.0);
+  for (int k = 0; k < 4; ++k)
+    EXPECT_LT((packing.grains.position[k] - (places[k] + Vec<3>(0.2, 0.0, 0.4))).norm(), 1e-12);
+}
+
+/// Springs of a tumbling cluster turn with it: what acts on its spheres is the same, seen from the cluster.
+TEST(ClusterFlight, TurnsWhatContactsOfSpheresRemember) {
+  Packing<3> packing;
+  packing.law = test::cohesive_law();
+  packing.law.twisting = TwistingSpring{0.005, 10.0};
+  packing.cell.matrix *= 10.0;
+  packing.grains = Grains<3>::with_size(3);
+  const double side = 1.0 - kOverlap;
+  packing.grains.position = {Vec<3>(5.0, 5.0, 5.0), Vec<3>(5.0 + side, 5.0, 5.0),
+                             Vec<3>(5.0 + 0.5 * side, 5.0 + 0.5 * std::sqrt(3.0) * side, 5.0)};
+  packing.grains.radius.assign(3, 0.5);
+  packing.grains.mass.assign(3, 1.0);
+  for (int i = 0; i < 3; ++i) {
+    const Vec<3> spin(0.02, 0.01, 0.03), arm = packing.grains.position[i] - packing.grains.position[0];
+    packing.grains.angular_velocity[i] = spin;
+    packing.grains.velocity[i] = spin.cross(arm);
+  }
+  find_contacts(packing);
+  ASSERT_EQ(packing.contacts.size(), 3u);
+  for (Contact<3>& c : packing.contacts) {
+    const Vec<3> tangent = c.normal.unitOrthogonal();
+    test::shear_spring(c) = 1e-7 * tangent;
+    test::rolling_spring(c) = 1e-5 * c.normal.cross(tangent);
+    test::twisting_spring(c) = 2e-5;
+  }
+  refresh_contacts(packing);
+  const Balance<3> before = net_forces(packing);
+  ClusterFlight<3>(packing).fly(packing, 0.01, 40.0);
+  refresh_contacts(packing);
+  const Balance<3> after = net_forces(packing);
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Quaterniond& turn = packing.grains.orientation[i];
+    EXPECT_GT(turn.angularDistance(Eigen::Quaterniond::Identity()), 0.5);
+    // Overlaps of 1e-5 are right to 1e-15, times K_N.
+    EXPECT_LT((after.force[i] - turn * before.force[i]).norm(), 1e-9);
+    EXPECT_LT((after.moment[i] - turn * before.moment[i]).norm(), 1e-9);
+    EXPECT_GT(before.moment[i].norm(), 1e-5);
+  }
 }
 
 }  // namespace

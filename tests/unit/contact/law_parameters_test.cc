@@ -75,5 +75,24 @@ TEST(LawParameters, RollingNeedsFriction) {
   EXPECT_THAT(p.validate(), ElementsAre(HasSubstr("contact.rolling: needs contact.friction")));
 }
 
+TEST(LawParameters, TwistingNeedsFrictionAndSpheresOfConstantStiffness) {
+  LawParameters p = usable();
+  p.twisting = TwistingSpring{0.004, 8.0};
+  EXPECT_THAT(p.validate(), IsEmpty());
+  EXPECT_TRUE(p.faults_in_dimension(3).empty());
+  ASSERT_EQ(p.faults_in_dimension(2).size(), 1u);
+  EXPECT_THAT(p.faults_in_dimension(2)[0].words,
+              HasSubstr("contact.twisting.law = \"spring\": is for spheres"));
+  p.rolling.reset();
+  EXPECT_THAT(p.validate(), IsEmpty());
+  p.friction.reset();
+  EXPECT_THAT(p.validate(), ElementsAre(HasSubstr("contact.twisting: needs contact.friction")));
+  LawParameters hertz;
+  hertz.normal = HertzRepulsion{1e3, 0.3};
+  hertz.friction = MindlinFriction{0.3};
+  hertz.twisting = TwistingSpring{0.004, 8.0};
+  EXPECT_THAT(hertz.validate(), ElementsAre(HasSubstr("contact.twisting: spheres under")));
+}
+
 }  // namespace
 }  // namespace floc

@@ -37,6 +37,9 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
     const Vec<Dim> approach = branch(out, c) - r;
     test::shear_spring(c) = to_shear<double>(n_ij, Vec<Dim>(approach - arms));
     test::rolling_spring(c) = rolling_part<double>(n_ij, RotationVector<Dim>(rotation(c.i) - rotation(c.j)));
+    if constexpr (Dim == 3) {
+      if (packing.law.twisting) test::twisting_spring(c) = n_ij.dot(rotation(c.i) - rotation(c.j));
+    }
   }
   refresh_contacts(out);
   return out;
@@ -128,6 +131,14 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesTermByTerm) {
     EXPECT_LT(difference_error(test::random_packing<2>(14, 7, law), StrainSet::full), kDifferenceTolerance);
     EXPECT_LT(difference_error(test::random_packing<3>(8, 7, law), StrainSet::full), kDifferenceTolerance);
   }
+}
+
+TEST(Stiffness, IsTheDerivativeOfTheForcesOfSpheresThatResistTwisting) {
+  LawParameters twisting = test::elastic_law(0.01, 0.01, 0.0), all = test::elastic_law(1.0, 0.7, 0.05);
+  twisting.twisting = TwistingSpring{1e6, 1.0};
+  all.twisting = TwistingSpring{1e6, 0.09};
+  for (const LawParameters& law : {twisting, all})
+    EXPECT_LT(difference_error(test::random_packing<3>(8, 7, law), StrainSet::full), kDifferenceTolerance);
 }
 
 /// Every contact once more, as rough grains touch in two places.

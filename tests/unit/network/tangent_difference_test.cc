@@ -15,11 +15,12 @@ namespace {
 
 /// Tangential forces and rolling moments up to half as large again as their caps, so that a third of the
 /// contacts slide.
-LawParameters sliding_law() {
+LawParameters sliding_law(int dimension) {
   LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
   law.adhesion = TailAdhesion{0.02, 0.08};
   law.friction.get<CoulombFriction>().coefficient = 0.4;
   law.rolling.get<RollingSpring>().coefficient = 0.2;
+  if (dimension == 3) law.twisting = TwistingSpring{0.1, 0.08};
   return law;
 }
 
@@ -41,6 +42,11 @@ void stretch(Packing<Dim>& packing, double reach, unsigned seed) {
     RotationVector<Dim> rotation;
     for (int a = 0; a < kRotations<Dim>; ++a) rotation[a] = reach * uniform(engine) * rotation_cap;
     test::rolling_spring(c) = rolling_part<double>(c.normal, rotation);
+    if constexpr (Dim == 3) {
+      const auto& twisting = packing.law.twisting.template get<TwistingSpring>();
+      test::twisting_spring(c) =
+          reach * uniform(engine) * twisting.coefficient * c.elastic_force / twisting.twisting_stiffness;
+    }
   }
 }
 
@@ -84,6 +90,7 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
                           motion[k]);
     motion[k].slip = to_shear<double>(normal, Vec<Dim>(r - branch(packing, c) - cross<double>(mean, r)));
     motion[k].relative_rotation = rolling_part<double>(normal, RotationVector<Dim>(rotation_i - rotation_j));
+    motion[k].twist = twist_about(normal, RotationVector<Dim>(rotation_i - rotation_j));
   }
   respond<Dim>(out, motion, out.contacts);
   return out;
@@ -156,7 +163,7 @@ constexpr double kDifferenceTolerance = 1e-7;
 
 template <int Dim>
 Packing<Dim> stretched_packing(int n_grains, unsigned seed, double reach) {
-  Packing<Dim> packing = test::random_packing<Dim>(n_grains, seed, sliding_law());
+  Packing<Dim> packing = test::random_packing<Dim>(n_grains, seed, sliding_law(Dim));
   stretch(packing, reach, seed);
   return packing;
 }
@@ -185,7 +192,7 @@ TEST(Tangent, IsTheDerivativeOfTheForcesWhereContactsSlideAndYield) {
 }
 
 TEST(Tangent, HoldsForGrainsThatTouchTheirOwnImages) {
-  auto packing = test::random_packing<3>(2, 1, sliding_law(), 3.0);
+  auto packing = test::random_packing<3>(2, 1, sliding_law(3), 3.0);
   ASSERT_TRUE(
       std::any_of(packing.contacts.begin(), packing.contacts.end(), [](auto& c) { return c.i == c.j; }));
   stretch(packing, 2.0, 1);
@@ -208,7 +215,7 @@ TEST(Tangent, IsTheDerivativeContactByContact) {
 }
 
 TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
-  const auto packing = test::random_packing<2>(14, 4, sliding_law());
+  const auto packing = test::random_packing<2>(14, 4, sliding_law(2));
   const Eigen::MatrixXd k = tangent_of(packing);
   const Eigen::Index n = k.rows() - kSymmetric<2>;
   EXPECT_LT((k - k.transpose()).topLeftCorner(n, n).cwiseAbs().maxCoeff(), 1e-14);

@@ -13,12 +13,14 @@ namespace {
 
 constexpr double kOverlap = 0.1;
 
+template <int Dim>
 LawParameters full_law() {
   LawParameters law;
   law.normal = LinearRepulsion{100.0};
   law.adhesion = TailAdhesion{2.0, 0.05};
   law.friction = CoulombFriction{0.5, 80.0};
   law.rolling = RollingSpring{0.1, 3.0};
+  if (Dim == 3) law.twisting = TwistingSpring{0.2, 5.0};
   return law;
 }
 
@@ -61,6 +63,12 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   t.motion.slip = 0.7 * tangential * longest * along;
   test::rolling_spring(t.contact) = 0.6 * rolling * furthest * axis;
   t.motion.relative_rotation = 0.4 * rolling * furthest * axis;
+  if constexpr (Dim == 3) {
+    // Beyond its cap where the rolling spring is not, and the reverse.
+    const double twist = (rolling > 1.0 ? 0.5 : -1.3) * 0.2 * elastic / 5.0;
+    test::twisting_spring(t.contact) = 0.2 * twist;
+    t.motion.twist = 0.8 * twist;
+  }
   t.frame.col(0) = t.contact.normal;
   if constexpr (Dim == 2) {
     t.frame.col(1) = tangent<double>(t.contact.normal);
@@ -74,12 +82,12 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
 template <int Dim>
 Contact<Dim> after(const Touching<Dim>& t) {
   Contact<Dim> c = t.contact;
-  respond<Dim>(two_grains<Dim>(full_law()), {&t.motion, 1}, {&c, 1});
+  respond<Dim>(two_grains<Dim>(full_law<Dim>()), {&t.motion, 1}, {&c, 1});
   return c;
 }
 
 template <int Dim>
-ContactTangent<Dim> tangent_at(const Touching<Dim>& t, const LawParameters& law = full_law()) {
+ContactTangent<Dim> tangent_at(const Touching<Dim>& t, const LawParameters& law = full_law<Dim>()) {
   ContactTangent<Dim> k;
   contact_tangents<Dim>(two_grains<Dim>(law), {&t.contact, 1}, {&t.motion, 1}, {&t.frame, 1}, {&k, 1});
   return k;
@@ -98,11 +106,12 @@ ContactTangent<Dim> by_differences(const Touching<Dim>& t) {
     if (dof >= Dim)  // of i against j
       moved.motion.relative_rotation -=
           by * rolling_part<double>(t.contact.normal, RotationVector<Dim>(axes.col(dof - Dim)));
+    if (Dim == 3 && dof == Dim) moved.motion.twist -= by;
     const Contact<Dim> c = after(moved);
     Row f;
     f[0] = c.normal_force;
     for (int a = 1; a < Dim; ++a) f[a] = c.shear_force.dot(t.frame.col(a));
-    f.template tail<kRotations<Dim>>() = axes.transpose() * c.rolling_moment;
+    f.template tail<kRotations<Dim>>() = axes.transpose() * spring_moment(c);
     return f;
   };
   constexpr double kStep = 1e-6;
@@ -119,6 +128,7 @@ void expect_tangents() {
         const auto t = touching<Dim>(tangential, rolling, seed);
         EXPECT_EQ(after(t).sliding, tangential > 1.0);
         EXPECT_EQ(after(t).rolling_yield, rolling > 1.0);
+        EXPECT_EQ(after(t).twisting_yield, Dim == 3 && rolling < 1.0);
         // Truncation is (step/spring)^2, some 1e-9, and rounding 1e-16/step, of stiffnesses up to 100.
         EXPECT_LT((tangent_at(t) - by_differences(t)).cwiseAbs().maxCoeff(), 1e-6)
             << tangential << " " << rolling;
@@ -174,7 +184,7 @@ TEST(ContactResponse, AcrossAGapIsNormalAlone) {
 }
 
 TEST(ContactResponse, WithoutMotionIsThatOfARefreshedContact) {
-  Packing<2> packing = two_grains<2>(full_law());
+  Packing<2> packing = two_grains<2>(full_law<2>());
   packing.grains.position[1] = 1.4 * Vec<2>(0.6, 0.8);
   Contact<2> c;
   c.j = 1;
@@ -200,7 +210,7 @@ TEST(ContactResponse, IsCarriedWithTheNormalIn3D) {
   const Vec<3> n1 = (n0 + 0.1 * t.frame.col(1)).normalized();
   const auto start = t.contact;
   const auto moved = t.motion;
-  transport_memory<3>(remembered_quantities(full_law(), 3), n1, 0.2, t.contact, t.motion);
+  transport_memory<3>(remembered_quantities(full_law<3>(), 3), n1, 0.2, t.contact, t.motion);
   EXPECT_EQ(t.contact.normal, n1);
   EXPECT_LT(std::abs(test::shear_spring(t.contact).dot(n1)), 1e-15);
   EXPECT_NEAR(test::shear_spring(t.contact).norm(), test::shear_spring(start).norm(), 1e-15);

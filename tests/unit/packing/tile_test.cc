@@ -13,7 +13,9 @@ namespace {
 /// A random packing whose springs carry forces.
 template <int Dim>
 Packing<Dim> loaded_packing() {
-  Packing<Dim> packing = test::random_packing<Dim>(Dim == 2 ? 7 : 5, 3, test::elastic_law(1.0, 0.7, 0.01));
+  LawParameters law = test::elastic_law(1.0, 0.7, 0.01);
+  if (Dim == 3) law.twisting = TwistingSpring{1e6, 0.02};
+  Packing<Dim> packing = test::random_packing<Dim>(Dim == 2 ? 7 : 5, 3, law);
   std::mt19937 engine(4);
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
   for (Contact<Dim>& c : packing.contacts) {
@@ -21,6 +23,7 @@ Packing<Dim> loaded_packing() {
       s = uniform(engine);
     if constexpr (Dim == 3) test::shear_spring(c) -= c.normal * c.normal.dot(test::shear_spring(c));
     for (double& s : test::rolling_spring(c)) s = uniform(engine);
+    if constexpr (Dim == 3) test::twisting_spring(c) = uniform(engine);
   }
   return packing;
 }

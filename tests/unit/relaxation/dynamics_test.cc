@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "floc/contact/law_table.h"
 #include "floc/packing/balance.h"
 #include "floc/relaxation/relaxation_options.h"
@@ -15,47 +13,20 @@
 namespace floc {
 namespace {
 
-using test::after;
 using test::agitated_gas;
 using test::cohesive_law;
-using test::expect_same_bits;
 using test::pressed;
 
 TEST(Dynamics, ListsLeaveNoTraceInTheBits) {
-  const Packing<2> gas = agitated_gas(200, cohesive_law());
-  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
-  const Packing<2> tight = after(gas, {dt, 1e-3}, {600});
-  ASSERT_GT(tight.contacts.size(), 50u);
-  expect_same_bits(tight, after(gas, {dt, 0.3}, {600}));
-  expect_same_bits(tight, after(gas, {dt, 0.05}, {100, 250, 250}));
+  test::expect_no_trace_of_lists<2>();
 }
 
 TEST(Dynamics, ThreadsLeaveNoTraceInTheBits) {
-  const Packing<2> gas = agitated_gas(300, cohesive_law());
-  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
-  const Packing<2> one = after(gas, {dt, 0.05, 1}, {600});
-  const Packing<2> two = after(gas, {dt, 0.05, 2}, {600});
-  // The team's second thread stays alive after its work.
-  const auto tasks = std::filesystem::directory_iterator("/proc/self/task");
-  EXPECT_GE(std::distance(begin(tasks), end(tasks)), 2);
-  expect_same_bits(one, two);
+  test::expect_no_trace_of_threads<2>();
 }
 
-/// The laws of every slot the force loop reads.
 TEST(Dynamics, VectorInstructionsLeaveNoTraceInTheBits) {
-  LawParameters frictionless = cohesive_law();
-  frictionless.friction.reset();
-  frictionless.rolling.reset();
-  LawParameters sliding = cohesive_law();
-  sliding.rolling.reset();
-  for (const LawParameters& law : {cohesive_law(), sliding, frictionless}) {
-    const Packing<2> gas = agitated_gas(150, law);
-    const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
-    const Packing<2> portable = after(gas, {dt, 0.05, 1, InstructionSet::portable}, {600});
-    ASSERT_GT(portable.contacts.size(), 50u);
-    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512})
-      if (supported(set)) expect_same_bits(portable, after(gas, {dt, 0.05, 1, set}, {600}));
-  }
+  test::expect_no_trace_of_instructions<2>(50u);
 }
 
 /// Total energy of a packing in a cell of inertia M under a pressure (docs/physics.md, "Boundary control").

@@ -47,8 +47,8 @@ double shear_of(const KernelPair& pair) {
 }
 
 TEST(Hertz, ForceStiffnessAndEnergyOfAPair) {
-  const ContactLaw<HertzRepulsion, NoAdhesion, NoDamping, MindlinFriction, NoRolling> law{
-      {0.91, 0.3}, {}, {}, {0.3}, {}};
+  const ContactLaw<HertzRepulsion, NoAdhesion, NoDamping, MindlinFriction, NoRolling, NoTwisting> law{
+      {0.91, 0.3}, {}, {}, {0.3}, {}, {}};
   const PairGeometry<> pair(-kOverlap, 0.25);
   const auto response = law.normal(pair);
   EXPECT_NEAR(response.elastic, 3.333333e-7, 1e-13);

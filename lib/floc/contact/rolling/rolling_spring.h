@@ -31,7 +31,7 @@ struct RollingSpring {
   }
   template <class V>
   bool is_mobilised(double elastic, const double* memory, double tolerance) const {
-    return capped_is_mobilised<V>(coefficient, rolling_stiffness, elastic, memory, tolerance);
+    return acts() && capped_is_mobilised<V>(coefficient, rolling_stiffness, elastic, memory, tolerance);
   }
   /// Sets the memory to what carries a moment on j. @param stiffness  of the contact, > 0
   template <class V>
@@ -39,7 +39,7 @@ struct RollingSpring {
     Eigen::Map<V>{memory} = force / stiffness;
   }
   /// K_R while nothing yields, of a contact whose surfaces touch.
-  double stiffness(const NormalResponse<double>&) const { return rolling_stiffness; }
+  double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }
   /// Resistance that can carry nothing is none, and must not stiffen the network either.
   bool acts() const { return coefficient != 0.0; }
 

@@ -386,6 +386,7 @@ struct PairKernel {
       a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, slip);
       if constexpr (Law::kHasRolling)
         a.motion.relative_rotation = P(cell.slip_time) * to_shear<P>(a.n, V(to_shear<P>(middle, V(rotation))));
+      if constexpr (Law::kHasTwisting) a.motion.twist = P(cell.slip_time) * middle.dot(rotation);
     } else {
       a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
       a.motion.relative_rotation = P(cell.slip_time) * rolling_part<P>(a.n, rotation);
@@ -410,9 +411,11 @@ struct PairKernel {
       const V shear = from_shear<P>(a.n, f.shear);
       on_j -= shear;
       const RotationVector<Dim, P> unit = moment<P>(a.n, shear);
+      RotationVector<Dim, P> springs = f.rolling;
+      if constexpr (Law::kHasTwisting) springs += f.twisting * a.n;
       for (int b = 0; b < kRotations<Dim>; ++b) {
-        row[Layout::kMomentI + b] = a.arm_i * unit[b] - f.rolling[b];
-        row[Layout::kMomentJ + b] = a.arm_j * unit[b] + f.rolling[b];
+        row[Layout::kMomentI + b] = a.arm_i * unit[b] - springs[b];
+        row[Layout::kMomentJ + b] = a.arm_j * unit[b] + springs[b];
       }
     }
     for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "floc/contact/capped_spring.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/normal_response.h"
+#include "floc/contact/pair_geometry.h"
+
+namespace floc {
+
+/// Resistance of spheres to turning against each other about the normal of their contact: an incremental spring
+/// K_tw on that rotation, its moment capped at mu_tw FNe (elastic part only), whatever the rolling spring
+/// carries.
+struct TwistingSpring {
+  double coefficient;         ///< mu_tw, a length
+  double twisting_stiffness;  ///< K_tw (force * length)
+
+  static constexpr const char* kKeyword = "spring";
+  static constexpr bool kIsDefault = true;
+  static constexpr int kDimension = 3;
+  static constexpr Number<TwistingSpring> kNumbers[] = {
+      {"coefficient", &TwistingSpring::coefficient, Unit::length, "mu_tw", Requirement::not_negative,
+       "a number >= 0 (mu_tw, a length)", "twisting friction"},
+      {"stiffness", &TwistingSpring::twisting_stiffness, Unit::rolling_stiffness, "K_tw", Requirement::positive,
+       "a positive number (K_tw, force times length)", "twisting stiffness"}};
+  static constexpr Memory kMemory[] = {
+      {"twisting_spring", MemoryKind::twist, Unit::angle, "rotation of id1 against id2 about the normal"}};
+
+  /// Takes up the twist of one motion. @param memory  as declared. @return moment on j about the normal
+  template <class T>
+  T respond(const NormalResponse<T>& normal, const T& twist, T* memory) const {
+    using One = Eigen::Matrix<T, 1, 1>;
+    return respond_capped(coefficient, twisting_stiffness, normal.elastic, One(twist), memory)[0];
+  }
+  bool is_mobilised(double elastic, const double* memory, double tolerance) const {
+    return capped_is_mobilised<Eigen::Matrix<double, 1, 1>>(coefficient, twisting_stiffness, elastic, memory,
+                                                            tolerance);
+  }
+  /// Sets the memory to what carries a moment on j. @param stiffness  of the contact, > 0
+  void set_force(double moment, double stiffness, double* memory) const { *memory = moment / stiffness; }
+  /// K_tw while nothing yields, of a contact whose surfaces touch.
+  double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
+  /// Resistance that can carry nothing is none, and must not stiffen the network either.
+  bool acts() const { return coefficient != 0.0; }
+
+  bool operator==(const TwistingSpring&) const = default;
+};
+
+}  // namespace floc

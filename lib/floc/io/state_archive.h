@@ -1,0 +1,190 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "floc/base/error.h"
+#include "floc/io/hdf5_image.h"
+#include "floc/io/state_layout.h"
+
+namespace floc {
+
+/// Text of the `units` attribute of what an array measures. @param system  "SI" or "reduced"
+std::string units_of(Quantity quantity, const std::string& system, int dim);
+
+/// How one item of an array lies in a row: its components, stored as real numbers, integers or flags.
+template <class T>
+struct ArchiveItem {
+  using Stored = double;
+  static constexpr int kComponents = 1;
+  static double get(const T& item, int) { return item; }
+  static void set(T& item, int, double value) { item = value; }
+};
+template <>
+struct ArchiveItem<int> {
+  using Stored = std::int32_t;
+  static constexpr int kComponents = 1;
+  static std::int32_t get(int item, int) { return item; }
+  static void set(int& item, int, std::int32_t value) { item = value; }
+};
+template <>
+struct ArchiveItem<bool> {
+  using Stored = std::uint8_t;
+  static constexpr int kComponents = 1;
+  static std::uint8_t get(bool item, int) { return item ? 1 : 0; }
+  static void set(bool& item, int, std::uint8_t value) { item = value != 0; }
+};
+template <class T, int Rows>
+struct ArchiveItem<Eigen::Matrix<T, Rows, 1>> {
+  using Stored = std::conditional_t<std::is_same_v<T, int>, std::int32_t, double>;
+  static constexpr int kComponents = Rows;
+  static Stored get(const Eigen::Matrix<T, Rows, 1>& item, int k) { return item[k]; }
+  static void set(Eigen::Matrix<T, Rows, 1>& item, int k, Stored value) { item[k] = value; }
+};
+template <>
+struct ArchiveItem<Eigen::Quaterniond> {
+  using Stored = double;
+  static constexpr int kComponents = 4;
+  static double get(const Eigen::Quaterniond& q, int k) { return k == 0 ? q.w() : q.vec()[k - 1]; }
+  static void set(Eigen::Quaterniond& q, int k, double value) { (k == 0 ? q.w() : q.vec()[k - 1]) = value; }
+};
+
+/// One row an item; items of one component make a flat array.
+inline Shape shape_of(std::size_t n, int components) {
+  if (components == 1) return {n};
+  return {n, static_cast<std::uint64_t>(components)};
+}
+
+inline constexpr auto kItself = [](auto& item) -> auto& {
+  return item;
+};
+
+/// Writes what the layout of a state describes (state_layout.h) into a file.
+class WritingArchive {
+ public:
+  WritingArchive(Hdf5Writer& file, std::string units, int dim)
+      : file_(file), units_(std::move(units)), dim_(dim) {}
+
+  template <class Items, class Get>
+  void rows(const Field& field, const Items& items, const Get& get) {
+    using Layout = ArchiveItem<std::remove_cvref_t<decltype(get(items.front()))>>;
+    std::vector<typename Layout::Stored> values;
+    values.reserve(items.size() * Layout::kComponents);
+    for (const auto& item : items)
+      for (int k = 0; k < Layout::kComponents; ++k) values.push_back(Layout::get(get(item), k));
+    put(field, shape_of(items.size(), Layout::kComponents), values);
+  }
+
+  template <class Items>
+  void column(const Field& field, const Items& items) {
+    rows(field, items, kItself);
+  }
+  template <class Items>
+  void column_if_there(const Field& field, const Items& items, std::size_t) {
+    if (!items.empty()) column(field, items);
+  }
+
+  template <int Dim>
+  void matrix(const Field& field, const Mat<Dim>& m) {
+    std::vector<double> values;
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) values.push_back(m(a, b));
+    put(field, {Dim, Dim}, values);
+  }
+
+  template <class T>
+  void put(const Field& field, const Shape& shape, const std::vector<T>& values) {
+    file_.array(field.path, shape, values);
+    file_.attribute(field.path, "units", units_of(field.quantity, units_, dim_));
+    if (*field.meaning != '\0') file_.attribute(field.path, "meaning", std::string(field.meaning));
+  }
+
+  void value(const char* group, const char* name, int v) { file_.attribute(group, name, std::int64_t{v}); }
+  template <class T>
+  void value(const char* group, const char* name, const T& v) {
+    file_.attribute(group, name, v);
+  }
+  /// A value that files of this version need not have.
+  template <class T>
+  void value_if_there(const char* group, const char* name, const T& v) {
+    value(group, name, v);
+  }
+
+ private:
+  Hdf5Writer& file_;
+  std::string units_;
+  int dim_;
+};
+
+/// Reads it back. Arrays of another shape and numbers that are not finite are refused as InputError.
+class ReadingArchive {
+ public:
+  explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}
+
+  /// Fills one member of each of `items`, which already have their number.
+  template <class Items, class Get>
+  void rows(const Field& field, Items& items, const Get& get) {
+    using Layout = ArchiveItem<std::remove_cvref_t<decltype(get(items.front()))>>;
+    const auto values = take<typename Layout::Stored>(field, shape_of(items.size(), Layout::kComponents));
+    std::size_t next = 0;
+    for (auto& item : items)
+      for (int k = 0; k < Layout::kComponents; ++k) Layout::set(get(item), k, values[next++]);
+  }
+
+  template <class Items>
+  void column(const Field& field, Items& items) {
+    rows(field, items, kItself);
+  }
+  template <class Items>
+  void column_if_there(const Field& field, Items& items, std::size_t size) {
+    if (!file_.has(field.path)) return;
+    items.resize(size);
+    column(field, items);
+  }
+
+  template <int Dim>
+  void matrix(const Field& field, Mat<Dim>& m) {
+    const auto values = take<double>(field, {Dim, Dim});
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) m(a, b) = values[a * Dim + b];
+  }
+
+  template <class T>
+  std::vector<T> take(const Field& field, const Shape& shape) {
+    std::vector<T> values;
+    file_.array(field.path, shape, values);
+    if constexpr (std::is_same_v<T, double>) {
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (!std::isfinite(values[k]))
+          throw InputError(file_.place(field.path), fmt::format("entry {} is {}, expected a finite number",
+                                                                k / (values.size() / shape[0]), values[k]));
+    }
+    return values;
+  }
+
+  void value(const char* group, const char* name, int& v) {
+    std::int64_t wide = 0;
+    file_.attribute(group, name, wide);
+    v = static_cast<int>(wide);
+  }
+  template <class T>
+  void value(const char* group, const char* name, T& v) {
+    file_.attribute(group, name, v);
+  }
+  template <class T>
+  void value_if_there(const char* group, const char* name, T& v) {
+    if (file_.has_attribute(group, name)) value(group, name, v);
+  }
+
+ private:
+  const Hdf5Reader& file_;
+};
+
+}  // namespace floc

@@ -1,0 +1,92 @@
+#include "floc/run/energy_tracker.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <sstream>
+#include <utility>
+
+#include "floc/base/error.h"
+#include "floc/relaxation/dynamics.h"
+
+namespace floc {
+namespace {
+
+constexpr const char* kHeader =
+    "step,branch,P,time,phi,work,elastic,kinetic,viscous,sliding,scaling,removed,initial,error";
+/// Columns before the terms of the account.
+constexpr int kLeading = 5;
+
+/// The account that a row holds.
+EnergyTerms terms_of(const std::string& row) {
+  std::istringstream fields(row);
+  std::string field;
+  for (int k = 0; k < kLeading; ++k) std::getline(fields, field, ',');
+  EnergyTerms t;
+  for (double* term :
+       {&t.work, &t.elastic, &t.kinetic, &t.viscous, &t.sliding, &t.scaling, &t.removed, &t.initial}) {
+    std::getline(fields, field, ',');
+    *term = std::strtod(field.c_str(), nullptr);
+  }
+  return t;
+}
+
+}  // namespace
+
+template <int Dim>
+EnergyTracker<Dim>::EnergyTracker(const std::string& file, const Run<Dim>& run)
+    : MotionTable<Dim>(file, kHeader, run.point()),
+      account_(run.packing()),
+      time_(run.point().time + run.point().equilibration_time) {
+  const std::string last = this->last_row();
+  if (!last.empty()) account_.continue_from(terms_of(last));
+}
+
+template <int Dim>
+void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
+  const EnergyTerms& t = account_.terms();
+  this->add_row(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", this->place_of(run), time,
+                            solid_fraction(packing), t.work, t.elastic, t.kinetic, t.viscous, t.sliding,
+                            t.scaling, t.removed, t.initial, t.error()));
+}
+
+template <int Dim>
+void EnergyTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
+  const double time_step = time - std::exchange(time_, time);
+  if (run.point().aggregating) {  // clusters fly, and what they do inside them takes no part in the load
+    account_ = EnergyAccount<Dim>(packing);
+    return;
+  }
+  account_.advance(packing, time_step);
+  if (++n_steps_ % kStepsPerChunk == 0) add_row_of(run, packing, time);
+}
+
+template <int Dim>
+void EnergyTracker<Dim>::finish_step(const Run<Dim>& run) {
+  add_row_of(run, run.packing(), time_);
+}
+
+template <int Dim>
+std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
+                                                 const RunDirectory& directory) {
+  if (options.relaxation.finish != Finish::dynamic)
+    throw InputError(
+        "--track-energy",
+        "Newton steps may end the equilibria of this scene, and no motion leads along them; expected "
+        "equilibrium.finish = \"dynamic\"");
+  auto tracker = std::make_unique<EnergyTracker<Dim>>(directory.energy_table(), run);
+  constexpr double kEveryStep = 0.0;
+  run.set_observer({kEveryStep, [&run, recorder = tracker.get()](const Packing<Dim>& packing, double time) {
+                      recorder->record(run, packing, time);
+                    }});
+  return tracker;
+}
+
+#define FLOC_INSTANTIATE(Dim)        \
+  template class EnergyTracker<Dim>; \
+  template std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>&, const RunOptions&, const RunDirectory&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -1,0 +1,219 @@
+#include "floc/structure/energy_account.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "floc/packing/balance.h"
+#include "floc/packing/law_response.h"
+#include "floc/packing/require_periodic.h"
+#include "floc/structure/contact_changes.h"
+
+namespace floc {
+namespace {
+
+double spring_energy(double squared_force, double stiffness) {
+  return stiffness > 0.0 ? 0.5 * squared_force / stiffness : 0.0;
+}
+
+template <int Dim>
+double elastic_energy_of(const Packing<Dim>& packing) {
+  return std::visit(
+      [&](const auto& law) {
+        double sum = 0.0;
+        for (const Contact<Dim>& c : packing.contacts)
+          sum += law.energy(pair_geometry(packing.grains, c)) +
+                 spring_energy(c.shear_force.squaredNorm(), c.kt) +
+                 spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
+                 spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
+        return sum;
+      },
+      compose_law(packing.law));
+}
+
+template <int Dim>
+double kinetic_energy_of(const Packing<Dim>& packing) {
+  return mean_kinetic_energy(packing) * packing.grains.size();
+}
+
+/// Sum of m v v.
+template <int Dim>
+Mat<Dim> momentum_flux(const Grains<Dim>& g) {
+  Mat<Dim> sum = Mat<Dim>::Zero();
+  for (int i = 0; i < g.size(); ++i) sum += g.mass[i] * g.velocity[i] * g.velocity[i].transpose();
+  return sum;
+}
+
+/// How the two surfaces of a contact move against each other in a time step, by its middle.
+template <int Dim>
+struct StepMotion {
+  Vec<Dim> branch;  ///< at the end (length)
+  Vec<Dim> normal_before, normal, middle;
+  double opening;   ///< of the gap (length)
+  Shear<Dim> slip;  ///< in the frame of the end
+  RotationVector<Dim> rolling;
+  double twisting = 0.0;
+  double twist = 0.0;  ///< mean rotation of the grains about the normal
+
+  StepMotion(const Packing<Dim>& packing, const Contact<Dim>& c, const Vec<Dim>& before, const Vec<Dim>& after,
+             const RotationVector<Dim>& rotation_i, const RotationVector<Dim>& rotation_j)
+      : branch(after),
+        normal_before(before.normalized()),
+        normal(after.normalized()),
+        middle((before + after).normalized()),
+        opening(after.norm() - before.norm()) {
+    const std::vector<double>& radius = packing.grains.radius;
+    const double arm = 0.5 * (before + after).norm() / (radius[c.i] + radius[c.j]);
+    const RotationVector<Dim> surfaces = arm * (radius[c.i] * rotation_i + radius[c.j] * rotation_j);
+    const RotationVector<Dim> against = rotation_i - rotation_j;
+    const Vec<Dim> moved = after - before - cross<double>(surfaces, middle);
+    rolling = rolling_part<double>(middle, against);
+    if constexpr (Dim == 2) {
+      slip = to_shear<double>(middle, moved);
+    } else {
+      slip = to_shear<double>(normal, Vec<3>(to_shear<double>(middle, moved)));
+      twisting = middle.dot(against);
+      twist = 0.5 * middle.dot(rotation_i + rotation_j);
+    }
+  }
+
+  /// What a contact carries in its tangent plane, in the frame of the end.
+  Shear<Dim> carried(const Shear<Dim>& force) const {
+    return transport<double>(force, normal_before, normal, twist);
+  }
+};
+
+/// Energy that a spring loses where its force goes from one value to another while it is worked on.
+template <class V>
+double spring_loss(const V& before, double stiffness_before, const V& after, double stiffness_after,
+                   const V& motion) {
+  return spring_energy(before.squaredNorm(), stiffness_before) -
+         spring_energy(after.squaredNorm(), stiffness_after) + 0.5 * (before + after).dot(motion);
+}
+
+/// Adds the losses of the springs of a contact. @param before  of the step; a new contact carries nothing
+template <int Dim>
+void add_spring_losses(const Contact<Dim>& before, const Contact<Dim>& after, const StepMotion<Dim>& motion,
+                       EnergyTerms& terms) {
+  const Shear<Dim> start = motion.carried(to_shear<double>(motion.normal_before, before.shear_force));
+  // A tangential force falls with its stiffness, and does not grow with it.
+  const double ratio = before.kt > after.kt ? after.kt / before.kt : 1.0;
+  const Shear<Dim> scaled = ratio * start, none = Shear<Dim>::Zero();
+  terms.scaling += spring_loss<Shear<Dim>>(start, before.kt, scaled, after.kt, none) +
+                   0.5 * (start - scaled).dot(motion.slip);
+  terms.sliding += spring_loss<Shear<Dim>>(scaled, after.kt, to_shear<double>(motion.normal, after.shear_force),
+                                           after.kt, motion.slip);
+  // Moments on j have the sign of the rotation of i against j.
+  terms.sliding += spring_loss<RotationVector<Dim>>(motion.carried(-before.rolling_moment), before.kr,
+                                                    -after.rolling_moment, after.kr, motion.rolling);
+  terms.sliding += spring_loss<Vec<1>>(Vec<1>(-before.twisting_moment), before.ktw,
+                                       Vec<1>(-after.twisting_moment), after.ktw, Vec<1>(motion.twisting));
+}
+
+/// Force of the dashpot of a contact in the middle of a step.
+template <int Dim>
+double viscous_force(const AnyContactLaw& any, const Grains<Dim>& grains, const Contact<Dim>& c,
+                     double gap_rate) {
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        if constexpr (Law::kHasDamping) {
+          const double coefficient =
+              law.damping_coefficient(CollisionMass::between(grains.mass[c.i], grains.mass[c.j]));
+          return law.damping.force(coefficient, law.normal(pair_geometry(grains, c)), gap_rate);
+        }
+        return 0.0;
+      },
+      any);
+}
+
+/// One time step of a packing.
+template <int Dim>
+class Step {
+ public:
+  Step(const Packing<Dim>& before, const Packing<Dim>& after, double time_step)
+      : before_(before),
+        after_(after),
+        time_step_(time_step),
+        changes_(contact_changes(before, after)),
+        law_(compose_law(after.law)) {}
+
+  /// Losses of the contacts that touch at the end, or did at the beginning, and the work of the boundary.
+  void add_to(EnergyTerms& terms) {
+    for (const KeptContact& kept : changes_.kept)
+      add_contact(before_.contacts[kept.before], after_.contacts[kept.after], terms);
+    for (const int k : changes_.gained) add_contact(Contact<Dim>(), after_.contacts[k], terms);
+    for (const int k : changes_.lost) {
+      const Contact<Dim>& c = before_.contacts[k];
+      (after_.law.stiffness_varies() ? terms.scaling : terms.sliding) +=
+          spring_energy(c.shear_force.squaredNorm(), c.kt);
+      terms.sliding += spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
+                       spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
+    }
+    terms.work += work();
+  }
+
+ private:
+  void add_contact(const Contact<Dim>& before, const Contact<Dim>& after, EnergyTerms& terms) {
+    const StepMotion<Dim> motion(after_, after, branch_before(after), branch(after_, after), rotation(after.i),
+                                 rotation(after.j));
+    add_spring_losses(before, after, motion, terms);
+    const double force = viscous_force(law_, after_.grains, after, motion.opening / time_step_);
+    terms.viscous -= force * motion.opening;
+    viscous_virial_ += force * motion.normal * motion.branch.transpose();
+  }
+
+  /// Branch of a contact at the beginning, given as it is at the end, where grains may have been moved back into
+  /// the cell.
+  Vec<Dim> branch_before(const Contact<Dim>& after) const {
+    const Vec<Dim, int> image = after.image + changes_.wrapped[after.j] - changes_.wrapped[after.i];
+    const Grains<Dim>& g = before_.grains;
+    return g.position[after.j] + before_.cell.shift(image) - g.position[after.i];
+  }
+
+  RotationVector<Dim> rotation(int i) const {
+    return 0.5 * time_step_ * (before_.grains.angular_velocity[i] + after_.grains.angular_velocity[i]);
+  }
+
+  /// Minus the virial times the strain, both of the middle of the step.
+  double work() const {
+    Mat<Dim> virial = viscous_virial_;
+    for (const Packing<Dim>* end : {&before_, &after_})
+      virial += 0.5 * (static_stress(*end) * end->cell.volume() + momentum_flux(end->grains));
+    const Mat<Dim> middle = 0.5 * (before_.cell.matrix + after_.cell.matrix);
+    const Mat<Dim> strain = middle.inverse() * (after_.cell.matrix - before_.cell.matrix);
+    return -virial.cwiseProduct(strain.transpose()).sum();
+  }
+
+  const Packing<Dim>& before_;
+  const Packing<Dim>& after_;
+  double time_step_;
+  ContactChanges<Dim> changes_;
+  AnyContactLaw law_;
+  Mat<Dim> viscous_virial_ = Mat<Dim>::Zero();
+};
+
+}  // namespace
+
+template <int Dim>
+EnergyAccount<Dim>::EnergyAccount(Packing<Dim> start) : previous_(std::move(start)) {
+  require_periodic(previous_, "the energy account is kept");
+  terms_.elastic = elastic_energy_of(previous_);
+  terms_.kinetic = kinetic_energy_of(previous_);
+  terms_.initial = terms_.elastic + terms_.kinetic;
+}
+
+template <int Dim>
+void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
+  const double error_before = terms_.error(), kinetic_before = terms_.kinetic;
+  Step<Dim>(previous_, now, time_step).add_to(terms_);
+  terms_.elastic = elastic_energy_of(now);
+  terms_.kinetic = kinetic_energy_of(now);
+  // Where velocities were set to zero, what the step itself had left of them is what the account lacks.
+  if (terms_.kinetic == 0.0 && kinetic_before > 0.0) terms_.removed += terms_.error() - error_before;
+  previous_ = now;
+}
+
+template class EnergyAccount<2>;
+template class EnergyAccount<3>;
+
+}  // namespace floc

@@ -1,0 +1,79 @@
+#include "floc/structure/energy_account.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/dynamics.h"
+
+namespace floc {
+namespace {
+
+LawParameters beads_law() {
+  LawParameters law;
+  law.normal = HertzRepulsion{1e5, 0.3};
+  law.friction = MindlinFriction{0.3};
+  law.damping = CriticalDamping{0.3};
+  return law;
+}
+
+template <int Dim>
+LawParameters full_law() {
+  LawParameters law = test::cohesive_law();
+  law.normal = LinearRepulsion{1e3};
+  law.friction = CoulombFriction{0.3, 800.0};
+  law.rolling = RollingSpring{0.02, 10.0};
+  law.damping = ViscousDamping{0.5, DampingMass::effective};
+  if (Dim == 3) law.twisting = TwistingSpring{0.01, 8.0};
+  return law;
+}
+
+/// The account of a dense gas that is deformed at random rates, all components of the strain at once.
+template <int Dim>
+EnergyTerms deformed(const LawParameters& law, std::uint64_t seed, double step_share) {
+  RandomStream random(seed, 3);
+  Packing<Dim> start = test::gas_of<Dim>(Dim == 2 ? 40 : 30, law, Dim == 2 ? 0.6 : 0.45, seed);
+  agitate(start, 0.3, random);
+  BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
+  for (int k = 0; k < kSymmetric<Dim>; ++k)
+    control.target[k] = k < Dim ? 0.4 + 0.6 * random.uniform() : random.uniform() - 0.5;
+  const double step = step_share * time_step_of(start, 0.36, 10.0);
+  const auto dynamics = make_dynamics(start, control, {step, 0.1});
+  EnergyAccount<Dim> account(dynamics->packing());
+  const int n_steps = static_cast<int>(0.3 / step);
+  for (int k = 0; k < n_steps; ++k) {
+    dynamics->advance(1, Motion::free);
+    account.advance(dynamics->packing(), step);
+  }
+  return account.terms();
+}
+
+/// Ten random loadings. Dashpots act half a step late, so that the account closes to first order in the step.
+template <int Dim>
+void expect_to_close(const LawParameters& law) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const EnergyTerms coarse = deformed<Dim>(law, seed, 0.2), t = deformed<Dim>(law, seed, 0.1);
+    EXPECT_GT(t.work, 0.0);
+    EXPECT_GT(t.viscous, 0.0);
+    EXPECT_GT(t.sliding, 0.0);
+    EXPECT_EQ(t.removed, 0.0);
+    EXPECT_EQ(t.scaling > 0.0, law.stiffness_varies());
+    EXPECT_LT(std::abs(t.error()), 0.003 * t.work);
+    EXPECT_NEAR(coarse.error() / t.error(), 2.0, 0.1);
+  }
+}
+
+TEST(EnergyAccount, ClosesForDisksToFirstOrder) {
+  expect_to_close<2>(full_law<2>());
+}
+
+TEST(EnergyAccount, ClosesForSpheresToFirstOrder) {
+  expect_to_close<3>(full_law<3>());
+}
+
+TEST(EnergyAccount, ClosesForHertzAndMindlinToFirstOrder) {
+  expect_to_close<3>(beads_law());
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,6 +1,5 @@
 #include "floc/structure/voronoi.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -8,44 +7,15 @@
 #include <voro++/voro++.hh>
 
 #include "floc/base/disjoint_sets.h"
-#include "floc/geometry/lattice_reduction.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/structure/turned_cell.h"
 
 namespace floc {
 namespace {
 
 /// Vertices closer than this, in largest diameters, are one: beyond rounding, below what a packing resolves.
 constexpr double kSameVertex = 1e-6;
-/// Grains in a block of the search, for which Voro++ is fastest.
-constexpr double kGrainsPerBlock = 5.6;
-
-/// A packing as Voro++ wants it: turned until its lattice vectors are (bx, 0, 0), (bxy, by, 0), (bxz, byz, bz),
-/// and in a unit of length of the order of its neighbours' distances, which absolute tolerances of the library
-/// suppose.
-struct TurnedCell {
-  Mat<3> turn = Mat<3>::Identity();  ///< rotation (or reflection): place there = turn * place here/unit
-  Mat<3> lattice;                    ///< lower triangle, its diagonal positive
-  double unit = 1.0;                 ///< (length)
-
-  TurnedCell(const Cell<3>& cell, int n_grains) : unit(std::cbrt(cell.volume() / n_grains)) {
-    const Mat<3> rows = reduced_lattice(cell).cell.matrix / unit;
-    const Eigen::HouseholderQR<Mat<3>> qr(rows.transpose());
-    const Mat<3> q = qr.householderQ();
-    Mat<3> r = qr.matrixQR().triangularView<Eigen::Upper>();
-    Vec<3> sign;
-    for (int a = 0; a < 3; ++a) sign[a] = r(a, a) < 0.0 ? -1.0 : 1.0;
-    turn = sign.asDiagonal() * q.transpose();
-    lattice = (sign.asDiagonal() * r).transpose();
-  }
-
-  Vec<3> there(const Vec<3>& x) const { return turn * x / unit; }
-  Vec<3> here(const Vec<3>& x) const { return turn.transpose() * x * unit; }
-};
-
-int blocks_along(double side, double blocks_per_length) {
-  return std::max(1, static_cast<int>(std::ceil(side * blocks_per_length)));
-}
 
 /// A vertex as the cell of one grain has it.
 struct Corner {
@@ -58,11 +28,9 @@ std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& v
   const Grains<3>& g = packing.grains;
   const TurnedCell turned(packing.cell, g.size());
   const Mat<3>& l = turned.lattice;
-  const double density = std::cbrt(1.0 / kGrainsPerBlock);  // one grain a unit of volume
-  constexpr int kMemoryPerBlock = 8;
   voro::container_periodic_poly container(l(0, 0), l(1, 0), l(1, 1), l(2, 0), l(2, 1), l(2, 2),
-                                          blocks_along(l(0, 0), density), blocks_along(l(1, 1), density),
-                                          blocks_along(l(2, 2), density), kMemoryPerBlock);
+                                          turned.blocks(0), turned.blocks(1), turned.blocks(2),
+                                          TurnedCell::kMemoryPerBlock);
   for (int i = 0; i < g.size(); ++i) {
     const Vec<3> x = turned.there(g.position[i]);
     container.put(i, x[0], x[1], x[2], g.radius[i] / turned.unit);

@@ -32,10 +32,11 @@ inline const LayerOrder& layer_order() {
       {"assembly", {"relaxation"}},
       {"loading", {"assembly", "relaxation"}},
       {"structure", {"packing", "neighbors", "network"}},
+      {"lattice", {"elasticity", "structure"}},
       {"io", {"packing", "contact"}},
       {"run", {"loading", "io", "structure", "elasticity", "neighbors"}},
       {"scene", {"contact", "assembly", "loading", "io"}},
-      {"picture", {"structure", "elasticity", "packing"}},
+      {"picture", {"structure", "elasticity", "packing", "lattice"}},
       {"study", {"scene", "loading", "elasticity", "structure", "fitting"}},
   };
   return order;

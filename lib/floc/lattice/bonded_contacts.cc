@@ -1,0 +1,68 @@
+#include "floc/lattice/bonded_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "floc/packing/contact_forces.h"
+#include "floc/packing/contact_order.h"
+
+namespace floc {
+namespace {
+
+/// Caps and adhesion over what the forces need.
+constexpr double kMargin = 2.0;
+
+template <int Dim>
+LawParameters law_for(const BondedContacts<Dim>& bonds) {
+  double kn = 0.0, kt = 0.0, kr = 0.0, tension = 0.0, largest = 0.0;
+  for (const BondedContact<Dim>& b : bonds) {
+    kn += b.kn, kt += b.kt, kr += b.kr;
+    tension = std::max(tension, -b.normal_force);
+    largest = std::max({largest, std::abs(b.normal_force), b.shear_force.norm()});
+  }
+  const auto n = static_cast<double>(std::max<std::size_t>(1, bonds.size()));
+  const double adhesion = largest > 0.0 ? std::max(kMargin * tension, 0.1 * largest) : 1.0;
+  double coefficient = 0.1, arm = 0.0;
+  for (const BondedContact<Dim>& b : bonds) {
+    const double elastic = b.normal_force + adhesion;
+    coefficient = std::max(coefficient, kMargin * b.shear_force.norm() / elastic);
+    arm = std::max(arm, kMargin * b.rolling_moment.norm() / elastic);
+  }
+  LawParameters law;
+  law.normal = LinearRepulsion{kn > 0.0 ? kn / n : 1.0};
+  law.adhesion = ConstantAdhesion{adhesion};
+  if (kt > 0.0) law.friction = CoulombFriction{coefficient, kt / n};
+  if (kt > 0.0 && kr > 0.0) law.rolling = RollingSpring{std::max(arm, std::sqrt(kr / kn)), kr / n};
+  return law;
+}
+
+}  // namespace
+
+template <int Dim>
+void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing) {
+  /// What counts as being at a cap; none is near.
+  constexpr double kCapTolerance = 1e-9;
+  packing.law = law_for(bonds);
+  packing.contacts.clear();
+  packing.contacts.reserve(bonds.size());
+  for (const BondedContact<Dim>& b : bonds) {
+    Contact<Dim> c;
+    c.i = b.i, c.j = b.j, c.image = b.image;
+    const Vec<Dim> r = branch(packing, c);
+    c.gap = r.norm() - packing.grains.radius[b.i] - packing.grains.radius[b.j];
+    c.normal = r.normalized();
+    c.normal_force = b.normal_force;
+    c.shear_force = b.shear_force;
+    c.rolling_moment = b.rolling_moment;
+    set_given_forces(packing, b.kn, b.kt, kCapTolerance, c);
+    if (packing.law.rolling) c.kr = b.kr;
+    packing.contacts.push_back(c);
+  }
+  std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);
+}
+
+template void set_bonded_contacts(const BondedContacts<2>&, Packing<2>&);
+template void set_bonded_contacts(const BondedContacts<3>&, Packing<3>&);
+
+}  // namespace floc

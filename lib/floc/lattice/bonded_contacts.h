@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// A bond as a contact of a packing: whom it joins, what it carries, how stiff it is.
+template <int Dim>
+struct BondedContact {
+  int i, j;
+  Vec<Dim, int> image;
+  double normal_force;                 ///< compression positive (force)
+  Vec<Dim> shear_force;                ///< on i (force)
+  RotationVector<Dim> rolling_moment;  ///< on i (force * length)
+  double kn, kt;                       ///< (force/length)
+  double kr;                           ///< (force * length)
+};
+template <int Dim>
+using BondedContacts = std::vector<BondedContact<Dim>>;
+
+/// Gives a packing these contacts and a law that can carry them: linear springs as stiff as the mean, adhesion
+/// of twice the largest tension (bonds are cohesive, whatever they carry), friction and rolling resistance
+/// where bonds resist shear or carry moments, with caps twice as high as any force.
+template <int Dim>
+void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing);
+
+}  // namespace floc

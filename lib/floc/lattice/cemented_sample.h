@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "floc/lattice/lattice.h"
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// What a node of a lattice is made of.
+enum class Phase : std::uint8_t { none, grain, matrix };
+
+struct CementOptions {
+  double matrix_content = 0.0;  ///< rho_m: share of the volume that the matrix is to take, 0 to 1
+  /// Grains whose surfaces are closer than this are joined by a bridge (mean diameters, >= 0). Wider than the
+  /// gaps of a frictionless packing's contacts, narrower than those to second neighbours.
+  double bridge_gap = 0.05;
+
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
+};
+
+/// Grains and matrix laid on a lattice.
+template <int Dim>
+struct CementedSample {
+  Lattice<Dim> lattice;
+  Grains<Dim> grains;        ///< in the cell of the lattice: centres moved with it, radii by the same volume
+  std::vector<Phase> phase;  ///< of each node
+  /// Of each node that is not void, the grain of the nearest surface; -1 of others.
+  std::vector<int> owner;
+  /// The image of that grain that is nearest: centre + owner_image * cell.matrix.
+  std::vector<Vec<Dim, int>> owner_image;
+  double grain_content = 0.0;   ///< rho_p, counted on the lattice
+  double matrix_content = 0.0;  ///< rho_m, counted on the lattice
+  /// Of the bridges over R' = 2 R_i R_j/(R_i + R_j), one for all.
+  double bridge_width = 0.0;
+  int n_bridges = 0;  ///< pairs of grains that are joined, with or without a node between them
+  double mean_diameter = 0.0;
+  double strain = 0.0;  ///< largest by which the packing was strained to fit the lattice
+};
+
+/// Lays a packing on a lattice: nodes inside a grain, that of the deeper surface where two overlap; then
+/// straight bridges of width w R' between the centres of neighbours, w raised until the matrix has its content,
+/// one sort of the smallest w that covers each free node.
+/// @pre options.validate() is empty
+/// @throws InputError if the packing has walls, or the matrix content cannot be reached (it says the largest
+/// that can)
+template <int Dim>
+CementedSample<Dim> cement(const Packing<Dim>& packing, Lattice<Dim> lattice, const CementOptions& options);
+
+}  // namespace floc

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "floc/lattice/lattice_solution.h"
+
+namespace floc {
+
+/// How strong elements are: the tension at which one of a kind breaks (force). Infinite: never.
+struct ElementStrength {
+  std::array<double, kElementKinds> tension{};  ///< by ElementKind
+
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
+};
+
+/// One element that broke.
+struct Breakage {
+  int element;
+  double strain;  ///< along the load when it broke, shortening positive
+  double stress;  ///< that broke it, compression positive (stress)
+};
+
+struct FractureOptions {
+  ElementStrength strength;
+  /// Ends where the stress has fallen to this share of the largest.
+  double end_at = 0.2;
+  int most_broken = 1'000'000;
+  /// Called after each breakage; false stops.
+  std::function<bool(const Breakage&, int n_broken)> observe = {};
+};
+
+/// The breaking of a sample, one element at a time.
+struct FracturePath {
+  std::vector<Breakage> broken;  ///< in their order
+  double strength = 0.0;         ///< largest stress, in size, that it bore; 0 where nothing can break
+  double strain_at_strength = 0.0;
+  std::string end;  ///< why it ended, in words
+};
+
+/// Loads a sample by a stress along one axis in proportion, takes the first element that reaches its strength
+/// away, and solves again: the load needed may then be smaller (the sample gives way under a held stress) or
+/// larger. Every state is elastic, so the stress that breaks the next element is a plain scale.
+/// @param load  direction of the load, any size; `axis` the component that stress and strain are given of
+template <int Dim>
+[[nodiscard]] FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& solver,
+                                    const LatticeLoad<Dim>& load, int axis, const FractureOptions& options);
+
+}  // namespace floc

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/base/vec.h"
+#include "floc/geometry/cell.h"
+
+namespace floc {
+
+/// Two neighbouring nodes of a lattice.
+template <int Dim>
+struct LatticeBond {
+  int i;
+  int j;                ///< may equal i in a lattice of one node across
+  Vec<Dim, int> image;  ///< branch = node[j] + image * cell.matrix - node[i]
+  Vec<Dim> branch;      ///< from i to the image of j (length)
+  Vec<Dim> arm_i;       ///< from i to where the force of the bond acts (length)
+  double facet;         ///< length (2D) or area (3D) of the face that the cells of the two nodes share
+};
+
+/// Nodes that fill a periodic cell and the bonds between neighbours, each bond once.
+template <int Dim>
+struct Lattice {
+  Cell<Dim> cell;
+  double spacing = 0.0;        ///< of neighbours, where it varies that of a regular lattice as dense (length)
+  std::vector<Vec<Dim>> node;  ///< inside the cell
+  std::vector<double> volume;  ///< of the cell of each node; their sum is that of the periodic cell
+  std::vector<LatticeBond<Dim>> bonds;
+
+  int n_nodes() const { return static_cast<int>(node.size()); }
+};
+
+/// The triangular lattice, rows of nodes along the first axis: six bonds a node, as long as the spacing, acting
+/// at their middles; hexagonal cells of area sqrt(3)/2 spacing^2.
+/// @param columns  nodes in a row, >= 1   @param rows  even, >= 2, sqrt(3)/2 spacing apart
+Lattice<2> triangular_lattice(int columns, int rows, double spacing);
+
+/// The triangular lattice that comes closest to a rectangular cell: numbers of columns and rows within 3 % of
+/// what the spacing asks for, so that the ratio of the sides is nearest to the cell's. It has the cell's area,
+/// and its sides differ from the cell's by some 1e-4: what is laid on it is strained by that.
+/// @throws InputError if the cell is not rectangular, or more than 1e8 nodes would be needed
+Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing);
+
+}  // namespace floc

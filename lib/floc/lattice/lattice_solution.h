@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "floc/lattice/relaxed_springs.h"
+
+namespace floc {
+
+/// What loads a sample, component by component in the order of StrainSet::full; compression positive.
+template <int Dim>
+struct LatticeLoad {
+  using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
+  Eigen::Matrix<bool, kSymmetric<Dim>, 1> imposed = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
+  Components value = Components::Zero();  ///< strain where it is imposed, stress elsewhere
+
+  /// A stress along one axis and none along the others.
+  static LatticeLoad uniaxial(int axis, double stress) {
+    LatticeLoad load;
+    load.value[axis] = stress;
+    return load;
+  }
+};
+
+/// A lattice network under load.
+template <int Dim>
+struct LatticeSolution {
+  using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
+  Components strain;                  ///< of the cell, in the order of StrainSet::full, shortening positive
+  Components stress;                  ///< that the elements carry, compression positive
+  std::vector<double> normal_force;   ///< of each element, compression positive
+  std::vector<Vec<Dim>> shear_force;  ///< of each element on its node i; empty where all are central
+  std::vector<RotationVector<Dim>> moment;  ///< likewise, of bending
+  std::vector<bool> open;                   ///< of each element
+  std::vector<Vec<Dim>> displacement;       ///< of each node beside the uniform strain
+  double energy = 0.0;
+  RelaxationReport report;
+
+  int n_open() const;
+  /// Force on node i of an element.
+  Vec<Dim> force_on_i(const LatticeNetwork<Dim>& network, int element) const;
+};
+
+/// A network that is loaded, once or again and again: factor and active set stay from one load to the next.
+template <int Dim>
+class LatticeSolver {
+ public:
+  /// @param network  must outlive the solver
+  /// @param boundary, axis  that the network was made with
+  LatticeSolver(const LatticeNetwork<Dim>& network, const RelaxationSettings& settings,
+                LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
+
+  /// Between plates the load is the component along their axis alone.
+  [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
+
+  /// Stress by a unit of each strain, grains and matrix relaxed, nothing opening or closing from the last
+  /// solution on: order of StrainSet::full (stress). @pre solve() was called
+  Eigen::MatrixXd moduli();
+
+  /// Takes an element away for good.
+  void remove(int element) { springs_->remove_element(element); }
+  int n_unknowns() const { return springs_->n_unknowns(); }
+
+ private:
+  const LatticeNetwork<Dim>& network_;
+  LatticeBoundary boundary_;
+  int axis_;
+  std::unique_ptr<RelaxedSprings<Dim>> springs_;
+};
+
+}  // namespace floc

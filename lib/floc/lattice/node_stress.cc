@@ -1,0 +1,92 @@
+#include "floc/lattice/node_stress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace floc {
+namespace {
+
+/// Values beyond a threshold that a tail needs.
+constexpr int kFewest = 10;
+
+StressTail tail_beyond(const std::vector<double>& x, double from) {
+  StressTail tail{from};
+  double beyond = 0.0;
+  for (const double value : x)
+    if (value > from) ++tail.n, beyond += value - from;
+  if (tail.n < kFewest || beyond <= 0.0) return tail;
+  tail.beta = tail.n / beyond;
+  tail.error = *tail.beta / std::sqrt(tail.n);
+  return tail;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Mat<Dim>> node_stress(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& network,
+                                  const LatticeSolution<Dim>& solution) {
+  std::vector<Mat<Dim>> sum(lattice.node.size(), Mat<Dim>::Zero());
+  for (int e = 0; e < static_cast<int>(network.elements.size()); ++e) {
+    const LatticeElement<Dim>& element = network.elements[e];
+    const Vec<Dim> on_i = solution.force_on_i(network, e);
+    sum[element.i] -= element.arm_i * on_i.transpose();
+    sum[element.j] += (element.arm_i - element.branch) * on_i.transpose();
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    const Mat<Dim> stress = sum[k] / lattice.volume[k];
+    sum[k] = 0.5 * (stress + stress.transpose());
+  }
+  return sum;
+}
+
+StressDistribution stress_distribution(const std::vector<double>& values, double sign) {
+  StressDistribution out;
+  out.n = static_cast<int>(values.size());
+  if (values.empty()) return out;
+  double squares = 0.0, loaded = 0.0, other = 0.0;
+  int n_loaded = 0, n_other = 0;
+  for (const double value : values) {
+    out.mean += value;
+    squares += value * value;
+    if (sign * value > 0.0) ++n_loaded, loaded += value;
+    if (sign * value < 0.0) ++n_other, other -= value;
+  }
+  out.mean /= out.n;
+  if (out.mean != 0.0) out.spread = std::sqrt(std::max(0.0, squares / out.n / (out.mean * out.mean) - 1.0));
+  out.other_share = static_cast<double>(n_other) / out.n;
+  if (n_loaded == 0) return out;
+  out.unit = loaded / n_loaded;
+  std::vector<double> x, minus;
+  for (const double value : values) {
+    if (sign * value > 0.0) x.push_back(value / out.unit);
+    if (sign * value < 0.0) minus.push_back(-value * n_other / other);
+  }
+  out.largest = *std::max_element(x.begin(), x.end());
+  out.loaded_1 = tail_beyond(x, 1.0);
+  out.loaded_2 = tail_beyond(x, 2.0);
+  out.other_1 = tail_beyond(minus, 1.0);
+  return out;
+}
+
+StressHistogram stress_histogram(const std::vector<double>& values, double unit, double width) {
+  constexpr double kMostBins = 5000.0;  // on either side of zero
+  StressHistogram out{width};
+  out.n = static_cast<int>(values.size());
+  if (values.empty()) return out;
+  const auto bin = [&](double value) {
+    return static_cast<int>(std::clamp(std::floor(value / (unit * width)), -kMostBins, kMostBins - 1.0));
+  };
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  out.first = std::min(bin(*low), bin(*high));
+  out.counts.assign(std::max(bin(*low), bin(*high)) - out.first + 1, 0);
+  for (const double value : values) ++out.counts[bin(value) - out.first];
+  return out;
+}
+
+template std::vector<Mat<2>> node_stress(const Lattice<2>&, const LatticeNetwork<2>&,
+                                         const LatticeSolution<2>&);
+template std::vector<Mat<3>> node_stress(const Lattice<3>&, const LatticeNetwork<3>&,
+                                         const LatticeSolution<3>&);
+
+}  // namespace floc

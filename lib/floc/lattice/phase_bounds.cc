@@ -1,0 +1,64 @@
+#include "floc/lattice/phase_bounds.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numbers>
+
+namespace floc {
+namespace {
+
+/// [sum of share/(modulus + y)]^-1 - y: the mean of Hashin and Shtrikman with the reference y; harmonic at y =
+/// 0.
+double mean_with(const std::vector<ElasticPhase>& phases, double ElasticPhase::*modulus, double y) {
+  double sum = 0.0;
+  for (const ElasticPhase& p : phases) {
+    if (p.share == 0.0) continue;
+    if (p.*modulus + y == 0.0) return 0.0;
+    sum += p.share / (p.*modulus + y);
+  }
+  return sum > 0.0 ? 1.0 / sum - y : 0.0;
+}
+
+/// Reference of the bulk modulus: 2 G (d - 1)/d.
+double bulk_reference(double G, int dimension) {
+  return 2.0 * G * (dimension - 1) / dimension;
+}
+
+/// Reference of the shear modulus: K G/(K + 2 G) in 2D, G (9 K + 8 G)/(6 (K + 2 G)) in 3D.
+double shear_reference(double K, double G, int dimension) {
+  if (K + 2.0 * G == 0.0) return 0.0;
+  return dimension == 2 ? K * G / (K + 2.0 * G) : G * (9.0 * K + 8.0 * G) / (6.0 * (K + 2.0 * G));
+}
+
+ModulusBounds bounds_of(const std::vector<ElasticPhase>& phases, double ElasticPhase::*modulus, double least,
+                        double most) {
+  double voigt = 0.0;
+  for (const ElasticPhase& p : phases) voigt += p.share * p.*modulus;
+  return {voigt, mean_with(phases, modulus, most), mean_with(phases, modulus, least),
+          mean_with(phases, modulus, 0.0)};
+}
+
+}  // namespace
+
+CompositeBounds composite_bounds(const std::vector<ElasticPhase>& phases, int dimension) {
+  double least_K = -1.0, most_K = 0.0, least_G = 0.0, most_G = 0.0;
+  for (const ElasticPhase& p : phases) {
+    if (p.share == 0.0) continue;
+    const bool first = least_K < 0.0;
+    least_K = first ? p.K : std::min(least_K, p.K);
+    least_G = first ? p.G : std::min(least_G, p.G);
+    most_K = std::max(most_K, p.K);
+    most_G = std::max(most_G, p.G);
+  }
+  assert(least_K >= 0.0);
+  return {bounds_of(phases, &ElasticPhase::K, bulk_reference(least_G, dimension),
+                    bulk_reference(most_G, dimension)),
+          bounds_of(phases, &ElasticPhase::G, shear_reference(least_K, least_G, dimension),
+                    shear_reference(most_K, most_G, dimension))};
+}
+
+ElasticPhase triangular_moduli(double share, double kn, double kt) {
+  return {share, 0.5 * std::numbers::sqrt3 * kn, 0.25 * std::numbers::sqrt3 * (kn + kt)};
+}
+
+}  // namespace floc

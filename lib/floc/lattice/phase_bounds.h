@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+namespace floc {
+
+/// An isotropic phase of a composite and its share of the volume. In 2D K is the modulus of a sheet, E/(2(1 -
+/// nu)).
+struct ElasticPhase {
+  double share;
+  double K, G;  ///< bulk and shear modulus (stress); 0 for voids
+};
+
+struct ModulusBounds {
+  double voigt, hashin_shtrikman_upper, hashin_shtrikman_lower, reuss;  ///< (stress)
+};
+
+/// Bounds of the bulk and shear modulus of an isotropic composite of isotropic phases that stick together.
+/// Hashin and Shtrikman's take the stiffest and the softest phase as reference; with voids the lower ones
+/// vanish.
+struct CompositeBounds {
+  ModulusBounds K, G;
+};
+
+/// @param phases  shares add up to 1
+CompositeBounds composite_bounds(const std::vector<ElasticPhase>& phases, int dimension);
+
+/// Moduli of the triangular lattice of spacing l, any bending: K = sqrt(3)/2 k_n, G = sqrt(3)/4 (k_n + k_t).
+ElasticPhase triangular_moduli(double share, double kn, double kt);
+
+}  // namespace floc

@@ -1,0 +1,368 @@
+#include "floc/lattice/relaxed_springs.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "floc/lattice/spring_preconditioner.h"
+
+namespace floc {
+namespace {
+
+/// Springs that have opened or closed since the factor was made, beyond which another factor costs less than
+/// conjugate gradients on the old one.
+constexpr int kMostChanged = 60;
+/// Steps on an old factor before a new one is made.
+constexpr int kStepsOnOldFactor = 30;
+/// Unknowns up to which a factor is cheap in three dimensions.
+constexpr int kSmallInSpace = 20000;
+/// Imbalance below which what is left may be rounding.
+constexpr double kRounding = 1e-8;
+/// Strain, over that of a sample all closed whose nodes follow it, beyond which nothing holds the load: what is
+/// left would be softer than the motions that the preconditioner tells from free ones.
+constexpr double kBeyond = 1e8;
+/// A direction whose energy is below this share of what the preconditioner takes it for costs nothing.
+constexpr double kNoEnergy = 1e-5;
+
+template <int Dim, int Size>
+class Springs final : public RelaxedSprings<Dim> {
+ public:
+  using Strains = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
+
+  Springs(const LatticeNetwork<Dim>& network, const RelaxationSettings& settings)
+      : settings_(settings),
+        springs_(spring_rows<Dim, Size>(network)),
+        here_(network.n_nodes, -1),
+        x_(Eigen::VectorXd::Zero(springs_.n_unknowns() + kSymmetric<Dim>)),
+        active_(springs_.rows.size(), 1),
+        prepared_(springs_.rows.size(), 0) {
+    for (std::size_t k = 0; k < springs_.node.size(); ++k) here_[springs_.node[k]] = static_cast<int>(k);
+    const bool by_factor =
+        settings.method == LatticeMethod::factor ||
+        (settings.method == LatticeMethod::automatic && (Dim == 2 || springs_.n_unknowns() <= kSmallInSpace));
+    inverse_ = by_factor ? factor_preconditioner(springs_) : block_preconditioner(springs_);
+    control_.imposed.setConstant(true);
+    control_.value.setZero();
+  }
+
+  RelaxationReport relax(const StrainControl<Dim>& control) override {
+    RelaxationReport report;
+    set_control(control);
+    if (springs_.rows.empty()) {
+      report.holds = report.converged = control_.imposed.all();
+      return report;
+    }
+    const double whole = norm_of_load(report);
+    double before = std::numeric_limits<double>::infinity();
+    for (; report.n_rounds < settings_.max_rounds; ++report.n_rounds) {
+      const int n_changed = update_active();
+      const Eigen::VectorXd down = -gradient();
+      const bool factorized = prepare(report);
+      const double norm = std::sqrt(std::max(0.0, down.dot(inverse_->apply(down))));
+      report.imbalance = whole > 0.0 ? norm / whole : 0.0;
+      const int steps_before = report.n_steps;
+      // Where motions cost nothing, rounding keeps some imbalance that no further round takes away.
+      const bool is_rounding =
+          n_changed == 0 && report.imbalance < kRounding && report.imbalance > 0.5 * before;
+      report.converged = report.imbalance <= settings_.tolerance || is_rounding;
+      before = report.imbalance;
+      if (!report.converged) take_step(down, norm, whole, report);
+      if (settings_.observe)
+        settings_.observe({report.n_rounds + 1, count_open(), report.n_rounds == 0 ? 0 : n_changed,
+                           report.n_steps - steps_before, report.imbalance, factorized});
+      if (report.converged || !report.holds) break;
+    }
+    return report;
+  }
+
+  Eigen::MatrixXd tangent_stiffness() override {
+    constexpr int kAll = kSymmetric<Dim>;
+    inverse_->set_free(Eigen::Matrix<bool, kAll, 1>::Constant(false));
+    RelaxationReport report;
+    refresh(report);
+    const Eigen::Matrix<bool, kAll, 1> imposed = control_.imposed;
+    control_.imposed.setConstant(true);
+    Eigen::MatrixXd response(x_.size(), kAll);
+    for (int a = 0; a < kAll; ++a) {
+      Eigen::VectorXd start = Eigen::VectorXd::Zero(x_.size());
+      start[springs_.n_unknowns() + a] = 1.0;
+      Eigen::VectorXd load = -applied(start);
+      load.template tail<kAll>().setZero();
+      const double norm = std::sqrt(std::max(0.0, load.dot(inverse_->apply(load))));
+      response.col(a) = start + solve(load, settings_.tolerance * norm, kMostSteps, report).direction;
+    }
+    control_.imposed = imposed;
+    inverse_->set_free((!control_.imposed.array()).matrix());
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(kAll, kAll);
+    for (std::size_t r = 0; r < springs_.rows.size(); ++r) {
+      if (!active_[r]) continue;
+      Strains o;
+      for (int a = 0; a < kAll; ++a) o[a] = overlap(r, response.col(a));
+      stiffness += springs_.rows[r].stiffness * o * o.transpose();
+    }
+    return stiffness;
+  }
+
+  Strains strain() const override { return x_.template tail<kSymmetric<Dim>>(); }
+
+  Strains load() const override {
+    Strains sum = Strains::Zero();
+    for (std::size_t r = 0; r < springs_.rows.size(); ++r)
+      sum += force(static_cast<int>(r)) * springs_.on_strain[r];
+    return sum;
+  }
+
+  double force(int row) const override {
+    return active_[row] ? springs_.rows[row].stiffness * overlap(row, x_) : 0.0;
+  }
+  bool open(int row) const override { return !active_[row]; }
+  const std::vector<int>& first_row() const override { return springs_.first_row; }
+
+  Vec<Dim> displacement(int node) const override {
+    if (here_[node] < 0) return Vec<Dim>::Zero();
+    return x_.template segment<Dim>(Size * here_[node]);
+  }
+
+  int n_unknowns() const override { return springs_.n_unknowns(); }
+
+  double energy() const override {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < springs_.rows.size(); ++r)
+      if (active_[r]) sum += 0.5 * springs_.rows[r].stiffness * std::pow(overlap(r, x_), 2);
+    return sum;
+  }
+
+  void remove_element(int element) override {
+    for (int r = springs_.first_row[element]; r < springs_.first_row[element + 1]; ++r) {
+      springs_.rows[r].stiffness = 0.0;
+      active_[r] = 0;
+      std::erase(springs_.one_sided, r);
+    }
+  }
+
+ private:
+  static constexpr int kMostSteps = 50000;
+
+  struct Direction {
+    Eigen::VectorXd direction;
+    bool reached = false;  // the imbalance asked for
+  };
+
+  void set_control(const StrainControl<Dim>& control) {
+    control_ = control;
+    for (int a = 0; a < kSymmetric<Dim>; ++a)
+      if (control.imposed[a]) x_[springs_.n_unknowns() + a] = control.value[a];
+    inverse_->set_free((!control_.imposed.array()).matrix());
+  }
+
+  double overlap(std::size_t r, const auto& x) const {
+    const auto& row = springs_.rows[r];
+    return row.on_i.dot(x.template segment<Size>(Size * row.i)) +
+           row.on_j.dot(x.template segment<Size>(Size * row.j)) +
+           springs_.on_strain[r].dot(x.template tail<kSymmetric<Dim>>());
+  }
+
+  /// K x of the active rows; nothing for strains that are imposed.
+  Eigen::VectorXd applied(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(x.size());
+    Strains of_strains = Strains::Zero();
+    for (std::size_t r = 0; r < springs_.rows.size(); ++r) {
+      if (!active_[r]) continue;
+      const auto& row = springs_.rows[r];
+      const double f = row.stiffness * overlap(r, x);
+      out.template segment<Size>(Size * row.i) += f * row.on_i;
+      out.template segment<Size>(Size * row.j) += f * row.on_j;
+      of_strains += f * springs_.on_strain[r];
+    }
+    for (int a = 0; a < kSymmetric<Dim>; ++a)
+      if (!control_.imposed[a]) out[springs_.n_unknowns() + a] = of_strains[a];
+    return out;
+  }
+
+  Eigen::VectorXd gradient() const {
+    Eigen::VectorXd out = applied(x_);
+    for (int a = 0; a < kSymmetric<Dim>; ++a)
+      if (!control_.imposed[a]) out[springs_.n_unknowns() + a] -= control_.value[a];
+    return out;
+  }
+
+  /// One-sided springs that overlap are active. @return how many have changed
+  int update_active() {
+    int n_changed = 0;
+    for (const int r : springs_.one_sided) {
+      const double o = overlap(r, x_);
+      const char now = o > 0.0 || (o == 0.0 && active_[r]) ? 1 : 0;  // at rest all are closed
+      n_changed += now != active_[r];
+      active_[r] = now;
+    }
+    return n_changed;
+  }
+
+  int count_open() const {
+    return static_cast<int>(std::count_if(springs_.one_sided.begin(), springs_.one_sided.end(),
+                                          [&](int r) { return !active_[r]; }));
+  }
+
+  /// Size of the load in the norm of the preconditioner, the root of an energy: the imbalance where no node
+  /// moves beside the imposed strain, and what that strain itself costs.
+  double norm_of_load(RelaxationReport& report) {
+    Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
+    for (int a = 0; a < kSymmetric<Dim>; ++a)
+      if (control_.imposed[a]) kept[springs_.n_unknowns() + a] = control_.value[a];
+    kept.swap(x_);
+    prepare(report);
+    const Eigen::VectorXd down = gradient();
+    const double square = std::max(0.0, down.dot(inverse_->apply(down))) + 2.0 * energy();
+    kept.swap(x_);
+    return std::sqrt(square);
+  }
+
+  bool prepare(RelaxationReport& report) {
+    int n_changed = 0;
+    for (std::size_t r = 0; r < active_.size() && n_changed <= kMostChanged; ++r)
+      n_changed += active_[r] != prepared_[r];
+    if (n_changed <= kMostChanged && ready_ && inverse_->is_exact()) return false;
+    if (n_changed == 0 && ready_) return false;
+    refresh(report);
+    return true;
+  }
+
+  void refresh(RelaxationReport& report) {
+    if (ready_ && prepared_ == active_) return;
+    inverse_->prepare(active_);
+    prepared_ = active_;
+    ready_ = true;
+    ++report.n_factors;
+  }
+
+  /// K d = load for the active set by conjugate gradients, until the imbalance is below `target` in the norm of
+  /// the preconditioner.
+  Direction solve(const Eigen::VectorXd& load, double target, int most_steps, RelaxationReport& report) const {
+    Direction out{Eigen::VectorXd::Zero(load.size())};
+    Eigen::VectorXd r = load, z = inverse_->apply(r), p = z;
+    double rz = r.dot(z);
+    for (int step = 0; step < most_steps && rz > 0.0; ++step) {
+      if (std::sqrt(rz) <= target) break;
+      const Eigen::VectorXd q = applied(p);
+      const double curvature = p.dot(q);
+      if (curvature <= (inverse_->is_exact() ? kNoEnergy : 1e-14) * rz) {
+        // Nothing resists p. Alone it is tried, as one-sided springs may close on the way; else what is found
+        // so far.
+        if (step == 0) out.direction = p;
+        return out;
+      }
+      const double alpha = rz / curvature;
+      out.direction += alpha * p;
+      r -= alpha * q;
+      z = inverse_->apply(r);
+      const double next = r.dot(z);
+      p = z + next / rz * p;
+      rz = next;
+      ++report.n_steps;
+    }
+    out.reached = std::sqrt(std::max(0.0, rz)) <= target;
+    return out;
+  }
+
+  double largest_strain() const {
+    double stiffness = 0.0, load = 0.0, imposed = 0.0;
+    for (int a = 0; a < kSymmetric<Dim>; ++a) {
+      double of_strain = 0.0;
+      for (std::size_t r = 0; r < springs_.rows.size(); ++r)
+        of_strain += springs_.rows[r].stiffness * std::pow(springs_.on_strain[r][a], 2);
+      stiffness = std::max(stiffness, of_strain);
+      double& size = control_.imposed[a] ? imposed : load;
+      size = std::max(size, std::abs(control_.value[a]));
+    }
+    return stiffness > 0.0 ? kBeyond * (load / stiffness + imposed) : 0.0;
+  }
+
+  void take_step(const Eigen::VectorXd& down, double norm, double whole, RelaxationReport& report) {
+    const bool one_sided = !springs_.one_sided.empty();
+    // While the active set changes a rough direction will do where directions are dear.
+    const double share = inverse_->is_exact() ? 1e-8 : one_sided ? 0.03 : 0.0;
+    const double target = std::max(share * norm, 0.5 * settings_.tolerance * whole);
+    const bool old_factor = inverse_->is_exact() && prepared_ != active_;
+    Direction step = solve(down, target, old_factor ? kStepsOnOldFactor : kMostSteps, report);
+    if (old_factor && !step.reached) {
+      refresh(report);
+      step = solve(down, target, kMostSteps, report);
+    }
+    if (!search_along(step.direction, down)) report.holds = false;
+    if (strain().norm() > largest_strain()) report.holds = false;
+  }
+
+  /// Moves to the least energy along a direction. @return false where there is none: the energy falls for ever
+  bool search_along(const Eigen::VectorXd& direction, const Eigen::VectorXd& down) {
+    const double slope = -down.dot(direction);
+    if (slope >= 0.0) return true;
+    double square = 0.0, linear = slope;  // slope of the energy at t of springs that stay: linear + t square
+    std::vector<std::array<double, 3>> one_sided;  // overlap, its change, stiffness
+    for (const int r : springs_.one_sided) {
+      const double o = overlap(r, x_), d = overlap(r, direction);
+      one_sided.push_back({o, d, springs_.rows[r].stiffness});
+      linear -= springs_.rows[r].stiffness * std::max(o, 0.0) * d;
+    }
+    std::size_t next = 0;
+    for (std::size_t r = 0; r < springs_.rows.size(); ++r) {
+      if (next < springs_.one_sided.size() && springs_.one_sided[next] == static_cast<int>(r)) {
+        ++next;
+        continue;
+      }
+      square += springs_.rows[r].stiffness * std::pow(overlap(r, direction), 2);
+    }
+    const auto slope_at = [&](double t, double& curvature) {
+      double sum = linear + t * square;
+      curvature = square;
+      for (const auto& [o, d, k] : one_sided)
+        if (o + t * d > 0.0) sum += k * (o + t * d) * d, curvature += k * d * d;
+      return sum;
+    };
+    double t = 1.0, low = 0.0, high = std::numeric_limits<double>::infinity();
+    constexpr int kMostTrials = 200;
+    for (int trial = 0; trial < kMostTrials; ++trial) {
+      double curvature = 0.0;
+      const double at = slope_at(t, curvature);
+      if (std::abs(at) <= (trial == 0 ? 0.3 : 1e-10) * -slope) break;
+      (at < 0.0 ? low : high) = t;
+      // The energy's slope is piecewise linear: Newton's step is exact once the set is right.
+      double to = curvature > 0.0 ? t - at / curvature : std::numeric_limits<double>::infinity();
+      if (!(to > low && to < high)) to = std::isfinite(high) ? 0.5 * (low + high) : 4.0 * t;
+      if (to > kForEver) return false;
+      if (high - low <= 1e-15 * high) break;
+      t = to;
+    }
+    x_ += t * direction;
+    return true;
+  }
+
+  /// Multiples of a step after which the energy still falls.
+  static constexpr double kForEver = 1e12;
+
+  RelaxationSettings settings_;
+  SpringRows<Dim, Size> springs_;
+  std::vector<int> here_;
+  Eigen::VectorXd x_;                    // displacements of the nodes, then the strains
+  std::vector<char> active_, prepared_;  // of each row: it carries; it did when the preconditioner was made
+  bool ready_ = false;
+  StrainControl<Dim> control_;
+  std::unique_ptr<SpringPreconditioner<Dim, Size>> inverse_;
+};
+
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<RelaxedSprings<Dim>> relaxed_springs(const LatticeNetwork<Dim>& network,
+                                                     const RelaxationSettings& settings) {
+  if (network.central()) return std::make_unique<Springs<Dim, Dim>>(network, settings);
+  return std::make_unique<Springs<Dim, kDofs<Dim>>>(network, settings);
+}
+
+template std::unique_ptr<RelaxedSprings<2>> relaxed_springs(const LatticeNetwork<2>&,
+                                                            const RelaxationSettings&);
+template std::unique_ptr<RelaxedSprings<3>> relaxed_springs(const LatticeNetwork<3>&,
+                                                            const RelaxationSettings&);
+
+}  // namespace floc

@@ -85,6 +85,24 @@ LegendItem arrow_item(const PackingPicture<Dim>& picture, const DrawnScale& scal
           short_number(length) + " a moved"};
 }
 
+LegendItem text_item(const std::string& text) {
+  return {-kAfterSample, [](cairo_t*, double, double) {}, text};
+}
+
+/// Calls `place(item, x, line)` for each item, lines filled from the left.
+template <class Place>
+void flow(const std::vector<LegendItem>& items, double width, Place&& place) {
+  double x = 0.0;
+  int line = 0;
+  for (const LegendItem& item : items) {
+    if (x > 0.0 && x + item.width() > width) x = 0.0, ++line;
+    place(item, x, line);
+    x += item.width() + kBetween;
+  }
+}
+
+}  // namespace
+
 LegendItem color_bar(const GrainShade& shade) {
   constexpr double kWidth = 90.0;
   return {
@@ -106,24 +124,6 @@ LegendItem color_bar(const GrainShade& shade) {
       },
       fmt::format("{} from −{} to {}", shade.name, short_number(shade.largest), short_number(shade.largest))};
 }
-
-LegendItem text_item(const std::string& text) {
-  return {-kAfterSample, [](cairo_t*, double, double) {}, text};
-}
-
-/// Calls `place(item, x, line)` for each item, lines filled from the left.
-template <class Place>
-void flow(const std::vector<LegendItem>& items, double width, Place&& place) {
-  double x = 0.0;
-  int line = 0;
-  for (const LegendItem& item : items) {
-    if (x > 0.0 && x + item.width() > width) x = 0.0, ++line;
-    place(item, x, line);
-    x += item.width() + kBetween;
-  }
-}
-
-}  // namespace
 
 void set_font(cairo_t* page) {
   cairo_font_options_t* options = cairo_font_options_create();

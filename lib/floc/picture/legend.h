@@ -39,6 +39,9 @@ struct LegendItem {
 template <int Dim>
 LegendItem line_item(const Color& color, double width, const std::string& text);
 
+/// The colours of a value, from the most negative to the most positive.
+LegendItem color_bar(const GrainShade& shade);
+
 /// How thick a round force is drawn at this scale.
 /// @pre some line has a force
 template <int Dim>

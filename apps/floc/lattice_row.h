@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "floc/io/table.h"
+#include "floc/lattice/fracture.h"
+#include "floc/lattice/node_stress.h"
+#include "floc/lattice/phase_bounds.h"
+
+namespace floc {
+
+/// What floc lattice prints of one sample.
+struct LatticeRow {
+  std::string file;
+  int dimension = 2;
+  std::int64_t n_grains = 0, n_nodes = 0, n_unknowns = 0, n_elements = 0;
+  double spacing = 0.0, nodes_a_diameter = 0.0, fit_strain = 0.0;
+  double grain_content = 0.0, matrix_content = 0.0, bridge_width = 0.0;
+  int n_bridges = 0, n_removed = 0, n_islands = 0;
+  double k_grain = 0.0, k_matrix = 0.0, k_interface = 0.0, k_contact = 0.0;
+  std::string load, boundary;
+  int axis = 1;  ///< of the load, from 0
+  int n_bare = 0, n_open = 0;
+  RelaxationReport report;
+  std::vector<double> strain, stress;  ///< in the order of StrainSet::full
+  StressDistribution all, grain, matrix, forces;
+  int n_pairs = 0;  ///< of grains that exert forces on each other
+  std::optional<double> pearson_bonded, pearson_state;
+  std::optional<Eigen::MatrixXd> moduli;
+  std::optional<CompositeBounds> bounds;
+  std::optional<FracturePath> fracture;
+  double seconds_lattice = 0.0, seconds_solve = 0.0, seconds = 0.0;
+};
+
+Table table_of(const LatticeRow& row);
+
+}  // namespace floc

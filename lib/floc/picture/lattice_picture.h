@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "floc/lattice/lattice.h"
+#include "floc/picture/palette.h"
+#include "floc/picture/picture_format.h"
+
+namespace floc {
+
+/// A lattice as it is to be drawn: each node as its cell, a hexagon in 2D, in the colour of what it shows.
+template <int Dim>
+struct LatticePicture {
+  std::vector<Color> color;  ///< of each node
+  /// Bonds of the lattice that are drawn as the face between their nodes: cracks.
+  std::vector<int> faces;
+  std::string caption;
+  /// Colours and what they mean, in the legend.
+  std::vector<std::pair<Color, std::string>> meanings;
+  /// Of a colour bar from the most negative to the most positive; empty: none.
+  std::string bar_name;
+  double bar_largest = 1.0;
+};
+
+/// How it is laid out.
+struct LatticeSheetOptions {
+  PictureFormat format = PictureFormat::svg;
+  double width = 482.0;        ///< of the page (points)
+  int cut_axis = 1;            ///< 3D: the section across this axis, from 0
+  double cut_at = 0.5;         ///< 3D: at this share of the cell along it
+  double pixels_a_node = 4.0;  ///< across the mean node, as far as the picture keeps below 3000 pixels a side
+
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
+};
+
+/// @return the bytes of the file: the nodes as an image, all else as vectors in svg and pdf
+/// @pre options.validate() is empty; the cell is rectangular
+template <int Dim>
+std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
+                         const LatticeSheetOptions& options);
+
+/// Colours of a stress over `largest`: blue compression, orange tension, white nothing; grey where there is
+/// nothing.
+std::vector<Color> stress_colors(const std::vector<double>& value, const std::vector<bool>& there,
+                                 double largest);
+
+}  // namespace floc

@@ -1,0 +1,220 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "floc/base/random.h"
+#include "floc/io/csv.h"
+#include "floc/io/state_file.h"
+#include "floc/packing/balance.h"
+#include "support/lattice_samples.h"
+#include "support/run_program.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Disks and spheres that overlap a little, as states.
+class LatticeCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    State<2> disks;
+    disks.packing = grid_of_grains<2>(3, -0.01);
+    write_state(scratch_.file("disks.h5"), disks);
+    State<3> spheres;
+    spheres.packing = grid_of_grains<3>(2, -0.01);
+    write_state(scratch_.file("spheres.h5"), spheres);
+    State<2> apart;
+    apart.packing = grid_of_grains<2>(3, 0.3);
+    write_state(scratch_.file("apart.h5"), apart);
+  }
+
+  Outcome lattice(const std::string& arguments) const {
+    return run_floc("lattice " + arguments, scratch_.path());
+  }
+  json row_of(const std::string& arguments) const {
+    const Outcome o = lattice(arguments + " --format json");
+    EXPECT_EQ(o.code, 0) << o.err;
+    return o.code == 0 ? json::parse(o.out).at(0) : json();
+  }
+  bool exists(const std::string& name) const { return std::filesystem::exists(scratch_.file(name)); }
+
+  ScratchDirectory scratch_;
+};
+
+constexpr const char* kDisks = "disks.h5 --bridge-gap 0.1 --stiffness grain=20,matrix=1 --matrix 0.08 ";
+
+TEST_F(LatticeCommand, SaysWhatTheSampleIsAndHowItResponds) {
+  const json row = row_of(std::string(kDisks) + "--load compression");
+  EXPECT_NEAR(row.at("rho_m").get<double>(), 0.08, 1e-3);
+  EXPECT_NEAR(row.at("nodes_a_diameter").get<double>(), 15.0, 1.0);
+  EXPECT_NEAR(row.at("stress22").get<double>(), 1.0, 1e-8);
+  EXPECT_NEAR(row.at("stress11").get<double>(), 0.0, 1e-8);
+  EXPECT_NEAR(row.at("E").get<double>() * row.at("strain22").get<double>(), 1.0, 1e-8);
+  EXPECT_NEAR(
+      row.at("mean_nodes").get<double>() * (row.at("rho_m").get<double>() + row.at("rho_p").get<double>()), 1.0,
+      0.01);
+  EXPECT_GT(row.at("beta1_nodes").get<double>(), 0.5);
+  EXPECT_GT(row.at("n_open").get<int>(), 0);
+  EXPECT_EQ(row.at("holds"), true);
+}
+
+TEST_F(LatticeCommand, SavesALatticeWhoseModuliAreThoseOfTheDirectSolution) {
+  for (const std::string beams : {"", "--shear 0.4 --bending 0.05 "}) {
+    const json row = row_of(std::string(kDisks) + beams + "--moduli --per-diameter 10 -o lattice.h5");
+    const Outcome o = run_floc("moduli lattice.h5 --strains full --format json", scratch_.path());
+    ASSERT_EQ(o.code, 0) << o.err;
+    const json moduli = json::parse(o.out).at(0);
+    for (const char* name : {"C11", "C22", "C12", "C33", "C13", "C23"})
+      EXPECT_NEAR(row.at(name).get<double>(), moduli.at(name).get<double>(),
+                  1e-10 * row.at("C11").get<double>())
+          << name << beams;
+    // And the strain of the load is what these moduli make of it.
+    Eigen::Matrix3d C;
+    const auto entry = [&](const char* name) { return row.at(name).get<double>(); };
+    C << entry("C11"), entry("C12"), entry("C13"), entry("C12"), entry("C22"), entry("C23"), entry("C13"),
+        entry("C23"), entry("C33");
+    const Eigen::Vector3d strain = C.inverse() * Eigen::Vector3d(0.0, 1.0, 0.0);
+    EXPECT_NEAR(strain[1], entry("strain22"), 1e-9 * strain[1]);
+    EXPECT_GT(entry("B"), 0.0);
+    EXPECT_LT(entry("B"), entry("B_hs_upper"));
+    EXPECT_LT(entry("B_hs_upper"), entry("B_voigt"));
+    EXPECT_EQ(entry("B_hs_lower"), 0.0);  // there are voids
+  }
+}
+
+TEST_F(LatticeCommand, GivesForcesThatEveryNetworkCommandReads) {
+  row_of(std::string(kDisks) + "--forces forces.h5 --stress nodes.csv --pdf pdf.csv -o lattice.h5");
+  const AnyState any = read_state(scratch_.file("forces.h5"));
+  const State<2>& state = std::get<State<2>>(any);
+  EXPECT_NEAR(state.stress(1, 1), 1.0, 1e-8);
+  EXPECT_LT(state.residuals.force, 1e-8);
+  EXPECT_LT(state.residuals.moment, 1e-8);
+  const Outcome network = run_floc("network forces.h5 --format json", scratch_.path());
+  ASSERT_EQ(network.code, 0) << network.err;
+  EXPECT_THAT(network.err, Not(HasSubstr("no equilibrium")));
+  for (const char* command :
+       {"draw lattice.h5 -o a.svg", "draw forces.h5 -o b.png", "network lattice.h5", "info lattice.h5"})
+    EXPECT_EQ(run_floc(command, scratch_.path()).code, 0) << command;
+  const CsvTable nodes = CsvTable::read(scratch_.file("nodes.csv"));
+  double sum = 0.0, volume = 0.0;
+  for (int r = 0; r < nodes.n_rows(); ++r) {
+    sum += nodes.number(r, nodes.column("volume")) * nodes.number(r, nodes.column("stress22"));
+    volume = state.packing.cell.volume();
+  }
+  EXPECT_NEAR(sum / volume, 1.0, 1e-8);
+  const CsvTable pdf = CsvTable::read(scratch_.file("pdf.csv"));
+  double whole = 0.0;
+  for (int r = 0; r < pdf.n_rows(); ++r)
+    if (pdf.text(r, pdf.column("of")) == "nodes") whole += pdf.number(r, pdf.column("density")) * 0.1;
+  EXPECT_NEAR(whole, 1.0, 1e-9);
+}
+
+TEST_F(LatticeCommand, DrawsStressPhasesCracksAndDistributions) {
+  const Outcome o =
+      lattice(std::string(kDisks) +
+              "--per-diameter 9 --load tension --map map.png --phases phases.svg --plot pdf.svg --strength "
+              "matrix=1,interface=1 --curve curve.csv --cracks cracks.pdf");
+  ASSERT_EQ(o.code, 0) << o.err;
+  for (const char* name : {"map.png", "phases.svg", "pdf.svg", "pdf.dat", "curve.csv", "cracks.pdf"})
+    EXPECT_TRUE(exists(name)) << name;
+  EXPECT_THAT(o.err, HasSubstr("elements broke"));
+  const CsvTable curve = CsvTable::read(scratch_.file("curve.csv"));
+  ASSERT_GT(curve.n_rows(), 3);
+  for (int r = 0; r < curve.n_rows(); ++r) EXPECT_LT(curve.number(r, curve.column("stress")), 0.0);
+}
+
+TEST_F(LatticeCommand, TakesSpheres) {
+  const json row = row_of(
+      "spheres.h5 --bridge-gap 0.1 --matrix 0.2 --stiffness grain=50,matrix=1 --map cut.png --cut x,0.25 "
+      "--phases p.svg");
+  EXPECT_EQ(row.at("dimension"), 3);
+  EXPECT_NEAR(row.at("stress33").get<double>(), 1.0, 1e-7);
+  EXPECT_NEAR(row.at("stress23").get<double>(), 0.0, 1e-7);
+  EXPECT_TRUE(exists("cut.png") && exists("p.svg"));
+}
+
+TEST_F(LatticeCommand, TakesPlatesAndImposedStrains) {
+  const json plates = row_of(std::string(kDisks) + "--boundary plates");
+  EXPECT_NEAR(plates.at("stress22").get<double>(), 1.0, 1e-8);
+  const json strain = row_of(std::string(kDisks) + "--load strain:0,0.01,0 --boundary uniform-strain");
+  EXPECT_EQ(strain.at("strain22"), 0.01);
+  const json sheared = row_of(std::string(kDisks) + "--load stress:0,1,0.5");
+  EXPECT_NEAR(sheared.at("stress12").get<double>(), 0.5, 1e-8);
+}
+
+TEST_F(LatticeCommand, RefusesInWordsWhatCannotBe) {
+  struct Case {
+    std::string arguments, words;
+    int code;
+  };
+  const Case cases[] = {
+      {"disks.h5 --matrix 0.5", "cannot be reached", 4},
+      {"disks.h5 --matrix 1.5", "", 2},
+      {"apart.h5 --matrix 0", "do not percolate", 4},
+      {"disks.h5 --matrix 0.05 --stiffness grain=10,glue=1", "'glue=1'", 4},
+      {"disks.h5 --matrix 0.05 --stiffness grain=-1", "must be > 0", 4},
+      {"disks.h5 --matrix 0.05 --load sideways", "expected compression", 4},
+      {"disks.h5 --matrix 0.05 --load stress:1,2", "3 numbers", 4},
+      {"disks.h5 --matrix 0.05 --load stress:0,0,0", "no load", 4},
+      {"disks.h5 --matrix 0.05 --axis z", "expected x or y", 4},
+      {"disks.h5 --matrix 0.05 --map map.gif", ".svg, .pdf or .png", 4},
+      {"disks.h5 --matrix 0.05 --curve c.csv", "--strength", 4},
+      {"disks.h5 --matrix 0.05 --spacing 1e-5", "GB", 4},
+      {"disks.h5 --matrix 0.05 --bending 0.1", "shear > 0", 4},
+      {"disks.h5 --matrix 0.05 --per-diameter 60 --bridge-gap 0.1 --strength matrix=1", "--yes", 4},
+      {"nowhere.h5 --matrix 0.05", "nowhere.h5", 4},
+  };
+  for (const Case& c : cases) {
+    const Outcome o = lattice(c.arguments + " -o left.h5");
+    EXPECT_EQ(o.code, c.code) << c.arguments << '\n' << o.err;
+    EXPECT_THAT(o.err, HasSubstr(c.words)) << c.arguments;
+    EXPECT_THAT(o.out, IsEmpty()) << c.arguments;
+    EXPECT_FALSE(exists("left.h5")) << c.arguments;
+  }
+  const Outcome coarse = lattice("disks.h5 --matrix 0.05 --bridge-gap 0.1 --per-diameter 6");
+  EXPECT_THAT(coarse.err, HasSubstr("coarse"));
+}
+
+TEST_F(LatticeCommand, SaysThatBareContactsHaveNoStrengthInTension) {
+  const Outcome o = lattice("disks.h5 --matrix 0 --per-diameter 8 --load tension --format json");
+  EXPECT_EQ(o.code, 3);
+  EXPECT_THAT(o.err, HasSubstr("no strength"));
+  EXPECT_EQ(json::parse(o.out).at(0).at("holds"), false);
+}
+
+/// Any mixture of options gives a row of finite numbers, or words.
+TEST_F(LatticeCommand, SurvivesAnyMixtureOfOptions) {
+  RandomStream random(4, 0);
+  const auto one_of = [&](std::vector<std::string> choices) { return choices[random.below(choices.size())]; };
+  for (int trial = 0; trial < 40; ++trial) {
+    const std::string arguments =
+        one_of({"disks.h5 --per-diameter 8", "disks.h5 --per-diameter 3", "spheres.h5 --per-diameter 5",
+                "apart.h5"}) +
+        " --matrix " + one_of({"0", "0.02", "0.1", "0.2"}) +
+        one_of({"", " --bridge-gap 0.4", " --bridge-gap 0"}) +
+        one_of(
+            {"", " --stiffness grain=1e4", " --stiffness matrix=1e3,interface=0", " --stiffness contact=0"}) +
+        one_of({"", " --contacts none", " --contacts bilateral", " --patch 0.1"}) +
+        one_of({"", " --shear 1", " --shear 0.5 --bending 0.1"}) + one_of({"", " --by-facet"}) +
+        one_of({"", " --load tension", " --load strain:0,1,0", " --load stress:1,1,0,0,0,0"}) +
+        one_of({"", " --axis x", " --axis z"}) +
+        one_of({"", " --boundary plates", " --boundary bonded-plates", " --boundary uniform-strain"});
+    const Outcome o = lattice(arguments + " --format json");
+    EXPECT_THAT((std::vector<int>{0, 3, 4}), testing::Contains(o.code)) << arguments << '\n' << o.err;
+    if (o.code != 0) {
+      EXPECT_THAT(o.err, HasSubstr("floc: ")) << arguments;
+      continue;
+    }
+    const json row = json::parse(o.out).at(0);
+    for (const char* name : {"strain11", "stress22", "rho_p", "mean_nodes"})
+      EXPECT_TRUE(row.at(name).is_number()) << arguments << ' ' << name;
+  }
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -136,6 +136,11 @@ TEST_F(LatticeCommand, TakesSpheres) {
   EXPECT_NEAR(row.at("stress33").get<double>(), 1.0, 1e-7);
   EXPECT_NEAR(row.at("stress23").get<double>(), 0.0, 1e-7);
   EXPECT_TRUE(exists("cut.png") && exists("p.svg"));
+  row_of("spheres.h5 --bridge-gap 0.1 --matrix 0.2 --per-diameter 5 --forces forces.h5 -o lattice.h5");
+  const AnyState any = read_state(scratch_.file("forces.h5"));
+  EXPECT_LT(std::get<State<3>>(any).residuals.moment, 1e-7);
+  for (const char* state : {"forces.h5", "lattice.h5"})
+    EXPECT_EQ(run_floc(std::string("network ") + state, scratch_.path()).code, 0) << state;
 }
 
 TEST_F(LatticeCommand, TakesPlatesAndImposedStrains) {

@@ -42,6 +42,8 @@ LONG = {
     "--track-contacts 0.1": "a run of its own",
     "--bootstrap 1000": "a minute",
     "-o frames/ --as png": "forty pictures",
+    "floc run data/scenes/cemented2d.toml": "some minutes; floc lattice on its state as many again",
+    "floc lattice grains/": "likewise",
 }
 # Tables by a part of their header, whose numbers no command prints, or not the same ones twice.
 UNCHECKED_TABLES = {

@@ -13,6 +13,20 @@ namespace {
 /// Caps and adhesion over what the forces need.
 constexpr double kMargin = 2.0;
 
+void set_moment(const RotationVector<2>& moment, Contact<2>& c) {
+  c.rolling_moment = moment;
+}
+void set_moment(const RotationVector<3>& moment, Contact<3>& c) {
+  c.twisting_moment = c.normal.dot(moment);
+  c.rolling_moment = moment - c.twisting_moment * c.normal;
+}
+
+/// Whether some bond resists twisting.
+template <int Dim>
+bool twists(const BondedContacts<Dim>& bonds) {
+  return std::any_of(bonds.begin(), bonds.end(), [](const BondedContact<Dim>& b) { return b.twists; });
+}
+
 template <int Dim>
 LawParameters law_for(const BondedContacts<Dim>& bonds) {
   double kn = 0.0, kt = 0.0, kr = 0.0, tension = 0.0, largest = 0.0;
@@ -27,13 +41,16 @@ LawParameters law_for(const BondedContacts<Dim>& bonds) {
   for (const BondedContact<Dim>& b : bonds) {
     const double elastic = b.normal_force + adhesion;
     coefficient = std::max(coefficient, kMargin * b.shear_force.norm() / elastic);
-    arm = std::max(arm, kMargin * b.rolling_moment.norm() / elastic);
+    arm = std::max(arm, kMargin * b.moment.norm() / elastic);
   }
   LawParameters law;
   law.normal = LinearRepulsion{kn > 0.0 ? kn / n : 1.0};
   law.adhesion = ConstantAdhesion{adhesion};
   if (kt > 0.0) law.friction = CoulombFriction{coefficient, kt / n};
   if (kt > 0.0 && kr > 0.0) law.rolling = RollingSpring{std::max(arm, std::sqrt(kr / kn)), kr / n};
+  // The moments of a lattice's own elements do not twist.
+  if (Dim == 3 && law.rolling && twists(bonds))
+    law.twisting = TwistingSpring{law.rolling.template get<RollingSpring>().coefficient, kr / n};
   return law;
 }
 
@@ -54,9 +71,10 @@ void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing
     c.normal = r.normalized();
     c.normal_force = b.normal_force;
     c.shear_force = b.shear_force;
-    c.rolling_moment = b.rolling_moment;
+    set_moment(b.moment, c);
     set_given_forces(packing, b.kn, b.kt, kCapTolerance, c);
     if (packing.law.rolling) c.kr = b.kr;
+    if (packing.law.twisting) c.ktw = b.kr;
     packing.contacts.push_back(c);
   }
   std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);

@@ -11,11 +11,12 @@ template <int Dim>
 struct BondedContact {
   int i, j;
   Vec<Dim, int> image;
-  double normal_force;                 ///< compression positive (force)
-  Vec<Dim> shear_force;                ///< on i (force)
-  RotationVector<Dim> rolling_moment;  ///< on i (force * length)
-  double kn, kt;                       ///< (force/length)
-  double kr;                           ///< (force * length)
+  double normal_force;         ///< compression positive (force)
+  Vec<Dim> shear_force;        ///< on i (force)
+  RotationVector<Dim> moment;  ///< of the bond on i, in 3D rolling and twisting (force * length)
+  double kn, kt;               ///< (force/length)
+  double kr;            ///< against rolling, in 3D against twisting where it resists that (force * length)
+  bool twists = false;  ///< resists twisting (3D)
 };
 template <int Dim>
 using BondedContacts = std::vector<BondedContact<Dim>>;

@@ -123,7 +123,8 @@ Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& p
   const double width = std::max(sample.bridge_width * 0.5 * sample.mean_diameter, sample.lattice.spacing);
   BondedContacts<Dim> bonds;
   for (const GrainForce<Dim>& f : forces)
-    bonds.push_back({f.i, f.j, f.image, f.normal, f.shear, f.moment, f.kn, f.kt, f.kn * width * width / 12.0});
+    bonds.push_back(
+        {f.i, f.j, f.image, f.normal, f.shear, f.moment, f.kn, f.kt, f.kn * width * width / 12.0, Dim == 3});
   set_bonded_contacts(bonds, out);
   return out;
 }

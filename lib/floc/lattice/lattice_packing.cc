@@ -37,7 +37,7 @@ Packing<Dim> packing_of(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& 
                             0.0};
     if (!network.central()) {
       bond.shear_force = solution.shear_force[e];
-      bond.rolling_moment = solution.moment[e];
+      bond.moment = solution.moment[e];
     }
     if (!element.unilateral) {
       bond.kt = network.shear * element.kn;
@@ -46,7 +46,7 @@ Packing<Dim> packing_of(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& 
     if (!is_canonical(bond)) {
       bond = swapped(bond);
       bond.shear_force = -bond.shear_force;
-      bond.rolling_moment = -bond.rolling_moment;
+      bond.moment = -bond.moment;
     }
     bonds.push_back(bond);
   }

@@ -80,6 +80,8 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("--largest", a.largest, "stress of the last colour, in means [4]").positive();
   app.add_option("--phases", a.phases, "F.svg, F.pdf or F.png: grains, matrix and voids");
   app.add_option("--cut", a.cut, "3D: section that pictures show, an axis and a share of the cell [y,0.5]");
+  app.add_option("--pixels", a.pixels, "across a node of pictures, which keep below 3000 a side [4]")
+      .between(1.0, 100.0);
   app.add_option("--strength", a.strength,
                  "grain=F,matrix=F,interface=F,contact=F: tension at which elements break; a kind left out "
                  "never does. The "

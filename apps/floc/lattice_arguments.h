@@ -35,6 +35,7 @@ struct LatticeArguments {
   double bin_width = 0.1;
   double largest = 0.0;  ///< of the colours of a map; 0: four times the mean
   std::string cut = "y,0.5";
+  double pixels = 4.0;  ///< of pictures, across the mean node
   std::string strength;
   double end_at = 0.2;
   std::string curve, cracks;

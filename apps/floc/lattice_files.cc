@@ -159,6 +159,7 @@ LatticeSheetOptions sheet_of(const LatticeArguments& arguments, const std::strin
     throw InputError("--cut " + cut, "expected AXIS,SHARE: x, y or z and a share of the cell, such as y,0.5");
   sheet.cut_axis = static_cast<int>(axis);
   sheet.cut_at = *at;
+  sheet.pixels_a_node = arguments.pixels;
   return sheet;
 }
 

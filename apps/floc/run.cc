@@ -81,6 +81,9 @@ int run_scene(const Scene& scene, const RunArguments& arguments) {
                             : arguments.overwrite ? Existing::overwrite
                                                   : Existing::refuse;
   const std::vector<PlannedEquilibrium> plan = plan_run(options.assembly, options.law, options.load);
+  // From here on there is a directory to leave in order.
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
   RunDirectory directory(arguments.directory, existing, options);
   Run<Dim> run = start_or_resume<Dim>(directory, options);
 
@@ -91,8 +94,6 @@ int run_scene(const Scene& scene, const RunArguments& arguments) {
 
   if (!scene.start.empty()) fmt::print(stderr, "start: {}\n", scene.start);
   if (!scene.accuracy.empty()) fmt::print(stderr, "accuracy: {}\n", scene.accuracy);
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
   RunMonitor monitor(static_cast<int>(run.plan().size()));
   DriveOptions<Dim> driving;
   driving.checkpoint_every = scene.checkpoint_every;

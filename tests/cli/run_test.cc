@@ -78,7 +78,8 @@ TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
     fs::remove_all(file("stopped"));
     // No checkpoint by the clock: the one found is the signal's.
     const pid_t child = start_run(scratch_->path(), "small.toml -o stopped --set run.checkpoint_every=1e6");
-    ::usleep(150000);
+    for (int k = 0; k < 60000 && !fs::exists(file("stopped/checkpoint")); ++k) ::usleep(1000);
+    ::usleep(50000);
     ::kill(child, signal);
     const int status = wait_for(child);
     ASSERT_TRUE(WIFEXITED(status));

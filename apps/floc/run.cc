@@ -57,7 +57,7 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
       return kInterrupted;
     case DriveReport::gave_up:
       fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time\n",
-                 run.point().step, run.target().branch, run.target().pressure, report.relaxation.blocking,
+                 run.point().step, run.target().branch, run.pressure(), report.relaxation.blocking,
                  report.relaxation.decay_rate);
       return kNotConverged;
     case DriveReport::done:
@@ -80,7 +80,8 @@ int run_scene(const Scene& scene, const RunArguments& arguments) {
   const Existing existing = arguments.resume      ? Existing::resume
                             : arguments.overwrite ? Existing::overwrite
                                                   : Existing::refuse;
-  const std::vector<PlannedEquilibrium> plan = plan_run(options.assembly, options.law, options.load);
+  const std::vector<PlannedEquilibrium> plan =
+      plan_run(options.assembly, options.law, options.load, options.dimension);
   // From here on there is a directory to leave in order.
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);

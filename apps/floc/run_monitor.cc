@@ -48,7 +48,7 @@ void RunMonitor::chunk(const Run<Dim>& run) {
   last_line_ = now;
   const int step = run.point().step;
   std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {:.0f}, {}", step + 1, n_steps_,
-                                 run.target().branch, run.target().pressure, solid_fraction(run.packing()),
+                                 run.target().branch, run.pressure(), solid_fraction(run.packing()),
                                  run.point().time + run.point().equilibration_time, phase_of(run));
   if (steps_done_ > 0) line += fmt::format("; about {} left", duration(expected_seconds_left(n_steps_ - step)));
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");

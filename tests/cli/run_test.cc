@@ -46,7 +46,9 @@ TEST_F(RunCommand, SavesAStateAndARowForEachEquilibriumAndNamesWhatComesNext) {
   EXPECT_THAT(table, ::testing::StartsWith(
                          "step,branch,P_star,P,phi,void_ratio,L1,L2,z,z_plus,z_minus,z_zero,n_contacts,"
                          "n_distant,x0,residual_force,residual_moment,residual_stress,kinetic_energy,"
-                         "n_negative,time,n_steps,seconds,state,ending\n0,assembly,0,"));
+                         "n_negative,time,n_steps,seconds,state,ending,stress_1,stress_2,strain_1,"
+                         "strain_2,p,q,K0,volumetric_strain,mobilised_friction,dilatancy,control,axis\n"
+                         "0,assembly,0,"));
 }
 
 TEST_F(RunCommand, MakesStatesThatVerify) {

@@ -72,7 +72,8 @@ TEST_F(SpheresRun, MakesStatesThatVerifyAndRowsWithThreeSides) {
   ASSERT_EQ(made.code, 0) << made.err;
   const Outcome verified = run_floc("verify out/state-*.h5", scratch_.path());
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
-  EXPECT_THAT(content_of(file("out/path.csv")), testing::HasSubstr(",state,ending,L3\n0,assembly,"));
+  EXPECT_THAT(content_of(file("out/path.csv")),
+              testing::HasSubstr(",state,ending,L3,stress_1,stress_2,stress_3,strain_1,"));
   const Outcome moduli = run_floc("moduli out/state-0003.h5", scratch_.path());
   EXPECT_EQ(moduli.code, 0) << moduli.err;
 }

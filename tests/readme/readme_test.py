@@ -33,6 +33,7 @@ NOT_RUN = {
 LINES_NOT_RUN = {
     "floc fit dynamic-compaction TABLE": "TABLE is the reader's",
     "floc structure seeds/seed-*": "seeds/ is the reader's ensemble; as --average in the tests of structure",
+    "floc plot biaxial": "biaxial/ is the reader's run of a test; as in the tests of directed runs",
     "| rsvg-convert": "another program's; the picture in a pipe is tested by draw_test",
 }
 LONG = {
@@ -54,6 +55,7 @@ UNCHECKED_TABLES = {
     "| read | from |": "words",
     "| code | meaning |": "words",
     "| key | meaning |": "words",
+    "| `control` | driven axis |": "words",
     "| normal | adhesion |": "words",
     "| place | holds |": "words",
     "| criterion | default |": "defaults, which the tests of scenes hold",

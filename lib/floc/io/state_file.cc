@@ -27,6 +27,10 @@ const std::string kSignConvention = "compression_positive";
 
 constexpr Field kStress = {"equilibrium/stress", Quantity::stress, "static, positive in compression"};
 constexpr Field kTarget = {"equilibrium/target", Quantity::stress, "diagonal of the stress imposed"};
+constexpr Field kSides = {"equilibrium/target_side", Quantity::length,
+                          "length imposed on each axis, 0: a stress is; target is then what it carries"};
+constexpr Field kTurnSides = {"path/turn_sides", Quantity::length, "of the cell at the start of the turn"};
+constexpr Field kTurnStress = {"path/turn_stress", Quantity::stress, "on each axis at the start of the turn"};
 constexpr Field kResiduals = {
     "equilibrium/residuals", Quantity::ratio,
     "force, moment, stress, kinetic energy a grain; in units of F1 = max(F0, P a^(D-1)), "
@@ -46,6 +50,37 @@ void write_equilibrium(WritingArchive& archive, const State<Dim>& s) {
   archive.put(kResiduals, {4}, std::vector<double>{r.force, r.moment, r.stress, r.energy});
   archive.put(kTolerances, {4}, std::vector<double>{t.force, t.moment, t.stress, t.energy});
   archive.put(kNegative, {}, std::vector<std::int32_t>{s.n_negative});
+}
+
+/// Only of states that have such a load.
+template <int Dim>
+void write_directed_load(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& s) {
+  if (!s.target_side.isZero(0.0))
+    archive.put(kSides, {Dim}, std::vector<double>(s.target_side.begin(), s.target_side.end()));
+  const Turn& turn = s.path.turn;
+  if (turn.empty()) return;
+  file.attribute("path", "control", turn.control);
+  file.attribute("path", "axis", std::int64_t{turn.axis + 1});
+  archive.put(kTurnSides, {Dim}, turn.sides);
+  archive.put(kTurnStress, {Dim}, turn.stress);
+}
+
+template <int Dim>
+void read_directed_load(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& s) {
+  if (file.has(kSides.path)) {
+    const auto side = archive.take<double>(kSides, {Dim});
+    for (int a = 0; a < Dim; ++a) s.target_side[a] = side[a];
+  }
+  if (!file.has_attribute("path", "control")) return;
+  Turn& turn = s.path.turn;
+  std::int64_t axis = 0;
+  file.attribute("path", "control", turn.control);
+  file.attribute("path", "axis", axis);
+  if (axis < 1 || axis > Dim)
+    throw InputError(file.place("path"), fmt::format("axis = {}, expected 1 to {}", axis, Dim));
+  turn.axis = static_cast<int>(axis) - 1;
+  turn.sides = archive.take<double>(kTurnSides, {Dim});
+  turn.stress = archive.take<double>(kTurnStress, {Dim});
 }
 
 template <int Dim>
@@ -179,6 +214,7 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
   write_version_1_names(file, archive, s.packing);
   write_law(file, s.packing.law);
   write_equilibrium(archive, s);
+  write_directed_load(file, archive, s);
   describe_attributes(archive, s);
   file.text("scene", s.scene);
   file.attribute("provenance", "scene_sha256", sha256(s.scene));
@@ -255,6 +291,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   if (packing.law.twisting) describe_twisting(archive, packing.contacts);
   read_memory(archive, version, packing);
   read_equilibrium(file, archive, s);
+  read_directed_load(file, archive, s);
   describe_attributes(archive, s);
   s.scene = file.text("scene");
   return s;

@@ -31,4 +31,60 @@ std::vector<double> stage_pressures(double from, const LoadStage& stage) {
   return geometric(from, stage.to, step, n);
 }
 
+bool is_isotropic(const KnownStress& stress) {
+  return std::all_of(stress.begin(), stress.end(),
+                     [&](const std::optional<double>& s) { return s.has_value() && s == stress.front(); });
+}
+
+KnownStress after_stage(const KnownStress& from, const LoadStage& stage) {
+  if (stage.is_isotropic()) return KnownStress(from.size(), stage.to);
+  KnownStress after = from;
+  for (std::size_t a = 0; a < stage.axes.size(); ++a) {
+    if (stage.axes[a].kind == AxisLoad::stress) after[a] = stage.axes[a].end;
+    if (stage.axes[a].kind == AxisLoad::strain) after[a].reset();
+  }
+  return after;
+}
+
+int number_of_steps(const KnownStress& from, const LoadStage& stage) {
+  if (stage.steps) return *stage.steps;
+  double decades = 0.0;
+  for (std::size_t a = 0; a < from.size(); ++a) {
+    const double to = stage.is_isotropic() ? stage.to : stage.axes[a].end;
+    const bool moves = stage.is_isotropic() || stage.axes[a].kind == AxisLoad::stress;
+    if (moves && from[a].value_or(0.0) > 0.0 && to > 0.0)
+      decades = std::max(decades, std::abs(std::log10(to / *from[a])));
+  }
+  const double steps = decades * stage.steps_per_decade.value_or(1.0);
+  return std::max(1, static_cast<int>(std::ceil(steps - kRoundingOfAStep)));
+}
+
+namespace {
+
+double stress_on_the_way(double from, double to, double share) {
+  if (share == 1.0) return to;
+  if (from > 0.0 && to > 0.0) return from * std::pow(to / from, share);
+  return from + share * (to - from);
+}
+
+}  // namespace
+
+template <int Dim>
+LoadTarget<Dim> load_target(const std::vector<AxisStep>& axes, const Turn& turn) {
+  LoadTarget<Dim> target;
+  for (int a = 0; a < Dim; ++a) {
+    const auto& [load, share] = axes[static_cast<std::size_t>(a)];
+    const double stress = turn.stress[static_cast<std::size_t>(a)];
+    if (load.kind == AxisLoad::strain)
+      target.side[a] = turn.sides[static_cast<std::size_t>(a)] * std::exp(-share * load.end);
+    else
+      target.stress[a] =
+          load.kind == AxisLoad::kept_stress ? stress : stress_on_the_way(stress, load.end, share);
+  }
+  return target;
+}
+
+template LoadTarget<2> load_target(const std::vector<AxisStep>&, const Turn&);
+template LoadTarget<3> load_target(const std::vector<AxisStep>&, const Turn&);
+
 }  // namespace floc

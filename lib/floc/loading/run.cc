@@ -24,7 +24,7 @@ constexpr std::uint64_t kVibrationStream = 2;
 
 template <int Dim>
 Run<Dim>::Run(RunOptions options)
-    : options_(std::move(options)), plan_(plan_run(options_.assembly, options_.law, options_.load)) {
+    : options_(std::move(options)), plan_(plan_run(options_.assembly, options_.law, options_.load, Dim)) {
   RandomStream random(options_.seed, kAssemblyStream);
   const AssemblyOptions& assembly = options_.assembly;
   if (assembly.protocol == AssemblyOptions::Protocol::state) {
@@ -43,20 +43,36 @@ Run<Dim>::Run(RunOptions options)
 template <int Dim>
 Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
     : options_(std::move(options)),
-      plan_(plan_run(options_.assembly, options_.law, options_.load)),
+      plan_(plan_run(options_.assembly, options_.law, options_.load, Dim)),
       point_(std::move(point)),
       packing_(std::move(packing)) {
   if (!finished()) shake_and_start_step();
 }
 
-RunPoint point_after(const PathPosition& path, std::uint64_t stream_state, const std::string& sha256) {
+namespace {
+
+/// @param sides  of the packing
+template <int Dim>
+RunPoint point_after(const State<Dim>& state, const Mat<Dim>& cell, const std::string& sha256) {
   RunPoint point;
-  point.step = path.step + 1;
-  point.stream_state = stream_state;
-  point.time = path.time;
-  point.n_steps = path.n_steps;
+  point.step = state.path.step + 1;
+  point.stream_state = state.provenance.stream_state;
+  point.time = state.path.time;
+  point.n_steps = state.path.n_steps;
   point.parent_sha256 = sha256;
+  for (int a = 0; a < Dim; ++a) {
+    point.last_sides.push_back(cell(a, a));
+    point.last_stress.push_back(state.target_stress[a]);
+  }
+  point.turn = state.path.turn;
   return point;
+}
+
+}  // namespace
+
+template <int Dim>
+RunPoint point_after(const State<Dim>& state, const std::string& sha256) {
+  return point_after(state, state.packing.cell.matrix, sha256);
 }
 
 /// V0 = agitation * V*, V* = sqrt(F0 D0/m), m the mass of the largest grain (docs/physics.md, "Assembly and
@@ -98,6 +114,26 @@ void Run<Dim>::shake_and_start_step() {
   start_step();
 }
 
+/// The first step of a turn in which axes are loaded differently starts it where the last state is.
+template <int Dim>
+void Run<Dim>::enter_turn() {
+  if (target().is_isotropic())
+    point_.turn = {};
+  else if (point_.turn.empty() || plan_[point_.step - 1].stage != target().stage)
+    point_.turn = {target().control, target().axis, point_.last_sides, point_.last_stress};
+}
+
+template <int Dim>
+LoadTarget<Dim> Run<Dim>::load() const {
+  if (target().is_isotropic()) return LoadTarget<Dim>::normal_stress(Vec<Dim>::Constant(target().pressure));
+  return load_target<Dim>(target().axes, point_.turn);
+}
+
+template <int Dim>
+double Run<Dim>::pressure() const {
+  return target().is_isotropic() ? target().pressure : equilibrator_->target_stress().mean();
+}
+
 /// @pre the packing is here
 template <int Dim>
 void Run<Dim>::start_step() {
@@ -107,13 +143,14 @@ void Run<Dim>::start_step() {
     pass_observer();
     return;
   }
+  enter_turn();
   if (packing_.law != target().law) {
     // The relaxer takes the imbalance it has to respond to from the forces in the contact list.
     packing_.law = target().law;
     refresh_contacts(packing_);
   }
   equilibrator_ = make_equilibrator<Dim>(target().cell.applied_to(options_.relaxation), std::move(packing_),
-                                         Vec<Dim>::Constant(target().pressure), point_.equilibration);
+                                         load(), point_.equilibration);
   pass_observer();
 }
 
@@ -164,8 +201,12 @@ RunEvent Run<Dim>::advance() {
 
 template <int Dim>
 PathPosition Run<Dim>::path() const {
-  return {point_.step, target().branch, point_.time + point_.equilibration_time,
-          point_.n_steps + point_.equilibration_steps, equilibrator_ ? equilibrator_->report().ending : ""};
+  return {point_.step,
+          target().branch,
+          point_.time + point_.equilibration_time,
+          point_.n_steps + point_.equilibration_steps,
+          equilibrator_ ? equilibrator_->report().ending : "",
+          point_.turn};
 }
 
 template <int Dim>
@@ -198,7 +239,9 @@ template <int Dim>
 State<Dim> Run<Dim>::state_without_packing() const {
   State<Dim> state;
   state.units = options_.units;
-  state.target_stress = Vec<Dim>::Constant(target().pressure);
+  state.target_side = load().side;
+  state.target_stress =
+      equilibrator_ ? equilibrator_->target_stress() : Vec<Dim>(Vec<Dim>::Constant(target().pressure));
   state.tolerance = options_.relaxation.tolerance;
   if (equilibrator_) {
     const RelaxationReport reached = equilibrator_->report();
@@ -227,11 +270,14 @@ RelaxationReport Run<Dim>::report() const {
 
 template <int Dim>
 void Run<Dim>::saved(const std::string& sha256) {
-  point_ = point_after(path(), point_.stream_state, sha256);
+  const State<Dim> reached = state_without_packing();
   take_packing_back();
+  point_ = point_after(reached, packing_.cell.matrix, sha256);
   if (!finished()) shake_and_start_step();
 }
 
+template RunPoint point_after(const State<2>&, const std::string&);
+template RunPoint point_after(const State<3>&, const std::string&);
 template class Run<2>;
 template class Run<3>;
 

@@ -26,13 +26,16 @@ struct RunPoint {
   double time = 0.0;         ///< simulated time before this relaxation (time)
   std::int64_t n_steps = 0;  ///< time steps before it
   double aggregation_skin = 0.0;
-  std::string parent_sha256;  ///< of the last saved state
+  std::string parent_sha256;                    ///< of the last saved state
+  std::vector<double> last_sides, last_stress;  ///< of the last saved state: where a turn starts
+  Turn turn;  ///< that this step is part of, where axes are loaded differently
 };
 
 /// The point after a saved equilibrium: what a run continues from, with the packing of the state, when there is
 /// no checkpoint.
-/// @param path, stream_state  of the state  @param sha256  of the file it was saved in
-RunPoint point_after(const PathPosition& path, std::uint64_t stream_state, const std::string& sha256);
+/// @param sha256  of the file it was saved in
+template <int Dim>
+RunPoint point_after(const State<Dim>& state, const std::string& sha256);
 
 /// What a chunk of a run came to.
 enum class RunEvent {
@@ -72,12 +75,16 @@ class Run {
   const RunPoint& point() const { return point_; }
   const Packing<Dim>& packing() const;
   const PlannedEquilibrium& target() const { return plan_[point_.step]; }
+  /// Mean of the stresses imposed, or carried where none is.
+  double pressure() const;
   /// Progress of the present step.
   RelaxationReport report() const;
   int n_clusters() const { return aggregation_ ? aggregation_->n_clusters() : 1; }
 
  private:
   void shake_and_start_step();
+  void enter_turn();
+  LoadTarget<Dim> load() const;
   void start_step();
   void pass_observer();
   double agitation_speed() const;

@@ -2,10 +2,40 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "floc/base/error.h"
 #include "floc/contact/law_description.h"
 
 namespace floc {
+namespace {
+
+/// The steps of a stage whose axes are loaded differently, or start so.
+void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibrium step,
+               std::vector<PlannedEquilibrium>& plan) {
+  step.control = stage.is_isotropic() ? "isotropic" : stage.control;
+  step.axis = stage.is_isotropic() ? static_cast<int>(from.size()) - 1 : stage.axis;
+  const int n = number_of_steps(from, stage);
+  for (int k = 1; k <= n; ++k) {
+    step.axes.clear();
+    for (std::size_t a = 0; a < from.size(); ++a) {
+      const AxisLoad load = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to} : stage.axes[a];
+      step.axes.push_back({load, k == n ? 1.0 : static_cast<double>(k) / n});
+    }
+    plan.push_back(step);
+  }
+}
+
+/// Whether an equilibrium without adhesion has no stress that would hold it together.
+bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
+  if (e.law.pull_off_force() > 0.0) return false;
+  if (e.is_isotropic()) return e.pressure == 0.0;
+  return std::any_of(e.axes.begin(), e.axes.end(), [](const AxisStep& s) {
+    return s.load.kind == AxisLoad::stress && s.load.end == 0.0 && s.share == 1.0;
+  });
+}
+
+}  // namespace
 
 double* law_number(LawParameters& law, const std::string& key) {
   for (const LawNumber& n : numbers_of(law))
@@ -24,7 +54,7 @@ void change_law(LawParameters& law, const std::string& key, double value) {
 }
 
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
-                                         const std::vector<LoadStage>& load) {
+                                         const std::vector<LoadStage>& load, int dimension) {
   std::vector<PlannedEquilibrium> plan;
   LawParameters assembling = law;
   if (assembly.friction) change_law(assembling, "friction.coefficient", *assembly.friction);
@@ -38,13 +68,23 @@ std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const 
     plan.back().vibration = assembly.vibration;
   }
   LawParameters present = law;
-  for (const LoadStage& stage : load) {
+  KnownStress stress(static_cast<std::size_t>(dimension), plan.back().pressure);
+  for (int s = 0; s < static_cast<int>(load.size()); ++s) {
+    const LoadStage& stage = load[static_cast<std::size_t>(s)];
     for (const auto& [key, value] : stage.set) change_law(present, key, value);
-    for (const double pressure : stage_pressures(plan.back().pressure, stage))
-      plan.push_back({stage.name, pressure, present, stage.cell, {}});
+    PlannedEquilibrium step{stage.name, stage.to, present, stage.cell, {}, s};
+    if (stage.is_isotropic() && is_isotropic(stress)) {
+      for (const double pressure : stage_pressures(*stress.front(), stage)) {
+        step.pressure = pressure;
+        plan.push_back(step);
+      }
+    } else {
+      plan_axes(stress, stage, step, plan);
+    }
+    stress = after_stage(stress, stage);
   }
   for (const PlannedEquilibrium& equilibrium : plan)
-    if (equilibrium.pressure == 0.0 && equilibrium.law.pull_off_force() == 0.0)
+    if (has_nothing_to_hold_it(equilibrium))
       throw InputError(
           "load", fmt::format("branch \"{}\" asks for equilibrium at zero pressure without adhesion: nothing "
                               "holds the grains together, expected a pressure > 0",

@@ -2,11 +2,24 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/packing.h"
 
 namespace floc {
+
+/// The turn of a load path in which axes are loaded differently, and where it started: what the next step of
+/// the turn is counted from.
+struct Turn {
+  std::string control;         ///< "oedometric", "triaxial", ...; empty outside such turns
+  int axis = 0;                ///< that is driven, from 0
+  std::vector<double> sides;   ///< of the cell at the start (length)
+  std::vector<double> stress;  ///< on each axis at the start, imposed or carried
+
+  bool empty() const { return control.empty(); }
+  bool operator==(const Turn&) const = default;
+};
 
 /// The place of a state on its load path.
 struct PathPosition {
@@ -15,6 +28,7 @@ struct PathPosition {
   double time = 0.0;         ///< simulated time since the start (time unit of the scene)
   std::int64_t n_steps = 0;  ///< time steps since the start
   std::string ending;  ///< how the relaxation ended: "static", "polished", "dynamic"; empty where not known
+  Turn turn;
 };
 
 /// Who made a state, from what. No clock time: repeated runs give identical files.
@@ -33,7 +47,9 @@ template <int Dim>
 struct State {
   std::string units = "reduced";  ///< "reduced" or "SI"
   Packing<Dim> packing;
-  Vec<Dim> target_stress = Vec<Dim>::Zero();  ///< diagonal stress imposed, compression positive
+  /// Diagonal stress imposed, compression positive; on an axis with a length imposed, the stress it carried.
+  Vec<Dim> target_stress = Vec<Dim>::Zero();
+  Vec<Dim> target_side = Vec<Dim>::Zero();  ///< length imposed on an axis; zero where a stress is
   EquilibriumTolerance tolerance;
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing, when saved
   Residuals residuals;                 ///< reached when saved

@@ -39,7 +39,7 @@ void MotionTable<Dim>::read_rows(const RunPoint& point) {
 
 template <int Dim>
 std::string MotionTable<Dim>::place_of(const Run<Dim>& run) {
-  return fmt::format("{},{},{}", run.point().step, run.target().branch, run.target().pressure);
+  return fmt::format("{},{},{}", run.point().step, run.target().branch, run.pressure());
 }
 
 template <int Dim>

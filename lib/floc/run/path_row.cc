@@ -7,6 +7,7 @@
 
 #include "floc/io/table.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/structure/axial_test.h"
 #include "floc/structure/coordination.h"
 
 namespace floc {
@@ -41,7 +42,33 @@ const std::vector<std::string> kColumns = {"step",
 std::vector<std::string> columns_of(int dimension) {
   std::vector<std::string> columns = kColumns;
   if (dimension == 3) columns.emplace_back("L3");
+  for (const char* quantity : {"stress", "strain"})
+    for (int a = 1; a <= dimension; ++a) columns.push_back(fmt::format("{}_{}", quantity, a));
+  for (const char* name :
+       {"p", "q", "K0", "volumetric_strain", "mobilised_friction", "dilatancy", "control", "axis"})
+    columns.emplace_back(name);
   return columns;
+}
+
+/// Stress and strain of each axis, and what a test with a driven axis measures: the last, where none is.
+template <int Dim>
+void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std::vector<TableValue>& row) {
+  const Vec<Dim> stress = state.stress.diagonal();
+  const Vec<Dim> sides = state.packing.cell.matrix.diagonal();
+  const Vec<Dim> strain = axial_strain<Dim>(reference.first_sides, sides);
+  Vec<Dim> before;
+  if (reference.sides_before) before = axial_strain<Dim>(reference.first_sides, *reference.sides_before);
+  const bool is_test = !state.path.turn.empty();
+  const AxialTest test = measure_axial_test<Dim>(is_test ? state.path.turn.axis : Dim - 1, stress, strain,
+                                                 reference.sides_before ? &before : nullptr);
+  row.insert(row.end(), stress.begin(), stress.end());
+  row.insert(row.end(), strain.begin(), strain.end());
+  for (const double value : {test.mean_stress, test.deviator, test.lateral_ratio, test.volumetric_strain})
+    row.emplace_back(value);
+  row.push_back(is_test ? TableValue{test.mobilised} : TableValue{});
+  row.push_back(is_test ? or_undefined(test.dilatancy) : TableValue{});
+  row.push_back(or_undefined(state.path.turn.control));
+  row.push_back(is_test ? TableValue{std::int64_t{state.path.turn.axis + 1}} : TableValue{});
 }
 
 }  // namespace
@@ -51,7 +78,8 @@ std::string path_header(int dimension) {
 }
 
 template <int Dim>
-std::string path_row(const State<Dim>& state, std::optional<double> seconds, const std::string& file) {
+std::string path_row(const State<Dim>& state, const PathReference<Dim>& reference,
+                     std::optional<double> seconds, const std::string& file) {
   const double pressure = state.target_stress.mean();
   const double phi = solid_fraction(state.packing);
   const double zero_force = state.tolerance.force * force_scale(state.packing, state.target_stress).force;
@@ -84,6 +112,7 @@ std::string path_row(const State<Dim>& state, std::optional<double> seconds, con
                  file,
                  or_undefined(state.path.ending)}};
   if constexpr (Dim == 3) table.rows[0].emplace_back(state.packing.cell.matrix(2, 2));
+  add_axes(state, reference, table.rows[0]);
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;
@@ -92,7 +121,9 @@ std::string path_row(const State<Dim>& state, std::optional<double> seconds, con
   return line;
 }
 
-template std::string path_row(const State<2>&, std::optional<double>, const std::string&);
-template std::string path_row(const State<3>&, std::optional<double>, const std::string&);
+template std::string path_row(const State<2>&, const PathReference<2>&, std::optional<double>,
+                              const std::string&);
+template std::string path_row(const State<3>&, const PathReference<3>&, std::optional<double>,
+                              const std::string&);
 
 }  // namespace floc

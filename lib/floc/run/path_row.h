@@ -7,13 +7,21 @@
 
 namespace floc {
 
-/// First line of path.csv; in 3D its last column is L3.
+/// First line of path.csv.
 std::string path_header(int dimension);
 
-/// The line of path.csv for one equilibrium, from its state alone but for the wall time.
+/// What strains of a row are counted from.
+template <int Dim>
+struct PathReference {
+  Vec<Dim> first_sides;                  ///< of the first state of the run (length)
+  std::optional<Vec<Dim>> sides_before;  ///< of the state before this one
+};
+
+/// The line of path.csv for one equilibrium, from the states of the run alone but for the wall time.
 /// @param seconds  wall time of its step, empty where it was not measured
 /// @param file     name of the state's file in the directory
 template <int Dim>
-std::string path_row(const State<Dim>& state, std::optional<double> seconds, const std::string& file);
+std::string path_row(const State<Dim>& state, const PathReference<Dim>& reference,
+                     std::optional<double> seconds, const std::string& file);
 
 }  // namespace floc

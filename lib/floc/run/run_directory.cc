@@ -103,12 +103,10 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
     if (rows_.contains(step) && step + 1 < n_states) continue;
     State<Dim> state = read_run_state<Dim>(state_path(step));
     // The time its step took died with the process that measured it.
-    if (!rows_.contains(step))
-      rows_[step] = path_row(state, std::nullopt, fs::path(state_path(step)).filename());
+    if (!rows_.contains(step)) rows_[step] = row_of(state, std::nullopt);
     if (step + 1 == n_states)
-      reached = ReachedPoint<Dim>{
-          point_after(state.path, state.provenance.stream_state, sha256_of_file(state_path(step))),
-          std::move(state.packing)};
+      reached =
+          ReachedPoint<Dim>{point_after(state, sha256_of_file(state_path(step))), std::move(state.packing)};
   }
   rows_.erase(rows_.lower_bound(n_states), rows_.end());
   if (n_states > 0) write_rows();
@@ -120,11 +118,32 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   return reached;
 }
 
+/// Lengths of the axes in a state that is saved, or is being saved.
+template <int Dim>
+Vec<Dim> RunDirectory::sides_of(int step) {
+  std::vector<double>& sides = sides_[step];
+  if (sides.empty()) {
+    const Mat<Dim> cell = read_run_state<Dim>(state_path(step)).packing.cell.matrix;
+    for (int a = 0; a < Dim; ++a) sides.push_back(cell(a, a));
+  }
+  return Eigen::Map<const Vec<Dim>>(sides.data());
+}
+
+template <int Dim>
+std::string RunDirectory::row_of(const State<Dim>& state, std::optional<double> seconds) {
+  const int step = state.path.step;
+  const Vec<Dim> sides = state.packing.cell.matrix.diagonal();
+  sides_[step].assign(sides.begin(), sides.end());
+  PathReference<Dim> reference{sides_of<Dim>(0), {}};
+  if (step > 0) reference.sides_before = sides_of<Dim>(step - 1);
+  return path_row(state, reference, seconds, fs::path(state_path(step)).filename());
+}
+
 template <int Dim>
 std::string RunDirectory::save(const State<Dim>& state, double seconds) {
   const std::string file = state_path(state.path.step);
   write_state(file, state);
-  rows_[state.path.step] = path_row(state, seconds, fs::path(file).filename());
+  rows_[state.path.step] = row_of(state, seconds);
   write_rows();
   return sha256_of_file(file);
 }

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "floc/io/state_file.h"
 #include "floc/loading/run.h"
@@ -56,13 +57,18 @@ class RunDirectory {
  private:
   int count_states() const;
   void check_scene(const std::string& file, const RunOptions& options) const;
+  template <int Dim>
+  std::string row_of(const State<Dim>& state, std::optional<double> seconds);
+  template <int Dim>
+  Vec<Dim> sides_of(int step);
   void read_rows();
   void write_rows() const;
   std::string checkpoint_path() const;
 
   std::string path_;
   int dimension_;
-  std::map<int, std::string> rows_;  ///< lines of path.csv by step
+  std::map<int, std::string> rows_;           ///< lines of path.csv by step
+  std::map<int, std::vector<double>> sides_;  ///< of the cell (length), of the states seen so far
 };
 
 }  // namespace floc

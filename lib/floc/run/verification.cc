@@ -179,6 +179,26 @@ void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, co
   add("energy", r.energy, t.energy, "the grains still move");
 }
 
+/// The lengths imposed on axes, which motion reaches but for rounding.
+template <int Dim>
+void check_lengths(const State<Dim>& state, std::vector<Criterion>& criteria) {
+  if (state.target_side.isZero(0.0)) return;
+  constexpr double kRelative = 1e-12;
+  Criterion result{"length", 0.0, kRelative, true, ""};
+  for (int a = 0; a < Dim; ++a) {
+    const double imposed = state.target_side[a];
+    if (imposed == 0.0) continue;
+    const double length = state.packing.cell.matrix(a, a);
+    const double error = std::abs(length / imposed - 1.0);
+    result.value = std::max(result.value, error);
+    if (!(error <= kRelative))
+      result.where += fmt::format("{}L{} = {:.17g} against {:.17g}", result.where.empty() ? "" : ", ", a + 1,
+                                  length, imposed);
+  }
+  result.holds = result.where.empty();
+  criteria.push_back(std::move(result));
+}
+
 /// The components of a stress, row by row.
 template <int Dim>
 std::string components(const Mat<Dim>& stress) {
@@ -251,6 +271,7 @@ std::vector<Criterion> verify_equilibrium(const State<Dim>& state) {
                                      check_law(state.packing, recomputed)};
   const Mat<Dim> stress = static_stress(recomputed);
   check_residuals(state, recomputed, stress, criteria);
+  check_lengths(state, criteria);
   criteria.push_back(check_recorded_stress(state, recomputed, stress));
   const int n_negative = count_negative_eigenvalues(recomputed);
   criteria.push_back(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "floc/scene/derived_groups.h"
@@ -14,6 +15,15 @@ namespace {
 
 using Need = TableReader::Need;
 
+/// The stresses that a stage ends at, each with the key that says it.
+std::vector<std::pair<const char*, double>> stresses_of(const LoadStage& stage) {
+  if (stage.is_isotropic()) return {{stage.control == "axes" ? "axes" : "to", stage.to}};
+  std::vector<std::pair<const char*, double>> stresses;
+  for (const AxisLoad& axis : stage.axes)
+    if (axis.kind == AxisLoad::stress) stresses.emplace_back(stage.control == "axes" ? "axes" : "to", axis.end);
+  return stresses;
+}
+
 /// Calls check(table, key, pressure) for the first pressure and for that of each stage, until one ends it.
 template <class Check, class Ends>
 void for_each_pressure(TableReader& root, const Scene& scene, const Check& check, const Ends& ends) {
@@ -22,7 +32,7 @@ void for_each_pressure(TableReader& root, const Scene& scene, const Check& check
   if (scene.load.empty()) return;
   std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
   for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()) && !ends(scene.load[k]); ++k)
-    check(stages[k], "to", scene.load[k].to);
+    for (const auto& [key, stress] : stresses_of(scene.load[k])) check(stages[k], key, stress);
 }
 
 /// A pressure below the possible error of a stress cannot be distinguished from zero.

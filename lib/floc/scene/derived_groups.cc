@@ -35,6 +35,16 @@ double time_step(const Scene& scene) {
   return scene.dimension == 2 ? time_step<2>(scene) : time_step<3>(scene);
 }
 
+KnownStress first_stress(const Scene& scene) {
+  return KnownStress(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
+}
+
+int steps_of(const KnownStress& from, const LoadStage& stage) {
+  return stage.is_isotropic() && is_isotropic(from)
+             ? static_cast<int>(stage_pressures(*from.front(), stage).size())
+             : number_of_steps(from, stage);
+}
+
 struct Steps {
   int up = 0;  ///< including holds
   int down = 0;
@@ -42,11 +52,11 @@ struct Steps {
 
 Steps count_steps(const Scene& scene) {
   Steps steps;
-  double from = scene.assembly.pressure;
+  KnownStress from = first_stress(scene);
   for (const LoadStage& stage : scene.load) {
-    const int n = static_cast<int>(stage_pressures(from, stage).size());
-    (stage.to < from ? steps.down : steps.up) += n;
-    from = stage.to;
+    const bool down = stage.is_isotropic() && is_isotropic(from) && stage.to < *from.front();
+    (down ? steps.down : steps.up) += steps_of(from, stage);
+    from = after_stage(from, stage);
   }
   return steps;
 }
@@ -55,12 +65,18 @@ using Groups = std::vector<DerivedGroup>;
 
 void add_pressures(const Scene& scene, double unit, const char* name, const char* meaning, Groups& groups) {
   groups.push_back({name, scene.assembly.pressure / unit, fmt::format("{}, first pressure", meaning)});
-  double from = scene.assembly.pressure;
+  KnownStress from = first_stress(scene);
   for (const LoadStage& stage : scene.load) {
-    groups.push_back({name, stage.to / unit,
-                      fmt::format("{}, end of '{}' after {} steps", meaning, stage.name,
-                                  stage_pressures(from, stage).size())});
-    from = stage.to;
+    const int n = steps_of(from, stage);
+    const AxisLoad driven = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to}
+                                                 : stage.axes[static_cast<std::size_t>(stage.axis)];
+    const std::string which = stage.is_isotropic() ? "" : fmt::format(" on axis {}", stage.axis + 1);
+    const std::string end = fmt::format("end of '{}' after {} steps", stage.name, n);
+    if (driven.kind == AxisLoad::strain)
+      groups.push_back({"strain", driven.end, fmt::format("logarithmic{}, {}", which, end)});
+    if (driven.kind == AxisLoad::stress)
+      groups.push_back({name, driven.end / unit, fmt::format("{}{}, {}", meaning, which, end)});
+    from = after_stage(from, stage);
   }
 }
 
@@ -77,7 +93,11 @@ void add_cohesion(const Scene& scene, double a, Groups& groups) {
 void add_spheres(const Scene& scene, Groups& groups) {
   const double E = scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max);
   double highest = scene.assembly.pressure;
-  for (const LoadStage& stage : scene.load) highest = std::max(highest, stage.to);
+  for (const LoadStage& stage : scene.load) {
+    highest = std::max(highest, stage.to);
+    for (const AxisLoad& axis : stage.axes)
+      if (axis.kind == AxisLoad::stress) highest = std::max(highest, axis.end);
+  }
   groups.push_back({"kappa", hertz_kappa(scene, scene.assembly.pressure),
                     "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure"});
   groups.push_back({"kappa", hertz_kappa(scene, highest), "at the highest pressure"});

@@ -13,11 +13,11 @@
 
 #include "floc/base/error.h"
 #include "floc/contact/law_description.h"
-#include "floc/loading/run_plan.h"
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/numerical_settings.h"
 #include "floc/scene/read_accuracy.h"
 #include "floc/scene/read_law.h"
+#include "floc/scene/read_load.h"
 #include "floc/scene/read_saved_start.h"
 #include "floc/scene/table_reader.h"
 
@@ -47,16 +47,9 @@ constexpr bool is_stable_step(double x) {
   return x > 0 && x < 0.4;
 }
 
-constexpr bool is_steps_per_decade(double x) {
-  return x > 0 && x <= 1000;
-}
-constexpr std::int64_t kMaxSteps = 10'000;
 constexpr std::int64_t kMaxThreads = 1024;
 
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
-constexpr NumberRule kCellMass{positive,
-                               "a positive number (mass of the cell's sides over that of all grains)"};
-constexpr NumberRule kInertialNumberCap{positive, "a positive number (|L'/L| sqrt(m/P))"};
 
 void read_scene_table(TableReader& root, Scene& scene) {
   TableReader t = root.table("scene", "a table [scene]");
@@ -184,12 +177,6 @@ void read_cell(TableReader& root, Scene& scene) {
   t.refuse_other_keys();
 }
 
-/// How the cell answers to its load in one part of a run.
-CellResponse read_cell_response(TableReader& t) {
-  return {t.number("inertial_number_cap", kInertialNumberCap, Need::optional),
-          t.number("cell_mass", kCellMass, Need::optional)};
-}
-
 /// How a saved packing is shaken before it is compressed.
 std::optional<Vibration> read_vibration(TableReader& assembly) {
   if (!assembly.has("vibration")) return std::nullopt;
@@ -240,73 +227,6 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
       t.refuse(key, fmt::format("assembly.{}: expected protocol = \"state\", or no such key", key));
   }
   t.refuse_other_keys();
-}
-
-std::vector<std::string> law_keys(LawParameters law) {
-  std::vector<std::string> keys;
-  for (const LawNumber& n : numbers_of(law)) keys.push_back(n.key);
-  return keys;
-}
-
-/// Applies the changes of a stage to the law in force, with the faults they make.
-void apply_changes(TableReader& t, const LoadStage& stage, LawParameters& law) {
-  for (const auto& [key, value] : stage.set) {
-    double* number = law_number(law, key);
-    if (!number) {
-      t.fault("set",
-              fmt::format("{}.set.{}: the scene's contact law has no such number; the nearest it has is {}",
-                          t.path(), key, nearest_key(key, law_keys(law))));
-      return;
-    }
-    *number = value;
-  }
-  for (const std::string& fault : stage.set.empty() ? std::vector<std::string>{} : law.validate())
-    t.fault("set", fmt::format("{}.set: {}", t.path(), fault));
-}
-
-LoadStage read_stage(TableReader t, double from, LawParameters& law) {
-  LoadStage stage;
-  const auto to = t.number("to", {not_negative, "a pressure >= 0 (compression positive)"});
-  stage.to = to.value_or(from);
-  stage.name = t.text("name", "a string", Need::optional)
-                   .value_or(stage.to > from   ? "load"
-                             : stage.to < from ? "unload"
-                                               : "hold");
-  stage.steps_per_decade = t.number(
-      "steps_per_decade", {is_steps_per_decade, "a number of steps a factor ten of pressure, in (0, 1000]"},
-      Need::optional);
-  if (const auto steps =
-          t.integer("steps", {1, kMaxSteps, "a whole number of steps, 1 to 10000"}, Need::optional))
-    stage.steps = static_cast<int>(*steps);
-  const bool by_decade = t.has("steps_per_decade");
-  const bool by_number = t.has("steps");
-  const bool is_one_step = stage.to == from || stage.to == 0 || from == 0;
-  if (by_decade && by_number)
-    t.fault("steps", fmt::format("{}: expected either this or steps_per_decade, not both", t.path_of("steps")));
-  if (to && !by_decade && !by_number && !is_one_step)
-    t.fault("steps", fmt::format("{} is missing: expected it or steps", t.path_of("steps_per_decade")));
-  stage.set = t.flat_numbers("set");
-  stage.cell = read_cell_response(t);
-  if (to && stage.to == 0 && stage.cell.inertial_number_cap)
-    t.fault("inertial_number_cap",
-            fmt::format("{}: at P = 0 it lets nothing move; expected cell.strain_rate_cap",
-                        t.path_of("inertial_number_cap")));
-  apply_changes(t, stage, law);
-  if (to && stage.to == 0 && law.pull_off_force() == 0)
-    t.fault("to",
-            fmt::format("{} = 0: expected a positive pressure; nothing holds grains without adhesion together",
-                        t.path_of("to")));
-  t.refuse_other_keys();
-  return stage;
-}
-
-void read_load(TableReader& root, Scene& scene) {
-  LawParameters law = scene.law;
-  double from = scene.assembly.pressure;
-  for (TableReader& t : root.tables("load", "tables [[load]]")) {
-    scene.load.push_back(read_stage(t, from, law));
-    from = scene.load.back().to;
-  }
 }
 
 void read_equilibrium(TableReader& root, RelaxationOptions& relaxation) {

@@ -10,31 +10,17 @@
 namespace floc {
 namespace {
 
-/// Index of the stage that makes each equilibrium of a plan, -1 for those of the assembly.
-std::vector<int> stage_of_steps(const RunOptions& options, std::size_t n_planned) {
-  std::vector<int> of_loading;
-  double from = options.assembly.pressure;
-  for (int t = 0; t < static_cast<int>(options.load.size()); ++t) {
-    of_loading.insert(of_loading.end(), stage_pressures(from, options.load[t]).size(), t);
-    from = options.load[t].to;
-  }
-  std::vector<int> stages(n_planned - of_loading.size(), -1);
-  stages.insert(stages.end(), of_loading.begin(), of_loading.end());
-  return stages;
-}
-
 /// Runs until the equilibrium of number `end` is made; the states go to `path`.
-void run_until(Run<2>& run, int end, const std::vector<int>& stages, const Deadline& deadline,
-               SamplePath& path) {
+void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path) {
   while (run.point().step < end && path.whole()) {
     switch (run.advance()) {
       case RunEvent::equilibrium:
-        path.states.push_back({stages[static_cast<std::size_t>(run.point().step)], run.state(), {}, {}, {}});
+        path.states.push_back({run.target().stage, run.state(), {}, {}, {}});
         run.saved("");
         break;
       case RunEvent::gave_up:
         path.failure = fmt::format("step {} ({} P = {:.4g}) did not converge: {}", run.point().step,
-                                   run.target().branch, run.target().pressure, run.report().blocking);
+                                   run.target().branch, run.pressure(), run.report().blocking);
         break;
       case RunEvent::chunk:
         path.out_of_time = deadline.passed();
@@ -63,16 +49,17 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
   const double start = processor_seconds();
   Run<2> assembly(options);
   const int n_planned = static_cast<int>(assembly.plan().size());
-  const std::vector<int> stages = stage_of_steps(options, assembly.plan().size());
+  std::vector<int> stages;
+  for (const PlannedEquilibrium& planned : assembly.plan()) stages.push_back(planned.stage);
   const auto n_assembled = static_cast<int>(std::count(stages.begin(), stages.end(), -1));
-  run_until(assembly, reference ? n_assembled : n_planned, stages, deadline, path);
+  run_until(assembly, reference ? n_assembled : n_planned, deadline, path);
   for (int first = n_assembled; reference && first < n_planned;) {
     const auto last = static_cast<int>(
         std::upper_bound(stages.begin(), stages.end(), stages[static_cast<std::size_t>(first)]) -
         stages.begin());
     const State<2>& from = reference->states[static_cast<std::size_t>(first - 1)].state;
-    Run<2> stage(options, point_after(from.path, from.provenance.stream_state, ""), from.packing);
-    run_until(stage, last, stages, deadline, path);
+    Run<2> stage(options, point_after(from, ""), from.packing);
+    run_until(stage, last, deadline, path);
     first = last;
   }
   const double relaxed = processor_seconds();

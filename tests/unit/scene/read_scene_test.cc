@@ -301,16 +301,19 @@ TEST(ReadScene, AFileThatIsNotThereIsNamed) {
 }
 
 TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
-  int n = 0;
+  int n = 0, n_cycles = 0;
   for (const auto& file : std::filesystem::directory_iterator(test::source_directory() + "/data/scenes")) {
     if (file.path().extension() != ".toml") continue;
     const Scene s = read_scene(file.path().string());
     EXPECT_EQ(s.name, file.path().stem());
+    ++n;
+    if (s.load.empty() || !s.load.back().is_isotropic()) continue;
     EXPECT_EQ(s.load.size(), s.name == "stiff_contacts" ? 8u : 2u);
     EXPECT_EQ(s.load.back().to, s.assembly.pressure);
-    ++n;
+    ++n_cycles;
   }
-  EXPECT_EQ(n, 15);
+  EXPECT_EQ(n, 22);
+  EXPECT_EQ(n_cycles, 15);
 }
 
 }  // namespace

@@ -1,0 +1,283 @@
+#include "floc/scene/read_load.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/contact/law_description.h"
+#include "floc/loading/run_plan.h"
+
+namespace floc {
+namespace {
+
+using Need = TableReader::Need;
+
+constexpr bool positive(double x) {
+  return x > 0;
+}
+constexpr bool not_negative(double x) {
+  return x >= 0;
+}
+constexpr bool is_steps_per_decade(double x) {
+  return x > 0 && x <= 1000;
+}
+/// At a logarithmic strain of 2 a side is 0.14 of what it was: beyond, the cell would close.
+constexpr bool is_strain(double x) {
+  return x >= -2 && x <= 2;
+}
+constexpr std::int64_t kMaxSteps = 10'000;
+constexpr double kRoundingOfAStep = 1e-6;
+
+constexpr NumberRule kStrain{is_strain,
+                             "a logarithmic strain from -2 to 2 (compression positive; beyond, the cell would "
+                             "close)"};
+const std::vector<std::string> kControls = {"isotropic", "oedometric", "triaxial", "constant_volume", "axes"};
+
+std::vector<std::string> law_keys(LawParameters law) {
+  std::vector<std::string> keys;
+  for (const LawNumber& n : numbers_of(law)) keys.push_back(n.key);
+  return keys;
+}
+
+/// Applies the changes of a stage to the law in force, with the faults they make.
+void apply_changes(TableReader& t, const LoadStage& stage, LawParameters& law) {
+  for (const auto& [key, value] : stage.set) {
+    double* number = law_number(law, key);
+    if (!number) {
+      t.fault("set",
+              fmt::format("{}.set.{}: the scene's contact law has no such number; the nearest it has is {}",
+                          t.path(), key, nearest_key(key, law_keys(law))));
+      return;
+    }
+    *number = value;
+  }
+  for (const std::string& fault : stage.set.empty() ? std::vector<std::string>{} : law.validate())
+    t.fault("set", fmt::format("{}.set: {}", t.path(), fault));
+}
+
+/// Reads a stress or a strain that one axis is brought to.
+/// @param of_stress  key of the stress, and what is expected of it
+AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_stress) {
+  const bool has_stress = t.has(stress_key);
+  const auto stress = t.number(stress_key, {not_negative, of_stress}, Need::optional);
+  const auto strain = t.number("strain", kStrain, Need::optional);
+  if (has_stress && t.has("strain"))
+    t.fault("strain", fmt::format("{}: expected either this or {}, not both", t.path_of("strain"), stress_key));
+  else if (t && !has_stress && !t.has("strain"))
+    t.fault(stress_key, fmt::format("{} is missing: expected it or strain", t.path_of(stress_key)));
+  if (strain) return {AxisLoad::strain, *strain};
+  return {AxisLoad::stress, stress.value_or(0.0)};
+}
+
+/// `axes = [{stress = ..}, {strain = ..}, {as = 1}]`.
+std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
+  std::vector<AxisLoad> axes;
+  const char* expectation = "an array of one table an axis, {stress = ..}, {strain = ..} or {as = 1}";
+  std::vector<TableReader> tables = t.tables("axes", expectation);
+  if (t && (!t.has("axes") || static_cast<int>(tables.size()) != dimension))
+    t.fault("axes", fmt::format("{} has {} tables: expected {}, one an axis, {{stress = ..}}, {{strain = ..}} "
+                                "or {{as = 1}}",
+                                t.path_of("axes"), tables.size(), dimension));
+  for (TableReader& axis : tables) {
+    const auto as = axis.integer("as", {1, 3, "the number of an axis before this one"}, Need::optional);
+    const bool known = as && *as <= static_cast<std::int64_t>(axes.size());
+    if (as && !known)
+      axis.fault("as", fmt::format("{} = {}: expected the number of an axis before this one",
+                                   axis.path_of("as"), *as));
+    if (as)
+      axes.push_back(known ? axes[static_cast<std::size_t>(*as - 1)] : AxisLoad{});
+    else
+      axes.push_back(read_axis_load(axis, "stress", "a stress >= 0 (compression positive)"));
+    axis.refuse_other_keys();
+  }
+  return axes;
+}
+
+/// The axes of a test in which one is driven.
+std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int axis, int dimension) {
+  if (control == "constant_volume" && t.has("to"))
+    t.fault("to", fmt::format("{}: at constant volume the driven axis is given a length; expected strain",
+                              t.path_of("to")));
+  const AxisLoad driven = read_axis_load(t, "to", "a stress >= 0 (compression positive)");
+  AxisLoad other{AxisLoad::kept_stress, 0.0};
+  if (control == "oedometric") other = {AxisLoad::strain, 0.0};
+  if (control == "constant_volume") other = {AxisLoad::strain, -driven.end / (dimension - 1)};
+  std::vector<AxisLoad> axes(static_cast<std::size_t>(dimension), other);
+  axes[static_cast<std::size_t>(axis)] = driven;
+  return axes;
+}
+
+void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
+  stage.axis = dimension - 1;
+  if (stage.control == "axes") {
+    stage.axes = read_axes(t, dimension);
+    for (const char* key : {"to", "strain", "axis"})
+      t.refuse(key, fmt::format("{}: axes say what is imposed on each axis; expected no such key with "
+                                "control = \"axes\"",
+                                t.path_of(key)));
+    return;
+  }
+  t.refuse("axes", fmt::format("{}: expected control = \"axes\", or no such key", t.path_of("axes")));
+  const char* which =
+      dimension == 2 ? "the number of the driven axis, 1 or 2" : "the number of the driven axis, 1 to 3";
+  if (const auto axis = t.integer("axis", {1, dimension, which}, Need::optional))
+    stage.axis = static_cast<int>(*axis) - 1;
+  stage.axes = read_test(t, stage.control, stage.axis, dimension);
+}
+
+double largest_strain(const LoadStage& stage) {
+  double largest = 0.0;
+  for (const AxisLoad& axis : stage.axes)
+    if (axis.kind == AxisLoad::strain) largest = std::max(largest, std::abs(axis.end));
+  return largest;
+}
+
+/// Whether steps_per_decade says how many steps a stage takes: its stresses start from known ones above zero.
+bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
+  bool any = false;
+  for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a) {
+    if (stage.axes[a].kind != AxisLoad::stress) continue;
+    if (!(from[a].value_or(0.0) > 0.0 && stage.axes[a].end > 0.0)) return false;
+    any = true;
+  }
+  return any;
+}
+
+/// The number of steps of a stage whose axes are loaded differently.
+void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
+  const auto strain_step =
+      t.number("strain_step", {positive, "a positive strain, of one step"}, Need::optional);
+  const double strain = largest_strain(stage);
+  const int given = (stage.steps ? 1 : 0) + (stage.steps_per_decade ? 1 : 0) + (strain_step ? 1 : 0);
+  if (given > 1)
+    t.fault("steps", fmt::format("{}: expected one of steps, strain_step and steps_per_decade",
+                                 t.path_of(strain_step ? "strain_step" : "steps")));
+  if (strain_step && strain == 0.0)
+    t.fault("strain_step", fmt::format("{}: no axis is strained; expected steps or steps_per_decade",
+                                       t.path_of("strain_step")));
+  if (strain_step && strain > 0.0) {
+    const double n = std::ceil(strain / *strain_step - kRoundingOfAStep);
+    if (n > static_cast<double>(kMaxSteps))
+      t.fault("strain_step", fmt::format("{} = {}: {} steps to a strain of {}, expected at most {}",
+                                         t.path_of("strain_step"), *strain_step, n, strain, kMaxSteps));
+    else
+      stage.steps = std::max(1, static_cast<int>(n));
+  }
+  if (stage.steps_per_decade && !counts_in_decades(from, stage))
+    t.fault("steps_per_decade",
+            fmt::format("{}: the stress that the stage starts from is not known before the run, or zero; "
+                        "expected steps{}",
+                        t.path_of("steps_per_decade"), strain > 0.0 ? " or strain_step" : ""));
+  if (given == 0 && t)
+    t.fault("steps", fmt::format("{} is missing: expected it{}", t.path_of("steps"),
+                                 strain > 0.0 ? " or strain_step" : " or steps_per_decade"));
+}
+
+/// Of a stage to the same pressure on every axis.
+void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end, const LoadStage& stage) {
+  const bool by_decade = t.has("steps_per_decade");
+  const bool by_number = t.has("steps");
+  if (by_decade && by_number)
+    t.fault("steps", fmt::format("{}: expected either this or steps_per_decade, not both", t.path_of("steps")));
+  const bool is_one_step =
+      is_isotropic(from) && (stage.to == from.front() || stage.to == 0 || from.front() == 0.0);
+  if (has_end && !by_decade && !by_number && !is_one_step)
+    t.fault("steps", fmt::format("{} is missing: expected it or steps", t.path_of("steps_per_decade")));
+  if (by_decade && std::any_of(from.begin(), from.end(), [](const auto& s) { return !s.has_value(); }))
+    t.fault("steps_per_decade", fmt::format("{}: the stresses that the stage starts from are not known before "
+                                            "the run; expected steps",
+                                            t.path_of("steps_per_decade")));
+}
+
+/// "load", "unload" or "hold" where the stress before is known, else the kind of test.
+std::string default_name(const KnownStress& from, const LoadStage& stage) {
+  const std::size_t axis = static_cast<std::size_t>(stage.axis);
+  const AxisLoad driven = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to}
+                                               : stage.axes[std::min(axis, stage.axes.size() - 1)];
+  const std::optional<double> before = from[axis];
+  const bool compresses = stage.is_isotropic() || stage.control == "oedometric";
+  if (compresses && driven.kind == AxisLoad::strain) return driven.end >= 0.0 ? "load" : "unload";
+  if (!compresses || !before) return stage.control;
+  return driven.end > *before ? "load" : driven.end < *before ? "unload" : "hold";
+}
+
+void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const LawParameters& law) {
+  const bool zero = stage.is_isotropic()
+                        ? has_end && stage.to == 0.0
+                        : std::any_of(stage.axes.begin(), stage.axes.end(), [](const AxisLoad& a) {
+                            return a.kind == AxisLoad::stress && a.end == 0.0;
+                          });
+  if (!zero) return;
+  const char* key = t.has("axes") ? "axes" : "to";
+  if (stage.is_isotropic() && stage.cell.inertial_number_cap)
+    t.fault("inertial_number_cap",
+            fmt::format("{}: at P = 0 it lets nothing move; expected cell.strain_rate_cap",
+                        t.path_of("inertial_number_cap")));
+  if (t.has(key) && law.pull_off_force() == 0)
+    t.fault(key,
+            fmt::format("{} = 0: expected a positive pressure; nothing holds grains without adhesion together",
+                        t.path_of(key)));
+}
+
+/// @param from  stresses before the stage
+LoadStage read_stage(TableReader t, const KnownStress& from, LawParameters& law) {
+  LoadStage stage;
+  const int dimension = static_cast<int>(from.size());
+  stage.axis = dimension - 1;
+  stage.control = kControls[t.choice("control", kControls, Need::optional).value_or(0)];
+  bool has_end = true;
+  if (stage.control == "isotropic") {
+    const auto to = t.number("to", {not_negative, "a pressure >= 0 (compression positive)"});
+    has_end = to.has_value();
+    stage.to = to.value_or(from.front().value_or(0.0));
+    for (const char* key : {"axis", "axes", "strain", "strain_step"})
+      t.refuse(key, fmt::format("{}: the load is isotropic; expected no such key, or another control",
+                                t.path_of(key)));
+  } else {
+    read_axes_of(t, dimension, stage);
+    // The same stress on every axis is the isotropic load, to the last bit.
+    if (stage.control == "axes" && !stage.axes.empty() && stage.axes[0].kind == AxisLoad::stress &&
+        std::count(stage.axes.begin(), stage.axes.end(), stage.axes[0]) == dimension) {
+      stage.to = stage.axes[0].end;
+      stage.axes.clear();
+    } else if (static_cast<int>(stage.axes.size()) != dimension) {
+      stage.axes.assign(from.size(), AxisLoad{});  // a fault has been recorded
+    }
+  }
+  stage.steps_per_decade = t.number(
+      "steps_per_decade", {is_steps_per_decade, "a number of steps a factor ten of pressure, in (0, 1000]"},
+      Need::optional);
+  if (const auto steps =
+          t.integer("steps", {1, kMaxSteps, "a whole number of steps, 1 to 10000"}, Need::optional))
+    stage.steps = static_cast<int>(*steps);
+  if (stage.is_isotropic())
+    check_isotropic_steps(t, from, has_end, stage);
+  else
+    read_step_size(t, from, stage);
+  stage.name = t.text("name", "a string", Need::optional).value_or(default_name(from, stage));
+  stage.set = t.flat_numbers("set");
+  stage.cell = read_cell_response(t);
+  apply_changes(t, stage, law);
+  check_zero_stress(t, stage, has_end, law);
+  t.refuse_other_keys();
+  return stage;
+}
+
+}  // namespace
+
+CellResponse read_cell_response(TableReader& t) {
+  return {t.number("inertial_number_cap", kInertialNumberCap, Need::optional),
+          t.number("cell_mass", kCellMass, Need::optional)};
+}
+
+void read_load(TableReader& root, Scene& scene) {
+  LawParameters law = scene.law;
+  KnownStress from(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
+  for (TableReader& t : root.tables("load", "tables [[load]]")) {
+    scene.load.push_back(read_stage(t, from, law));
+    from = after_stage(from, scene.load.back());
+  }
+}
+
+}  // namespace floc

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "floc/loading/run.h"
+#include "floc/packing/balance.h"
+#include "floc/scene/read_scene.h"
+#include "floc/structure/elastic_energy.h"
+#include "support/dynamics.h"
+
+namespace floc {
+namespace {
+
+AxisLoad stress(double end) {
+  return {AxisLoad::stress, end};
+}
+AxisLoad strain(double end) {
+  return {AxisLoad::strain, end};
+}
+
+TEST(LoadTarget, CountsFromTheStartOfItsTurn) {
+  const Turn turn{"axes", 1, {2.0, 3.0, 4.0}, {1.0, 0.0, 5.0}};
+  const LoadTarget<3> half = load_target<3>({{stress(4.0), 0.5}, {stress(4.0), 0.5}, {strain(0.2), 0.5}}, turn);
+  EXPECT_DOUBLE_EQ(half.stress[0], 2.0);  // by equal factors
+  EXPECT_DOUBLE_EQ(half.stress[1], 2.0);  // from zero by equal differences
+  EXPECT_DOUBLE_EQ(half.side[2], 4.0 * std::exp(-0.1));
+  EXPECT_TRUE(half.strained(2) && !half.strained(0) && !half.strained(1));
+  const LoadTarget<3> end =
+      load_target<3>({{stress(4.0)}, {{AxisLoad::kept_stress, 0.0}}, {strain(0.0)}}, turn);
+  EXPECT_EQ(end.stress, Vec<3>(4.0, 0.0, 0.0));
+  EXPECT_EQ(end.side, Vec<3>(0.0, 0.0, 4.0));
+}
+
+std::string scene_of(const std::string& load) {
+  return R"([scene]
+dimension = 2
+units = "reduced"
+[grains]
+count = 40
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e3}
+damping = {restitution = 0.1}
+friction = {coefficient = 0.5, stiffness = 1e3}
+[cell]
+solid_fraction = 0.5
+mass = 1
+inertial_number_cap = 1e-2
+[assembly]
+protocol = "direct"
+pressure = 1.0
+friction = 0.0
+)" + load;
+}
+
+std::vector<State<2>> states_of(const std::string& load) {
+  floc::Run<2> run(parse_scene(scene_of(load), "s.toml", "."));
+  std::vector<State<2>> states;
+  while (!run.finished()) {
+    const RunEvent event = run.advance();
+    EXPECT_NE(event, RunEvent::gave_up) << run.report().blocking;
+    if (event == RunEvent::gave_up) break;
+    if (event != RunEvent::equilibrium) continue;
+    states.push_back(run.state());
+    run.saved("");
+  }
+  return states;
+}
+
+TEST(DirectedPath, EqualStressesOnEveryAxisHaveTheBitsOfAPressure) {
+  const auto pressure = states_of("[[load]]\nto = 3.0\nsteps = 2\n");
+  const auto axes =
+      states_of("[[load]]\ncontrol = \"axes\"\naxes = [{stress = 3.0}, {stress = 3.0}]\nsteps = 2\n");
+  ASSERT_EQ(pressure.size(), 3u);
+  ASSERT_EQ(axes.size(), 3u);
+  test::expect_same_bits(pressure.back().packing, axes.back().packing);
+}
+
+Vec<2> sides(const State<2>& state) {
+  return state.packing.cell.matrix.diagonal();
+}
+
+TEST(DirectedPath, ImposesWhatItsTurnsSay) {
+  const auto states = states_of(R"([[load]]
+control = "oedometric"
+to = 2.0
+steps = 2
+[[load]]
+control = "triaxial"
+axis = 1
+strain = 0.01
+strain_step = 5e-3
+[[load]]
+control = "constant_volume"
+strain = -4e-3
+steps = 1
+[[load]]
+to = 1.5
+steps = 2
+)");
+  ASSERT_EQ(states.size(), 8u);
+  for (int k = 1; k <= 2; ++k) {
+    EXPECT_EQ(states[k].path.branch, "load");
+    EXPECT_EQ(states[k].path.turn.control, "oedometric");
+    EXPECT_EQ(sides(states[k])[0], sides(states[0])[0]);
+    EXPECT_EQ(states[k].target_side, Vec<2>(sides(states[0])[0], 0.0));
+    EXPECT_NEAR(states[k].stress(1, 1), std::pow(2.0, 0.5 * k), 1e-4);
+    EXPECT_EQ(states[k].target_stress[0], states[k].stress(0, 0));  // what the fixed axis carries
+  }
+  const double kept = states[2].target_stress[1];
+  EXPECT_EQ(kept, 2.0);
+  for (int k = 3; k <= 4; ++k) {
+    EXPECT_EQ(states[k].target_stress[1], kept);
+    EXPECT_NEAR(sides(states[k])[0] / sides(states[2])[0], std::exp(-5e-3 * (k - 2)), 1e-13);
+  }
+  EXPECT_NEAR(sides(states[5]).prod() / sides(states[4]).prod(), 1.0, 1e-13);
+  EXPECT_NEAR(sides(states[5])[1] / sides(states[4])[1], std::exp(4e-3), 1e-13);
+  EXPECT_EQ(states[7].target_stress, Vec<2>(1.5, 1.5));
+  EXPECT_TRUE(states[7].target_side.isZero(0.0));
+}
+
+double energy(const State<2>& state) {
+  return elastic_energy_per_grain(state.packing) * state.packing.grains.size();
+}
+
+/// The work of the boundary over a step is at least what the contacts store more: friction takes the rest.
+TEST(DirectedPath, DissipatesAndNeverGains) {
+  const auto states = states_of("[[load]]\ncontrol = \"triaxial\"\nstrain = 0.02\nstrain_step = 1e-3\n");
+  ASSERT_EQ(states.size(), 21u);
+  double total = 0.0;
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    const State<2>&from = states[k - 1], &to = states[k];
+    double work = 0.0;
+    for (int a = 0; a < 2; ++a)
+      work += 0.5 *
+              (from.stress(a, a) * from.packing.cell.volume() + to.stress(a, a) * to.packing.cell.volume()) *
+              std::log(sides(from)[a] / sides(to)[a]);
+    const double dissipated = work - (energy(to) - energy(from));
+    // A path that breaks down between the two states is not the chord: what a step dissipates is known to
+    // the change of stress within it.
+    const double open = 0.5 * (to.stress - from.stress).cwiseAbs().maxCoeff() * 1e-3 * to.packing.cell.volume();
+    EXPECT_GT(dissipated, -open) << k;
+    total += dissipated;
+  }
+  EXPECT_GT(total, 0.0);
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,122 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "floc/base/error.h"
+#include "floc/scene/read_scene.h"
+
+namespace floc {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string scene_of(int dimension, const std::string& load) {
+  return "[scene]\ndimension = " + std::to_string(dimension) +
+         "\nunits = \"reduced\"\n"
+         "[grains]\ncount = 40\ndiameter = {distribution = \"constant\", value = 1.0}\n"
+         "[contact]\nnormal = {law = \"linear\", stiffness = 1e3}\ndamping = {restitution = 0.1}\n"
+         "friction = {coefficient = 0.5, stiffness = 1e3}\n"
+         "[cell]\nsolid_fraction = 0.36\nmass = 1\ninertial_number_cap = 1e-3\n"
+         "[assembly]\nprotocol = \"direct\"\npressure = 1.0\n" +
+         load;
+}
+
+std::vector<LoadStage> read(int dimension, const std::string& load) {
+  return parse_scene(scene_of(dimension, load), "s.toml", ".").load;
+}
+
+std::string faults(int dimension, const std::string& load) {
+  try {
+    read(dimension, load);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+constexpr AxisLoad kept{AxisLoad::kept_stress, 0.0};
+AxisLoad stress(double end) {
+  return {AxisLoad::stress, end};
+}
+AxisLoad strain(double end) {
+  return {AxisLoad::strain, end};
+}
+
+TEST(ReadLoad, TestsSayWhatEachAxisIsLoadedWith) {
+  const auto load = read(3, R"([[load]]
+control = "oedometric"
+to = 10.0
+steps_per_decade = 4
+[[load]]
+control = "triaxial"
+axis = 1
+strain = 0.1
+strain_step = 0.03
+[[load]]
+control = "constant_volume"
+strain = -0.1
+steps = 2
+[[load]]
+control = "axes"
+axes = [{stress = 2.0}, {strain = 0.1}, {as = 1}]
+steps = 3
+)");
+  ASSERT_EQ(load.size(), 4u);
+  EXPECT_EQ(load[0].axes, (std::vector{strain(0), strain(0), stress(10)}));
+  EXPECT_EQ(load[0].axis, 2);
+  EXPECT_EQ(load[0].name, "load");
+  EXPECT_EQ(load[1].axes, (std::vector{strain(0.1), kept, kept}));
+  EXPECT_EQ(load[1].steps, 4);
+  EXPECT_EQ(load[1].name, "triaxial");
+  EXPECT_EQ(load[2].axes, (std::vector{strain(0.05), strain(0.05), strain(-0.1)}));
+  EXPECT_EQ(load[3].axes, (std::vector{stress(2), strain(0.1), stress(2)}));
+}
+
+TEST(ReadLoad, TheSameStressOnEveryAxisIsTheIsotropicLoad) {
+  const auto load = read(2, R"([[load]]
+control = "axes"
+axes = [{stress = 10.0}, {stress = 10.0}]
+steps_per_decade = 4
+)");
+  EXPECT_TRUE(load[0].is_isotropic());
+  EXPECT_EQ(load[0].to, 10.0);
+  EXPECT_EQ(load[0].name, "load");
+}
+
+TEST(ReadLoad, FaultsSayWhatWasExpected) {
+  const std::string oedometer = "[[load]]\ncontrol = \"oedometric\"\n";
+  EXPECT_THAT(faults(2, oedometer + "to = 2\nstrain = 0.1\nsteps = 1\n"),
+              AllOf(HasSubstr("s.toml:"), HasSubstr("load.0.strain"), HasSubstr("either this or to")));
+  EXPECT_THAT(faults(2, oedometer + "steps = 1\n"), HasSubstr("expected it or strain"));
+  EXPECT_THAT(faults(2, oedometer + "to = 2\n"), HasSubstr("expected it or steps_per_decade"));
+  EXPECT_THAT(faults(2, oedometer + "to = 2\naxis = 3\nsteps = 1\n"), HasSubstr("1 or 2"));
+  EXPECT_THAT(faults(2, oedometer + "to = -2\nsteps = 1\n"), HasSubstr("a stress >= 0"));
+  EXPECT_THAT(faults(2, oedometer + "to = 0\nsteps = 1\n"), HasSubstr("without adhesion"));
+  EXPECT_THAT(faults(2, oedometer + "strain = 2.5\nsteps = 1\n"), HasSubstr("the cell would close"));
+  EXPECT_THAT(faults(2, oedometer + "strain = 0.5\nstrain_step = 1e-6\n"), HasSubstr("at most 10000"));
+  EXPECT_THAT(faults(2, oedometer + "to = 5\nstrain_step = 0.1\n"), HasSubstr("expected steps"));
+  EXPECT_THAT(faults(2, oedometer + "strain = 0.5\nsteps = 1\nstrain_step = 0.1\n"),
+              HasSubstr("expected one of"));
+  EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"constant_volume\"\nto = 2\nsteps = 1\n"),
+              HasSubstr("expected strain"));
+  EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"axes\"\naxes = [{stress = 1}, {stress = 1}, {stress = 1}]\n"),
+              HasSubstr("has 3 tables: expected 2"));
+  EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"axes\"\naxes = [{stress = 1, strain = 0.1}, {stress = 1}]\n"),
+              HasSubstr("not both"));
+  EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"axes\"\naxes = [{as = 1}, {stress = 1}]\nsteps = 1\n"),
+              HasSubstr("an axis before this one"));
+  EXPECT_THAT(faults(2, "[[load]]\nto = 2\nsteps = 1\nstrain = 0.1\n"), HasSubstr("the load is isotropic"));
+  EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"round\"\nto = 2\n"), HasSubstr("oedometric"));
+}
+
+/// What a strained axis carries shows in the run alone.
+TEST(ReadLoad, StepsADecadeNeedAStressThatIsKnown) {
+  const std::string first = "[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n";
+  EXPECT_THAT(faults(2, first + "[[load]]\nto = 2\nsteps_per_decade = 4\n"), HasSubstr("expected steps"));
+  EXPECT_THAT(faults(2, first + "[[load]]\ncontrol = \"oedometric\"\nto = 2\nsteps_per_decade = 4\n"),
+              HasSubstr("not known before the run"));
+  EXPECT_EQ(read(2, first + "[[load]]\nto = 2\nsteps = 4\n")[1].steps, 4);
+}
+
+}  // namespace
+}  // namespace floc

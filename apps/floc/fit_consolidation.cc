@@ -28,6 +28,7 @@ struct Arguments {
   std::string loss = "squared";
   int n_bootstrap = 0;
   std::uint64_t seed = 1;
+  std::string stress = "driven";
   std::string columns;
   std::string plot;
   std::string format;
@@ -62,12 +63,18 @@ constexpr StepName kLeftOut[] = {
     {PathStep::reloading, "reloading", "of reloading"},
     {PathStep::later_virgin, "later_virgin", "of later loading beyond it (--loading virgin takes them)"},
     {PathStep::hold, "hold", "at a pressure that is held"},
+    {PathStep::test, "test", "of tests with a driven axis"},
     {PathStep::first_loading, "before_loading", "before the branch \"load\""},
 };
 
 Sample read_sample(const std::string& file, const Arguments& arguments) {
   const PathTable path =
-      read_path(file, parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}));
+      read_path(file, parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}),
+                {"P_star"}, arguments.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven);
+  const bool any_oedometer = std::any_of(path.rows.begin(), path.rows.end(),
+                                         [](const PathRow& row) { return row.load == PathLoad::oedometric; });
+  if (any_oedometer)
+    spdlog::info("{}: P* of oedometric rows is that of the {} stress", path.name, arguments.stress);
   Sample sample{path.name, first_loading(path.rows, arguments.loading == "virgin"), path_steps(path.rows),
                 path.unit};
   std::vector<std::string> pieces;
@@ -374,6 +381,9 @@ Command add_fit_consolidation(CommandLine fit) {
   app.add_option("--bootstrap", arguments->n_bootstrap, "N: errors of N resampled fits beside [none]")
       .between(2, 1000000);
   app.add_option("--seed", arguments->seed, "of the bootstrap [1]");
+  app.add_option("--stress", arguments->stress,
+                 "driven or mean: the stress that P* is of in an oedometer [driven]")
+      .one_of({"driven", "mean"});
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   app.add_option("--plot", arguments->plot,
                  "F.svg, F.pdf or F.png: curve, points, window and residuals; data and gnuplot script are "

@@ -48,6 +48,33 @@ double solid_fraction_of(const CsvTable& table, int row, int column, bool is_voi
   return is_void_ratio ? 1.0 / (1.0 + value) : value;
 }
 
+/// How the rows of a table of `floc run` are loaded, and the factor from their mean stress to the driven one.
+class LoadColumns {
+ public:
+  explicit LoadColumns(const CsvTable& table) : table_(table) {
+    if (!table.has("control") || !table.has("axis") || !table.has("p")) return;
+    control_ = table.column("control");
+    axis_ = table.column("axis");
+    mean_ = table.column("p");
+  }
+
+  PathLoad load(int row) const {
+    const std::string control = control_ < 0 ? "" : table_.text(row, control_);
+    if (control.empty() || control == "isotropic") return PathLoad::isotropic;
+    return control == "oedometric" ? PathLoad::oedometric : PathLoad::other;
+  }
+
+  /// @pre the row is loaded with a driven axis
+  double driven_over_mean(int row) const {
+    const std::string name = fmt::format("stress_{}", static_cast<int>(table_.number(row, axis_)));
+    return table_.number(row, table_.column(name)) / table_.number(row, mean_);
+  }
+
+ private:
+  const CsvTable& table_;
+  int control_ = -1, axis_ = -1, mean_ = -1;
+};
+
 }  // namespace
 
 void add_columns_option(CommandLine app, std::string& text, const std::string& names) {
@@ -98,7 +125,7 @@ std::vector<std::string> tables_of(const std::string& input) {
 }
 
 PathTable read_path(const std::string& file, const ColumnNames& columns,
-                    const std::vector<std::string>& pressures) {
+                    const std::vector<std::string>& pressures, OedometerPressure oedometer) {
   PathTable path{file == "-" ? "stdin" : file, {}, "", CsvTable::read(file)};
   const CsvTable& table = path.table;
   const auto has = [&](const std::string& name) { return has_column(table, columns, name); };
@@ -111,11 +138,15 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
   const bool has_branch = columns.contains("branch") || has_column(table, columns, "branch");
   const int branch = has_branch ? find_column(table, columns, "branch").index : -1;
   path.unit = pressure.unit;
+  const LoadColumns loads(table);
   for (int i = 0; i < table.n_rows(); ++i) {
-    const double P = table.number(i, pressure.index);
+    const PathLoad load = loads.load(i);
+    double P = table.number(i, pressure.index);
+    if (load == PathLoad::other) P = std::max(P, 0.0);  // which cohesive grains may carry as tension
+    if (load == PathLoad::oedometric && oedometer == OedometerPressure::driven) P *= loads.driven_over_mean(i);
     if (P < 0) throw InputError(table.place(i), fmt::format("{} = {}: expected a pressure >= 0", name, P));
     path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P,
-                         solid_fraction_of(table, i, density.index, by_void_ratio)});
+                         solid_fraction_of(table, i, density.index, by_void_ratio), load});
   }
   if (const auto fault = path_fault(path.rows))
     throw InputError(table.place(fault->row),

@@ -44,12 +44,17 @@ struct PathTable {
   CsvTable table;
 };
 
+/// What stands for the pressure of the rows of an oedometer.
+enum class OedometerPressure { driven, mean };
+
 /// Reads the pressure (the first of `pressures` that the table has), phi (or void_ratio) and, if there is one,
-/// branch.
+/// branch. Of rows of `floc run` with one driven axis and no lateral strain, the pressure is the driven stress,
+/// or the mean stress.
 /// @throws InputError naming file, line and value for what is no path: columns missing, values that are no
 /// numbers, negative, or pressures that break their branch
 PathTable read_path(const std::string& file, const ColumnNames& columns,
-                    const std::vector<std::string>& pressures = {"P_star"});
+                    const std::vector<std::string>& pressures = {"P_star"},
+                    OedometerPressure oedometer = OedometerPressure::driven);
 
 /// Hands every table of the inputs to `work`, which returns its exit code. What cannot be read is reported by
 /// name on stderr and the others are still done. @return the worst of the exit codes

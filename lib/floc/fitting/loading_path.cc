@@ -22,7 +22,9 @@ std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
   for (const PathRow& row : rows) {
     const double P = row.P_star;
     PathStep step = PathStep::first_loading;
-    if (P == 0.0)
+    if (row.load == PathLoad::other)
+      step = PathStep::test;
+    else if (P == 0.0)
       step = PathStep::zero_pressure;
     else if (P == before)
       step = PathStep::hold;
@@ -31,7 +33,7 @@ std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
     else if (turned)
       step = P > largest * (1 + kSamePressure) ? PathStep::later_virgin : PathStep::reloading;
     // P* = 0 before the first pressure is the assembly, after it an unloading.
-    turned = turned || step == PathStep::unloading || (P == 0.0 && largest > 0.0);
+    turned = turned || step == PathStep::unloading || step == PathStep::test || (P == 0.0 && largest > 0.0);
     largest = std::max(largest, P);
     before = P;
     steps.push_back(step);
@@ -44,7 +46,8 @@ std::optional<PathFault> path_fault(const std::vector<PathRow>& rows) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const int row = static_cast<int>(i);
     const double change = rows[i].P_star - rows[i - 1].P_star;
-    if (rows[i].branch != rows[i - 1].branch) {
+    if (rows[i].branch != rows[i - 1].branch || rows[i].load != PathLoad::isotropic ||
+        rows[i - 1].load != PathLoad::isotropic) {
       direction = 0;
       continue;
     }

@@ -10,11 +10,19 @@ namespace floc {
 /// Pressures that differ by less than this share are the same one.
 inline constexpr double kSamePressure = 1e-3;
 
+/// How a row of a path is loaded.
+enum class PathLoad {
+  isotropic,
+  oedometric,  ///< one axis is driven, the others keep their lengths; P_star may be the driven stress
+  other,       ///< axes are loaded differently otherwise: no consolidation
+};
+
 /// One row of a path table.
 struct PathRow {
   std::string branch;  ///< empty in a table without branches
   double P_star;
   double phi;
+  PathLoad load = PathLoad::isotropic;
 };
 
 /// What a row of a path does.
@@ -25,6 +33,7 @@ enum class PathStep {
   reloading,     ///< up to the largest pressure before
   later_virgin,  ///< of a later loading, beyond the largest pressure before
   hold,          ///< pressure kept
+  test,          ///< axes are loaded differently, and it is no oedometer
 };
 
 /// Steps of all rows by their pressures alone; a row that turns back begins a new branch.
@@ -37,7 +46,8 @@ struct PathFault {
 };
 
 /// The first row that breaks its branch: in a run of rows of one name pressures grow, or fall, strictly, or are
-/// all the same (a hold); without names no pressure is repeated. Absent if there is none.
+/// all the same (a hold); without names no pressure is repeated. Rows loaded differently by axis break none: what
+/// a strained axis carries may fall. Absent if there is none.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 
 /// Rows that consolidation is fitted to.

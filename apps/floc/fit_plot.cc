@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plot_command.h"
+
 namespace floc {
 namespace {
 
@@ -34,7 +36,14 @@ std::string title_of(const ConsolidationPlot& plot) {
   return title;
 }
 
-std::string script_of(const ConsolidationPlot& plot) {
+std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
+  const std::string curves = plot_command(
+      drawn,
+      {{2, "using 1:2 with lines linewidth 2 linecolor rgb '#c0392b' title 'law'"},
+       {1, "using 1:2:3 with yerrorbars pointtype 6 linecolor rgb '#888888' title 'left out'"},
+       {0,
+        "using 1:2:3 with yerrorbars pointtype 7 pointsize 0.7 linecolor rgb '#1f4e79' title 'fitted; window "
+        "dashed'"}});
   const double low = plot.curve.P_star.front();
   const double high = plot.curve.P_star.back();
   return fmt::format(
@@ -52,10 +61,7 @@ set ylabel '1/Phi'
 set key top right
 set arrow 1 from first {wlow}, graph 0 to first {wlow}, graph 1 nohead dashtype 2 linecolor rgb '#888888'
 set arrow 2 from first {whigh}, graph 0 to first {whigh}, graph 1 nohead dashtype 2 linecolor rgb '#888888'
-plot data index 2 using 1:2 with lines linewidth 2 linecolor rgb '#c0392b' title 'law', \
-     data index 1 using 1:2:3 with yerrorbars pointtype 6 linecolor rgb '#888888' title 'left out', \
-     data index 0 using 1:2:3 with yerrorbars pointtype 7 pointsize 0.7 linecolor rgb '#1f4e79' title 'fitted; window dashed'
-unset title
+{curves}unset title
 set format x '%g'
 set tmargin at screen 0.33
 set bmargin at screen 0.11
@@ -69,8 +75,8 @@ plot data index 0 using 1:4 with impulses linecolor rgb '#888888', \
 unset multiplot
 )",
       fmt::arg("xlow", low / 1.2), fmt::arg("xhigh", high * 1.2),
-      fmt::arg("title", gnuplot_quoted(title_of(plot))), fmt::arg("wlow", plot.fit.window_low),
-      fmt::arg("whigh", plot.fit.window_high),
+      fmt::arg("title", gnuplot_quoted(title_of(plot))), fmt::arg("curves", curves),
+      fmt::arg("wlow", plot.fit.window_low), fmt::arg("whigh", plot.fit.window_high),
       fmt::arg("xlabel", gnuplot_quoted(plot.unit.empty() ? "P*" : "pressure (" + plot.unit + ")")));
 }
 
@@ -99,7 +105,7 @@ Plot plot_of_fit(const ConsolidationPlot& of) {
   Plot plot;
   plot.height = 640;
   add_blocks(of, plot);
-  plot.script = script_of(of);
+  plot.script = script_of(of, plot);
   return plot;
 }
 

@@ -1,9 +1,11 @@
 #include "gnuplot.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,11 +58,14 @@ std::string script_of(const Plot& plot, const fs::path& picture, const fs::path&
       terminal_for(picture.extension().string(), plot), plot.script);
 }
 
-/// Has gnuplot run a script in its directory. @throws IoError if it is missing or fails
-void run_gnuplot(const fs::path& script, const fs::path& picture) {
+/// Has gnuplot run a script in its directory. What it says goes to the file `words`: its warnings are about
+/// what a plot of few points looks like, and are of use where it fails alone.
+/// @throws IoError if it is missing or fails
+void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path& words) {
   const std::string directory = script.has_parent_path() ? script.parent_path().string() : ".";
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, words.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
   std::string program = "gnuplot", option = "-e", name = script.filename().string();
   std::string assignment = "picture = " + gnuplot_quoted(picture.filename().string());
@@ -72,7 +77,8 @@ void run_gnuplot(const fs::path& script, const fs::path& picture) {
   if (failure != 0 || waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) == 127)
     throw IoError("gnuplot",
                   fmt::format("cannot be started (package gnuplot-nox); the script is {}", script.string()));
-  if (WEXITSTATUS(status) != 0) throw IoError("gnuplot", fmt::format("failed on {}", script.string()));
+  if (WEXITSTATUS(status) != 0)
+    throw IoError("gnuplot", fmt::format("failed on {}: {}", script.string(), read_file(words.string())));
 }
 
 /// A pdf without the time it was made, its other bytes where they were.
@@ -126,20 +132,22 @@ void write_plot(const std::string& file, const Plot& plot) {
     throw InputError(file, "expected a name that ends in .svg, .pdf or .png");
   const fs::path data = fs::path(picture).replace_extension(".dat");
   const fs::path script = fs::path(picture).replace_extension(".gp");
-  const fs::path drawn = file + ".drawn";
+  const fs::path drawn = file + ".drawn", words = file + ".words";
   write_bytes_atomically(data.string(), data_of(plot));
   write_bytes_atomically(script.string(), script_of(plot, picture, data));
   try {
-    run_gnuplot(script, drawn);
+    run_gnuplot(script, drawn, words);
     std::string bytes = read_file(drawn.string());
     blank_creation_date(bytes);
     write_bytes_atomically(file, bytes);
   } catch (...) {
     std::error_code ignored;
     fs::remove(drawn, ignored);
+    fs::remove(words, ignored);
     throw;
   }
   fs::remove(drawn);
+  fs::remove(words);
 }
 
 std::string plot_as_svg(const Plot& plot) {

@@ -7,6 +7,7 @@
 #include "fit_plot.h"
 #include "floc/fitting/elastic_line.h"
 #include "floc/picture/drawn_scale.h"
+#include "plot_command.h"
 #include "state_moduli.h"
 
 namespace floc {
@@ -69,6 +70,28 @@ void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<
   }
 }
 
+/// Places and names of the regimes, above the plot. One that is too narrow for its name shares the label of its
+/// neighbour: names stay apart.
+std::vector<std::pair<double, std::string>> regime_labels(
+    double low, const std::vector<std::pair<double, const char*>>& regimes) {
+  constexpr double kNarrowest = 0.08;  // of the axis, about the width of "III"
+  const double axis = std::log(regimes.back().first / low);
+  std::vector<std::pair<double, std::string>> labels;
+  double start = low, label_start = low;
+  for (const auto& [end, name] : regimes) {
+    const bool shared = !labels.empty() && (std::log(end / start) < kNarrowest * axis ||
+                                            std::log(start / label_start) < kNarrowest * axis);
+    if (shared) {
+      labels.back() = {std::sqrt(label_start * end), labels.back().second + ", " + name};
+    } else {
+      label_start = start;
+      labels.emplace_back(std::sqrt(start * end), name);
+    }
+    start = end;
+  }
+  return labels;
+}
+
 /// Lines and letters that divide the regimes, at the parameters that the data identify.
 std::string regimes_script(const ConsolidationFit& fit, double low, double high) {
   const auto value = [&fit](const char* name) -> std::optional<double> {
@@ -85,17 +108,13 @@ std::string regimes_script(const ConsolidationFit& fit, double low, double high)
     regimes.emplace_back(high, "II, III");
   }
   std::string script;
-  double start = low;
-  for (std::size_t k = 0; k < regimes.size(); ++k) {
-    const auto& [end, name] = regimes[k];
-    if (k + 1 < regimes.size())
-      script += fmt::format(
-          "set arrow from first {0}, graph 0 to first {0}, graph 1 nohead dashtype 2 linecolor rgb '#999999'\n",
-          end);
-    script += fmt::format("set label '{}' at first {}, graph 0.22 center textcolor rgb '#666666'\n", name,
-                          std::sqrt(start * end));
-    start = end;
-  }
+  for (std::size_t k = 0; k + 1 < regimes.size(); ++k)
+    script += fmt::format(
+        "set arrow from first {0}, graph 0 to first {0}, graph 1 nohead dashtype 2 linecolor rgb '#999999'\n",
+        regimes[k].first);
+  for (const auto& [place, names] : regime_labels(low, regimes))
+    script +=
+        fmt::format("set label '{}' at first {}, graph 1.03 center textcolor rgb '#404040'\n", names, place);
   return script;
 }
 
@@ -163,6 +182,15 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
   const std::string y_range = range_script(plot, "y", all, 1, false);
   const double low = curve.P_star.empty() ? 1.0 : curve.P_star.front();
   const double high = curve.P_star.empty() ? 1.0 : curve.P_star.back();
+  const bool one = samples.size() == 1;
+  const std::string curves = plot_command(
+      plot,
+      {{0, fmt::format("using 1:2 with lines linecolor rgb '#bdbdbd' {}", one ? "notitle" : "title 'samples'")},
+       {2, "using 1:2 with points pointtype 6 pointsize 0.7 linecolor rgb '#0072b2' title 'unloading'"},
+       {3, "using 1:2 with lines dashtype 2 linecolor rgb '#009e73' title 'elastic, dΦ/Φ = dP/B'"},
+       {4, "using 1:2 with lines linewidth 2 linecolor rgb '#d55e00' title 'law'"},
+       {1, fmt::format("using 1:2:3 with yerrorbars pointtype 7 pointsize 0.6 linecolor rgb '#202020' title {}",
+                       one ? "'loading'" : fmt::format("'mean of {} samples'", samples.size()))}});
   plot.script = fmt::format(
       R"(set logscale x
 set format x '%g'
@@ -171,21 +199,14 @@ set ylabel '1/Φ'
 set ytics nomirror
 set y2label 'Φ'
 set key top right
-set title {title}
-{regimes}plot data index 0 using 1:2 with lines linecolor rgb '#bdbdbd' {samples}, \
-     data index 2 using 1:2 with points pointtype 6 pointsize 0.7 linecolor rgb '#0072b2' title 'unloading', \
-     data index 3 using 1:2 with lines dashtype 2 linecolor rgb '#009e73' title 'elastic, dΦ/Φ = dP/B', \
-     data index 4 using 1:2 with lines linewidth 2 linecolor rgb '#d55e00' title 'law', \
-     data index 1 using 1:2:3 with yerrorbars pointtype 7 pointsize 0.6 linecolor rgb '#202020' title {loading}
-)",
+set title {title} offset 0,0.6
+{regimes}{curves})",
       fmt::arg("ranges", range_script(plot, "x", all, 0, true) + y_range +
                              (y_range.empty() ? "" : "set y2" + y_range.substr(5)) + density_tics(plot)),
       fmt::arg("xlabel", gnuplot_quoted(unit.empty() ? "P*" : "pressure (" + unit + ")")),
       fmt::arg("title", gnuplot_quoted(fitted.fit.found() ? parameters_text(fitted.fit) : "")),
       fmt::arg("regimes", fitted.fit.found() ? regimes_script(fitted.fit, low, high) : ""),
-      fmt::arg("samples", samples.size() == 1 ? "notitle" : "title 'samples'"),
-      fmt::arg("loading",
-               samples.size() == 1 ? "'loading'" : fmt::format("'mean of {} samples'", samples.size())));
+      fmt::arg("curves", curves));
   return plot;
 }
 
@@ -211,10 +232,22 @@ set yrange [0:*]
 set key outside top center horizontal maxrows 2
 array color[4] = ['#202020', '#0072b2', '#d55e00', '#8a8a8a']
 array name[4] = ['z', 'z_+  compression', 'z_−  tension', 'z_0  zero']
-plot for [k=1:4] data index 0 using 1:k+1 with linespoints pointtype 7 pointsize 0.6 linecolor rgb color[k] title name[k], \
-     for [k=1:4] data index 1 using 1:k+1 with linespoints pointtype 6 pointsize 0.6 dashtype 2 linecolor rgb color[k] title k == 1 ? 'unloading: open' : ''
-)";
+)" +
+                plot_command(plot, {{0,
+                                     "using 1:k+1 with linespoints pointtype 7 pointsize 0.6 linecolor rgb "
+                                     "color[k] title name[k]",
+                                     "for [k=1:4]"},
+                                    {1,
+                                     "using 1:k+1 with linespoints pointtype 6 pointsize 0.6 dashtype 2 "
+                                     "linecolor rgb color[k] title k == 1 ? 'unloading: open' : ''",
+                                     "for [k=1:4]"}});
   return plot;
+}
+
+std::string stress_unit(const std::string& units, int dimension, bool cohesive) {
+  if (units == "SI") return dimension == 2 ? "N/m" : "Pa";
+  if (cohesive) return dimension == 2 ? "F_0/a" : "F_0/a^2";
+  return "units of the state";
 }
 
 Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit) {
@@ -228,23 +261,30 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
   const std::vector<Run> runs = runs_of(pressures);
   plot.add("loading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(true, runs, row));
   plot.add("unloading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(false, runs, row));
-  plot.script = fmt::format(R"(set logscale xy
+  const std::string curves = plot_command(
+      plot,
+      {{0, "using 1:5:6 with filledcurves fillcolor rgb '#e3eef6' title 'bounds of B: Reuss to Voigt'"},
+       {0, "using 1:5 with lines linecolor rgb '#9cc3de' notitle"},
+       {0, "using 1:6 with lines linecolor rgb '#9cc3de' notitle"},
+       {0, "using 1:7 with lines dashtype 3 linecolor rgb '#d55e00' title 'Voigt bound of G'"},
+       {0, "using 1:2 with linespoints pointtype 7 pointsize 0.6 linecolor rgb '#0072b2' title 'B'"},
+       {0, "using 1:4 with linespoints pointtype 5 pointsize 0.6 linecolor rgb '#d55e00' title 'G'"},
+       {1,
+        "using 1:2 with linespoints pointtype 6 pointsize 0.6 dashtype 2 linecolor rgb '#0072b2' title 'B, "
+        "unloading'"},
+       {1,
+        "using 1:4 with linespoints pointtype 4 pointsize 0.6 dashtype 2 linecolor rgb '#d55e00' title 'G, "
+        "unloading'"}});
+  plot.script =
+      fmt::format(R"(set logscale xy
 {range}set format x '%g'
 set format y '10^{{%T}}'
 set xlabel 'P*'
 set ylabel {ylabel}
 set key bottom right
-plot data index 0 using 1:5:6 with filledcurves fillcolor rgb '#e3eef6' title 'bounds of B: Reuss to Voigt', \
-     data index 0 using 1:5 with lines linecolor rgb '#9cc3de' notitle, \
-     data index 0 using 1:6 with lines linecolor rgb '#9cc3de' notitle, \
-     data index 0 using 1:7 with lines dashtype 3 linecolor rgb '#d55e00' title 'Voigt bound of G', \
-     data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.6 linecolor rgb '#0072b2' title 'B', \
-     data index 0 using 1:4 with linespoints pointtype 5 pointsize 0.6 linecolor rgb '#d55e00' title 'G', \
-     data index 1 using 1:2 with linespoints pointtype 6 pointsize 0.6 dashtype 2 linecolor rgb '#0072b2' title 'B, unloading', \
-     data index 1 using 1:4 with linespoints pointtype 4 pointsize 0.6 dashtype 2 linecolor rgb '#d55e00' title 'G, unloading'
-)",
-                            fmt::arg("range", range_script(plot, "x", {0, 1}, 0, true)),
-                            fmt::arg("ylabel", gnuplot_quoted("modulus (" + unit + ")")));
+{curves})",
+                  fmt::arg("range", range_script(plot, "x", {0, 1}, 0, true)), fmt::arg("curves", curves),
+                  fmt::arg("ylabel", gnuplot_quoted("modulus (" + unit + ")")));
   return plot;
 }
 

@@ -29,6 +29,11 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
 /// @throws InputError if a column of path.csv is missing
 Plot coordination_plot(const CsvTable& path);
 
+/// Unit of stresses and moduli as gnuplot writes it: that of SI, or F_0/a (F_0/a^2 of spheres) of reduced units,
+/// which have a force F_0 where there is cohesion.
+/// @param units  "reduced" or "SI"
+std::string stress_unit(const std::string& units, int dimension, bool cohesive);
+
 /// A state's moduli and their bounds (stress).
 struct ModuliPoint {
   double P_star;

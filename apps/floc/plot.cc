@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -27,6 +29,7 @@ struct PlotArguments {
   std::string kind = "normal";
   std::string unit = "mean";
   std::string columns;
+  ColumnNames names;  ///< what of `columns` says which columns to read
   std::string format;
 };
 
@@ -37,11 +40,10 @@ struct Made {
 };
 
 Made consolidation(const PlotArguments& arguments) {
-  const ColumnNames columns = parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"});
   std::vector<PathTable> samples;
   Made made;
   made.code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    samples.push_back(read_path(file, columns));
+    samples.push_back(read_path(file, arguments.names));
     return int{kDone};
   });
   if (samples.empty()) return made;
@@ -72,6 +74,17 @@ ModuliPoint moduli_of_state(const AnyState& any) {
       any);
 }
 
+/// Unit of the moduli of a table of `floc moduli`. In reduced units P* is P where there is cohesion, but for the
+/// largest grain, which is a little smaller than a.
+std::string unit_of_table(const CsvTable& table) {
+  for (const char* name : {"units", "dimension", "P", "P_star"})
+    if (!table.has(name)) return "units of the state";
+  const int row = table.n_rows() - 1;
+  const auto number = [&](const char* name) { return table.number(row, table.column(name)); };
+  return stress_unit(table.text(row, table.column("units")), static_cast<int>(number("dimension")),
+                     std::abs(number("P") - number("P_star")) < 0.1 * std::abs(number("P")));
+}
+
 Made moduli(const PlotArguments& arguments) {
   Made made;
   std::vector<ModuliPoint> points;
@@ -89,16 +102,20 @@ Made moduli(const PlotArguments& arguments) {
       // A packing without load has no Reuss bound, and no place on a logarithmic axis of pressures.
       points.push_back({x(4) > 0.0 ? x(0) : 0.0, x(1), x(2), x(3), x(4), x(5), x(6)});
     }
-    if (table.has("units") && table.n_rows() > 0) unit = table.text(0, table.column("units"));
+    if (table.n_rows() > 0) unit = unit_of_table(table);
   } else {
     made.code =
         for_each_state(states_of_inputs(arguments.inputs), [&](const std::string&, const AnyState& state) {
           points.push_back(moduli_of_state(state));
-          unit = std::visit([](const auto& s) { return s.units; }, state);
+          unit = std::visit(
+              []<int Dim>(const State<Dim>& s) {
+                return stress_unit(s.units, Dim, s.packing.law.pull_off_force() > 0.0);
+              },
+              state);
           return int{kDone};
         });
   }
-  if (!points.empty()) made.plot = moduli_plot(points, unit == "reduced" ? "F_0/a" : unit);
+  if (!points.empty()) made.plot = moduli_plot(points, unit);
   return made;
 }
 
@@ -110,15 +127,44 @@ Made coordination_of_path(const PlotArguments& arguments) {
   return {kDone, coordination_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
 }
 
-/// The states to plot: of a directory without --steps, three.
+/// The states to plot: of a directory without --steps, three from the first to the last.
 std::vector<std::string> states_of(const PlotArguments& arguments) {
   return drawn_states(arguments.inputs, arguments.steps, 3);
 }
 
+/// States of a run whose forces can be compared: at the lowest pressure of its loading, half way up and at the
+/// highest. Without any pressure forces are those that grains have locked in between them.
+std::vector<std::string> loading_states(const std::string& directory) {
+  const std::vector<PathRow> rows = read_path(table_of_run(directory), {}).rows;
+  const auto highest = static_cast<int>(std::ranges::max_element(rows, {}, &PathRow::P_star) - rows.begin());
+  int first = 0;
+  while (first < highest && rows[static_cast<std::size_t>(first)].P_star <= 0.0) ++first;
+  std::vector<int> steps;
+  for (const int step : {first, (first + highest) / 2, highest})
+    if (steps.empty() || step != steps.back()) steps.push_back(step);
+  return states_of_inputs({directory}, steps);
+}
+
+/// The states of which forces are plotted.
+std::vector<std::string> force_states(const PlotArguments& arguments) {
+  if (!arguments.steps.empty()) return states_of(arguments);
+  std::vector<std::string> files;
+  for (const std::string& input : arguments.inputs) {
+    const bool is_run = input != "-" && fs::is_directory(input);
+    for (const std::string& file : is_run ? loading_states(input) : std::vector<std::string>{input})
+      files.push_back(file);
+  }
+  return files;
+}
+
+/// Its pressure, and its branch where that is not the first loading.
 std::string name_of_state(const AnyState& any) {
   return std::visit(
       [](const auto& state) {
-        return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean()));
+        const std::string& branch = state.path.branch;
+        const bool loading = branch.empty() || branch == "load" || branch == "assembly" || branch == "imported";
+        return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean())) +
+               (loading ? "" : ", " + branch);
       },
       any);
 }
@@ -130,7 +176,7 @@ Made forces(const PlotArguments& arguments) {
   const ForceUnit unit = arguments.unit == "mean" ? ForceUnit::mean : ForceUnit::pull_off;
   Made made;
   std::vector<ForceSample> samples;
-  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any) {
+  made.code = for_each_state(force_states(arguments), [&](const std::string& file, const AnyState& any) {
     samples.push_back(std::visit(
         [&](const auto& state) { return force_sample(file, name_of_state(any), state.packing, kind, unit); },
         any));
@@ -201,8 +247,10 @@ Command add_plot(CommandLine program) {
                  "of states; scattering: I(k) of states, and its fit "
                  "[forces for state files, otherwise consolidation]")
       .one_of({"consolidation", "moduli", "coordination", "forces", "scattering"});
-  app.add_option("--steps", arguments->steps,
-                 "K,...: states of a directory, for forces and scattering [three, from the first to the last]")
+  app.add_option(
+         "--steps", arguments->steps,
+         "K,...: states of a directory, for forces [at the lowest pressure of loading, half way up, at the "
+         "highest] and scattering [three, from the first to the last]")
       .delimiter(',')
       .non_negative();
   app.add_option("--kind", arguments->kind, "of forces: normal, tangential or rolling [normal]")
@@ -211,11 +259,13 @@ Command add_plot(CommandLine program) {
       .one_of({"mean", "F0"});
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   add_format_option(app, arguments->format);
-  return {app, [arguments] {
-            if (arguments->show.empty())
-              arguments->show = arguments->inputs.front().ends_with(".h5") ? "forces" : "consolidation";
-            return plot(*arguments);
-          }};
+  return {
+      app, [arguments] {
+        if (arguments->show.empty())
+          arguments->show = arguments->inputs.front().ends_with(".h5") ? "forces" : "consolidation";
+        arguments->names = parse_column_names(arguments->columns, {"P_star", "phi", "void_ratio", "branch"});
+        return plot(*arguments);
+      }};
 }
 
 }  // namespace floc

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "floc/base/error.h"
@@ -12,6 +14,7 @@
 #include "floc/packing/grain_sizes.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/structure/scattering.h"
+#include "plot_command.h"
 
 namespace floc {
 namespace {
@@ -71,9 +74,62 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
   return sample;
 }
 
+namespace {
+
+/// Lowest and highest force shown, so that all curves are seen: each holds 99 % of its forces, unless that takes
+/// more than three times the width of the narrowest, which it would press into a spike.
+std::pair<double, double> shown_forces(const std::vector<ForceSample>& samples) {
+  constexpr double kLeftOut = 0.005, kWidest = 3.0;
+  std::vector<std::pair<double, double>> held;
+  for (const ForceSample& sample : samples) {
+    std::vector<double> forces = sample.forces;
+    std::sort(forces.begin(), forces.end());
+    const auto at = [&forces](double share) {
+      return forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))];
+    };
+    held.emplace_back(std::min(0.0, at(kLeftOut)), std::max(0.0, at(1.0 - kLeftOut)));
+  }
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (const auto& [low, high] : held)
+    if (high > low) narrowest = std::min(narrowest, high - low);
+  std::pair<double, double> shown(0.0, 0.0);
+  for (auto [low, high] : held) {
+    const double excess = std::max(1.0, (high - low) / (kWidest * narrowest));
+    shown = {std::min(shown.first, low / excess), std::max(shown.second, high / excess)};
+  }
+  const double margin = 0.05 * (shown.second - shown.first);
+  return {shown.first < 0.0 ? shown.first - margin : 0.0, shown.second + margin};
+}
+
+/// Name of a sample in the legend, with the number of its forces beyond the axis.
+std::string name_in_legend(const ForceSample& sample, const std::pair<double, double>& shown) {
+  const auto n =
+      std::ranges::count_if(sample.forces, [&shown](double f) { return f < shown.first || f > shown.second; });
+  return n == 0 ? sample.name
+                : fmt::format("{} ({} of {} forces not shown)", sample.name, n, sample.forces.size());
+}
+
+/// Axes that hold the points between the forces shown, tails cut where they leave them.
+std::string force_axes(const Plot& plot, const std::vector<int>& points,
+                       const std::pair<double, double>& shown) {
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
+  for (const int b : points)
+    for (const auto& row : plot.blocks[static_cast<std::size_t>(b)].rows)
+      if (row[0] >= shown.first && row[0] <= shown.second)
+        low = std::min(low, row[2]), high = std::max(high, row[3]);
+  std::string script =
+      shown.second > shown.first ? fmt::format("set xrange [{}:{}]\n", shown.first, shown.second) : "";
+  if (high > low) script += fmt::format("set yrange [{}:{}]\n", 0.7 * low, 2.0 * high);
+  return script;
+}
+
+}  // namespace
+
 Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit) {
   Plot plot;
-  std::string curves, tails;
+  std::vector<Curve> curves, tails;
+  std::vector<int> all;
+  const std::pair<double, double> shown = shown_forces(samples);
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const ForceDistribution& d = samples[s].distribution;
     std::vector<std::vector<double>> rows, tail;
@@ -86,16 +142,19 @@ Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceU
       }
     add_tail(samples[s].forces, 1.0, tail);
     if (kind == ForceKind::normal) add_tail(samples[s].forces, -1.0, tail);
-    const int points = plot.add(samples[s].name + ": force density low high count", std::move(rows));
+    const std::size_t color = s % 6 + 1;
+    all.push_back(plot.add(samples[s].name + ": force density low high count", std::move(rows)));
+    curves.push_back(
+        {all.back(), fmt::format("using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb "
+                                 "color[{}] title {}",
+                                 color, gnuplot_quoted(name_in_legend(samples[s], shown)))});
+    const bool named = tail.empty() || !tails.empty();
     const int lines = plot.add(samples[s].name + ": exponential tails: force density", std::move(tail));
-    curves += fmt::format(
-        "{}data index {} using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb color[{}] title "
-        "{}",
-        s == 0 ? "" : ", \\\n     ", points, s % 6 + 1, gnuplot_quoted(samples[s].name));
-    tails +=
-        fmt::format(", \\\n     data index {} using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] {}",
-                    lines, s % 6 + 1, s + 1 == samples.size() ? "title 'exponential tails'" : "notitle");
+    if (plot.blocks.back().rows.empty()) continue;
+    tails.push_back({lines, fmt::format("using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] {}", color,
+                                        named ? "notitle" : "title 'exponential tails'")});
   }
+  std::ranges::move(tails, std::back_inserter(curves));
   const std::string scale = unit == ForceUnit::mean
                                 ? fmt::format("⟨|{}|⟩", kind == ForceKind::normal       ? "F_N"
                                                         : kind == ForceKind::tangential ? "F_T"
@@ -104,14 +163,14 @@ Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceU
                                                          : "F_0";
   plot.script = fmt::format(R"(set logscale y
 set bars 0.4
-set format y '10^{{%T}}'
+{axes}set format y '10^{{%T}}'
 set xlabel {xlabel}
 set ylabel 'probability density'
 set key top right
-{colors}plot {curves}{tails}
-)",
+{colors}{curves})",
+                            fmt::arg("axes", force_axes(plot, all, shown)),
                             fmt::arg("xlabel", gnuplot_quoted(symbol_of(kind) + " / " + scale)),
-                            fmt::arg("colors", kColors), fmt::arg("curves", curves), fmt::arg("tails", tails));
+                            fmt::arg("colors", kColors), fmt::arg("curves", plot_command(plot, curves)));
   return plot;
 }
 
@@ -154,7 +213,7 @@ ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& 
 
 Plot scattering_plot(const std::vector<ScatteringSample>& samples) {
   Plot plot;
-  std::string curves, laws;
+  std::vector<Curve> curves, laws;
   std::vector<int> all;
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const ScatteringSample& sample = samples[s];
@@ -165,15 +224,17 @@ Plot scattering_plot(const std::vector<ScatteringSample>& samples) {
     const int points = plot.add(sample.name + ": k I error", std::move(rows));
     const int line = plot.add(sample.name + ": law: k I", std::move(law));
     all.push_back(points);
-    curves += fmt::format(
-        "{}data index {} using 1:2:3 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb color[{}] title "
-        "{}",
-        s == 0 ? "" : ", \\\n     ", points, s % 6 + 1,
-        gnuplot_quoted(sample.name + (sample.parameters.empty() ? "" : ":  " + sample.parameters)));
-    laws += fmt::format(
-        ", \\\n     data index {} using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] notitle", line,
-        s % 6 + 1);
+    const std::size_t color = s % 6 + 1;
+    curves.push_back(
+        {points, fmt::format("using 1:2:3 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb color[{}] "
+                             "title {}",
+                             color,
+                             gnuplot_quoted(sample.name +
+                                            (sample.parameters.empty() ? "" : ":  " + sample.parameters)))});
+    laws.push_back(
+        {line, fmt::format("using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] notitle", color)});
   }
+  std::ranges::move(laws, std::back_inserter(curves));
   plot.script = fmt::format(R"(set logscale xy
 set bars 0.4
 {range}set format x '%g'
@@ -181,11 +242,10 @@ set format y '10^{{%T}}'
 set xlabel 'k a/2π'
 set ylabel 'I(k)/a^{dimension}'
 set key bottom left
-{colors}plot {curves}{laws}
-)",
+{colors}{curves})",
                             fmt::arg("range", range_script(plot, "x", all, 0, true)),
                             fmt::arg("dimension", samples.front().dimension), fmt::arg("colors", kColors),
-                            fmt::arg("curves", curves), fmt::arg("laws", laws));
+                            fmt::arg("curves", plot_command(plot, curves)));
   return plot;
 }
 

@@ -1,3 +1,4 @@
+#include <cairo.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,6 +52,54 @@ TEST_F(Draw, MakesAFilmStripOfAPath) {
   ASSERT_EQ(spread.size(), 4u);
   EXPECT_THAT(spread[0]["file"].get<std::string>(), HasSubstr("state-0000.h5"));
   EXPECT_THAT(spread[3]["file"].get<std::string>(), HasSubstr("state-0008.h5"));
+}
+
+/// Whether any pixel in the last columns of a png is not white: `margin` points of a page at 200 pixels per inch.
+bool writes_into_margin(const std::string& png, double margin) {
+  cairo_surface_t* image = cairo_image_surface_create_from_png(png.c_str());
+  const int width = cairo_image_surface_get_width(image), height = cairo_image_surface_get_height(image);
+  const int first = width - static_cast<int>(margin * 200.0 / 72.0);
+  const unsigned char* data = cairo_image_surface_get_data(image);
+  bool found = width == 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = first; x < width; ++x) {
+      const unsigned char* pixel = data + y * cairo_image_surface_get_stride(image) + 4 * x;
+      found = found || pixel[0] != 255 || pixel[1] != 255 || pixel[2] != 255;
+    }
+  cairo_surface_destroy(image);
+  return found;
+}
+
+TEST_F(Draw, KeepsEveryWordOnThePageHoweverNarrowItIs) {
+  const char* kinds[] = {"", "--forces particle-pressure", "--forces increment", "--compare run/state-0007.h5"};
+  for (const char* kind : kinds)
+    for (const char* width : {"2", "3", "6", "17"}) {
+      const Outcome o = floc(std::string("draw run/state-0004.h5 --resolution 200 -o narrow.png --width ") +
+                             width + " " + kind);
+      ASSERT_EQ(o.code, 0) << o.err;
+      EXPECT_FALSE(writes_into_margin(file("narrow.png"), 3.5)) << kind << " at " << width << " cm";
+    }
+  ASSERT_EQ(floc("draw run --columns 4 --resolution 200 --width 8 -o narrow.png").code, 0);
+  EXPECT_FALSE(writes_into_margin(file("narrow.png"), 3.5));
+}
+
+TEST_F(Draw, ShowsOfAForceNoMoreThanALineOfTheLegend) {
+  // Six disks as large as the page: 0.15 of their diameter would be wider than the caption above.
+  ASSERT_EQ(floc("run small.toml -o six --set grains.count=6 --until 2").code, 0);
+  ASSERT_EQ(floc("draw six --columns 1 --bare -o bare.svg").code, 0);
+  ASSERT_EQ(floc("draw six --columns 1 -o six.svg").code, 0);
+  const std::string svg = content_of(file("six.svg"));
+  double widest = 0.0;
+  // Samples of the legend are lines of 16 points in the colour of text.
+  const std::string text_colour = "stroke=\"rgb(11.764706%";
+  EXPECT_THAT(svg, HasSubstr("<svg"));
+  for (std::size_t at = 0; (at = svg.find("stroke-width=\"", at)) != std::string::npos; at += 14) {
+    const std::size_t end = svg.find("/>", at);
+    const std::string element = svg.substr(svg.rfind('<', at), end - svg.rfind('<', at));
+    if (element.find(text_colour) != std::string::npos)
+      widest = std::max(widest, std::atof(svg.c_str() + at + 14));
+  }
+  EXPECT_LE(widest, 8.0 + 1e-6);
 }
 
 TEST_F(Draw, GivesTheSameBytesAgainAndBesideOthers) {

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -119,6 +122,91 @@ TEST_F(PlotCommand, ScatteringOfSpheresIsInTheirVolume) {
   const Outcome mixed = floc("plot spheres.h5 run/state-0007.h5 --show scattering -o i3.svg");
   EXPECT_EQ(mixed.code, 4);
   EXPECT_THAT(mixed.err, HasSubstr("run/state-0007.h5: is 2D, and those before it are not"));
+}
+
+TEST_F(PlotCommand, HasNoLegendOfWhatIsNotDrawn) {
+  // The path without its unloading.
+  std::istringstream lines(content_of(file("run/path.csv")));
+  std::string up;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(",unload,") == std::string::npos) up += line + "\n";
+  write_text(file("up.csv"), up);
+  const std::string moduli = floc("moduli run/state-000[1-7].h5 --format csv").out;
+  const std::pair<std::string, std::string> plots[] = {
+      {"plot up.csv -o up.svg --show coordination", ""},
+      {"plot - -o up.svg --show moduli", moduli},
+      {"plot up.csv -o up.svg", ""},
+  };
+  for (const auto& [command, input] : plots) {
+    const Outcome o = floc(command, input);
+    EXPECT_EQ(o.code == 0 || o.code == 3, true) << o.err;
+    EXPECT_THAT(content_of(file("up.svg")), ::testing::Not(HasSubstr("unloading"))) << command;
+    EXPECT_THAT(o.err, ::testing::Not(HasSubstr("Skipping data file"))) << command;
+  }
+}
+
+TEST_F(PlotCommand, WordsOfGnuplotStayWithItUnlessItFails) {
+  // Two states: one point of each curve, which gnuplot warns about.
+  const Outcome o = floc("plot run/state-0000.h5 run/state-0001.h5 -o few.svg --show moduli");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, ::testing::Not(HasSubstr("warning: Skipping"))) << o.err;
+  EXPECT_FALSE(exists("few.svg.words"));
+}
+
+TEST_F(PlotCommand, RegimesAreNamedAboveTheCurveAndApart) {
+  ASSERT_EQ(floc("plot " + kDemo + " -o regimes.svg").code, 0);
+  const std::string script = content_of(file("regimes.gp"));
+  std::vector<double> places;
+  for (std::size_t at = 0; (at = script.find("set label '", at)) != std::string::npos; ++at) {
+    const std::string line = script.substr(at, script.find('\n', at) - at);
+    EXPECT_THAT(line, HasSubstr("graph 1.03"));
+    places.push_back(std::log10(std::atof(line.c_str() + line.find("first ") + 6)));
+  }
+  ASSERT_EQ(places.size(), 3u);
+  // Of the 3.1 decades of the axis.
+  EXPECT_GT(places[1] - places[0], 0.2);
+  EXPECT_GT(places[2] - places[1], 0.2);
+}
+
+TEST_F(PlotCommand, ModuliHaveAUnit) {
+  const auto label = [](const std::string& script) {
+    const std::size_t at = script.find("set ylabel");
+    return script.substr(at, script.find('\n', at) - at);
+  };
+  ASSERT_EQ(floc("plot run -o u.svg --show moduli").code, 0);
+  EXPECT_EQ(label(content_of(file("u.gp"))), "set ylabel 'modulus (F_0/a)'");
+  const std::string table = floc("moduli run/state-000[1-7].h5 --format csv").out;
+  ASSERT_EQ(floc("plot - -o u.svg --show moduli", table).code, 0);
+  EXPECT_EQ(label(content_of(file("u.gp"))), "set ylabel 'modulus (F_0/a)'");
+  std::string in_si = table;
+  for (std::size_t at = 0; (at = in_si.find("reduced", at)) != std::string::npos;) in_si.replace(at, 7, "SI");
+  ASSERT_EQ(floc("plot - -o u.svg --show moduli", in_si).code, 0);
+  EXPECT_EQ(label(content_of(file("u.gp"))), "set ylabel 'modulus (N/m)'");
+}
+
+TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
+  const Outcome o = floc("plot run -o f.svg --show forces");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const std::string data = content_of(file("f.dat")), script = content_of(file("f.gp"));
+  EXPECT_THAT(data, ::testing::Not(HasSubstr("P* = 0:")));  // locked-in forces alone
+  EXPECT_THAT(data, HasSubstr("# P* = 0.01:"));
+  EXPECT_THAT(data, HasSubstr("# P* = 1:"));
+  // Beside a state without load, whose few locked-in forces reach far, the axis is at most three times as wide as
+  // the narrowest curve needs, and the legend says how many forces lie beyond.
+  ASSERT_EQ(floc("plot run -o wide.svg --show forces --steps 0,7").code, 0);
+  const std::string wide = content_of(file("wide.gp"));
+  double low = 0.0, high = 0.0;
+  ASSERT_EQ(std::sscanf(wide.c_str() + wide.find("set xrange"), "set xrange [%lf:%lf]", &low, &high), 2)
+      << wide;
+  double narrowest = 1e9;
+  for (const char* name : {"P* = 0:", "P* = 1:"}) {
+    const auto rows = block(content_of(file("wide.dat")), name);
+    narrowest = std::min(narrowest, rows.back()[0] - std::min(0.0, rows.front()[0]));
+  }
+  EXPECT_LE(high - low, 3.5 * 1.1 * narrowest);
+  // A state of another branch says which.
+  ASSERT_EQ(floc("plot run -o two.svg --show forces --steps 7,8").code, 0);
+  EXPECT_THAT(content_of(file("two.dat")), HasSubstr("# P* = 0.1, unload:"));
 }
 
 TEST_F(PlotCommand, BadInputIsNamed) {

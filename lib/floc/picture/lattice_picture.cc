@@ -155,7 +155,8 @@ std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>&
   const double scale = inner / section.width();
   std::vector<LegendItem> legend;
   for (const auto& [color, text] : picture.meanings) legend.push_back(patch_item(color, text));
-  if (!picture.bar_name.empty()) legend.push_back(color_bar({{}, picture.bar_largest, picture.bar_name}));
+  if (!picture.bar_name.empty())
+    legend.push_back(color_bar({{}, picture.bar_largest, picture.bar_name}, inner));
   const double caption = picture.caption.empty() ? 0.0 : kTextLine;
   const double below = legend.empty() ? 0.0 : kMargin + legend_height(legend, inner);
   const double height = 2.0 * kMargin + caption + section.height() * scale + below;

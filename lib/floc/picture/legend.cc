@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "floc/packing/grain_sizes.h"
 #include "floc/picture/packing_drawing.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kBetween = 12.0;  ///< items (points)
 constexpr double kAfterSample = 4.0;
+constexpr double kThickest = 8.0;  ///< sample of a force: a thicker one would cover the lines of text around
 
 template <int Dim>
 std::string name_of(LineKind kind, const PackingPicture<Dim>& picture) {
@@ -89,32 +91,49 @@ LegendItem text_item(const std::string& text) {
   return {-kAfterSample, [](cairo_t*, double, double) {}, text};
 }
 
-/// Calls `place(item, x, line)` for each item, lines filled from the left.
+/// Calls `place(item, x, line)` for each item, lines filled from the left; one that is longer than a line has as
+/// many as its text needs. @return the number of lines
 template <class Place>
-void flow(const std::vector<LegendItem>& items, double width, Place&& place) {
+int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   double x = 0.0;
-  int line = 0;
+  int line = 0, n_lines = 0;
   for (const LegendItem& item : items) {
     if (x > 0.0 && x + item.width() > width) x = 0.0, ++line;
     place(item, x, line);
+    const auto n = static_cast<int>(item.lines(width).size());
+    n_lines = line + n;
     x += item.width() + kBetween;
+    if (n > 1) x = 0.0, line += n;
   }
+  return n_lines;
+}
+
+/// Where the longest beginning of a text that fits `width` ends, at least one letter, between letters of UTF-8.
+std::size_t end_of_fitting(const std::string& text, double width) {
+  std::size_t end = 0;
+  do {
+    std::size_t next = end + 1;
+    while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0U) == 0x80U) ++next;
+    if (end > 0 && text_width(text.substr(0, next)) > width) break;
+    end = next;
+  } while (end < text.size());
+  return end;
 }
 
 }  // namespace
 
-LegendItem color_bar(const GrainShade& shade) {
-  constexpr double kWidth = 90.0;
+LegendItem color_bar(const GrainShade& shade, double room) {
+  const double width = std::min(90.0, room);
   return {
-      kWidth,
-      [](cairo_t* page, double x, double y) {
-        cairo_pattern_t* gradient = cairo_pattern_create_linear(x, 0.0, x + kWidth, 0.0);
+      width,
+      [width](cairo_t* page, double x, double y) {
+        cairo_pattern_t* gradient = cairo_pattern_create_linear(x, 0.0, x + width, 0.0);
         const auto n = static_cast<int>(palette::kDiverging.size());
         for (int k = 0; k < n; ++k) {
           const Color& c = palette::kDiverging[static_cast<std::size_t>(k)];
           cairo_pattern_add_color_stop_rgb(gradient, static_cast<double>(k) / (n - 1), c.red, c.green, c.blue);
         }
-        cairo_rectangle(page, x, y - 4.0, kWidth, 8.0);
+        cairo_rectangle(page, x, y - 4.0, width, 8.0);
         cairo_set_source(page, gradient);
         cairo_fill_preserve(page);
         cairo_pattern_destroy(gradient);
@@ -153,13 +172,49 @@ double text_width(const std::string& text) {
   return extents.x_advance;
 }
 
+std::vector<std::string> wrapped_text(const std::string& text, double width) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.empty() && text_width(lines.back() + " " + word) <= width) {
+      lines.back() += " " + word;
+      continue;
+    }
+    while (text_width(word) > width) {
+      const std::size_t end = end_of_fitting(word, width);
+      if (end == word.size()) break;
+      lines.push_back(word.substr(0, end));
+      word.erase(0, end);
+    }
+    lines.push_back(word);
+  }
+  return lines;
+}
+
 double LegendItem::width() const {
   return sample_width + kAfterSample + text_width(text);
 }
 
-void LegendItem::draw(cairo_t* page, double x, double baseline) const {
+std::vector<std::string> LegendItem::lines(double room) const {
+  if (width() <= room) return {text};
+  const double beside = room - sample_width - kAfterSample;
+  std::istringstream words(text);
+  bool fits = true;
+  for (std::string word; words >> word;) fits = fits && text_width(word) <= beside;
+  if (fits) return wrapped_text(text, beside);
+  std::vector<std::string> below = wrapped_text(text, room);
+  if (sample_width > 0.0) below.insert(below.begin(), "");
+  return below;
+}
+
+void LegendItem::draw(cairo_t* page, double x, double baseline, double room) const {
   draw_sample(page, x, baseline - 0.36 * kTextSize);
-  draw_text(page, x + sample_width + kAfterSample, baseline, text);
+  const std::vector<std::string> set = lines(room);
+  const bool below = set.front().empty() || (set.size() > 1 && sample_width <= 0.0);
+  for (const std::string& line : set) {
+    draw_text(page, below ? x : x + sample_width + kAfterSample, baseline, line);
+    baseline += kTextLine;
+  }
 }
 
 template <int Dim>
@@ -180,14 +235,15 @@ LegendItem line_item(const Color& color, double width, const std::string& text) 
 
 template <int Dim>
 LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale) {
-  const double force = round_number_below(2.0 * rms_force(picture));
+  const double force =
+      round_number_below(std::min(2.0 * rms_force(picture), kThickest / scale.points_per_force));
   return line_item<Dim>(Dim == 2 ? palette::kText : palette::kOutline, force * scale.points_per_force,
                         "|" + picture.force_symbol + "| = " + short_number(force) + " " + picture.force_unit);
 }
 
 template <int Dim>
 std::vector<LegendItem> legend_of(const std::vector<PackingPicture<Dim>>& pictures, const DrawnScale& scale,
-                                  double bar) {
+                                  double bar, double width) {
   const PackingPicture<Dim>& first = pictures.front();
   std::vector<LegendItem> items = {scale_bar(largest_diameter(first.radius), scale.points_per_length, bar)};
   std::set<LineKind> kinds;
@@ -204,27 +260,27 @@ std::vector<LegendItem> legend_of(const std::vector<PackingPicture<Dim>>& pictur
   const auto moved = std::find_if(pictures.begin(), pictures.end(),
                                   [](const PackingPicture<Dim>& p) { return rms_displacement(p) > 0.0; });
   if (moved != pictures.end()) items.push_back(arrow_item(*moved, scale));
-  if (!first.shade.value.empty()) items.push_back(color_bar(first.shade));
+  if (!first.shade.value.empty()) items.push_back(color_bar(first.shade, width));
   for (const PackingPicture<Dim>& picture : pictures)
     if (!picture.note.empty() && pictures.size() == 1) items.push_back(text_item(picture.note));
   return items;
 }
 
 double legend_height(const std::vector<LegendItem>& items, double width) {
-  int lines = 0;
-  flow(items, width, [&lines](const LegendItem&, double, int line) { lines = line + 1; });
-  return lines * kTextLine;
+  return flow(items, width, [](const LegendItem&, double, int) {}) * kTextLine;
 }
 
 void draw_legend(cairo_t* page, const std::vector<LegendItem>& items, double left, double top, double width) {
   flow(items, width, [&](const LegendItem& item, double x, int line) {
-    item.draw(page, left + x, top + kTextLine * line + kTextSize);
+    item.draw(page, left + x, top + kTextLine * line + kTextSize, width);
   });
 }
 
 template LegendItem force_item(const PackingPicture<2>&, const DrawnScale&);
 template LegendItem force_item(const PackingPicture<3>&, const DrawnScale&);
-template std::vector<LegendItem> legend_of(const std::vector<PackingPicture<2>>&, const DrawnScale&, double);
-template std::vector<LegendItem> legend_of(const std::vector<PackingPicture<3>>&, const DrawnScale&, double);
+template std::vector<LegendItem> legend_of(const std::vector<PackingPicture<2>>&, const DrawnScale&, double,
+                                           double);
+template std::vector<LegendItem> legend_of(const std::vector<PackingPicture<3>>&, const DrawnScale&, double,
+                                           double);
 
 }  // namespace floc

@@ -24,6 +24,10 @@ void draw_text(cairo_t* page, double x, double y, const std::string& text);
 /// Width of a text (points), the same for every format.
 double text_width(const std::string& text);
 
+/// A text broken at its spaces into lines no longer than `width` (points); a word that is longer by itself is
+/// broken where it has to be.
+std::vector<std::string> wrapped_text(const std::string& text, double width);
+
 /// One thing a legend explains: a sample and text after it.
 struct LegendItem {
   double sample_width;  ///< (points)
@@ -32,7 +36,10 @@ struct LegendItem {
   std::string text;
 
   double width() const;
-  void draw(cairo_t* page, double x, double baseline) const;
+  /// Lines of its text where there are `room` points: beside the sample if its words fit there, otherwise below
+  /// it, the first line being empty.
+  std::vector<std::string> lines(double room) const;
+  void draw(cairo_t* page, double x, double baseline, double room) const;
 };
 
 /// A line of that width (points), in 3D a round bar, and its meaning.
@@ -40,19 +47,21 @@ template <int Dim>
 LegendItem line_item(const Color& color, double width, const std::string& text);
 
 /// The colours of a value, from the most negative to the most positive.
-LegendItem color_bar(const GrainShade& shade);
+/// @param room  the bar is no longer than this (points)
+LegendItem color_bar(const GrainShade& shade, double room);
 
-/// How thick a round force is drawn at this scale.
+/// How thick a round force is drawn at this scale; no thicker than a line of text.
 /// @pre some line has a force
 template <int Dim>
 LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale);
 
 /// What all pictures of a sheet show, explained once: scale bar, kinds of lines, rattlers, arrows, colours,
 /// notes.
-/// @param bar  of the scale bar, about its longest length (points)
+/// @param bar    of the scale bar, about its longest length (points)
+/// @param width  that there is for the legend (points)
 template <int Dim>
 std::vector<LegendItem> legend_of(const std::vector<PackingPicture<Dim>>& pictures, const DrawnScale& scale,
-                                  double bar);
+                                  double bar, double width);
 
 /// Height of a legend set in lines no longer than `width` (points).
 double legend_height(const std::vector<LegendItem>& items, double width);

@@ -51,7 +51,7 @@ class Layout {
     own_keys_ =
         pictures.size() > 1 && !options.same_force_scale && !options.bare && rms_force(pictures.front()) > 0.0;
     if (!options.bare) {
-      legend_ = legend_of(pictures, scale_, std::min(100.0, 0.3 * column_width_));
+      legend_ = legend_of(pictures, scale_, std::min(100.0, 0.3 * column_width_), inner_width());
       if (!own_keys_ && rms_force(pictures.front()) > 0.0)
         legend_.insert(legend_.begin() + 1, force_item(pictures.front(), scale_));
       for (const PackingPicture<Dim>& p : pictures) captions_.push_back(caption_lines(p));
@@ -81,7 +81,7 @@ class Layout {
       const Placement& at = placements_[k];
       double baseline = at.top - room_ - 4.0;
       if (own_keys_) {
-        force_item(pictures_[k], at.scale).draw(page, at.left - room_, baseline);
+        force_item(pictures_[k], at.scale).draw(page, at.left - room_, baseline, column_width_);
         baseline -= kTextLine;
       }
       for (auto line = captions_[k].rbegin(); line != captions_[k].rend(); ++line, baseline -= kTextLine)
@@ -130,10 +130,12 @@ class Layout {
     std::vector<std::string> lines;
     for (const std::string& part : picture.caption) {
       const std::string longer = lines.empty() ? part : lines.back() + "   " + part;
-      if (lines.empty() || text_width(longer) > column_width_)
+      if (!lines.empty() && text_width(longer) <= column_width_)
+        lines.back() = longer;
+      else if (text_width(part) <= column_width_)
         lines.push_back(part);
       else
-        lines.back() = longer;
+        for (const std::string& line : wrapped_text(part, column_width_)) lines.push_back(line);
     }
     return lines;
   }

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <malloc.h>
 
 #include <csignal>
@@ -14,6 +15,8 @@
 #include "floc/run/drive.h"
 #include "floc/run/energy_tracker.h"
 #include "floc/scene/read_scene.h"
+#include "floc/scene/scene_changes.h"
+#include "floc/scene/scene_warnings.h"
 #include "run_ensemble.h"
 #include "run_monitor.h"
 
@@ -39,6 +42,7 @@ struct RunArguments {
   bool track_energy = false;
   bool resume = false;
   bool overwrite = false;
+  bool no_timing = false;
 };
 
 RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
@@ -46,6 +50,28 @@ RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
   if (arguments.seed) options.seed = *arguments.seed;
   if (arguments.threads) options.relaxation.threads = *arguments.threads;
   return options;
+}
+
+/// The scene of a run in a directory: of its first state, or of a checkpoint before that; empty without either.
+std::string scene_of_run(const std::string& directory) {
+  for (const std::string& file : {state_file(directory, 0), directory + "/checkpoint/checkpoint.h5"})
+    if (std::filesystem::exists(file))
+      return std::visit([](const auto& state) { return state.scene; }, read_state(file));
+  return "";
+}
+
+/// Opens the directory of the run. What keeps it from being continued is named by its keys.
+RunDirectory open_directory(const RunArguments& arguments, Existing existing, const RunOptions& options) {
+  try {
+    return RunDirectory(arguments.directory, existing, options);
+  } catch (const InputError& error) {
+    const std::string begun = existing == Existing::resume ? scene_of_run(arguments.directory) : "";
+    if (begun.empty() || begun == options.text) throw;
+    const std::vector<std::string> changes = scene_changes(options.text, "here", begun, "there");
+    throw InputError("", fmt::format("{}; {}", error.what(),
+                                     changes.empty() ? "the scenes differ in comments or layout alone"
+                                                     : fmt::format("changed: {}", fmt::join(changes, "; "))));
+  }
 }
 
 /// Says how a run ended. @return exit code
@@ -85,7 +111,7 @@ int run_scene(const Scene& scene, const RunArguments& arguments) {
   // From here on there is a directory to leave in order.
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  RunDirectory directory(arguments.directory, existing, options);
+  RunDirectory directory = open_directory(arguments, existing, options);
   Run<Dim> run = start_or_resume<Dim>(directory, options);
 
   std::unique_ptr<MotionTable<Dim>> table;
@@ -99,6 +125,7 @@ int run_scene(const Scene& scene, const RunArguments& arguments) {
   DriveOptions<Dim> driving;
   driving.checkpoint_every = scene.checkpoint_every;
   if (arguments.until) driving.until = *arguments.until;
+  driving.timing = !arguments.no_timing;
   driving.stop = [] { return g_interrupted != 0; };
   driving.chunk = [&monitor](const Run<Dim>& moving) { monitor.chunk(moving); };
   driving.equilibrium = [&monitor](const auto&... reached) { monitor.equilibrium(reached...); };
@@ -108,6 +135,8 @@ int run_scene(const Scene& scene, const RunArguments& arguments) {
 int run_scene(const RunArguments& arguments) {
   ::mallopt(M_MMAP_THRESHOLD, kReturnedBlock);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
+  for (const std::string& warning : scene_warnings(scene))
+    fmt::print(stderr, "{}: warning: {}\n", arguments.scene, warning);
   return scene.dimension == 3 ? run_scene<3>(scene, arguments) : run_scene<2>(scene, arguments);
 }
 
@@ -135,6 +164,7 @@ int run_seeds(const RunArguments& arguments) {
   if (arguments.track_energy) args.emplace_back("--track-energy");
   if (arguments.resume) args.emplace_back("--resume");
   if (arguments.overwrite) args.emplace_back("--overwrite");
+  if (arguments.no_timing) args.emplace_back("--no-timing");
   return run_ensemble(directory, seeds, arguments.jobs, args, arguments.resume);
 }
 
@@ -170,6 +200,8 @@ Command add_run(CommandLine program) {
                "is lost and "
                "in what; needs equilibrium.finish = \"dynamic\", and some 20 times the time")
       .excludes(track_contacts);
+  app.add_flag("--no-timing", arguments->no_timing,
+               "Leave the column seconds of path.csv empty, so that equal runs are equal files");
   app.add_option("--until", arguments->until, "Stop after the equilibrium of this number").non_negative();
   return {app,
           [arguments] { return arguments->seeds.empty() ? run_scene(*arguments) : run_seeds(*arguments); }};

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <cerrno>
@@ -10,6 +11,7 @@
 #include "floc/base/error.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
+#include "floc/scene/scene_warnings.h"
 #include "floc/scene/starting_scene.h"
 #include "output.h"
 
@@ -30,7 +32,12 @@ int check_scene(const SceneArguments& arguments) {
   print_table(table, arguments.format);
   if (!scene.start.empty()) spdlog::info("start: {}", scene.start);
   if (!scene.accuracy.empty()) spdlog::info("accuracy: {}", scene.accuracy);
-  spdlog::info("{}: no faults", arguments.path);
+  const std::vector<std::string> warnings = scene_warnings(scene);
+  for (const std::string& warning : warnings) spdlog::warn("{}: warning: {}", arguments.path, warning);
+  spdlog::info("{}: no faults{}", arguments.path,
+               warnings.empty()       ? ""
+               : warnings.size() == 1 ? ", 1 warning"
+                                      : fmt::format(", {} warnings", warnings.size()));
   return kDone;
 }
 

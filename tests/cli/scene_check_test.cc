@@ -57,6 +57,39 @@ TEST(SceneCheck, ListsEveryFaultAndExitsWithBadInput) {
   EXPECT_THAT(o.err, HasSubstr("contact.normal.stiffness is missing"));
 }
 
+struct Doubtful {
+  const char* change;
+  const char* warning;
+};
+
+TEST(SceneCheck, WarnsOfWhatWillNotComeOutAsMeant) {
+  const Doubtful scenes[] = {
+      {"equilibrium.force=1e-17", "equilibrium.force = 1e-17: doubles do not hold it"},
+      {"equilibrium.moment=1e-10", "equilibrium.moment = 1e-10: Newton steps end at 1e-08"},
+      {"contact.adhesion.range=0.4", "contact.adhesion.range = 0.4: longer than the smallest radius, 0.25"},
+      {"grains.count=100000000", "days of one core"},
+  };
+  for (const Doubtful& scene : scenes) {
+    const Outcome o = run_floc("scene check " + kDemo + " --set " + scene.change);
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_THAT(o.err, HasSubstr(std::string("demo.toml: warning: "))) << scene.change;
+    EXPECT_THAT(o.err, HasSubstr(scene.warning)) << scene.change;
+    EXPECT_THAT(o.err, HasSubstr("no faults, 1 warning")) << scene.change;
+  }
+  const std::string direct = source_directory() + "/data/scenes/type1_no_rolling.toml";
+  EXPECT_THAT(run_floc("scene check " + direct + " --set cell.strain_rate_cap=1e-9").err,
+              HasSubstr("cell.strain_rate_cap = 1e-09: compressing the gas from solid_fraction"));
+}
+
+TEST(SceneCheck, HasNothingAgainstTheShippedScenes) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_directory() + "/data/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Outcome o = run_floc("scene check " + entry.path().string());
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_THAT(o.err, testing::Not(HasSubstr("warning"))) << entry.path();
+  }
+}
+
 struct Mistake {
   const char* set;
   const char* expectation;

@@ -40,7 +40,7 @@ class Driver {
     if (table_ != nullptr) table_->finish_step(run_);
     // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
     if (table_ != nullptr) table_->write();
-    const std::string sha256 = directory_.save(state, seconds);
+    const std::string sha256 = directory_.save(state, options_.timing ? std::optional(seconds) : std::nullopt);
     if (options_.equilibrium) options_.equilibrium(state, run_.report(), seconds);
     run_.saved(sha256);
     step_began_ = Clock::now();

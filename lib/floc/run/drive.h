@@ -13,6 +13,7 @@ template <int Dim>
 struct DriveOptions {
   double checkpoint_every = 60.0;               ///< wall time between two checkpoints (s)
   int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to make
+  bool timing = true;  ///< whether path.csv says how long each step took; without, equal runs are equal files
   /// Asked after each chunk of steps, such as for a signal: true stops the run at a checkpoint. Empty: never.
   std::function<bool()> stop;
   /// Called after each chunk that ends without an equilibrium. May be empty.

@@ -140,7 +140,7 @@ std::string RunDirectory::row_of(const State<Dim>& state, std::optional<double> 
 }
 
 template <int Dim>
-std::string RunDirectory::save(const State<Dim>& state, double seconds) {
+std::string RunDirectory::save(const State<Dim>& state, std::optional<double> seconds) {
   const std::string file = state_path(state.path.step);
   write_state(file, state);
   rows_[state.path.step] = row_of(state, seconds);
@@ -176,10 +176,10 @@ void RunDirectory::write_rows() const {
   write_bytes_atomically(path_table(), text);
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                      \
-  template std::optional<ReachedPoint<Dim>> RunDirectory::resume_point<Dim>();     \
-  template std::string RunDirectory::save(const State<Dim>&, double);              \
-  template void RunDirectory::save_checkpoint(const State<Dim>&, const RunPoint&); \
+#define FLOC_INSTANTIATE(Dim)                                                        \
+  template std::optional<ReachedPoint<Dim>> RunDirectory::resume_point<Dim>();       \
+  template std::string RunDirectory::save(const State<Dim>&, std::optional<double>); \
+  template void RunDirectory::save_checkpoint(const State<Dim>&, const RunPoint&);   \
   template Packing<Dim> RunDirectory::start_of<Dim>(int) const;
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

@@ -39,9 +39,10 @@ class RunDirectory {
   template <int Dim>
   std::optional<ReachedPoint<Dim>> resume_point();
 
-  /// Saves an equilibrium and its row. @return SHA-256 of the state's file
+  /// Saves an equilibrium and its row. @param seconds  that it took; none: the row does not say
+  /// @return SHA-256 of the state's file
   template <int Dim>
-  std::string save(const State<Dim>& state, double seconds);
+  std::string save(const State<Dim>& state, std::optional<double> seconds);
   template <int Dim>
   void save_checkpoint(const State<Dim>& state, const RunPoint& point);
   void remove_checkpoint();

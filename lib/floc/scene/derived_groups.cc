@@ -4,21 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "floc/contact/law_description.h"
 #include "floc/relaxation/dynamics.h"
+#include "floc/scene/grain_mass.h"
 
 namespace floc {
 namespace {
-
-/// Without a density a grain of diameter 1 has mass 1.
-double mass_of(const Scene& scene, double diameter) {
-  const double unit_volume = scene.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
-  const double cube = scene.dimension == 2 ? diameter * diameter : diameter * diameter * diameter;
-  return scene.grains.density.value_or(1.0 / unit_volume) * unit_volume * cube;
-}
 
 /// Time step of the run (time unit of the scene): the smallest grain sets it.
 template <int Dim>

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <numbers>
+
+#include "floc/scene/scene.h"
+
+namespace floc {
+
+/// Mass of a grain of that diameter. Without a density a grain of diameter 1 has mass 1.
+inline double mass_of(const Scene& scene, double diameter) {
+  const double unit_volume = scene.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
+  const double cube = scene.dimension == 2 ? diameter * diameter : diameter * diameter * diameter;
+  return scene.grains.density.value_or(1.0 / unit_volume) * unit_volume * cube;
+}
+
+}  // namespace floc

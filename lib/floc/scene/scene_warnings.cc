@@ -1,0 +1,111 @@
+#include "floc/scene/scene_warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/relaxation/static_solver.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/grain_mass.h"
+
+namespace floc {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+/// Rounding of the four or so forces of a grain, each of a few F1, leaves this much of them.
+constexpr double kRounding = 1e-15;
+/// Kinetic energy that rounding keeps alive: of velocities of 1e-12 of the natural ones.
+constexpr double kLeastEnergy = 1e-24;
+
+void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
+  const EquilibriumTolerance& t = scene.relaxation.tolerance;
+  const double newton = StaticSolverOptions{}.target;
+  for (const auto& [key, value] : {std::pair("force", t.force), {"moment", t.moment}, {"stress", t.stress}}) {
+    if (value <= kRounding)
+      warnings.push_back(
+          fmt::format("equilibrium.{} = {}: doubles do not hold it; rounding of the forces leaves about {}, so "
+                      "that steps end by equilibrium.max_time alone",
+                      key, value, kRounding));
+    else if (value < newton)
+      warnings.push_back(
+          fmt::format("equilibrium.{} = {}: Newton steps end at {}; a step that they do not bring below by "
+                      "chance goes on until equilibrium.max_time",
+                      key, value, newton));
+  }
+  if (scene.relaxation.finish == Finish::dynamic && t.energy < kLeastEnergy)
+    warnings.push_back(fmt::format(
+        "equilibrium.energy = {}: with finish = \"dynamic\" rounding keeps grains moving at about {}, "
+        "so that steps end by equilibrium.max_time alone",
+        t.energy, kLeastEnergy));
+}
+
+void warn_of_range(const Scene& scene, Warnings& warnings) {
+  const double radius = 0.5 * scene.grains.diameter.min;
+  if (scene.law.range() > radius && radius > 0.0)
+    warnings.push_back(
+        fmt::format("contact.adhesion.range = {}: longer than the smallest radius, {}; grains attract others "
+                    "behind their neighbours",
+                    scene.law.range(), radius));
+}
+
+/// sqrt(a m/F1) at a pressure.
+double time_unit(const Scene& scene, double pressure) {
+  const double a = scene.grains.diameter.max, m = mass_of(scene, a);
+  const double F1 = std::max(scene.law.pull_off_force(), pressure * std::pow(a, scene.dimension - 1));
+  return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
+}
+
+/// A gas has to be compressed until grains hold each other before the step that compresses it is given up.
+void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
+  // Looser than this no gas that is compressed at once comes to rest, even with adhesion.
+  const double loosest = scene.dimension == 2 ? 0.5 : 0.35;
+  const bool gas = scene.assembly.protocol == AssemblyOptions::Protocol::direct;
+  const double phi = scene.assembly.solid_fraction, pressure = scene.assembly.pressure;
+  if (!gas || !(phi > 0.0) || phi >= loosest || !(pressure > 0.0)) return;
+  const double unit = time_unit(scene, pressure);
+  const RelaxationOptions r = scene.assembly.cell.applied_to(scene.relaxation);
+  // The inertial number is the rate times sqrt(m/P), of spheres sqrt(m/(P a)): sqrt(a m/F1) where F1 is of P.
+  const double free_unit = scene.law.pull_off_force() > 0.0 ? time_unit(scene, 0.0) : unit;
+  const double rate = r.strain_rate_cap       ? *r.strain_rate_cap / free_unit
+                      : r.inertial_number_cap ? *r.inertial_number_cap / unit
+                                              : 0.0;
+  if (!(rate > 0.0) || !(unit > 0.0)) return;
+  const double least = std::log(loosest / phi) / (scene.dimension * rate) / unit;
+  if (least > r.max_time)
+    warnings.push_back(
+        fmt::format("cell.{} = {}: compressing the gas from solid_fraction = {} takes at least {:.3g} "
+                    "sqrt(a m/F1), and equilibrium.max_time = {} gives a step up before",
+                    r.strain_rate_cap ? "strain_rate_cap" : "inertial_number_cap",
+                    r.strain_rate_cap ? *r.strain_rate_cap : *r.inertial_number_cap, phi, least, r.max_time));
+}
+
+void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
+  const bool sticks = scene.law.damping || scene.law.friction;
+  if (scene.assembly.protocol == AssemblyOptions::Protocol::aggregation && !sticks)
+    warnings.push_back(
+        "assembly.protocol = \"aggregation\": without contact.damping and contact.friction nothing takes "
+        "energy "
+        "out of collisions, so that grains part again; expected one of these tables");
+}
+
+void warn_of_cost(const Scene& scene, Warnings& warnings) {
+  constexpr double kDay = 86400.0, kLong = 30.0 * kDay;
+  if (const double cost = expected_cost(scene); cost > kLong)
+    warnings.push_back(fmt::format("the path is expected to take {:.3g} days of one core", cost / kDay));
+}
+
+}  // namespace
+
+std::vector<std::string> scene_warnings(const Scene& scene) {
+  Warnings warnings;
+  warn_of_tolerances(scene, warnings);
+  warn_of_range(scene, warnings);
+  warn_of_slow_compression(scene, warnings);
+  warn_of_no_sticking(scene, warnings);
+  warn_of_cost(scene, warnings);
+  return warnings;
+}
+
+}  // namespace floc

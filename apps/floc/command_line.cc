@@ -2,10 +2,47 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <iostream>
 
 #include "command.h"
+#include "floc/base/nearest_name.h"
 
 namespace floc {
+namespace {
+
+/// "--name" and "-n" of the options of a command.
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+/// The first argument of `app` or of the command given to it that names no option or command, in words, with
+/// the nearest that there is; empty if all are known.
+/// @param called  how the user called `app`, "floc fit"
+std::string unknown_name(const CLI::App& app, const std::string& called) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  for (const std::string& argument : app.remaining()) {
+    const std::string name = argument.substr(0, argument.find('='));
+    if (name.starts_with('-') && name.size() > 1)
+      return called + " has no option " + name + "; the nearest is " + nearest_name(name, option_names(app));
+    if (const std::vector<std::string> commands = command_names(app); given.empty() && !commands.empty())
+      return called + " has no command " + name + "; the nearest is " + nearest_name(name, commands);
+  }
+  return given.empty() ? "" : unknown_name(*given.back(), called + " " + given.back()->get_name());
+}
+
+}  // namespace
 
 Option Option::required() {
   option_->required();
@@ -137,6 +174,11 @@ std::optional<int> ProgramLine::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const bool fault = error.get_exit_code() != 0;
+    if (const std::string unknown = unknown_name(*app_, app_->get_name()); fault && !unknown.empty()) {
+      std::cerr << "floc: " << unknown << "\nRun with --help for more information.\n";
+      return kUsage;
+    }
     return app_->exit(error) == 0 ? kDone : kUsage;
   }
   return std::nullopt;

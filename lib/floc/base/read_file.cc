@@ -15,7 +15,8 @@ std::string read_all(const std::string& place, std::FILE* file) {
   char buffer[1 << 16];
   while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file)) bytes.append(buffer, n);
   // A directory opens, and fails only when it is read.
-  if (std::ferror(file)) throw InputError(place, std::strerror(errno));
+  if (std::ferror(file))
+    throw InputError(place, errno == EISDIR ? "is a directory, expected a file" : std::strerror(errno));
   return bytes;
 }
 

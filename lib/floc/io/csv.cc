@@ -80,6 +80,7 @@ CsvTable CsvTable::parse(const std::string& place, std::istream& in) {
     }
     table.add_row(number, split(here, line, separator));
   }
+  if (number == 0) throw InputError(place, "is empty, expected a table whose first line names its columns");
   if (table.columns_.empty()) throw InputError(place, "has no header: the first line names the columns");
   return table;
 }

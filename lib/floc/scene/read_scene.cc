@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "floc/base/error.h"
+#include "floc/base/read_file.h"
 #include "floc/contact/law_description.h"
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/numerical_settings.h"
@@ -348,11 +349,14 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
 }
 
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (std::filesystem::is_directory(path) || !in || !(text << in.rdbuf()))
-    throw InputError(path, "cannot be read: expected a scene file (TOML)");
-  return parse_scene(text.str(), path, std::filesystem::path(path).parent_path().string(), overrides);
+  const auto refuse = [&path](const char* why) {
+    throw InputError(path, fmt::format("{}: expected a scene file (TOML)", why));
+  };
+  if (std::filesystem::is_directory(path)) refuse("cannot be read: it is a directory");
+  if (path != "-" && !std::filesystem::exists(path)) refuse("cannot be read: no such file");
+  const std::string text = read_file(path);
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) refuse("is empty");
+  return parse_scene(text, path, std::filesystem::path(path).parent_path().string(), overrides);
 }
 
 }  // namespace floc

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <numeric>
 #include <sstream>
 
 #include "floc/base/error.h"
+#include "floc/base/nearest_name.h"
 
 namespace floc {
 namespace {
@@ -53,22 +53,6 @@ toml::node* descend(toml::node* node, const std::string& part) {
 
 bool is_below(const std::string& key, const std::string& parent) {
   return key.size() > parent.size() && key.compare(0, parent.size(), parent) == 0 && key[parent.size()] == '.';
-}
-
-/// Levenshtein distance.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1] ? 1 : 0);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
 }
 
 }  // namespace
@@ -159,10 +143,7 @@ std::string as_written(const toml::node& node) {
 }
 
 std::string nearest_key(std::string_view key, const std::vector<std::string>& candidates) {
-  const auto nearest = std::min_element(
-      candidates.begin(), candidates.end(),
-      [&](const auto& a, const auto& b) { return edit_distance(key, a) < edit_distance(key, b); });
-  return nearest == candidates.end() ? std::string{} : *nearest;
+  return nearest_name(key, candidates);
 }
 
 }  // namespace floc

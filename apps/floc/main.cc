@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "command_line.h"
+#include "export.h"
 #include "floc/base/error.h"
 #include "floc/base/version.h"
 #include "lattice_command.h"
@@ -21,7 +22,7 @@ constexpr AddCommand kCommands[] = {
     floc::add_run,     floc::add_scene,     floc::add_moduli,  floc::add_modes, floc::add_network,
     floc::add_lattice, floc::add_structure, floc::add_compare, floc::add_fit,   floc::add_verify,
     floc::add_info,    floc::add_convert,   floc::add_chain,   floc::add_draw,  floc::add_plot,
-    floc::add_report,  floc::add_tradeoff};
+    floc::add_report,  floc::add_tradeoff, floc::add_export};
 
 int run_command(const std::vector<floc::Command>& commands) {
   for (const floc::Command& command : commands)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "floc/base/error.h"
+#include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
 
 namespace floc {
@@ -19,15 +20,8 @@ Imported read_csv_packing(const std::string& path, const ImportOptions& options)
   listed.cell = options.cell;
   const CsvTable table = CsvTable::read(path);
   listed.grains = read_grains(NamedColumns(table, options.columns));
-  listed.contacts = read_csv_contacts(options, static_cast<int>(listed.cell.size()));
+  listed.contacts = read_contact_file(options, static_cast<int>(listed.cell.size()));
   return assemble(listed);
-}
-
-std::optional<std::vector<ListedContact>> read_csv_contacts(const ImportOptions& options, int dimension) {
-  check_contact_columns("--contact-columns", options.contact_columns);
-  if (options.contacts.empty()) return std::nullopt;
-  const CsvTable table = CsvTable::read(options.contacts);
-  return read_contacts(NamedColumns(table, options.contact_columns), dimension);
 }
 
 }  // namespace floc

@@ -8,7 +8,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
-#include "floc/io/csv_packing.h"
+#include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
 
 namespace floc {
@@ -136,7 +136,7 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   const int dimension = dimension_of(listed.grains, options);
   if (options.cell.empty() && keys.contains("Lattice"))
     listed.cell = lattice_of(place, keys["Lattice"], dimension);
-  listed.contacts = read_csv_contacts(options, dimension);
+  listed.contacts = read_contact_file(options, dimension);
   Imported imported = assemble(listed);
   imported.remarks.push_back(fmt::format("frame {} of 0 to {}", index, n - 1));
   return imported;

@@ -10,7 +10,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
-#include "floc/io/csv_packing.h"
+#include "floc/io/contact_file.h"
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
 
@@ -137,7 +137,7 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
   const int dimension = dimension_of(listed.grains, options);
   listed.cell_place = options.cell.empty() ? data.box_place : "--cell";
   listed.cell = options.cell.empty() ? data.box.lattice(data.box_place, dimension) : options.cell;
-  listed.contacts = read_csv_contacts(options, dimension);
+  listed.contacts = read_contact_file(options, dimension);
   return assemble(listed);
 }
 

@@ -10,6 +10,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
+#include "floc/io/contact_file.h"
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
 
@@ -139,16 +140,16 @@ Frame read_grain_frame(const std::string& path, const ImportOptions& options,
   return frame;
 }
 
-/// The frame of a `dump local` with a given time step; of several the last.
-CsvTable read_contact_frame(const std::string& path, std::int64_t timestep) {
+/// The frame of a `dump local` with a given time step, or without one any; of several the last.
+CsvTable read_contact_frame(const std::string& path, std::optional<std::int64_t> timestep) {
   const DumpLines dump(path);
   const std::vector<std::size_t> starts = frame_starts(dump);
   std::vector<std::int64_t> timesteps;
   for (auto start = starts.rbegin(); start != starts.rend(); ++start) {
     timesteps.push_back(dump.integer(*start + 1, "the time step"));
-    if (timesteps.back() == timestep) return read_frame(dump, *start, "ENTRIES").table;
+    if (!timestep || timesteps.back() == *timestep) return read_frame(dump, *start, "ENTRIES").table;
   }
-  throw InputError(path, fmt::format("has no frame of time step {}, that of the grains; it has {}", timestep,
+  throw InputError(path, fmt::format("has no frame of time step {}, that of the grains; it has {}", *timestep,
                                      fmt::join(timesteps.rbegin(), timesteps.rend(), ", ")));
 }
 
@@ -196,9 +197,14 @@ bool is_lammps_dump(const std::string& path) {
   return begins_with(path, "ITEM: ");
 }
 
+std::vector<ListedContact> read_dump_contacts(const ImportOptions& options, int dimension,
+                                              std::optional<std::int64_t> timestep) {
+  const CsvTable table = read_contact_frame(options.contacts, timestep);
+  return read_contacts(NamedColumns(table, options.contact_columns), dimension);
+}
+
 Imported read_lammps_dump(const std::string& path, const ImportOptions& options) {
   check_grain_columns("--columns", options.columns);
-  check_contact_columns("--contact-columns", options.contact_columns);
   ListedPacking listed;
   listed.place = path;
   listed.law = required_law(path, options);
@@ -209,10 +215,7 @@ Imported read_lammps_dump(const std::string& path, const ImportOptions& options)
   const int dimension = dimension_of(listed.grains, options);
   listed.cell_place = options.cell.empty() ? frame.box_place : "--cell";
   listed.cell = options.cell.empty() ? cell_of(frame, dimension) : options.cell;
-  if (!options.contacts.empty()) {
-    const CsvTable table = read_contact_frame(options.contacts, frame.timestep);
-    listed.contacts = read_contacts(NamedColumns(table, options.contact_columns), dimension);
-  }
+  listed.contacts = read_contact_file(options, dimension, frame.timestep);
   Imported imported = assemble(listed);
   imported.remarks = std::move(remarks);
   return imported;

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <vector>
+
 #include "floc/io/import.h"
+#include "floc/io/listed_packing.h"
 
 namespace floc {
 
@@ -12,8 +17,8 @@ bool is_lammps_dump(const std::string& path);
 /// it has to be periodic (pp) unless `options.cell` replaces it. Of several frames `options.index`, counted
 /// from 0, is read, by default the last. A packing of dimension_of() two takes x, y and their part of the box.
 ///
-/// `options.contacts` may name a file of `dump local`, whose frame of the same time step is read. Its columns
-/// are named after computes, so that `options.contact_columns` says which is which of those of read_contacts():
+/// `options.contacts` may name a file of contacts: see read_contact_file(). Of a `dump local` the frame of the same
+/// time step is read. Its columns are named after computes, so that `options.contact_columns` says which is which of those of read_contacts():
 ///
 ///   compute pair all property/local patom1 patom2 cutoff radius
 ///   compute force all pair/local fx fy fz p1 p2 p3 cutoff radius
@@ -24,5 +29,11 @@ bool is_lammps_dump(const std::string& path);
 /// `options.law` is required.
 /// @throws InputError naming file and line.
 Imported read_lammps_dump(const std::string& path, const ImportOptions& options);
+
+/// Contacts of the `dump local` named by `options.contacts`, of its last frame of a time step or, without one, of
+/// the last.
+/// @throws InputError naming file and line.
+std::vector<ListedContact> read_dump_contacts(const ImportOptions& options, int dimension,
+                                              std::optional<std::int64_t> timestep);
 
 }  // namespace floc

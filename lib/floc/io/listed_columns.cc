@@ -52,7 +52,7 @@ int image_of(const CsvTable& table, int row, int column) {
 
 /// Columns of a list of contacts; -1 or empty where it has none.
 struct ContactColumns {
-  int id1, id2, normal_force, kn, kt, rolling_moment_2d, twisting_moment;
+  int id1, id2, normal_force, kn, kt, kr, rolling_moment_2d, twisting_moment;
   std::vector<int> image, force, shear_force, rolling_moment;
 
   ContactColumns(const NamedColumns& names, int dimension)
@@ -61,6 +61,7 @@ struct ContactColumns {
         normal_force(column_if(names, "normal_force")),
         kn(column_if(names, "kn")),
         kt(column_if(names, "kt")),
+        kr(column_if(names, "kr")),
         rolling_moment_2d(dimension == 2 ? column_if(names, "rolling_moment") : -1),
         twisting_moment(dimension == 3 ? column_if(names, "twisting_moment") : -1),
         image(numbered(names, "image", dimension)),
@@ -92,6 +93,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.twisting_moment = number_of(table, row, columns.twisting_moment);
   c.kn = number_of(table, row, columns.kn);
   c.kt = number_of(table, row, columns.kt);
+  c.kr = number_of(table, row, columns.kr);
   return c;
 }
 
@@ -109,6 +111,9 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
   const CsvTable& table = columns.table();
   std::vector<int> axis = {columns.column("x"), columns.column("y")};
   if (columns.has("z")) axis.push_back(columns.column("z"));
+  std::vector<int> low;
+  for (std::size_t k = 0; k < axis.size(); ++k)
+    low.push_back(column_if(columns, std::string(1, "xyz"[k]) + "_low"));
   std::string size = "radius";
   if (!columns.has(size)) size = columns.has("r") ? "r" : columns.has("diameter") ? "diameter" : "radius";
   const int radius = columns.column(size);
@@ -122,7 +127,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
     for (std::size_t k = 0; k < axis.size(); ++k) {
       const DoubleDouble x = table.double_double_number(row, axis[k]);
       grain.position[k] = x.high;
-      grain.position_low[k] = x.low;
+      grain.position_low[k] = low[k] >= 0 ? table.number(row, low[k]) : x.low;
     }
     grain.radius = positive(table, row, radius) * (size == "diameter" ? 0.5 : 1.0);
     if (mass >= 0) grain.mass = positive(table, row, mass);
@@ -140,14 +145,32 @@ std::vector<ListedContact> read_contacts(const NamedColumns& names, int dimensio
 }
 
 void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given) {
-  check_columns(option, "grain", {"x", "y", "z", "radius", "diameter", "mass", "id"}, given);
+  check_columns(option, "grain", {"x", "y", "z", "x_low", "y_low", "z_low", "radius", "diameter", "mass", "id"},
+                given);
 }
 
 void check_contact_columns(const std::string& option, const std::map<std::string, std::string>& given) {
   check_columns(option, "contact",
-                {"id1", "id2", "image1", "image2", "image3", "normal_force", "force1", "force2", "force3",
-                 "shear_force1", "shear_force2", "shear_force3", "rolling_moment", "rolling_moment1",
-                 "rolling_moment2", "rolling_moment3", "twisting_moment", "kn", "kt"},
+                {"id1",
+                 "id2",
+                 "image1",
+                 "image2",
+                 "image3",
+                 "normal_force",
+                 "force1",
+                 "force2",
+                 "force3",
+                 "shear_force1",
+                 "shear_force2",
+                 "shear_force3",
+                 "rolling_moment",
+                 "rolling_moment1",
+                 "rolling_moment2",
+                 "rolling_moment3",
+                 "twisting_moment",
+                 "kn",
+                 "kt",
+                 "kr"},
                 given);
 }
 

@@ -29,8 +29,8 @@ class NamedColumns {
   std::map<std::string, std::string> names_;
 };
 
-/// Grains of a table with columns x, y[, z] and radius (or r, or diameter) and, if present, mass and id (else
-/// the row, counted from 0).
+/// Grains of a table with columns x, y[, z] and radius (or r, or diameter) and, if present, x_low, y_low[, z_low]
+/// (what centres lie beside those doubles), mass and id (else the row, counted from 0).
 /// @throws InputError naming file, line and column: a column that is missing, a number that is none, a radius
 /// or mass that is not positive.
 std::vector<ListedGrain> read_grains(const NamedColumns& columns);
@@ -41,7 +41,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 ///   normal_force, shear_force1..  in place of it, or the tangential force on id1 besides force1..
 ///   rolling_moment (2D) or rolling_moment1..3, on id1
 ///   twisting_moment (3D), on id1 about the normal from id1 to id2
-///   kn, kt        stiffnesses
+///   kn, kt, kr    stiffnesses
 /// @throws InputError naming file, line and column.
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension);
 

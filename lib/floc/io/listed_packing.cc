@@ -18,6 +18,8 @@ namespace {
 constexpr double kCapTolerance = 1e-6;
 /// A tangential force below this fraction of the normal one is rounding.
 constexpr double kNoShear = 1e-9;
+/// Rounding of a product of two vectors, of the product of their lengths.
+constexpr double kRounding = 1e-15;
 /// Images farther away, in cells, do not fit an integer.
 constexpr double kFarthest = 1e9;
 /// Lattice vectors that are parallel but for rounding span no volume.
@@ -147,7 +149,10 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   given.normal = listed.normal_force;
   if (listed.shear_force) {
     const Vec<Dim> on_first = sign * listed.shear_force->template head<Dim>();
-    given.shear = on_first - normal * normal.dot(on_first);
+    const double along = normal.dot(on_first);
+    // What is tangential but for rounding is kept to the last digit.
+    given.shear = on_first;
+    if (std::abs(along) > kRounding * on_first.norm()) *given.shear -= normal * along;
   }
   if (listed.force) {
     const Vec<Dim> on_first = sign * listed.force->template head<Dim>();
@@ -177,6 +182,9 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
   if (given.twisting) c.twisting_moment = *given.twisting;
   if (given.normal || given.shear || given.rolling || given.twisting)
     set_given_forces(packing, listed.kn, listed.kt, kCapTolerance, c);
+  if (listed.kr && *listed.kr != 0.0 && !law.rolling)
+    throw InputError(listed.place, "a rolling stiffness is given, but the law has no rolling");
+  if (listed.kr && law.rolling && !c.distant) c.kr = *listed.kr;
 }
 
 /// Fills the contact from the law, then lays the forces that were given over it.
@@ -201,7 +209,7 @@ Contact<Dim> make_contact(const Packing<Dim>& packing, const Identifiers& identi
     throw InputError(listed.place, "the grains have the same centre: their contact has no direction");
   const LawParameters& law = packing.law;
   const GivenForces<Dim> given = given_forces<Dim>(listed, reversed, c.normal);
-  if (!given.normal && (listed.kn || listed.kt))
+  if (!given.normal && (listed.kn || listed.kt || listed.kr))
     throw InputError(listed.place, "a stiffness is given without the normal force that goes with it");
   if (!given.normal && c.gap >= 0.0 && c.gap >= law.range())
     throw InputError(

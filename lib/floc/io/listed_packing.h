@@ -34,6 +34,7 @@ struct ListedContact {
   std::optional<double> twisting_moment;  ///< about the normal from id1 to id2
   std::optional<double> kn;               ///< none: the law's (force/length)
   std::optional<double> kt;
+  std::optional<double> kr;  ///< (force * length); springs of rolling follow from the law's
 };
 
 /// A packing as a file lists it.

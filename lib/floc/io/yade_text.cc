@@ -8,6 +8,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
+#include "floc/io/contact_file.h"
 #include "floc/io/law_text.h"
 #include "floc/io/listed_columns.h"
 
@@ -119,14 +120,34 @@ LawParameters law_of(const CsvTable& table, const std::string& path) {
   return law;
 }
 
-}  // namespace
+void check_no_contact_columns(const ImportOptions& options) {
+  if (!options.contact_columns.empty())
+    throw InputError("--contact-columns", "the interactions of YADE name their columns themselves");
+}
 
-bool is_yade_text(const std::string& path) {
-  if (!begins_with(path, "#")) return false;
+/// Tokens of the first line, if that is a comment.
+std::vector<std::string> first_comment(const std::string& path) {
+  if (!begins_with(path, "#")) return {};
   std::istringstream in(read_file(path));
   std::string line;
   std::getline(in, line);
-  const std::vector<std::string> tokens = comment_tokens(std::string(trimmed(line)));
+  return comment_tokens(std::string(trimmed(line)));
+}
+
+}  // namespace
+
+bool is_yade_interactions(const std::string& path) {
+  const std::vector<std::string> tokens = first_comment(path);
+  return contains(tokens, "id1") && contains(tokens, "id2");
+}
+
+std::vector<ListedContact> read_yade_contacts(const ImportOptions& options, int dimension) {
+  check_no_contact_columns(options);
+  return read_interactions(read_table(options.contacts, "id1", {}).table, dimension);
+}
+
+bool is_yade_text(const std::string& path) {
+  const std::vector<std::string> tokens = first_comment(path);
   if (tokens.empty()) return false;
   return (tokens[0] == "cell" && tokens.size() == 10) ||
          (contains(tokens, "x") && contains(tokens, "y") && contains(tokens, "z") && contains(tokens, "r"));
@@ -136,8 +157,7 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   if (options.index.value_or(0) != 0)
     throw InputError(path, fmt::format("index = {}, but it holds one packing", *options.index));
   check_grain_columns("--columns", options.columns);
-  if (!options.contact_columns.empty())
-    throw InputError("--contact-columns", "the interactions of YADE name their columns themselves");
+  if (options.contacts.empty()) check_no_contact_columns(options);
   const YadeTable spheres = read_table(path, "x", {"x", "y", "z", "r"});
   ListedPacking listed;
   listed.place = path;
@@ -149,15 +169,11 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   if (options.cell.empty() && dimension == 2 && listed.cell.size() == 3)
     listed.cell = {{listed.cell[0][0], listed.cell[0][1]}, {listed.cell[1][0], listed.cell[1][1]}};
   std::vector<std::string> remarks;
-  if (options.contacts.empty()) {
-    listed.law = required_law(path, options);
-  } else {
-    const CsvTable table = read_table(options.contacts, "id1", {}).table;
-    listed.law = options.law ? *options.law : law_of(table, options.contacts);
-    if (!options.law)
-      remarks.push_back("law with the mean stiffnesses of its contacts: " + law_text(listed.law));
-    listed.contacts = read_interactions(table, dimension);
-  }
+  const bool says_law = !options.law && !options.contacts.empty() && is_yade_interactions(options.contacts);
+  listed.law = says_law ? law_of(read_table(options.contacts, "id1", {}).table, options.contacts)
+                        : required_law(path, options);
+  listed.contacts = read_contact_file(options, dimension);
+  if (says_law) remarks.push_back("law with the mean stiffnesses of its contacts: " + law_text(listed.law));
   Imported imported = assemble(listed);
   imported.remarks = std::move(remarks);
   return imported;

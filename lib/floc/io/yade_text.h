@@ -1,11 +1,17 @@
 #pragma once
 
+#include <vector>
+
 #include "floc/io/import.h"
+#include "floc/io/listed_packing.h"
 
 namespace floc {
 
 /// Whether a file's first line is a comment that names the columns x, y, z and r, or gives a cell.
 bool is_yade_text(const std::string& path);
+
+/// Whether a file's first line is a comment that names the columns id1 and id2.
+bool is_yade_interactions(const std::string& path);
 
 /// Reads spheres that a script of YADE wrote as text: comment lines
 ///   # cell ax ay az bx by bz cx cy cz     lattice vectors (columns of O.cell.hSize), unless `options.cell`
@@ -13,7 +19,7 @@ bool is_yade_text(const std::string& path);
 ///   x_y_z_r, will do
 /// then one sphere a line; without names the columns are x y z r, and ids are counted from 0.
 ///
-/// `options.contacts` may name a file of interactions: a comment line with the names of the columns, of
+/// `options.contacts` may name a file of contacts: see read_contact_file(). One of interactions has a comment line with the names of the columns, of
 ///   id1 id2
 ///   cellx celly cellz    i.cellDist; without them the nearest image
 ///   fnx fny fnz          i.phys.normalForce, which is that on id2, in N as all that follows if units are SI
@@ -24,5 +30,9 @@ bool is_yade_text(const std::string& path);
 /// means and tan_phi, which then has to be one number for all.
 /// @throws InputError naming file and line.
 Imported read_yade_text(const std::string& path, const ImportOptions& options);
+
+/// Contacts of the interactions named by `options.contacts`.
+/// @throws InputError naming file and line.
+std::vector<ListedContact> read_yade_contacts(const ImportOptions& options, int dimension);
 
 }  // namespace floc

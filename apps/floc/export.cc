@@ -1,0 +1,129 @@
+#include "export.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+
+#include "columns.h"
+#include "floc/base/error.h"
+#include "floc/io/law_text.h"
+#include "output.h"
+
+namespace floc {
+namespace {
+
+struct ExportArguments {
+  std::string state;
+  std::string grains, contacts;  ///< files; empty: none
+};
+
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+template <int Dim>
+Table grain_table(const Packing<Dim>& packing) {
+  const Grains<Dim>& grains = packing.grains;
+  const bool exact = !grains.position_low.empty();
+  Table table{{"id"}, {}};
+  for (const char* part : {"", "_low"})
+    for (int a = 0; a < Dim; ++a)
+      if (part[0] == '\0' || exact) table.columns.push_back(std::string(kAxes[a]) + part);
+  table.columns.insert(table.columns.end(), {"radius", "mass"});
+  for (int i = 0; i < grains.size(); ++i) {
+    auto& row = table.rows.emplace_back();
+    row.push_back(count(i));
+    for (int a = 0; a < Dim; ++a) row.emplace_back(grains.position[i][a]);
+    for (int a = 0; a < Dim && exact; ++a) row.emplace_back(grains.position_low[i][a]);
+    row.emplace_back(grains.radius[i]);
+    row.emplace_back(grains.mass[i]);
+  }
+  return table;
+}
+
+/// Moments are listed of laws that roll alone: others have none, and are refused any.
+template <int Dim>
+Table contact_table(const Packing<Dim>& packing) {
+  const bool rolls = static_cast<bool>(packing.law.rolling), twists = static_cast<bool>(packing.law.twisting);
+  Table table{{"id1", "id2"}, {}};
+  const auto numbered = [&table](const char* name, int n) {
+    for (int a = 1; a <= n; ++a) table.columns.push_back(fmt::format("{}{}", name, a));
+  };
+  numbered("image", Dim);
+  table.columns.emplace_back("normal_force");
+  numbered("shear_force", Dim);
+  if (rolls && Dim == 2) table.columns.emplace_back("rolling_moment");
+  if (rolls && Dim == 3) numbered("rolling_moment", Dim);
+  if (twists) table.columns.emplace_back("twisting_moment");
+  table.columns.insert(table.columns.end(), {"kn", "kt"});
+  if (rolls) table.columns.emplace_back("kr");
+  for (const Contact<Dim>& c : packing.contacts) {
+    auto& row = table.rows.emplace_back();
+    row = {count(c.i), count(c.j)};
+    for (int a = 0; a < Dim; ++a) row.push_back(count(c.image[a]));
+    row.emplace_back(c.normal_force);
+    for (int a = 0; a < Dim; ++a) row.emplace_back(c.shear_force[a]);
+    for (int a = 0; a < kRotations<Dim> && rolls; ++a) row.emplace_back(c.rolling_moment[a]);
+    if (twists) row.emplace_back(c.twisting_moment);
+    row.emplace_back(c.kn);
+    row.emplace_back(c.kt);
+    if (rolls) row.emplace_back(c.kr);
+  }
+  return table;
+}
+
+/// The command that makes the state again: what the two tables do not say.
+template <int Dim>
+std::string convert_command(const ExportArguments& arguments, const State<Dim>& state) {
+  std::vector<std::string> vectors;
+  for (int a = 0; a < Dim; ++a) {
+    const auto row = state.packing.cell.matrix.row(a);
+    vectors.push_back(fmt::format("{}", fmt::join(row.begin(), row.end(), ",")));
+  }
+  return fmt::format("floc convert {} STATE.h5 --cell '{}' --law '{}' --stress={} --units {} --tolerance {}{}",
+                     arguments.grains.empty() ? "GRAINS.csv" : arguments.grains, fmt::join(vectors, ";"),
+                     law_text(state.packing.law),
+                     fmt::join(state.target_stress.begin(), state.target_stress.end(), ","), state.units,
+                     state.tolerance.force,
+                     arguments.contacts.empty() ? "" : " --contacts " + arguments.contacts);
+}
+
+template <int Dim>
+void export_state(const ExportArguments& arguments, const State<Dim>& state) {
+  if (!state.packing.walls.empty())
+    throw InputError(arguments.state,
+                     "has walls, which a table of grains does not hold: expected a periodic cell");
+  const bool both = !arguments.grains.empty() && !arguments.contacts.empty();
+  if (!arguments.grains.empty()) write_csv(arguments.grains, grain_table(state.packing));
+  if (!arguments.contacts.empty()) write_csv(arguments.contacts, contact_table(state.packing));
+  if (!both) return;
+  spdlog::info("{} grains, {} contacts. Back again:\n  {}", state.packing.grains.size(),
+               state.packing.contacts.size(), convert_command(arguments, state));
+}
+
+int run_export(const ExportArguments& arguments) {
+  if (arguments.grains.empty() && arguments.contacts.empty())
+    throw InputError("floc export", "expected --grains FILE, --contacts FILE or both");
+  return for_each_file({arguments.state}, [&](const std::string& file) {
+    std::visit([&](const auto& state) { export_state(arguments, state); }, read_state(file));
+    return int{kDone};
+  });
+}
+
+}  // namespace
+
+Command add_export(CommandLine program) {
+  CommandLine app = program.add_subcommand(
+      "export", "grains and contacts of a state as csv tables, which floc convert reads again");
+  auto arguments = std::make_shared<ExportArguments>();
+  app.add_option("STATE", arguments->state, "state file, - for one on stdin").required();
+  app.add_option("--grains", arguments->grains, "file for a row a grain");
+  app.add_option("--contacts", arguments->contacts, "file for a row a contact: forces, moments, stiffnesses");
+  app.footer(
+      "With both tables it prints the command that makes the state again, with the cell, the law and the load "
+      "that\n"
+      "they do not hold. Velocities, angles and the history of the run stay behind.");
+  return {app, [arguments] { return run_export(*arguments); }};
+}
+
+}  // namespace floc

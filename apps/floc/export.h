@@ -1,0 +1,9 @@
+#pragma once
+
+#include "command.h"
+
+namespace floc {
+
+Command add_export(CommandLine program);
+
+}  // namespace floc

@@ -1,0 +1,20 @@
+#include "floc/io/contact_file.h"
+
+#include "floc/io/lammps_dump.h"
+#include "floc/io/listed_columns.h"
+#include "floc/io/yade_text.h"
+
+namespace floc {
+
+std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions& options, int dimension,
+                                                            std::optional<std::int64_t> timestep) {
+  check_contact_columns("--contact-columns", options.contact_columns);
+  if (options.contacts.empty()) return std::nullopt;
+  const bool on_stdin = options.contacts == "-";  // which cannot be looked at first
+  if (!on_stdin && is_lammps_dump(options.contacts)) return read_dump_contacts(options, dimension, timestep);
+  if (!on_stdin && is_yade_interactions(options.contacts)) return read_yade_contacts(options, dimension);
+  const CsvTable table = CsvTable::read(options.contacts);
+  return read_contacts(NamedColumns(table, options.contact_columns), dimension);
+}
+
+}  // namespace floc

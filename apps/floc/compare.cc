@@ -1,15 +1,20 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
 #include <optional>
 
 #include "columns.h"
 #include "command.h"
+#include "compare_runs.h"
 #include "floc/base/error.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/structure/contact_changes.h"
 #include "floc/structure/rigid_clusters.h"
 #include "output.h"
+#include "run_states.h"
 
 namespace floc {
 namespace {
@@ -143,11 +148,23 @@ std::vector<Column<CompareRow>> columns_for(const std::vector<CompareRow>& rows)
   return columns;
 }
 
+/// Two directories are two runs, to be compared step by step; the states of one follow each other.
+bool are_two_runs(const std::vector<std::string>& inputs) {
+  return inputs.size() == 2 && std::ranges::all_of(inputs, [](const std::string& input) {
+           return input != "-" && std::filesystem::is_directory(input);
+         });
+}
+
 int run_compare(const CompareCommand& command) {
+  if (are_two_runs(command.files)) return compare_runs(command.files[0], command.files[1], command.format);
+  if (command.files.size() == 1 && !std::filesystem::is_directory(command.files.front())) {
+    std::cerr << "floc: compare takes two states or more, or a directory of floc run\n";
+    return kUsage;
+  }
   std::vector<CompareRow> rows;
   SideTables side;
   std::optional<std::pair<std::string, AnyState>> reference;
-  const int code = for_each_file(command.files, [&](const std::string& file) {
+  const int code = for_each_file(states_of_inputs(command.files), [&](const std::string& file) {
     // A state that cannot be read has no successor either, unless all are held against the first.
     std::optional<std::pair<std::string, AnyState>> before = reference;
     if (!command.against_first) reference.reset();
@@ -177,9 +194,10 @@ Command add_compare(CommandLine program) {
   CommandLine app = program.add_subcommand(
       "compare", "What happened between states of the same grains: contacts kept, lost, gained; displacements");
   const auto command = std::make_shared<CompareCommand>();
-  app.add_option("STATE", command->files, "two state files or more, each compared with the one before it")
-      .required()
-      .expected(2, -1);
+  app.add_option("STATE", command->files,
+                 "state files or a directory of floc run, each state compared with the one before it; or two "
+                 "directories, compared step by step")
+      .required();
   app.add_flag("--against-first", command->against_first, "compare each with the first instead");
   app.add_option("--rigid-tolerance", command->rigid_tolerance,
                  "a contact in which nothing moved: its two points are within this, in largest diameters, and "

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace floc {
 
 template <int Dim>
@@ -20,7 +22,16 @@ std::string equilibrium_faults(const State<Dim>& state) {
   return faults;
 }
 
+template <int Dim>
+double equilibrium_excess(const State<Dim>& state) {
+  const Residuals r = residuals(state.packing, state.target_stress);
+  const EquilibriumTolerance& t = state.tolerance;
+  return std::max({r.force / t.force, r.moment / t.moment, r.stress / t.stress, r.energy / t.energy});
+}
+
 template std::string equilibrium_faults(const State<2>&);
 template std::string equilibrium_faults(const State<3>&);
+template double equilibrium_excess(const State<2>&);
+template double equilibrium_excess(const State<3>&);
 
 }  // namespace floc

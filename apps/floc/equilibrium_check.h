@@ -12,4 +12,8 @@ namespace floc {
 template <int Dim>
 std::string equilibrium_faults(const State<Dim>& state);
 
+/// The largest residual in units of its tolerance.
+template <int Dim>
+double equilibrium_excess(const State<Dim>& state);
+
 }  // namespace floc

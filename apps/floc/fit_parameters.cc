@@ -5,6 +5,7 @@
 
 #include "floc/base/error.h"
 #include "output.h"
+#include "printed_columns.h"
 
 namespace floc {
 
@@ -34,7 +35,7 @@ void print_fit(const Json& json, Table table, std::size_t n_short, const std::st
     if (!std::cout) throw IoError("standard output", "cannot be written");
     return;
   }
-  if (chosen_format(format) == TableFormat::table) {
+  if (chosen_format(format) == TableFormat::table && !columns_are_chosen()) {
     table.columns.resize(std::min(n_short, table.columns.size()));
     for (auto& row : table.rows) row.resize(table.columns.size());
   }

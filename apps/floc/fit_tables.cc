@@ -13,6 +13,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "output.h"
+#include "printed_columns.h"
 
 namespace floc {
 namespace {
@@ -78,7 +79,9 @@ class LoadColumns {
 }  // namespace
 
 void add_columns_option(CommandLine app, std::string& text, const std::string& names) {
-  app.add_option("--columns", text, "name=column,...: columns of the table that stand for " + names);
+  app.add_option("--columns", text,
+                 "name=column,...: columns of the table that stand for " + names +
+                     "; names and patterns without = are columns to print [all; on a terminal those that fit]");
 }
 
 ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names) {
@@ -89,12 +92,17 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
     rest.remove_prefix(std::min(end + 1, rest.size()));
     const std::size_t equals = item.find('=');
     const std::string name(trimmed(item.substr(0, equals)));
-    if (equals == std::string_view::npos || trimmed(item.substr(equals + 1)).empty() ||
+    if (equals == std::string_view::npos && !name.empty()) {
+      choose_column(name);
+      continue;
+    }
+    if (name.empty() || trimmed(item.substr(equals + 1)).empty() ||
         std::find(names.begin(), names.end(), name) == names.end())
       throw InputError("--columns", fmt::format("\"{}\", expected name=column with name one of {}", item,
                                                 fmt::join(names, ", ")));
     columns[name] = trimmed(item.substr(equals + 1));
   }
+  check_chosen_columns();
   return columns;
 }
 

@@ -13,6 +13,7 @@
 #include "floc/packing/balance.h"
 #include "floc/structure/coordination.h"
 #include "output.h"
+#include "printed_columns.h"
 
 namespace floc {
 namespace {
@@ -95,20 +96,19 @@ std::vector<Entry> describe(const std::string& file, const AnyState& any) {
 /// For reading: one line an entry. For scripts: one row a state.
 void print(const std::vector<std::vector<Entry>>& states, const std::string& format) {
   Table table;
-  if (chosen_format(format) != TableFormat::table) {
-    for (const Entry& entry : states.front()) table.columns.emplace_back(entry.name);
-    for (const auto& entries : states) {
-      auto& row = table.rows.emplace_back();
-      for (const Entry& entry : entries) row.push_back(entry.value);
-    }
-    return print_table(table, format);
+  for (const Entry& entry : states.front()) table.columns.emplace_back(entry.name);
+  for (const auto& entries : states) {
+    auto& row = table.rows.emplace_back();
+    for (const Entry& entry : entries) row.push_back(entry.value);
   }
-  for (const auto& entries : states)
-    for (const Entry& entry : entries) {
-      const auto* number = std::get_if<double>(&entry.value);
-      const auto* integer = std::get_if<std::int64_t>(&entry.value);
-      const auto* text = std::get_if<std::string>(&entry.value);
-      std::cout << fmt::format("{:<16}{}\n", entry.name,
+  if (chosen_format(format) != TableFormat::table) return print_table(table, format);
+  const Table shown = with_chosen_columns(table, false);
+  for (const auto& row : shown.rows)
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const auto* number = std::get_if<double>(&row[k]);
+      const auto* integer = std::get_if<std::int64_t>(&row[k]);
+      const auto* text = std::get_if<std::string>(&row[k]);
+      std::cout << fmt::format("{:<16}{}\n", shown.columns[k],
                                number    ? fmt::format("{:.6g}", *number)
                                : integer ? fmt::format("{}", *integer)
                                : text    ? *text

@@ -13,6 +13,7 @@
 #include "export.h"
 #include "floc/base/error.h"
 #include "floc/base/version.h"
+#include "help.h"
 #include "lattice_command.h"
 
 namespace {
@@ -22,7 +23,7 @@ constexpr AddCommand kCommands[] = {
     floc::add_run,     floc::add_scene,     floc::add_moduli,  floc::add_modes, floc::add_network,
     floc::add_lattice, floc::add_structure, floc::add_compare, floc::add_fit,   floc::add_verify,
     floc::add_info,    floc::add_convert,   floc::add_chain,   floc::add_draw,  floc::add_plot,
-    floc::add_report,  floc::add_tradeoff, floc::add_export};
+    floc::add_report,  floc::add_tradeoff,  floc::add_export,  floc::add_help};
 
 int run_command(const std::vector<floc::Command>& commands) {
   for (const floc::Command& command : commands)
@@ -51,7 +52,9 @@ int main(int argc, char** argv) {
   std::vector<floc::Command> commands;
   for (const AddCommand add : kCommands) commands.push_back(add(program));
 
-  if (const std::optional<int> code = line.parse(argc, argv)) return *code;
+  std::vector<char*> arguments = floc::arguments_of_help(argc, argv);
+  if (const std::optional<int> code = line.parse(static_cast<int>(arguments.size()), arguments.data()))
+    return *code;
   try {
     return run_command(commands);
   } catch (const floc::InputError& error) {

@@ -15,6 +15,7 @@
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/moduli.h"
 #include "output.h"
+#include "repeated_warnings.h"
 
 namespace floc {
 namespace {
@@ -66,8 +67,8 @@ void add_strain_mechanisms(const std::string& file, const StrainMechanisms& foun
     rows.push_back(row);
   }
   if (!found.vanishing.empty())
-    print_message(file, fmt::format("warning: mechanisms strain the cell at no cost; zero: {}",
-                                    fmt::join(found.vanishing, ", ")));
+    warn(file,
+         fmt::format("mechanisms strain the cell at no cost; zero: {}", fmt::join(found.vanishing, ", ")));
 }
 
 template <int Dim>
@@ -106,8 +107,7 @@ void report_soft_modes(const std::string& file, const ContactNetwork<Dim>& netwo
                     "{:.6g}, with it {:.6g}, {:.6g}",
                     soft.n_below_near_bound, soft.near_bound, listed, *moduli.B_without_prestress,
                     *moduli.G_without_prestress, moduli.B, moduli.G));
-  if (!soft.complete)
-    print_message(file, "warning: copies of multiple eigenvalues are missing among the modes");
+  if (!soft.complete) warn(file, "copies of multiple eigenvalues are missing among the modes");
 }
 
 template <int Dim>
@@ -115,7 +115,7 @@ void add_state(const std::string& file, const State<Dim>& state, const ModesComm
                std::vector<ModeRow>& rows) {
   const Packing<Dim>& packing = state.packing;
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    print_message(file, "warning: this is no equilibrium: " + faults);
+    warn(file, "this is no equilibrium: " + faults, equilibrium_excess(state));
   ModuliOptions options;
   options.prestress = true;
   const ContactNetwork<Dim> network = options.loaded_network(packing);

@@ -25,6 +25,7 @@
 #include "floc/structure/coordination.h"
 #include "increments.h"
 #include "output.h"
+#include "repeated_warnings.h"
 
 namespace floc {
 namespace {
@@ -99,11 +100,12 @@ template <int Dim>
 void warn_of_rounding(const std::string& file, const State<Dim>& state) {
   const RoundingFloor floor = rounding_floor(state.packing, state.target_stress);
   if (floor.force >= state.tolerance.force || floor.stress >= state.tolerance.stress)
-    std::cerr << fmt::format(
-        "floc: {}: warning: rounding of its positions leaves net forces of {:.1e} F1 and a stress of {:.1e} "
-        "F1/a, not below "
-        "the tolerances of {:.1e} and {:.1e}\n",
-        file, floor.force, floor.stress, state.tolerance.force, state.tolerance.stress);
+    warn(
+        file,
+        fmt::format("rounding of its positions leaves net forces of {:.1e} F1 and a stress of {:.1e} F1/a, not "
+                    "below the tolerances of {:.1e} and {:.1e}",
+                    floor.force, floor.stress, state.tolerance.force, state.tolerance.stress),
+        std::max(floor.force / state.tolerance.force, floor.stress / state.tolerance.stress));
 }
 
 /// What the contact network says beside the moduli of a row; increments of its contacts where they are asked
@@ -119,9 +121,7 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
   if (increments != nullptr) add_increments(row.file, packing, network, contacts, *increments);
   const ElasticResponse response = std::move(row.moduli.response);
   const auto vanishing = strain_mechanisms<Dim>(response, affine_stiffness(network, options.strains)).vanishing;
-  if (!vanishing.empty())
-    std::cerr << fmt::format("floc: {}: warning: moduli that vanish: {}\n", row.file,
-                             fmt::join(vanishing, ", "));
+  if (!vanishing.empty()) warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
   if (network.n_grains > kLargestCounted) return;
   row.n_near_mechanisms = count_near_mechanisms(network, response);
   if (*row.n_near_mechanisms == 0 && !options.prestress) return;
@@ -178,8 +178,7 @@ std::vector<ModuliRow> compute_rows(const std::string& file, const State<Dim>& s
     rows[k].seconds = seconds / static_cast<double>(rows.size());
     if (request.options.method == ModuliMethod::factor && !request.accuracy)
       add_network(state, request.options, rows[k], increments);
-    for (const std::string& warning : moduli[k].warnings)
-      std::cerr << "floc: " << file << ": warning: " << warning << '\n';
+    for (const std::string& warning : moduli[k].warnings) warn(file, warning, first_number(warning));
   }
   return rows;
 }
@@ -387,10 +386,14 @@ bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<Moduli
 /// about.
 bool check_equilibrium(const std::string& file, const AnyState& any, bool force) {
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
-  if (!faults.empty())
-    std::cerr << "floc: " << file << ": " << (force ? "warning: " : "") << "this is no equilibrium: " << faults
-              << (force ? "" : "; --force computes moduli all the same") << '\n';
-  return faults.empty();
+  if (faults.empty()) return true;
+  if (force)
+    warn(file, "this is no equilibrium: " + faults,
+         std::visit([](const auto& s) { return equilibrium_excess(s); }, any));
+  else
+    std::cerr << "floc: " << file << ": this is no equilibrium: " << faults
+              << "; --force computes moduli all the same\n";
+  return false;
 }
 
 int run_moduli(const ModuliCommand& command) {

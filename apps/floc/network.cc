@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <chrono>
-#include <iostream>
 #include <map>
 
 #include "columns.h"
@@ -22,6 +21,7 @@
 #include "floc/structure/particle_stress.h"
 #include "floc/structure/pressure_phases.h"
 #include "output.h"
+#include "repeated_warnings.h"
 
 namespace floc {
 namespace {
@@ -104,9 +104,7 @@ void add_mechanics(const State<Dim>& state, const NetworkCommand& command, doubl
   if (contacts.isotropic) row.correlation = force_correlation(network, contacts.isotropic->increments);
   const auto vanishing =
       strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)).vanishing;
-  if (!vanishing.empty())
-    std::cerr << fmt::format("floc: {}: warning: moduli that vanish: {}\n", row.file,
-                             fmt::join(vanishing, ", "));
+  if (!vanishing.empty()) warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
 }
 
 template <int Dim>
@@ -129,8 +127,8 @@ void add_distributions(const std::string& file, const Packing<Dim>& packing, con
   for (const ForceKind kind : kKinds) {
     const ForceDistribution d = force_distribution(packing, kind, unit, command.bin_width);
     if (d.n == 0 && kind == ForceKind::normal)
-      std::cerr << fmt::format("floc: {}: warning: no force to measure normal forces in: {}\n", file,
-                               unit == ForceUnit::mean ? "all are zero" : "F0 = 0, take --unit mean");
+      warn(file, fmt::format("no force to measure normal forces in: {}",
+                             unit == ForceUnit::mean ? "all are zero" : "F0 = 0, take --unit mean"));
     add_distribution(file, kind, d, side.distributions);
     side.pooled[kind].add(d);
   }
@@ -162,7 +160,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   const auto start = std::chrono::steady_clock::now();
   const Packing<Dim>& packing = state.packing;
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    std::cerr << "floc: " << file << ": warning: this is no equilibrium: " << faults << '\n';
+    warn(file, "this is no equilibrium: " + faults, equilibrium_excess(state));
   NetworkRow row;
   row.file = file;
   row.units = state.units;

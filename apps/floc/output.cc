@@ -4,17 +4,22 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
 #include "command.h"
 #include "floc/base/error.h"
+#include "printed_columns.h"
+#include "repeated_warnings.h"
+#include "sampled_states.h"
 
 namespace floc {
 
 void add_format_option(CommandLine app, std::string& format) {
   app.add_option("--format", format, "table, csv or json [table on a terminal, csv otherwise]")
       .one_of({"table", "csv", "json"});
+  add_columns_choice(app);
 }
 
 TableFormat chosen_format(const std::string& format) {
@@ -25,7 +30,9 @@ TableFormat chosen_format(const std::string& format) {
 }
 
 void print_table(const Table& table, const std::string& format) {
-  write_table(std::cout, table, chosen_format(format));
+  const TableFormat chosen = chosen_format(format);
+  const bool on_terminal = chosen == TableFormat::table && isatty(STDOUT_FILENO) == 1;
+  write_table(std::cout, with_chosen_columns(table, on_terminal), chosen);
   std::cout.flush();
   if (!std::cout) throw IoError("standard output", "cannot be written");
 }
@@ -45,11 +52,13 @@ int worse(int a, int b) {
 }
 
 void add_states_argument(CommandLine app, std::vector<std::string>& files) {
-  app.add_option("STATE", files, "state files, - for one on stdin").required();
+  app.add_option("STATE", files, "state files or directories of floc run, - for one state on stdin").required();
 }
 
 int for_each_file(const std::vector<std::string>& files,
                   const std::function<int(const std::string& file)>& work) {
+  check_chosen_columns();
+  const RepeatedWarnings once;
   int code = kDone;
   const auto report = [&code](int failure, const std::string& message) {
     std::cerr << "floc: " << message << '\n';
@@ -72,7 +81,11 @@ int for_each_file(const std::vector<std::string>& files,
 
 int for_each_state(const std::vector<std::string>& files,
                    const std::function<int(const std::string& file, const AnyState& state)>& work) {
-  return for_each_file(files, [&](const std::string& file) { return work(file, read_state(file)); });
+  return for_each_file(files, [&](const std::string& input) {
+    if (input == "-" || !std::filesystem::is_directory(input)) return work(input, read_state(input));
+    return for_each_file(states_of_directory(input),
+                         [&](const std::string& file) { return work(file, read_state(file)); });
+  });
 }
 
 }  // namespace floc

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iostream>
 #include <numbers>
 
 #include "columns.h"
@@ -21,6 +20,7 @@
 #include "floc/structure/pores.h"
 #include "floc/structure/pushed_rattlers.h"
 #include "floc/structure/voronoi.h"
+#include "repeated_warnings.h"
 
 namespace floc {
 namespace {
@@ -34,9 +34,8 @@ ScatteringFit fit_of(const Scattering& s, const StructureCommand& command, doubl
 
 /// Says what a fit could not do, and adds the intensity to its table.
 void report(const std::string& file, const Scattering& s, const ScatteringFit& fit, Table& table) {
-  if (!fit.found()) std::cerr << fmt::format("floc: {}: no fit of I(k): {}\n", file, fit.refusal);
-  for (const std::string& warning : fit.warnings)
-    std::cerr << fmt::format("floc: {}: warning: {}\n", file, warning);
+  if (!fit.found()) remark(file, "no fit of I(k): " + fit.refusal);
+  for (const std::string& warning : fit.warnings) warn(file, warning, first_number(warning));
   const bool drawn = fit.found() && std::all_of(fit.parameters.begin(), fit.parameters.end(),
                                                 [](const FittedParameter& p) { return p.value.has_value(); });
   for (std::size_t b = 0; b < s.k.size(); ++b) {
@@ -100,14 +99,12 @@ void choose_columns(const std::string& file, const std::vector<std::string>& nam
 void add_pores(const Packing<2>& packing, const StructureCommand& command, Series& series, StructureRow& row) {
   const Pores pores = find_pores(packing);
   if (!pores.refusal.empty()) {
-    std::cerr << fmt::format("floc: {}: warning: {}\n", row.file, pores.refusal);
+    warn(row.file, pores.refusal);
     return;
   }
   row.n_pores = static_cast<std::int64_t>(pores.pores.size());
   row.unbounded = pores.unbounded;
-  if (pores.unbounded)
-    std::cerr << fmt::format(
-        "floc: {}: warning: a pore winds around the cell: it has no size and is left out\n", row.file);
+  if (pores.unbounded) warn(row.file, "a pore winds around the cell: it has no size and is left out");
   if (!pores.pores.empty()) row.pore_size = pores.size, row.pore_mean_area = pores.mean_area;
   if (!command.pores.empty()) {
     choose_columns(row.file, kPoreColumns, series.pores);

@@ -12,6 +12,7 @@
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "output.h"
+#include "printed_columns.h"
 #include "tradeoff_plot.h"
 
 namespace floc {
@@ -122,7 +123,7 @@ double stiffness_of(const Scene& scene) {
 /// On a terminal the first columns, which fit its width.
 void print_tradeoff(Table table, const std::string& format) {
   constexpr std::size_t kShort = 11;
-  if (chosen_format(format) == TableFormat::table) {
+  if (chosen_format(format) == TableFormat::table && !columns_are_chosen()) {
     table.columns.resize(kShort);
     for (auto& row : table.rows) row.resize(kShort);
   }

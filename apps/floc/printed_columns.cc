@@ -1,0 +1,145 @@
+#include "printed_columns.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "column_reference.h"
+#include "floc/base/error.h"
+#include "floc/base/nearest_name.h"
+#include "floc/base/parse_number.h"
+
+namespace floc {
+namespace {
+
+std::vector<std::string> g_chosen;
+
+std::string pattern_of(const std::string& chosen) {
+  return chosen == "all" ? "*" : chosen;
+}
+
+/// Names of all columns there are; patterns among them as they are.
+std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const DescribedTable& table : described_tables())
+    for (const DescribedColumn& column : table.columns) names.push_back(column.name);
+  return names;
+}
+
+int terminal_width() {
+  constexpr int kUsual = 80;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  const char* said = std::getenv("COLUMNS");
+  const auto columns = said == nullptr ? std::nullopt : parse_number<int>(said);
+  return columns && *columns > 0 ? *columns : kUsual;
+}
+
+Table of_columns(const Table& table, const std::vector<std::size_t>& indices) {
+  Table part;
+  for (const std::size_t k : indices) part.columns.push_back(table.columns[k]);
+  for (const auto& row : table.rows) {
+    auto& cells = part.rows.emplace_back();
+    for (const std::size_t k : indices) cells.push_back(row[k]);
+  }
+  return part;
+}
+
+/// Letters of the longest line of a table as it is printed.
+std::size_t printed_width(const Table& table) {
+  std::ostringstream text;
+  write_table(text, table, TableFormat::table);
+  std::istringstream lines(text.str());
+  std::size_t widest = 0;
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, line.size());
+  return widest;
+}
+
+/// As many of the columns wanted, the first at least, as fit the terminal.
+Table fitting(const Table& table, const std::vector<std::string>& wanted) {
+  const auto room = static_cast<std::size_t>(terminal_width());
+  std::vector<std::size_t> shown;
+  for (const std::string& name : wanted) {
+    const auto at = std::ranges::find(table.columns, name);
+    if (at == table.columns.end()) continue;
+    shown.push_back(static_cast<std::size_t>(at - table.columns.begin()));
+    if (shown.size() == 1 || printed_width(of_columns(table, shown)) <= room) continue;
+    shown.pop_back();
+    break;
+  }
+  return of_columns(table, shown);
+}
+
+Table chosen_part(const Table& table) {
+  std::vector<std::size_t> indices;
+  for (const std::string& chosen : g_chosen) {
+    bool found = false;
+    for (std::size_t k = 0; k < table.columns.size(); ++k) {
+      if (!stands_for(pattern_of(chosen), table.columns[k])) continue;
+      found = true;
+      if (std::ranges::find(indices, k) == indices.end()) indices.push_back(k);
+    }
+    if (!found) std::cerr << fmt::format("floc: --columns {}: this table has no such column\n", chosen);
+  }
+  if (indices.empty())
+    throw InputError("--columns", fmt::format("none of them is in this table; the nearest to {} is {}",
+                                              g_chosen.front(), nearest_name(g_chosen.front(), table.columns)));
+  return of_columns(table, indices);
+}
+
+}  // namespace
+
+void add_columns_choice(CommandLine app) {
+  try {
+    app.add_option(
+           "--columns", g_chosen,
+           "NAME,...: columns to print, names or patterns such as 'error_*', or all, in this order [all; on "
+           "a terminal those that fit; floc help columns says what they are]")
+        .delimiter(',')
+        .one_argument_each();
+  } catch (const std::runtime_error&) {
+    return;  // the command has a --columns of its own
+  }
+}
+
+void choose_column(const std::string& pattern) {
+  g_chosen.push_back(pattern);
+}
+
+bool columns_are_chosen() {
+  return !g_chosen.empty();
+}
+
+void check_chosen_columns() {
+  const std::vector<std::string> names = all_names();
+  for (const std::string& chosen : g_chosen) {
+    const std::string pattern = pattern_of(chosen);
+    const bool known = std::ranges::any_of(
+        names, [&](const std::string& name) { return stands_for(pattern, name) || stands_for(name, pattern); });
+    if (!known)
+      throw InputError("--columns", fmt::format("no column is named {}; the nearest is {}", chosen,
+                                                nearest_name(chosen, names)));
+  }
+}
+
+Table with_chosen_columns(const Table& table, bool on_terminal) {
+  check_chosen_columns();
+  if (!g_chosen.empty()) return chosen_part(table);
+  const DescribedTable* described = on_terminal ? table_with(table.columns) : nullptr;
+  if (described == nullptr || described->on_terminal.empty()) return table;
+  Table part = fitting(table, described->on_terminal);
+  if (part.columns.size() < table.columns.size())
+    std::cerr << fmt::format(
+        "{} of {} columns; --columns all prints the others, floc help columns {} says what "
+        "they are\n",
+        part.columns.size(), table.columns.size(), described->name);
+  return part;
+}
+
+}  // namespace floc

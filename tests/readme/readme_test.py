@@ -373,6 +373,21 @@ class Test:
             self.number(found.group(1), statistics.mean(values), f"spheres {state}, z*")
             self.number(found.group(2), statistics.stdev(values), f"spheres {state}, scatter of z*")
 
+    def lattice(self):
+        study = list(csv.DictReader(open(os.path.join(self.source, "data/tables/lattice/study.csv"))))
+        columns = ["E", "other_share_nodes", "beta1_nodes", "beta2_nodes", "beta1_forces", "pearson_bonded"]
+        for cells in self.claim_table("| grains | load | rho_m"):
+            grains, load, content, ratio = cells[:4]
+            found = [r for r in study if r["grains"] == grains and r["load"] == load and r["ratio"] == ratio + ".0" and
+                     abs(float(r["rho_m"]) - float(content)) < 1e-3]
+            what = f"lattice of {grains} grains, {load}, rho_m = {content}, k_p/k_m = {ratio}"
+            if len(found) != 1:
+                self.fault(f"{what}: {len(found)} rows of data/tables/lattice/study.csv")
+                continue
+            for name, shown in zip(columns, cells[4:]):
+                percent = shown.endswith("%")
+                self.number(shown.rstrip(" %"), float(found[0][name]) * (100.0 if percent else 1.0), f"{what}, {name}")
+
     @staticmethod
     def assembled(states, state):
         """The step at which they are put together: the last one before any load."""
@@ -476,7 +491,7 @@ class Test:
             else:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
-                              self.preconsolidation, self.lammps, self.python, self.spheres, self.tradeoff):
+                              self.preconsolidation, self.lammps, self.python, self.spheres, self.lattice, self.tradeoff):
                     try:
                         check()
                     except Exception as error:  # one stale place does not hide the others

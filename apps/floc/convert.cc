@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "command.h"
-#include "equilibrium_check.h"
+#include "conversion_summary.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/sha256.h"
@@ -39,6 +39,8 @@ struct ConvertArguments {
   std::optional<int> dimension;
   std::optional<int> index;
   std::optional<double> tolerance;
+  bool drop_tensile = false;
+  bool strict = false;
   bool overwrite = false;
 };
 
@@ -87,6 +89,7 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   options.dimension = arguments.dimension;
   options.index = arguments.index;
   options.units = arguments.units;
+  options.drop_tensile = arguments.drop_tensile;
   if (options.dimension && !options.cell.empty() && *options.dimension != static_cast<int>(options.cell.size()))
     throw InputError("--dimension",
                      fmt::format("{}, but --cell has {} vectors", *options.dimension, options.cell.size()));
@@ -102,6 +105,17 @@ EquilibriumTolerance tolerance_for(const Imported& imported, const ConvertArgume
   return {force, force, force, own.energy * (force / own.force)};
 }
 
+/// @throws InputError if the grains fill more than the cell: no packing of hard grains does.
+template <int Dim>
+void refuse_impossible_density(const std::string& in, const Packing<Dim>& packing) {
+  const double phi = solid_fraction(packing);
+  if (phi <= 1.0) return;
+  throw InputError(
+      in, fmt::format("the solid fraction would be {:.4g}, expected at most 1: are the radii diameters "
+                      "(--columns diameter=...), or is the cell too small or in another unit of length?",
+                      phi));
+}
+
 /// Fills in what the file did not say and an analysis needs.
 template <int Dim>
 void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
@@ -109,6 +123,7 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
   if (const auto faults = state.packing.law.faults_in_dimension(Dim); !faults.empty())
     throw InputError(arguments.law.empty() ? in : "--law", faults.front().words);
   if (!imported.contacts_known) find_contacts(state.packing);
+  refuse_impossible_density(in, state.packing);
   if (!arguments.stress.empty()) {
     const std::vector<double> stress = parse_numbers("--stress", arguments.stress);
     if (stress.size() != Dim)
@@ -128,14 +143,11 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
 }
 
 template <int Dim>
-void report(const std::string& out, const State<Dim>& state, const std::vector<std::string>& remarks) {
-  for (const std::string& remark : remarks) spdlog::info("{}: {}", out, remark);
+void report(const std::string& out, const State<Dim>& state) {
   spdlog::info(
       "{}: {} grains in {}D, {} contacts, phi = {:.6g}, pressure = {:.6g}, largest net force = {:.2g} F1", out,
       state.packing.grains.size(), Dim, state.packing.contacts.size(), solid_fraction(state.packing),
       state.stress.diagonal().mean(), state.residuals.force);
-  if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    spdlog::warn("{}: warning: this is no equilibrium: {}", out, faults);
 }
 
 int convert(const std::string& in, const std::string& out, const ExportFormat& to,
@@ -144,13 +156,23 @@ int convert(const std::string& in, const std::string& out, const ExportFormat& t
     throw InputError(out, "exists already; --overwrite replaces it");
   const ImportFormat& from = find_import_format(arguments.from, in);
   Imported imported = from.read(in, import_options(arguments));
+  ConversionSummary summary;
   std::visit(
       [&](auto& state) {
         if (!imported.complete) complete(in, imported, arguments, state);
+        summary = summarize(imported, state);
       },
       imported.state);
+  if (arguments.strict && !summary.doubts.empty()) {
+    for (const std::string& doubt : summary.doubts) spdlog::error("{}: {}", in, doubt);
+    spdlog::error("{}: not converted: --strict accepts none of this", in);
+    return kVerificationFailed;
+  }
   to.write(out, imported.state);
-  std::visit([&](const auto& state) { report(out, state, imported.remarks); }, imported.state);
+  for (const std::string& remark : imported.remarks) spdlog::info("{}: {}", out, remark);
+  for (const std::string& line : summary.lines) spdlog::info("{}: {}", out, line);
+  std::visit([&](const auto& state) { report(out, state); }, imported.state);
+  for (const std::string& doubt : summary.doubts) spdlog::warn("{}: warning: {}", out, doubt);
   return kDone;
 }
 
@@ -200,6 +222,11 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
          "how far from equilibrium IN may be: net force / F1, net moment / (F1 a), stress / (F1/a^(d-1)) "
          "[1e-3; jambashbulk: 1e-5]")
       .positive();
+  app.add_flag("--drop-tensile", arguments.drop_tensile,
+               "leave out listed contacts that pull under a law without adhesion [refused]");
+  app.add_flag(
+      "--strict", arguments.strict,
+      "write nothing and exit 5 where list, geometry, forces, law and equilibrium disagree [warnings]");
   app.add_option("--units", arguments.units, "reduced or SI").one_of({"reduced", "SI"});
   app.add_option("--dimension", arguments.dimension, "2 or 3 [2 if every z is the same]")
       .one_of_integers({2, 3});

@@ -16,6 +16,7 @@ Imported read_csv_packing(const std::string& path, const ImportOptions& options)
   listed.place = path;
   listed.law = required_law(path, options);
   listed.units = options.units;
+  listed.drop_tensile = options.drop_tensile;
   listed.cell_place = "--cell";
   listed.cell = options.cell;
   const CsvTable table = CsvTable::read(path);

@@ -130,6 +130,7 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   listed.place = path;
   listed.law = required_law(path, options);
   listed.units = options.units;
+  listed.drop_tensile = options.drop_tensile;
   listed.grains = read_grains(NamedColumns(table, options.columns));
   listed.cell_place = options.cell.empty() ? place : "--cell";
   listed.cell = options.cell;

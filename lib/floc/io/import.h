@@ -23,15 +23,25 @@ struct ImportOptions {
   std::optional<int> dimension;  ///< 2 or 3 where the format leaves it open; none: see dimension_of()
   std::optional<int> index;  ///< which packing of a file that holds several, from 0; none: the format's choice
   std::string units = "reduced";  ///< "reduced" or "SI"
+  bool drop_tensile = false;      ///< leaves out contacts that pull under a law without adhesion, else refused
+};
+
+/// What became of the contacts that a file lists.
+struct ListedContactCounts {
+  int n_read = 0;
+  int n_neighbors = 0;    ///< left out: they have a gap and no force, and the law attracts nothing there
+  int n_tensile = 0;      ///< left out: they pull, and the law has no adhesion
+  int n_other_image = 0;  ///< kept, at the nearest image: the one listed contradicts the positions
 };
 
 /// A packing as another program left it.
 struct Imported {
-  AnyState state;                    ///< without residuals; `provenance.source` is set
-  std::vector<std::string> remarks;  ///< choices the reader made, in words for the user
-  bool complete = false;             ///< a state of floc: nothing to add to it
-  bool contacts_known = false;       ///< the file listed them; otherwise they follow from the geometry
-  bool target_stress_known = false;  ///< the file says which stress it was loaded with
+  AnyState state;                       ///< without residuals; `provenance.source` is set
+  std::vector<std::string> remarks;     ///< choices the reader made, in words for the user
+  bool complete = false;                ///< a state of floc: nothing to add to it
+  bool contacts_known = false;          ///< the file listed them; otherwise they follow from the geometry
+  ListedContactCounts listed_contacts;  ///< where contacts_known
+  bool target_stress_known = false;     ///< the file says which stress it was loaded with
 };
 
 /// A format that can be read.

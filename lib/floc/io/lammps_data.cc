@@ -126,6 +126,7 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
   listed.place = path;
   listed.law = required_law(path, options);
   listed.units = options.units;
+  listed.drop_tensile = options.drop_tensile;
   if (data.n_atoms == 0) throw InputError(path, "has no grains");
   listed.grains = read_grains(NamedColumns(data.atoms, {}));
   for (int i = 0; i < data.atoms.n_rows(); ++i) {

@@ -185,8 +185,9 @@ std::vector<std::vector<double>> cell_of(const Frame& frame, int dimension) {
   for (int a = 0; a < dimension; ++a)
     if (flags[a] != "pp")
       throw InputError(frame.box_place,
-                       fmt::format("the box is not periodic (\"{}\", expected pp in every direction); "
-                                   "--cell puts the grains into a periodic cell",
+                       fmt::format("the box is not periodic (\"{}\", expected pp in every direction): packings "
+                                   "between walls are not read; --cell puts grains that touch no wall into a "
+                                   "periodic cell",
                                    frame.flags));
   return frame.box.lattice(frame.box_place, dimension);
 }
@@ -209,6 +210,7 @@ Imported read_lammps_dump(const std::string& path, const ImportOptions& options)
   listed.place = path;
   listed.law = required_law(path, options);
   listed.units = options.units;
+  listed.drop_tensile = options.drop_tensile;
   std::vector<std::string> remarks;
   const Frame frame = read_grain_frame(path, options, remarks);
   listed.grains = grains_of(frame, options);

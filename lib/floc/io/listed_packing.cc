@@ -22,6 +22,11 @@ constexpr double kNoShear = 1e-9;
 constexpr double kRounding = 1e-15;
 /// Images farther away, in cells, do not fit an integer.
 constexpr double kFarthest = 1e9;
+/// A force below this fraction of the largest listed is rounding.
+constexpr double kNoForce = 1e-9;
+/// Surfaces that are farther apart than the law reaches and this fraction of the mean diameter do not touch,
+/// whatever few digits the file has.
+constexpr double kFarthestGap = 0.1;
 /// Lattice vectors that are parallel but for rounding span no volume.
 constexpr double kFlat = 1e-12;
 
@@ -56,8 +61,10 @@ class Identifiers {
 
   int index(const std::string& place, const char* name, std::int64_t id) const {
     if (const auto found = index_.find(id); found != index_.end()) return found->second;
-    throw InputError(place, fmt::format("{} = {}: no grain has this id; they are from {} to {}", name, id,
-                                        lowest_, highest_));
+    throw InputError(place,
+                     fmt::format("{} = {}: no grain has this id; they are from {} to {} (contacts with walls "
+                                 "and other bodies are not read: packings have to be periodic)",
+                                 name, id, lowest_, highest_));
   }
 
  private:
@@ -115,12 +122,6 @@ Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const std::string& plac
     nearest = distance;
     best = image;
   }
-  const double half = 0.5 * smallest_width(packing.cell);
-  if (nearest >= half)
-    throw InputError(
-        place, fmt::format("the contact is {:.6g} long, not below half the cell ({:.6g}): the list has to "
-                           "say which image of the grain it is with",
-                           nearest, half));
   return best;
 }
 
@@ -187,47 +188,156 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
   if (listed.kr && law.rolling && !c.distant) c.kr = *listed.kr;
 }
 
-/// Fills the contact from the law, then lays the forces that were given over it.
+/// Makes contacts of the rows of a list, and counts what had to be done to them.
 template <int Dim>
-Contact<Dim> make_contact(const Packing<Dim>& packing, const Identifiers& identifiers,
-                          const ListedContact& listed) {
-  Contact<Dim> c;
-  c.i = identifiers.index(listed.place, "id1", listed.id1);
-  c.j = identifiers.index(listed.place, "id2", listed.id2);
-  if (listed.image)
-    c.image = listed.image->template head<Dim>();
-  else
-    c.image = nearest_image(packing, listed.place, c.i, c.j);
-  if (c.i == c.j && c.image.isZero()) throw InputError(listed.place, "the grain would touch itself");
-  const bool reversed = is_reversed(c);
-  if (reversed) {
-    std::swap(c.i, c.j);
-    c.image = -c.image;
+class ListedContacts {
+ public:
+  ListedContacts(const ListedPacking& listed, const Identifiers& identifiers, const Packing<Dim>& packing)
+      : listed_(listed),
+        identifiers_(identifiers),
+        packing_(packing),
+        half_width_(0.5 * smallest_width(packing.cell)) {
+    counts_.n_read = static_cast<int>(listed.contacts->size());
+    for (const ListedContact& row : *listed.contacts) largest_force_ = std::max(largest_force_, force_of(row));
   }
-  refresh_contact(packing, c);
-  if (c.normal.isZero(0.0))
-    throw InputError(listed.place, "the grains have the same centre: their contact has no direction");
-  const LawParameters& law = packing.law;
-  const GivenForces<Dim> given = given_forces<Dim>(listed, reversed, c.normal);
-  if (!given.normal && (listed.kn || listed.kt || listed.kr))
-    throw InputError(listed.place, "a stiffness is given without the normal force that goes with it");
-  if (!given.normal && c.gap >= 0.0 && c.gap >= law.range())
+
+  /// The contact, filled from the law and with the forces that were given laid over it; none if it is left out.
+  std::optional<Contact<Dim>> place(const ListedContact& row) {
+    Contact<Dim> c;
+    c.i = identifiers_.index(row.place, "id1", row.id1);
+    c.j = identifiers_.index(row.place, "id2", row.id2);
+    set_image(row, c);
+    const double gap = gap_of(c);
+    if (gap >= 0.0 && gap >= packing_.law.range() && force_of(row) <= kNoForce * largest_force_) {
+      if (!row.force && !row.normal_force)
+        throw InputError(row.place,
+                         fmt::format("the gap is {}, where the law does not act, and no normal_force says "
+                                     "otherwise",
+                                     gap));
+      ++counts_.n_neighbors;
+      return std::nullopt;
+    }
+    require_possible(row, c);
+    const bool reversed = is_reversed(c);
+    if (reversed) {
+      std::swap(c.i, c.j);
+      c.image = -c.image;
+    }
+    refresh_contact(packing_, c);
+    if (c.normal.isZero(0.0))
+      throw InputError(row.place, "the grains have the same centre: their contact has no direction");
+    const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
+    if (!given.normal && (row.kn || row.kt || row.kr))
+      throw InputError(row.place, "a stiffness is given without the normal force that goes with it");
+    if (given.normal && *given.normal < -kNoForce * largest_force_ && packing_.law.pull_off_force() == 0.0) {
+      if (counts_.n_tensile++ == 0) first_tensile_ = {&row, *given.normal};
+      return std::nullopt;
+    }
+    set_forces(packing_, row, given, c);
+    return c;
+  }
+
+  const ListedContactCounts& counts() const { return counts_; }
+
+  /// @throws InputError if contacts pull under a law without adhesion: a network without them is another one.
+  void require_no_tensile() const {
+    if (counts_.n_tensile == 0) return;
+    const bool adhesive_law_exists = !packing_.law.stiffness_varies();
     throw InputError(
-        listed.place,
-        fmt::format("the gap is {}, where the law does not act, and no normal_force says otherwise", c.gap));
-  set_forces(packing, listed, given, c);
-  return c;
-}
+        first_tensile_.row->place,
+        fmt::format("the contact of grains {} and {} pulls with {:.6g}, as {} of the {} listed do, but the law "
+                    "has no adhesion: {}, or leave out the contacts that pull with --drop-tensile",
+                    first_tensile_.row->id1, first_tensile_.row->id2, -first_tensile_.normal_force,
+                    counts_.n_tensile, counts_.n_read,
+                    adhesive_law_exists
+                        ? "give adhesion.force in --law, with adhesion.law=constant for grains that attract "
+                          "each other in contact alone, or with adhesion.range"
+                        : "adhesion goes with the linear law (normal.stiffness, adhesion.force)"));
+  }
+
+ private:
+  struct Tensile {
+    const ListedContact* row = nullptr;
+    double normal_force = 0.0;
+  };
+
+  /// Size of the forces that a row gives (force).
+  static double force_of(const ListedContact& row) {
+    const auto norm = [](const std::optional<Eigen::Vector3d>& v) { return v ? v->norm() : 0.0; };
+    return std::max({norm(row.force), std::abs(row.normal_force.value_or(0.0)), norm(row.shear_force)});
+  }
+
+  double radii(const Contact<Dim>& c) const {
+    return packing_.grains.radius[c.i] + packing_.grains.radius[c.j];
+  }
+  double gap_of(const Contact<Dim>& c) const { return branch(packing_, c).norm() - radii(c); }
+  bool can_touch(const Contact<Dim>& c) const {
+    return gap_of(c) <= packing_.law.range() + 0.5 * kFarthestGap * radii(c);
+  }
+
+  /// The image listed, or the nearest one, also where the one listed cannot be: programs list images that go
+  /// with positions outside of the cell, beside positions that were brought into it.
+  void set_image(const ListedContact& row, Contact<Dim>& c) {
+    if (row.image) c.image = row.image->template head<Dim>();
+    if (row.image && c.i == c.j && c.image.isZero())
+      throw InputError(row.place, "the grain would touch itself");
+    if (row.image && can_touch(c)) return;
+    if (row.image) require_within_reach(c);
+    c.image = nearest_image(packing_, row.place, c.i, c.j);
+    if (row.image && can_touch(c)) ++counts_.n_other_image;
+  }
+
+  /// @throws InputError if no image of one grain that an integer names is near the other
+  void require_within_reach(const Contact<Dim>& c) const {
+    const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
+    if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthest) return;
+    throw InputError(listed_.grains[c.i].place,
+                     fmt::format("is more than 1e9 cells away from {}, which it is said to "
+                                 "touch",
+                                 listed_.grains[c.j].place));
+  }
+
+  /// @throws InputError if no contact can be there, or another image may be as near
+  void require_possible(const ListedContact& row, const Contact<Dim>& c) const {
+    const double distance = branch(packing_, c).norm();
+    const bool chosen = !row.image || c.image != row.image->template head<Dim>();
+    if (chosen && distance >= half_width_)
+      throw InputError(
+          row.place,
+          fmt::format("the contact is {:.6g} long, not below half the cell ({:.6g}): the list has to "
+                      "say which image of the grain it is with",
+                      distance, half_width_));
+    if (!can_touch(c))
+      throw InputError(row.place,
+                       fmt::format("grains {} and {} carry a force of {:.6g}, but even their nearest images "
+                                   "have a gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or "
+                                   "cell are not those of this contact",
+                                   row.id1, row.id2, force_of(row), gap_of(c), packing_.grains.radius[c.i],
+                                   packing_.grains.radius[c.j]));
+  }
+
+  const ListedPacking& listed_;
+  const Identifiers& identifiers_;
+  const Packing<Dim>& packing_;
+  double half_width_;
+  double largest_force_ = 0.0;
+  ListedContactCounts counts_;
+  Tensile first_tensile_;
+};
 
 template <int Dim>
-void add_contacts(const ListedPacking& listed, const Identifiers& identifiers, Packing<Dim>& packing) {
+ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers& identifiers,
+                                 Packing<Dim>& packing) {
   const auto order = [](const Contact<Dim>& c) {
     return std::tuple(c.i, c.j, std::vector(c.image.begin(), c.image.end()));
   };
   using Placed = std::pair<Contact<Dim>, const ListedContact*>;
   std::vector<Placed> placed;
-  for (const ListedContact& contact : *listed.contacts)
-    placed.emplace_back(make_contact(packing, identifiers, contact), &contact);
+  ListedContacts<Dim> contacts(listed, identifiers, packing);
+  for (const ListedContact& row : *listed.contacts)
+    if (std::optional<Contact<Dim>> contact = contacts.place(row))
+      placed.emplace_back(*std::move(contact), &row);
+  if (!listed.drop_tensile) contacts.require_no_tensile();
   std::stable_sort(placed.begin(), placed.end(),
                    [&](const Placed& a, const Placed& b) { return order(a.first) < order(b.first); });
   const auto twice = std::adjacent_find(placed.begin(), placed.end(), [&](const Placed& a, const Placed& b) {
@@ -239,6 +349,7 @@ void add_contacts(const ListedPacking& listed, const Identifiers& identifiers, P
                                                second.id1, second.id2, twice->second->place));
   }
   for (const auto& [contact, from] : placed) packing.contacts.push_back(contact);
+  return contacts.counts();
 }
 
 /// Brings every grain into the cell; images of contacts follow.
@@ -273,11 +384,11 @@ Imported assemble_in(const ListedPacking& listed) {
   packing.law = listed.law;
   packing.grains = make_grains<Dim>(listed.grains);
   const Identifiers identifiers(listed.grains);
-  if (listed.contacts) add_contacts(listed, identifiers, packing);
+  Imported imported;
+  if (listed.contacts) imported.listed_contacts = add_contacts(listed, identifiers, packing);
   wrap(listed, packing);
   state.path.branch = "imported";
   state.provenance.source = listed.place;
-  Imported imported;
   imported.state = std::move(state);
   imported.contacts_known = listed.contacts.has_value();
   return imported;

@@ -47,6 +47,7 @@ struct ListedPacking {
   std::string units;
   std::vector<ListedGrain> grains;
   std::optional<std::vector<ListedContact>> contacts;
+  bool drop_tensile = false;  ///< see ImportOptions
 };
 
 /// Dimension of a packing whose file does not say: `--dimension`, or the number of vectors of `--cell`, or 2 if
@@ -59,10 +60,13 @@ const LawParameters& required_law(const std::string& path, const ImportOptions& 
 
 /// Puts a packing together: identifiers become indices, grains are brought into the cell, contacts are
 /// completed by the law and sorted, springs stretched to the forces that were given. Forces are kept to the
-/// last digit: what of `force` is along the branch is normal force, the rest tangential.
+/// last digit: what of `force` is along the branch is normal force, the rest tangential. Listed neighbours that do
+/// not touch, carry nothing and are out of the law's reach are left out; an image at which two grains cannot
+/// touch gives way to the nearest one.
 /// @throws InputError naming place, value and what was expected: no grains, an identifier given twice, a cell
-/// that spans no volume; a contact of a grain that is not there, listed twice, out of the law's reach without a
-/// force, or without an image where the branch is half the cell or longer, so that two images are as near.
+/// that spans no volume; a contact of a grain that is not there, listed twice, out of the law's reach where no force is listed at all, with a force where no image of
+/// the grains comes near, that pulls under a law without adhesion (unless `drop_tensile`), or without an image
+/// where the branch is half the cell or longer, so that two images are as near.
 Imported assemble(const ListedPacking& listed);
 
 }  // namespace floc

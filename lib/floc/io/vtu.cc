@@ -137,6 +137,7 @@ Imported read_vtu(const std::string& path, const ImportOptions& options) {
   listed.place = path;
   listed.law = required_law(path, options);
   listed.units = options.units;
+  listed.drop_tensile = options.drop_tensile;
   listed.grains = grains_of(path, arrays, options);
   const int dimension = dimension_of(listed.grains, options);
   listed.cell_place = options.cell.empty() ? arrays.place("FieldData", "cell") : "--cell";

@@ -162,6 +162,7 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   ListedPacking listed;
   listed.place = path;
   listed.units = options.units;
+  listed.drop_tensile = options.drop_tensile;
   listed.grains = read_grains(NamedColumns(spheres.table, options.columns));
   listed.cell_place = options.cell.empty() ? spheres.cell_place : "--cell";
   listed.cell = options.cell.empty() ? spheres.cell : options.cell;

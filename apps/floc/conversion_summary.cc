@@ -1,0 +1,78 @@
+#include "conversion_summary.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equilibrium_check.h"
+#include "floc/run/contact_check.h"
+
+namespace floc {
+namespace {
+
+/// Normal forces that differ from the law by more than this, over their mean, are said to: programs print six
+/// digits or more, and what they compute by the same law agrees to rounding.
+constexpr double kForceTolerance = 1e-6;
+
+void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
+  summary.lines.push_back(
+      fmt::format("contacts: {} read, {} kept, left out {} without force across a gap and {} that "
+                  "pull, moved to the nearest image {}",
+                  listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
+  if (listed.n_neighbors > 0)
+    summary.doubts.push_back(
+        fmt::format("{} of the {} contacts listed have a gap, no force and no attraction in the "
+                    "law: they are neighbours, and left out",
+                    listed.n_neighbors, listed.n_read));
+  if (listed.n_tensile > 0)
+    summary.doubts.push_back(
+        fmt::format("{} of the {} contacts listed pull, and are left out", listed.n_tensile, listed.n_read));
+  if (listed.n_other_image > 0)
+    summary.doubts.push_back(
+        fmt::format("{} of the {} images listed contradict the positions, as where these were "
+                    "brought into the cell: the nearest image is taken",
+                    listed.n_other_image, listed.n_read));
+}
+
+void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& summary) {
+  summary.lines.push_back(fmt::format(
+      "of these {} have a gap, {} pull, {} are at their cap; normal forces differ from "
+      "the law by at most {:.1e} of their mean",
+      check.n_with_gap + check.n_distant, check.n_pulling, check.n_at_cap, check.largest_difference));
+  if (check.n_with_gap > 0)
+    summary.doubts.push_back(
+        fmt::format("{} contacts carry a force across a gap where the law does not act", check.n_with_gap));
+  if (check.n_pulling > 0 && !cohesive)
+    summary.doubts.push_back(fmt::format("{} contacts pull, and the law has no adhesion", check.n_pulling));
+  if (check.n_beyond_cap > 0)
+    summary.doubts.push_back(
+        fmt::format("{} tangential forces or rolling moments are above the law's cap", check.n_beyond_cap));
+  if (check.n_different > 0)
+    summary.doubts.push_back(
+        fmt::format("{} normal forces differ from the law, by up to {:.2g} of their mean (grains {}): "
+                    "another law or stiffness, or too few digits",
+                    check.n_different, check.largest_difference, check.most_different));
+  if (check.n_missing > 0)
+    summary.doubts.push_back(fmt::format("{} pairs of grains touch that are not listed (grains {})",
+                                         check.n_missing, check.missing));
+}
+
+}  // namespace
+
+template <int Dim>
+ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
+  ConversionSummary summary;
+  if (imported.complete) return summary;
+  const ContactCheck check = check_contacts(state.packing, kForceTolerance);
+  if (imported.contacts_known) add_list(imported.listed_contacts, check.n_contacts, summary);
+  add_contacts(check, state.packing.law.pull_off_force() > 0.0, summary);
+  summary.lines.back() +=
+      fmt::format("; stress {:.6g}", fmt::join(state.stress.data(), state.stress.data() + Dim * Dim, " "));
+  if (const std::string faults = equilibrium_faults(state); !faults.empty())
+    summary.doubts.push_back("this is no equilibrium: " + faults);
+  return summary;
+}
+
+template ConversionSummary summarize(const Imported&, const State<2>&);
+template ConversionSummary summarize(const Imported&, const State<3>&);
+
+}  // namespace floc

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "floc/packing/contact_order.h"
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// The same for a pair and for the same pair with its grains, or opposite images, exchanged.
+using PairIdentity = std::tuple<int, int, std::vector<int>>;
+
+template <class Pair>
+PairIdentity identity(Pair pair) {
+  if (!is_canonical(pair)) pair = swapped(std::move(pair));
+  return {pair.i, pair.j, {pair.image.begin(), pair.image.end()}};
+}
+
+/// What positions leave open of a distance: their differences and that of radii are rounded (length).
+template <int Dim>
+double distance_error(const Packing<Dim>& packing);
+
+/// Pairs of grains that overlap by more than `open` (length), or are within the law's range by more, and are not
+/// among the contacts; gap and normal are set.
+template <int Dim>
+std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>& packing, double open);
+
+/// What the contacts of a packing are, and how far their forces are from what its law makes of its geometry.
+struct ContactCheck {
+  int n_contacts = 0;
+  int n_with_gap = 0;               ///< taken as touching, but their surfaces are apart
+  int n_distant = 0;                ///< attractions across a gap
+  int n_pulling = 0;                ///< normal force below zero, beyond rounding
+  int n_at_cap = 0;                 ///< slide or yield
+  int n_beyond_cap = 0;             ///< tangential force or rolling moment above its cap
+  int n_different = 0;              ///< normal force differs from the law's
+  double largest_difference = 0.0;  ///< of normal forces, over the mean of their sizes
+  std::string most_different;       ///< the grains of that contact: indices from 0
+  int n_missing = 0;                ///< pairs that touch and are not listed
+  std::string missing;              ///< the first of them
+};
+
+/// Holds the forces of a packing against its law and its contacts against its geometry. The normal force of a
+/// contact with a stiffness of its own (linear law) is compared with that stiffness times its overlap.
+/// @param tolerance  difference that counts, over the mean size of the normal forces; what rounding of the
+/// positions leaves open never counts
+template <int Dim>
+ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance);
+
+}  // namespace floc

@@ -1,0 +1,170 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "support/places.h"
+#include "support/run_arguments.h"
+
+/// Lists of contacts that say more, less or other things than the positions beside them.
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kPackings = source_directory() + "/data/packings/";
+const std::string kLammpsLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
+
+/// Columns of a `dump local` of two computes.
+std::string lammps_columns(const std::string& pair, const std::string& force) {
+  return "id1=c_" + pair + "[1],id2=c_" + pair + "[2],force1=c_" + force + "[1],force2=c_" + force +
+         "[2],shear_force1=c_" + force + "[4],shear_force2=c_" + force + "[5]";
+}
+
+class ConvertLists : public testing::Test {
+ protected:
+  /// Two rows of two disks that touch, and the pairs 1-2 and 3-4 at a gap; all in a 4 x 4 cell.
+  Outcome convert(const std::string& contacts, const std::string& law, std::vector<std::string> more = {},
+                  const std::string& x = "2.01") {
+    write_text(scratch_.file("g.csv"),
+               "id,x,y,radius\n1,1,1,0.5\n2," + x + ",1,0.5\n3,1,1.95,0.5\n4," + x + ",1.95,0.5\n");
+    write_text(scratch_.file("c.csv"), contacts);
+    std::vector<std::string> arguments = {"convert",
+                                          scratch_.file("g.csv"),
+                                          scratch_.file("s.h5"),
+                                          "--overwrite",
+                                          "--contacts",
+                                          scratch_.file("c.csv"),
+                                          "--cell",
+                                          "4,0;0,4",
+                                          "--law",
+                                          law};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return floc_arguments(arguments);
+  }
+  json row(const std::string& command, const std::string& state) {
+    std::vector<std::string> arguments = {command, scratch_.file(state), "--format", "json"};
+    if (command == "moduli") arguments.emplace_back("--force");
+    return json::parse(floc_arguments(arguments).out).at(0);
+  }
+  bool written() const { return std::filesystem::exists(scratch_.file("s.h5")); }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(ConvertLists, WithNeighboursThatDoNotTouchGiveTheModuliOfTheContactsAlone) {
+  const auto convert_disks = [&](const std::string& out, const std::string& list, const std::string& columns) {
+    return floc_arguments({"convert", kPackings + "lammps/disks.dump", scratch_.file(out), "--law", kLammpsLaw,
+                           "--contacts", kPackings + "lammps/" + list, "--contact-columns", columns});
+  };
+  const Outcome all = convert_disks("all.h5", "disks.neighbors", lammps_columns("neighbor", "neighborforce"));
+  ASSERT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(all.err, AllOf(HasSubstr("60 grains in 2D, 87 contacts"),
+                             HasSubstr("of the 136 contacts listed have a gap, no force and no attraction")));
+  ASSERT_EQ(convert_disks("cut.h5", "disks.contacts", lammps_columns("pair", "force")).code, 0);
+  for (const char* column : {"B", "G", "z", "n_at_cap"})
+    EXPECT_EQ(row("moduli", "all.h5")[column], row("moduli", "cut.h5")[column]) << column;
+}
+
+TEST_F(ConvertLists, OfIdentifiersAloneWithWhatDoesNotTouchAreRefused) {
+  const Outcome o = convert("id1,id2\n1,2\n1,3\n2,4\n3,4\n", "normal.stiffness=50");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, HasSubstr("c.csv:2: the gap is 0.00999"));
+}
+
+TEST_F(ConvertLists, KeepNeighboursThatTheLawAttractsAndNoneOfThemIsAtACap) {
+  const std::string law =
+      "normal.stiffness=50,adhesion.law=tail,adhesion.force=1,adhesion.range=0.02,"
+      "friction.coefficient=0.5,friction.stiffness=30,rolling.coefficient=0.1,rolling.stiffness=1";
+  const Outcome o = convert(
+      "id1,id2,normal_force,shear_force1,shear_force2,rolling_moment\n1,2,-0.5,0,0,0\n3,4,-0.5,0,0,0\n"
+      "1,3,1.5,0,0,0\n2,4,1.5,0,0,0\n",
+      law);
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, HasSubstr("of these 2 have a gap, 2 pull, 0 are at their cap"));
+  const json moduli = row("moduli", "s.h5");
+  EXPECT_EQ(moduli["n_distant"], 2);
+  EXPECT_EQ(moduli["n_at_cap"], 0);
+}
+
+TEST_F(ConvertLists, ThatPullNeedAdhesionInTheLaw) {
+  const std::string list = "id1,id2,normal_force\n1,2,-0.1\n3,4,-0.1\n1,3,2.5\n2,4,2.5\n";
+  const Outcome refused = convert(list, "normal.stiffness=50", {}, "1.999");
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err,
+              AllOf(HasSubstr("c.csv:2: the contact of grains 1 and 2 pulls with 0.1, as 2 of the 4 listed do"),
+                    HasSubstr("adhesion.force"), HasSubstr("--drop-tensile")));
+  EXPECT_FALSE(written());
+  const Outcome hertz = convert(list, "normal.modulus=50,normal.poisson=0.2", {"--dimension", "2"}, "1.999");
+  EXPECT_THAT(hertz.err, AllOf(HasSubstr("adhesion goes with the linear law"), HasSubstr("--drop-tensile")));
+  const Outcome dropped = convert(list, "normal.stiffness=50", {"--drop-tensile"}, "1.999");
+  EXPECT_EQ(dropped.code, 0) << dropped.err;
+  EXPECT_THAT(dropped.err, HasSubstr("2 of the 4 contacts listed pull, and are left out"));
+  EXPECT_EQ(row("info", "s.h5")["n_contacts"], 2);
+  EXPECT_EQ(convert(list, "normal.stiffness=50,adhesion.law=constant,adhesion.force=0.2", {}, "1.999").code, 0);
+  EXPECT_EQ(row("info", "s.h5")["n_contacts"], 4);
+}
+
+TEST_F(ConvertLists, WithImagesThatContradictPositionsAreTakenAtTheNearestImage) {
+  const auto convert_spheres = [&](const std::string& grains, const std::string& out) {
+    return floc_arguments({"convert", kPackings + "yade/" + grains, scratch_.file(out), "--units", "SI",
+                           "--contacts", kPackings + "yade/spheres.interactions"});
+  };
+  const Outcome wrapped = convert_spheres("wrapped.txt", "wrapped.h5");
+  ASSERT_EQ(wrapped.code, 0) << wrapped.err;
+  EXPECT_THAT(wrapped.err, AllOf(HasSubstr("of the 92 images listed contradict the positions"),
+                                 HasSubstr("40 grains in 3D, 92 contacts"), Not(HasSubstr("no equilibrium"))));
+  ASSERT_EQ(convert_spheres("spheres.txt", "own.h5").code, 0);
+  for (const char* column : {"B", "G"}) {
+    const double own = row("moduli", "own.h5")[column];
+    EXPECT_NEAR(row("moduli", "wrapped.h5")[column].get<double>(), own, 1e-10 * own) << column;
+  }
+}
+
+TEST_F(ConvertLists, WithAForceBetweenGrainsThatNoImageBringsTogetherAreRefused) {
+  const Outcome o =
+      convert("id1,id2,image1,image2,normal_force\n1,2,1,0,0.3\n", "normal.stiffness=50", {}, "2.5");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err,
+              HasSubstr("c.csv:2: grains 1 and 2 carry a force of 0.3, but even their nearest images have a "
+                        "gap of 0.5 (radii 0.5 and 0.5)"));
+  EXPECT_FALSE(written());
+}
+
+TEST_F(ConvertLists, AreComparedWithGeometryAndLawAndStrictAcceptsNoDoubt) {
+  const std::string good = "id1,id2,normal_force\n1,3,2.5\n2,4,2.5\n";
+  EXPECT_THAT(convert(good, "normal.stiffness=50").err,
+              HasSubstr("normal forces differ from the law by at most"));
+  const Outcome other_law = convert(good, "normal.stiffness=40");
+  EXPECT_EQ(other_law.code, 0);
+  EXPECT_THAT(other_law.err,
+              HasSubstr("warning: 2 normal forces differ from the law, by up to 0.2 of their mean"));
+  EXPECT_THAT(convert("id1,id2,normal_force\n1,3,2.5\n", "normal.stiffness=50").err,
+              HasSubstr("warning: 1 pairs of grains touch that are not listed (grains 1-3 at a gap of -0.05)"));
+  EXPECT_THAT(convert("id1,id2,normal_force,shear_force1,shear_force2\n1,3,2.5,2,0\n2,4,2.5,0,0\n",
+                      "normal.stiffness=50,friction.coefficient=0.5,friction.stiffness=30")
+                  .err,
+              HasSubstr("warning: 1 tangential forces or rolling moments are above the law's cap"));
+  std::filesystem::remove(scratch_.file("s.h5"));
+  const Outcome strict = convert(good, "normal.stiffness=40", {"--strict", "--tolerance", "100"});
+  EXPECT_EQ(strict.code, 5);
+  EXPECT_THAT(strict.err, AllOf(HasSubstr("2 normal forces differ from the law"), HasSubstr("--strict")));
+  EXPECT_FALSE(written());
+  EXPECT_EQ(convert(good, "normal.stiffness=50", {"--strict", "--tolerance", "100"}).code, 0);
+}
+
+TEST_F(ConvertLists, OfASolidFractionAboveOneAreRefused) {
+  write_text(scratch_.file("g.csv"), "x,y,radius\n1,1,1\n3,1,1\n1,3,1\n3,3,1.5\n");
+  const Outcome o = floc_arguments({"convert", scratch_.file("g.csv"), scratch_.file("s.h5"), "--cell",
+                                    "4,0;0,4", "--law", "normal.stiffness=50"});
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, AllOf(HasSubstr("g.csv: the solid fraction would be 1.031"), HasSubstr("diameter")));
+  EXPECT_FALSE(written());
+}
+
+}  // namespace
+}  // namespace floc::test

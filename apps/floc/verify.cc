@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <memory>
 
 #include "command.h"
 #include "floc/run/verification.h"
+#include "floc/scene/scene_mass.h"
 #include "output.h"
 
 namespace floc {
@@ -36,10 +38,39 @@ int report(const std::string& file, const std::vector<Criterion>& criteria, Tabl
   return failed.empty() ? kDone : kVerificationFailed;
 }
 
+/// The masses stored against radii and the density that the scene gives: the largest relative difference.
+template <int Dim>
+Criterion check_mass(const std::string& file, const State<Dim>& state) {
+  constexpr double kRelative = 1e-12;
+  Criterion result{"mass", 0.0, kRelative, true, ""};
+  const auto per_cube = mass_per_cubed_diameter(state.scene, Dim, file + ": scene");
+  if (!per_cube) return result;
+  const Grains<Dim>& g = state.packing.grains;
+  for (int i = 0; i < g.size(); ++i) {
+    const double expected = *per_cube * std::pow(2.0 * g.radius[i], Dim);
+    const double error = std::abs(g.mass[i] - expected) / expected;
+    if (error <= result.value) continue;
+    result.value = error;
+    result.where = fmt::format(
+        "mass {:.6g} of grain {}, whose radius is {:.6g}, is not {:.6g} as the scene's density "
+        "makes it",
+        g.mass[i], i, g.radius[i], expected);
+  }
+  result.holds = result.value <= kRelative;
+  return result;
+}
+
+template <int Dim>
+std::vector<Criterion> verified(const std::string& file, const State<Dim>& state) {
+  std::vector<Criterion> criteria = verify_equilibrium(state);
+  criteria.push_back(check_mass(file, state));
+  return criteria;
+}
+
 int verify(const VerifyArguments& arguments) {
   Table table;
   const int code = for_each_state(arguments.files, [&](const std::string& file, const AnyState& any) {
-    return std::visit([&](const auto& state) { return report(file, verify_equilibrium(state), table); }, any);
+    return std::visit([&](const auto& state) { return report(file, verified(file, state), table); }, any);
   });
   if (!table.rows.empty()) print_table(table, arguments.format);
   return code;
@@ -57,7 +88,9 @@ Command add_verify(CommandLine program) {
       "Prints for each state what was found: geometry and law (largest disagreement of the contacts stored),\n"
       "list (contacts missing or too many), force, moment, stress, energy (residuals, see the README),\n"
       "mean_stress (the stress recorded, relative), stability (negative eigenvalues), boundary_balance\n"
-      "(forces across the cell's faces against the stress). Exit 5 if one is no equilibrium.");
+      "(forces across the cell's faces against the stress), recorded (residuals, counts and flags of the file\n"
+      "that are not those found), mass (against radius and the scene's density, relative). Exit 5 if one "
+      "fails.");
   return {app, [arguments] { return verify(*arguments); }};
 }
 

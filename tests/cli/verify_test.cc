@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
@@ -58,7 +59,7 @@ TEST(Verify, NamesTheGrainsOutOfBalance) {
     s.packing.grains.position[3][0] += 1e-5;
     find_contacts(s.packing);
   });
-  expect_failed(result, "force stress mean_stress boundary_balance", "force does not hold");
+  expect_failed(result, "force stress mean_stress boundary_balance recorded", "force does not hold");
   EXPECT_THAT(result.err, HasSubstr("grain 3 with"));
 }
 
@@ -93,11 +94,14 @@ TEST(Verify, NamesTheContactsWhoseGapOrForceIsNotThatOfThePositions) {
 }
 
 TEST(Verify, MeasuresAgainstTheStressAndTheTolerancesAskedFor) {
-  expect_failed(verify_spoiled([](State<2>& s) { s.target_stress[0] *= 1.001; }), "stress",
+  expect_failed(verify_spoiled([](State<2>& s) { s.target_stress[0] *= 1.001; }), "stress recorded",
                 "sigma_1 = 0.001 against 0.001001");
-  EXPECT_EQ(verify_spoiled([](State<2>& s) { s.tolerance.stress = 2e-3, s.target_stress[0] *= 1.001; }).code,
+  EXPECT_EQ(verify_spoiled([](State<2>& s) {
+              s.tolerance.stress = 2e-3, s.target_stress[0] *= 1.001;
+              measure(s);
+            }).code,
             0);
-  expect_failed(verify_spoiled([](State<2>& s) { s.packing.grains.velocity[0][0] = 1e-3; }), "energy",
+  expect_failed(verify_spoiled([](State<2>& s) { s.packing.grains.velocity[0][0] = 1e-3; }), "energy recorded",
                 "still move");
 }
 
@@ -105,6 +109,31 @@ TEST(Verify, HoldsTheStressThatTheFileRecordsAgainstTheForces) {
   for (const auto& [a, b] : {std::pair{0, 0}, std::pair{1, 1}, std::pair{0, 1}})
     expect_failed(verify_spoiled([&](State<2>& s) { s.stress(a, b) += 1e-9 * s.stress(0, 0); }), "mean_stress",
                   "recorded");
+}
+
+TEST(Verify, HoldsResidualsCountsAndFlagsThatTheFileRecordsAgainstWhatItFinds) {
+  expect_failed(verify_spoiled([](State<2>& s) { s.residuals.force = 1e-9; }), "recorded",
+                "residuals.force recorded as 1e-09, found");
+  expect_failed(verify_spoiled([](State<2>& s) { s.residuals.energy = 1e-9; }), "recorded", "residuals.energy");
+  expect_failed(verify_spoiled([](State<2>& s) { s.n_negative = 2; }), "recorded",
+                "n_negative recorded as 2, found 0");
+  expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].sliding = true; }), "recorded",
+                "recorded as sliding");
+}
+
+TEST(Verify, HoldsMassesAgainstTheDensityOfTheScene) {
+  const std::string scene = "[scene]\ndimension = 2\n[grains]\ndensity = 2.0\n";
+  const auto with_masses = [&](double factor) {
+    return verify_spoiled([&](State<2>& s) {
+      s.scene = scene;
+      for (int i = 0; i < s.packing.grains.size(); ++i)
+        s.packing.grains.mass[i] =
+            2.0 * std::numbers::pi * s.packing.grains.radius[i] * s.packing.grains.radius[i];
+      s.packing.grains.mass[3] *= factor;
+    });
+  };
+  EXPECT_EQ(with_masses(1.0).code, 0);
+  expect_failed(with_masses(1.5), "mass", "of grain 3, whose radius is");
 }
 
 /// A contact that was taken away and one that looks for its grain in another cell leave the stress and its

@@ -9,9 +9,9 @@
 #include <tuple>
 
 #include "floc/elasticity/stability.h"
-#include "floc/neighbors/pairs.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/run/contact_check.h"
 
 namespace floc {
 namespace {
@@ -42,14 +42,6 @@ std::string name_of(const Contact<Dim>& c) {
   return fmt::format("grains {}-{}", c.i, c.j);
 }
 
-/// What positions leave open of a distance: their differences and that of radii are rounded.
-template <int Dim>
-double distance_error(const Packing<Dim>& packing) {
-  const auto& radius = packing.grains.radius;
-  const double largest = 2.0 * *std::max_element(radius.begin(), radius.end());
-  return 64.0 * std::numeric_limits<double>::epsilon() * (packing.cell.matrix.cwiseAbs().sum() + largest);
-}
-
 template <int Dim>
 Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
   Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
@@ -67,43 +59,20 @@ Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recompu
   return result;
 }
 
-/// The same for a contact and for the same contact with its grains, or opposite images, exchanged.
-template <int Dim>
-using Identity = std::tuple<int, int, std::vector<int>>;
-
-template <int Dim>
-Identity<Dim> identity(int i, int j, Vec<Dim, int> image) {
-  const Vec<Dim, int> zero = Vec<Dim, int>::Zero();
-  const bool opposite = std::lexicographical_compare(image.begin(), image.end(), zero.begin(), zero.end());
-  if (i > j || (i == j && opposite)) {
-    std::swap(i, j);
-    image = -image;
-  }
-  return {i, j, {image.begin(), image.end()}};
-}
-
 template <int Dim>
 Criterion check_list(const Packing<Dim>& recomputed) {
   const double open = distance_error(recomputed);
   const double range = recomputed.law.range();
   Violations violations;
-  std::set<std::pair<Identity<Dim>, int>> listed;
-  std::set<Identity<Dim>> pairs;
+  std::set<std::pair<PairIdentity, int>> listed;
   int n_wrong = 0;
   const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
   for (const Contact<Dim>& c : recomputed.contacts) {
-    const Identity<Dim> id = identity<Dim>(c.i, c.j, c.image);
-    pairs.insert(id);
-    if (!listed.insert({id, c.key}).second) wrong(name_of(c) + " listed twice");
+    if (!listed.insert({identity(c), c.key}).second) wrong(name_of(c) + " listed twice");
     if (c.gap >= range + open) wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(c), c.gap));
   }
-  for (const NeighborPair<Dim>& pair : find_pairs(recomputed.cell, recomputed.grains, range)) {
-    Contact<Dim> c;
-    c.i = pair.i, c.j = pair.j, c.image = pair.image;
-    refresh_contact(recomputed, c);
-    if (c.gap < range - open && !pairs.contains(identity<Dim>(c.i, c.j, c.image)))
-      wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(c), c.gap));
-  }
+  for (const Contact<Dim>& c : missing_contacts(recomputed, open))
+    wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(c), c.gap));
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
@@ -123,6 +92,7 @@ template <int Dim>
 Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
   Criterion result{"law", 0.0, force_error(recomputed), true, ""};
   Violations violations;
+  const double distance = distance_error(recomputed);
   for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
     const Contact<Dim>& c = stored.contacts[k];
     const Contact<Dim>& r = recomputed.contacts[k];
@@ -132,8 +102,13 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
                   (c.shear_force - r.shear_force).norm(), (c.rolling_moment - r.rolling_moment).norm() / arm,
                   std::abs(c.twisting_moment - r.twisting_moment) / arm});
     result.value = std::max(result.value, error);
-    const bool same_state =
-        std::tie(c.kn, c.kt, c.kr, c.ktw, c.distant) == std::tie(r.kn, r.kt, r.kr, r.ktw, r.distant);
+    // A stiffness that grows with the overlap follows it to the rounding of the positions.
+    const double open = recomputed.law.stiffness_varies() ? 1e-12 + distance / std::abs(r.gap) : 0.0;
+    const auto same = [open](double kept, double found) {
+      return kept == found || std::abs(kept - found) <= open * std::abs(found);
+    };
+    const bool same_state = same(c.kn, r.kn) && same(c.kt, r.kt) && same(c.kr, r.kr) && same(c.ktw, r.ktw) &&
+                            c.distant == r.distant;
     if (!(error <= result.limit))
       violations.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
     else if (!same_state)
@@ -261,6 +236,65 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
           holds ? "" : fmt::format("across the faces {}, stress {}", components(across), components(stress))};
 }
 
+/// What the file records besides its forces, against what these give: the number and the first of what differs.
+class Record {
+ public:
+  /// @param rounding  what rounding of the positions leaves open of the value
+  void compare(const char* name, double recorded, double found, double rounding) {
+    constexpr double kRelative = 1e-6;  // rounding of another compiler's sums
+    if (recorded == found || std::abs(recorded - found) <= kRelative * std::max(recorded, found) + rounding)
+      return;
+    wrong(fmt::format("{} recorded as {:.3g}, found {:.3g}", name, recorded, found));
+  }
+  void wrong(std::string what) { found_.add(0.0, std::move(what)), ++n_; }
+
+  Criterion criterion() { return {"recorded", static_cast<double>(n_), 0.0, n_ == 0, found_.worst_first()}; }
+
+ private:
+  Violations found_;
+  int n_ = 0;
+};
+
+/// A flag may differ from its spring by this much, relative: files of other programs print six digits or more.
+constexpr double kFlagTolerance = 1e-5;
+/// A spring this close to its cap, relative, is at it for every program.
+constexpr double kAtCap = 1e-13;
+
+template <int Dim>
+void compare_flags(const Packing<Dim>& stored, Record& record) {
+  const auto wrong = [](bool recorded, bool near, bool at) { return recorded ? !near : at; };
+  for (const Contact<Dim>& c : stored.contacts) {
+    const Mobilised near = mobilised(stored.law, c, kFlagTolerance), at = mobilised(stored.law, c, kAtCap);
+    if (wrong(c.sliding, near.sliding, at.sliding))
+      record.wrong(fmt::format("{} recorded as {}sliding", name_of(c), c.sliding ? "" : "not "));
+    if (wrong(c.rolling_yield, near.rolling, at.rolling))
+      record.wrong(
+          fmt::format("{} recorded as {}yielding in rolling", name_of(c), c.rolling_yield ? "" : "not "));
+  }
+}
+
+/// The residuals, the number of negative eigenvalues and the flags that the file records.
+template <int Dim>
+Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
+                       int n_negative) {
+  Record record;
+  const Residuals found = residuals(recomputed, state.target_stress, stress);
+  const ForceScale scale = force_scale(recomputed, state.target_stress);
+  constexpr double kContacts = 8.0;  // whose roundings add up on a grain
+  const double open = scale.force > 0.0 ? kContacts * force_error(recomputed) / scale.force : 0.0;
+  record.compare("residuals.force", state.residuals.force, found.force, open);
+  record.compare("residuals.moment", state.residuals.moment, found.moment, open);
+  double lengths = 0.0;
+  for (const Contact<Dim>& c : recomputed.contacts) lengths += branch(recomputed, c).norm();
+  record.compare("residuals.stress", state.residuals.stress, found.stress,
+                 open * lengths * std::pow(scale.length, Dim - 1) / recomputed.cell.volume());
+  record.compare("residuals.energy", state.residuals.energy, found.energy, 0.0);
+  if (state.n_negative >= 0 && state.n_negative != n_negative)
+    record.wrong(fmt::format("n_negative recorded as {}, found {}", state.n_negative, n_negative));
+  compare_flags(state.packing, record);
+  return record.criterion();
+}
+
 }  // namespace
 
 template <int Dim>
@@ -278,6 +312,7 @@ std::vector<Criterion> verify_equilibrium(const State<Dim>& state) {
       {"stability", static_cast<double>(n_negative), 0.0, n_negative == 0,
        n_negative == 0 ? "" : fmt::format("{} negative eigenvalues of the stiffness matrix", n_negative)});
   criteria.push_back(check_boundary(state, recomputed, stress));
+  criteria.push_back(check_record(state, recomputed, stress, n_negative));
   return criteria;
 }
 

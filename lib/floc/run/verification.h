@@ -24,6 +24,7 @@ struct Criterion {
 ///   mean_stress  the stress recorded, against that of the forces recomputed, in units of the mean stress
 ///   stability    number of negative eigenvalues of the stiffness matrix
 ///   boundary_balance  the forces across the faces of the cell over their areas, against the stress (stress)
+///   recorded     number of residuals, eigenvalue counts and flags recorded that are not those found
 /// Geometry, law and mean stress are held to what rounding of the positions leaves open, the boundary to what
 /// net forces within their tolerance do.
 template <int Dim>

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <iostream>
+#include <type_traits>
 
 #include "command.h"
 #include "floc/base/nearest_name.h"
@@ -141,7 +142,14 @@ void CommandLine::footer(const std::string& text) {
 
 template <class T>
 Option CommandLine::add_option(const std::string& name, T& value, const std::string& text) {
-  return Option(app_->add_option(name, value, text));
+  CLI::Option* option = app_->add_option(name, value, text);
+  if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>)
+    option->check(CLI::Validator(
+        [](const std::string& given) {
+          return given.empty() ? std::string("expected a value, and it is empty") : std::string();
+        },
+        ""));
+  return Option(option);
 }
 
 template Option CommandLine::add_option(const std::string&, std::string&, const std::string&);

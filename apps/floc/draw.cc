@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -180,9 +179,7 @@ void share_shades(std::vector<PackingPicture<Dim>>& strip) {
 }
 
 void write_picture(const Target& target, const std::string& path, const std::string& bytes) {
-  if (!target.standard_output) return write_bytes_atomically(path, bytes);
-  std::cout << bytes << std::flush;
-  if (!std::cout) throw IoError("standard output", "cannot be written");
+  write_bytes_atomically(target.standard_output ? "-" : path, bytes);
 }
 
 /// Draws the states, each by itself or all as a strip.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "finish_output.h"
 #include "floc/base/error.h"
 #include "output.h"
 #include "printed_columns.h"
@@ -31,8 +32,8 @@ std::vector<TableValue> parameter_cells(const FittedParameter& p) {
 
 void print_fit(const Json& json, Table table, std::size_t n_short, const std::string& format) {
   if (format == "json") {
-    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
-    if (!std::cout) throw IoError("standard output", "cannot be written");
+    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    finish_output();
     return;
   }
   if (chosen_format(format) == TableFormat::table && !columns_are_chosen()) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "command.h"
+#include "finish_output.h"
 #include "floc/base/error.h"
 #include "floc/base/sha256.h"
 #include "floc/io/law_text.h"
@@ -114,8 +115,7 @@ void print(const std::vector<std::vector<Entry>>& states, const std::string& for
                                : text    ? *text
                                          : "-");
     }
-  std::cout.flush();
-  if (!std::cout) throw IoError("standard output", "cannot be written");
+  finish_output();
 }
 
 int info(const InfoArguments& arguments) {
@@ -128,6 +128,7 @@ int info(const InfoArguments& arguments) {
     return int{kDone};
   });
   if (!states.empty()) print(states, arguments.format);
+  finish_output();
   return code;
 }
 

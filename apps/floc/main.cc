@@ -11,6 +11,7 @@
 #include "command.h"
 #include "command_line.h"
 #include "export.h"
+#include "finish_output.h"
 #include "floc/base/error.h"
 #include "floc/base/version.h"
 #include "help.h"
@@ -41,6 +42,8 @@ int report(int code, const std::exception& error) {
 int main(int argc, char** argv) {
   // "| head -1" ends the program without a word, also where the caller had the signal ignored.
   std::signal(SIGPIPE, SIG_DFL);
+  // A file that may not grow as large is an error with words.
+  std::signal(SIGXFSZ, SIG_IGN);
   spdlog::set_default_logger(spdlog::stderr_logger_st("floc"));
   spdlog::set_pattern("%v");
 
@@ -53,10 +56,11 @@ int main(int argc, char** argv) {
   for (const AddCommand add : kCommands) commands.push_back(add(program));
 
   std::vector<char*> arguments = floc::arguments_of_help(argc, argv);
-  if (const std::optional<int> code = line.parse(static_cast<int>(arguments.size()), arguments.data()))
-    return *code;
   try {
-    return run_command(commands);
+    const std::optional<int> parsed = line.parse(static_cast<int>(arguments.size()), arguments.data());
+    const int code = parsed ? *parsed : run_command(commands);
+    floc::finish_output();
+    return code;
   } catch (const floc::InputError& error) {
     return report(floc::kBadInput, error);
   } catch (const std::exception& error) {

@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "command.h"
+#include "finish_output.h"
 #include "floc/base/error.h"
+#include "floc/io/atomic_file.h"
 #include "printed_columns.h"
 #include "repeated_warnings.h"
 #include "sampled_states.h"
@@ -33,15 +37,22 @@ void print_table(const Table& table, const std::string& format) {
   const TableFormat chosen = chosen_format(format);
   const bool on_terminal = chosen == TableFormat::table && isatty(STDOUT_FILENO) == 1;
   write_table(std::cout, with_chosen_columns(table, on_terminal), chosen);
+  finish_output();
+}
+
+void finish_output() {
   std::cout.flush();
-  if (!std::cout) throw IoError("standard output", "cannot be written");
+  if (!std::cout)
+    throw IoError("standard output",
+                  std::string("cannot be written: ") + std::strerror(errno != 0 ? errno : EIO));
 }
 
 void write_csv(const std::string& path, const Table& table) {
-  std::ofstream out(path, std::ios::binary);
-  write_table(out, table, TableFormat::csv);
-  out.close();
-  if (!out) throw IoError(path, "cannot be written");
+  if (path == "-")
+    throw InputError(path, "is standard output, which has the table: expected the name of a file for this one");
+  std::ostringstream text;
+  write_table(text, table, TableFormat::csv);
+  write_bytes_atomically(path, text.str());
 }
 
 int worse(int a, int b) {

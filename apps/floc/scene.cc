@@ -9,6 +9,7 @@
 
 #include "command.h"
 #include "floc/base/error.h"
+#include "floc/io/atomic_file.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_warnings.h"
@@ -41,8 +42,12 @@ int check_scene(const SceneArguments& arguments) {
   return kDone;
 }
 
-/// Writes NAME.toml; a file of that name stays as it is.
+/// Writes NAME.toml, or on stdout for -; a file of that name stays as it is.
 int start_scene(const std::string& name) {
+  if (name == "-") {
+    write_bytes_atomically(name, starting_scene("powder"));
+    return kDone;
+  }
   std::filesystem::path path(name);
   if (path.extension() != ".toml") path += ".toml";
   const std::string text = starting_scene(path.stem().string());
@@ -69,7 +74,7 @@ Command add_scene(CommandLine program) {
       .one_argument_each();
   add_format_option(check, arguments->format);
   CommandLine start = app.add_subcommand("new", "write a commented starting scene NAME.toml");
-  start.add_option("NAME", arguments->name, "its name").required();
+  start.add_option("NAME", arguments->name, "its name; - is stdout").required();
   return {app, [arguments, check] {
             return check.parsed() ? check_scene(*arguments) : start_scene(arguments->name);
           }};

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
+#include <system_error>
 
 #include "floc/base/error.h"
 
@@ -56,17 +58,41 @@ bool sync_directory_of(const std::string& path) {
   return ::fsync(fd.get()) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
+IoError cannot_be_written(const std::string& path, int error) {
+  return {path, std::string("cannot be written: ") + std::strerror(error != 0 ? error : EIO)};
+}
+
+/// What cannot be replaced by a file of its name: stdout, a device, a pipe.
+bool is_stream(const std::string& path) {
+  std::error_code unknown;
+  return path == "-" ||
+         (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown) &&
+          !std::filesystem::is_directory(path, unknown));
+}
+
+void write_to_stream(const std::string& path, std::string_view bytes) {
+  if (path == "-") {
+    std::cout << bytes << std::flush;
+    if (!std::cout) throw cannot_be_written("standard output", errno);
+    return;
+  }
+  Descriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!fd.valid() || !write_all(fd.get(), bytes) || !fd.close()) throw cannot_be_written(path, errno);
+}
+
 }  // namespace
 
 void write_bytes_atomically(const std::string& path, std::string_view bytes) {
+  if (path.empty()) throw InputError("\"\"", "expected the name of a file to write, and it is empty");
+  if (is_stream(path)) return write_to_stream(path, bytes);
   const std::string part = path + ".part";
   Descriptor fd(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (!fd.valid()) throw IoError(path, std::string("cannot be written: ") + std::strerror(errno));
+  if (!fd.valid()) throw cannot_be_written(path, errno);
   const bool written = write_all(fd.get(), bytes) && ::fsync(fd.get()) == 0 && fd.close();
   if (!written || std::rename(part.c_str(), path.c_str()) != 0) {
     const int error = errno;
     ::unlink(part.c_str());
-    throw IoError(path, std::string("cannot be written: ") + std::strerror(error));
+    throw cannot_be_written(path, error);
   }
   if (!sync_directory_of(path)) throw IoError(path, std::string("cannot be synced: ") + std::strerror(errno));
 }

@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "support/places.h"
+#include "support/run_arguments.h"
+
+/// What is written is written to its end, or said not to be.
+namespace floc::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+
+class Output : public testing::Test {
+ protected:
+  Output() { EXPECT_EQ(floc_arguments({"convert", kJambashbulk, file("s.h5")}).code, 0); }
+  std::string file(const std::string& name) const { return scratch_.file(name); }
+  /// Runs a line of the shell in the scratch directory; $0 is floc.
+  Outcome shell(const std::string& line) const {
+    return run_arguments("/bin/sh", {"-c", "cd '" + scratch_.path() + "' && " + line, floc_program()});
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(Output, ToAFullDiskIsAFailureWithItsReason) {
+  for (const std::string command :
+       {"info s.h5", "moduli s.h5", "verify s.h5 --format json", "network s.h5", "--help", "moduli --help",
+        "--version", "draw s.h5 -o -", "convert s.h5 - --overwrite --to extended-xyz",
+        "chain --n 3 --R 1 --kn 1 --kt 1 "
+        "--kr 1",
+        "scene new -"}) {
+    const Outcome o = shell("\"$0\" " + command + " >/dev/full");
+    EXPECT_EQ(o.code, 1) << command;
+    EXPECT_THAT(o.err, HasSubstr("standard output: cannot be written: No space left on device")) << command;
+  }
+}
+
+TEST_F(Output, OfSideTablesIsWholeOrAbsentAndItsReasonSaid) {
+  ASSERT_EQ(floc_arguments({"convert", source_directory() + "/data/packings/lammps/disks.dump",
+                            file("disks.h5"), "--law", "normal.stiffness=1000"})
+                .code,
+            0);
+  for (const std::string command :
+       {"moduli --force disks.h5 --increments side.csv", "network disks.h5 --particle-stress side.csv",
+        "structure disks.h5 --pair-correlation side.csv", "convert disks.h5 side.csv.xyz"}) {
+    const Outcome o = shell("ulimit -f 1; \"$0\" " + command + " >/dev/null");
+    EXPECT_EQ(o.code, 1) << command << o.err;
+    EXPECT_THAT(o.err, HasSubstr("cannot be written: File too large")) << command;
+    for (const std::string left : {"side.csv", "side.csv.part", "side.csv.xyz", "side.csv.xyz.part"})
+      EXPECT_FALSE(fs::exists(file(left))) << command << " " << left;
+  }
+}
+
+TEST_F(Output, ToADashIsStdoutOrRefusedAndNeverAFileOfThatName) {
+  EXPECT_THAT(shell("\"$0\" convert s.h5 - --to extended-xyz").out, StartsWith("16\n"));
+  EXPECT_THAT(shell("\"$0\" draw s.h5 -o - --as svg").out, HasSubstr("<svg"));
+  EXPECT_THAT(shell("\"$0\" scene new -").out, HasSubstr("[grains]"));
+  for (const std::string command :
+       {"moduli s.h5 --increments -", "network s.h5 --pdf -", "network s.h5 --particle-stress -",
+        "structure s.h5 --map -", "compare s.h5 s.h5 --displacements -"}) {
+    const Outcome o = shell("\"$0\" " + command);
+    EXPECT_EQ(o.code, 4) << command;
+    EXPECT_THAT(o.err, HasSubstr("is standard output, which has the table: expected the name of a file"))
+        << command;
+  }
+  for (const std::string command :
+       {"convert s.h5 -", "plot s.h5 -o - --show forces", "report - -o -", "fit consolidation s.h5 --plot -"})
+    EXPECT_NE(shell("\"$0\" " + command).code, 0) << command;
+  for (const auto& entry : fs::directory_iterator(scratch_.path()))
+    EXPECT_FALSE(entry.path().filename().string().starts_with("-")) << entry.path();
+}
+
+TEST_F(Output, ToADeviceOrAPipeIsWrittenAndLeavesItWhatItIs) {
+  const Outcome o = shell(
+      "mkfifo pipe; cat pipe > copy & \"$0\" network s.h5 --particle-stress pipe >/dev/null; wait; "
+      "test -p pipe; echo $?");
+  EXPECT_EQ(o.out, "0\n");
+  EXPECT_THAT(content_of(file("copy")), StartsWith("file,"));
+}
+
+}  // namespace
+}  // namespace floc::test

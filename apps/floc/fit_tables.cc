@@ -12,6 +12,7 @@
 #include "command.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/run/one_run.h"
 #include "output.h"
 #include "printed_columns.h"
 
@@ -44,6 +45,10 @@ double solid_fraction_of(const CsvTable& table, int row, int column, bool is_voi
   const double value = table.number(row, column);
   if (!is_void_ratio && value <= 0)
     throw InputError(table.place(row), fmt::format("phi = {}: expected a positive solid fraction", value));
+  if (!is_void_ratio && value > 1)
+    throw InputError(table.place(row), fmt::format("phi = {}: expected a solid fraction of at most 1; is it in "
+                                                   "percent, or a void ratio (--columns void_ratio=...)?",
+                                                   value));
   if (is_void_ratio && value < 0)
     throw InputError(table.place(row), fmt::format("void_ratio = {}: expected a void ratio >= 0", value));
   return is_void_ratio ? 1.0 / (1.0 + value) : value;
@@ -119,7 +124,10 @@ std::vector<std::string> tables_of(const std::string& input) {
   namespace fs = std::filesystem;
   if (input == "-" || !fs::is_directory(input)) return {input};
   const fs::path own = fs::path(input) / "path.csv";
-  if (fs::exists(own)) return {own.string()};
+  if (fs::exists(own)) {
+    require_one_ensemble({input});
+    return {own.string()};
+  }
   std::map<std::pair<std::size_t, std::string>, std::string> by_seed;
   for (const auto& entry : fs::directory_iterator(input)) {
     const std::string name = entry.path().filename().string();
@@ -127,8 +135,12 @@ std::vector<std::string> tables_of(const std::string& input) {
       by_seed[{name.size(), name}] = (entry.path() / "path.csv").string();
   }
   if (by_seed.empty()) throw InputError(input, "holds neither path.csv nor seed-N/path.csv");
-  std::vector<std::string> tables;
-  for (const auto& [seed, table] : by_seed) tables.push_back(table);
+  std::vector<std::string> tables, samples;
+  for (const auto& [seed, table] : by_seed) {
+    tables.push_back(table);
+    samples.push_back(fs::path(table).parent_path().string());
+  }
+  require_one_ensemble(samples);
   return tables;
 }
 

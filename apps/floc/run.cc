@@ -52,6 +52,10 @@ RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
   return options;
 }
 
+Existing existing_of(const RunArguments& arguments) {
+  return arguments.resume ? Existing::resume : arguments.overwrite ? Existing::overwrite : Existing::refuse;
+}
+
 /// The scene of a run in a directory: of its first state, or of a checkpoint before that; empty without either.
 std::string scene_of_run(const std::string& directory) {
   for (const std::string& file : {state_file(directory, 0), directory + "/checkpoint/checkpoint.h5"})
@@ -103,15 +107,12 @@ constexpr int kReturnedBlock = 1 << 22;
 template <int Dim>
 int run_scene(const Scene& scene, const RunArguments& arguments) {
   const RunOptions options = run_options(scene, arguments);
-  const Existing existing = arguments.resume      ? Existing::resume
-                            : arguments.overwrite ? Existing::overwrite
-                                                  : Existing::refuse;
   const std::vector<PlannedEquilibrium> plan =
       plan_run(options.assembly, options.law, options.load, options.dimension);
   // From here on there is a directory to leave in order.
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  RunDirectory directory = open_directory(arguments, existing, options);
+  RunDirectory directory = open_directory(arguments, existing_of(arguments), options);
   Run<Dim> run = start_or_resume<Dim>(directory, options);
 
   std::unique_ptr<MotionTable<Dim>> table;
@@ -151,10 +152,7 @@ int run_seeds(const RunArguments& arguments) {
                      "all samples would be the same: the scene starts from a state at rest; expected "
                      "assembly.agitation, or one run");
   const std::string& directory = arguments.directory;
-  const bool used = std::filesystem::exists(directory) && !std::filesystem::is_empty(directory);
-  if (used && !arguments.resume && !arguments.overwrite)
-    throw InputError(directory,
-                     "is not empty: give --resume to continue the runs in it or --overwrite to replace them");
+  const ClaimedDirectory claim(directory, existing_of(arguments), "runs");
   std::vector<std::string> args = {arguments.scene};
   for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
   if (arguments.threads) args.insert(args.end(), {"--threads", std::to_string(*arguments.threads)});

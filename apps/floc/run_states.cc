@@ -6,7 +6,7 @@
 
 #include "fit_tables.h"
 #include "floc/base/error.h"
-#include "floc/run/run_directory.h"
+#include "floc/run/one_run.h"
 
 namespace floc {
 namespace fs = std::filesystem;
@@ -21,9 +21,9 @@ std::string table_of_run(const std::string& directory) {
 }
 
 std::vector<std::string> states_of_run(const std::string& directory) {
+  require_one_run(directory);
   std::vector<std::string> files;
-  for (int step = 0; fs::exists(state_file(directory, step)); ++step)
-    files.push_back(state_file(directory, step));
+  for (const auto& [step, file] : numbered_states(directory)) files.push_back(file);
   if (files.empty())
     throw InputError(directory, "holds no state-0000.h5: expected state files or a directory of floc run");
   return files;

@@ -87,6 +87,10 @@ TEST(FitElastic, BadTablesAreRefused) {
   EXPECT_EQ(run_floc("fit elastic -", ".", "P,phi\n1,0.5\n2,0.6\n").code, 3);
   EXPECT_EQ(run_floc("fit elastic -", ".", "P,phi\n1,0.5\n0.5,0.4\n").code, 3);
   EXPECT_EQ(run_floc("fit elastic -", ".", "P,phi\n1,0.5\n0.5,-0.4\n").code, 4);
+  const Outcome percent = run_floc("fit elastic -", ".", "P,phi\n3,58.9\n2,58.8\n1,58.7\n");
+  EXPECT_EQ(percent.code, 4);
+  EXPECT_THAT(percent.err,
+              HasSubstr("stdin:2: phi = 58.9: expected a solid fraction of at most 1; is it in percent"));
   EXPECT_EQ(run_floc("fit elastic - --state absent.h5", ".", "P,phi\n1,.5\n.6,.4\n.3,.3\n").code, 4);
 }
 

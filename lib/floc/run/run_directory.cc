@@ -16,6 +16,17 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
+/// Cells of a row of csv, whose names of branches may be quoted.
+int n_cells(const std::string& row) {
+  int n = 1;
+  bool quoted = false;
+  for (const char c : row) {
+    quoted ^= c == '"';
+    n += c == ',' && !quoted;
+  }
+  return n;
+}
+
 /// Reads a state of a run. @throws InputError for one of another dimension
 template <int Dim>
 State<Dim> read_run_state(const std::string& file) {
@@ -27,27 +38,19 @@ State<Dim> read_run_state(const std::string& file) {
 
 }  // namespace
 
-std::string state_file(const std::string& directory, int step) {
-  return (fs::path(directory) / fmt::format("state-{:04d}.h5", step)).string();
-}
-
 RunDirectory::RunDirectory(const std::string& path, Existing existing, const RunOptions& options)
-    : path_(path), dimension_(options.dimension) {
+    : path_(path), claim_(path, existing, "run"), dimension_(options.dimension) {
   std::error_code failed;
-  const bool used = fs::exists(path) && !fs::is_empty(path, failed);
-  if (fs::exists(path) && !fs::is_directory(path)) throw InputError(path, "is a file, expected a directory");
-  if (used && existing == Existing::refuse)
-    throw InputError(path,
-                     "is not empty: give --resume to continue the run in it or --overwrite to replace it");
   fs::create_directories(fs::path(path) / "checkpoint", failed);
   if (failed) throw IoError(path, "cannot make the directory: " + failed.message());
   if (existing == Existing::overwrite) {
-    for (int step = 0; fs::exists(state_path(step)); ++step) fs::remove(state_path(step));
+    for (const auto& [step, file] : numbered_states(path)) fs::remove(file);
     fs::remove(path_table());
     fs::remove(contact_table());
     fs::remove(energy_table());
     remove_checkpoint();
   }
+  require_one_run(path);
   if (count_states() > 0)
     check_scene(state_path(0), options);
   else if (fs::exists(checkpoint_path()))
@@ -161,12 +164,16 @@ void RunDirectory::read_rows() {
   std::ifstream in(path_table());
   std::string line;
   if (!std::getline(in, line)) return;
+  if (in.eof()) return;  // a header that is cut
   if (line != path_header(dimension_))
     throw InputError(path_table() + ":1", "columns are not those of this version of floc: " + line);
+  const int n_columns = n_cells(line);
   while (std::getline(in, line)) {
     int step = -1;
     std::istringstream first(line);
-    if (first >> step && step >= 0) rows_[step] = line;
+    // A row that is cut, without its end or some of its cells, is made again of its state.
+    const bool whole = !in.eof() && n_cells(line) == n_columns;
+    if (whole && first >> step && step >= 0) rows_[step] = line;
   }
 }
 

@@ -7,14 +7,10 @@
 
 #include "floc/io/state_file.h"
 #include "floc/loading/run.h"
+#include "floc/run/directory_lock.h"
+#include "floc/run/one_run.h"
 
 namespace floc {
-
-/// File of one equilibrium in the directory of a run: DIR/state-0000.h5 and on.
-std::string state_file(const std::string& directory, int step);
-
-/// What to do with a run's directory that is there already.
-enum class Existing { refuse, resume, overwrite };
 
 /// What a run goes on from.
 template <int Dim>
@@ -24,12 +20,13 @@ struct ReachedPoint {
 };
 
 /// The directory of one run: DIR/state-NNNN.h5, DIR/path.csv and DIR/checkpoint/. Every file is replaced whole,
-/// and in an order that lets a run be taken up after being killed at any moment.
+/// and in an order that lets a run be taken up after being killed at any moment. No other process writes into the
+/// directory while this object is there.
 class RunDirectory {
  public:
   /// Opens or makes the directory; with `overwrite`, removes what an earlier run left.
-  /// @throws InputError if it holds a run and neither resume nor overwrite was asked for, or another scene's
-  /// run
+  /// @throws InputError if another process writes into it, if it holds a run and neither resume nor overwrite was
+  /// asked for, or if it holds another scene's run or states that do not belong together
   /// @throws IoError if it cannot be written
   RunDirectory(const std::string& path, Existing existing, const RunOptions& options);
 
@@ -67,6 +64,7 @@ class RunDirectory {
   std::string checkpoint_path() const;
 
   std::string path_;
+  ClaimedDirectory claim_;
   int dimension_;
   std::map<int, std::string> rows_;           ///< lines of path.csv by step
   std::map<int, std::vector<double>> sides_;  ///< of the cell (length), of the states seen so far

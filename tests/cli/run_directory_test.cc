@@ -1,0 +1,110 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "floc/io/state_file.h"
+#include "support/small_run.h"
+#include "support/two_runs.h"
+
+/// A directory belongs to one run, of one process at a time.
+namespace floc::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+using RunDirectoryOf = SmallRun;
+
+void copy_run(const std::string& from, const std::string& to) {
+  fs::remove_all(to);
+  fs::copy(from, to, fs::copy_options::recursive);
+}
+
+TEST(TwoRuns, OnOneDirectoryNeverMix) {
+  start_two_runs_on_one_directory(6, 7);
+}
+
+TEST(TwoRuns, TheSecondIsToldWhoHoldsTheDirectory) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("small.toml"), small_scene());
+  const pid_t first = start_run(scratch.path(), "small.toml -o run --set grains.count=200");
+  while (!fs::exists(scratch.file("run/checkpoint"))) ::usleep(2000);
+  char host[256] = {};
+  ASSERT_EQ(::gethostname(host, sizeof host - 1), 0);
+  const std::string holder = "process " + std::to_string(first) + " on " + host;
+  for (const std::string mode : {"", " --resume", " --overwrite", " --seeds 1..2"}) {
+    const Outcome o = run_floc("run small.toml -o run" + mode, scratch.path());
+    EXPECT_EQ(o.code, 4) << mode;
+    EXPECT_THAT(o.err, AllOf(HasSubstr("run: is being written by " + holder))) << mode;
+  }
+  ::kill(first, SIGKILL);
+  (void)wait_for(first);
+  EXPECT_TRUE(fs::exists(scratch.file("run/run.lock")));  // it is killed, and its lock gone all the same
+  EXPECT_EQ(run_floc("run small.toml -o run --overwrite --until 0", scratch.path()).code, 0);
+  EXPECT_FALSE(fs::exists(scratch.file("run/run.lock")));
+}
+
+TEST(RunDirectories, NeedAName) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("small.toml"), small_scene());
+  for (const std::string command : {"run small.toml -o ''", "draw '' -o a.svg", "moduli ''",
+                                    "fit consolidation ''", "convert a.csv ''", "report a -o ''"}) {
+    const Outcome o = run_floc(command, scratch.path());
+    EXPECT_EQ(o.code, 2) << command;
+    EXPECT_THAT(o.err, HasSubstr("it is empty")) << command;
+  }
+  EXPECT_EQ(run_floc("run small.toml -o -", scratch.path()).code, 4);
+  EXPECT_FALSE(fs::exists(scratch.file("-")));
+}
+
+TEST_F(RunDirectoryOf, OtherSeedsScenesAndMissingNumbersIsRefusedByFileName) {
+  ASSERT_EQ(floc("run small.toml -o other --seed 4 --until 3").code, 0);
+  ASSERT_EQ(floc("run small.toml -o scene --set grains.count=30 --until 3").code, 0);
+  const auto expect_refused = [](const std::string& message) {
+    for (const std::string command : {"fit consolidation mixed", "plot mixed -o a.svg",
+                                      "report mixed -o a.html", "run small.toml -o mixed --resume"}) {
+      const Outcome o = floc(command);
+      EXPECT_EQ(o.code, 4) << command << o.err;
+      EXPECT_THAT(o.err, HasSubstr(message)) << command;
+    }
+  };
+  copy_run(file("run"), file("mixed"));
+  fs::copy(file("other/state-0003.h5"), file("mixed/state-0003.h5"), fs::copy_options::overwrite_existing);
+  expect_refused("mixed/state-0003.h5: was made with seed 4, the states before it with 3");
+  fs::copy(file("scene/state-0003.h5"), file("mixed/state-0003.h5"), fs::copy_options::overwrite_existing);
+  expect_refused("mixed/state-0003.h5: was made by another scene than the states before it");
+  fs::copy(file("run/state-0002.h5"), file("mixed/state-0003.h5"), fs::copy_options::overwrite_existing);
+  expect_refused("mixed/state-0003.h5: is state 2 of its run, not 3 as its name says");
+  fs::remove(file("mixed/state-0003.h5"));
+  expect_refused("mixed/state-0003.h5: is missing, but there is state-0004.h5");
+}
+
+TEST_F(RunDirectoryOf, AnEnsembleHasOneScene) {
+  fs::remove_all(file("samples"));
+  ASSERT_EQ(floc("run small.toml -o samples/seed-1 --seed 1 --until 2").code, 0);
+  ASSERT_EQ(floc("run small.toml -o samples/seed-2 --seed 2 --until 2 --set grains.count=30").code, 0);
+  const Outcome o = floc("fit consolidation samples");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err,
+              HasSubstr("samples/seed-2/state-0000.h5: was made by another scene than the samples before it"));
+}
+
+TEST_F(RunDirectoryOf, ACutRowIsRefusedUntilResumeHasMendedIt) {
+  const std::string whole = content_of(file("run/path.csv"));
+  // In the middle of the row, within its last cell, and without its end.
+  for (const std::size_t cut : {std::size_t{90}, std::size_t{4}, std::size_t{1}}) {
+    copy_run(file("run"), file("cut"));
+    write_text(file("cut/path.csv"), whole.substr(0, whole.size() - cut));
+    const Outcome refused = floc("fit elastic cut");
+    EXPECT_EQ(refused.code, 4) << cut;
+    EXPECT_THAT(refused.err, HasSubstr("cut/path.csv: its last row is cut")) << cut;
+    ASSERT_EQ(floc("run small.toml -o cut --resume").code, 0);
+    EXPECT_EQ(rows_without_seconds(file("cut/path.csv")), rows_without_seconds(file("run/path.csv"))) << cut;
+  }
+}
+
+}  // namespace
+}  // namespace floc::test

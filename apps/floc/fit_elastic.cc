@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 #include "fit_commands.h"
 #include "fit_parameters.h"
@@ -29,6 +30,19 @@ std::optional<StateModuli> find_state(const Arguments& arguments, const PathTabl
   return arguments.state.empty() ? moduli_of_row(path, row) : std::optional(moduli_of(arguments.state));
 }
 
+/// The points of a branch that were fitted: all of them, or the straight part of a curved one.
+Loading part_fitted(const Loading& branch, const ElasticFit& fit) {
+  if (fit.n_points == 0) return branch;
+  const auto part = [&](const auto& all) {
+    return std::decay_t<decltype(all)>(all.begin() + fit.first, all.begin() + fit.first + fit.n_points);
+  };
+  Loading fitted = branch;
+  fitted.curve.P_star = part(branch.curve.P_star);
+  fitted.curve.phi = part(branch.curve.phi);
+  fitted.rows = part(branch.rows);
+  return fitted;
+}
+
 /// Root mean square distance of ln Phi from the line of a state.
 double distance_from(const StateModuli& state, const ConsolidationCurve& branch) {
   double sum = 0.0;
@@ -37,7 +51,8 @@ double distance_from(const StateModuli& state, const ConsolidationCurve& branch)
   return std::sqrt(sum / static_cast<double>(branch.phi.size()));
 }
 
-Json as_json(const PathTable& path, const Loading& branch, const ElasticFit& fit,
+/// @param fitted  the points of the branch that were fitted
+Json as_json(const PathTable& path, const Loading& branch, const Loading& fitted, const ElasticFit& fit,
              const std::optional<StateModuli>& state) {
   Json object;
   object["sample"] = path.name;
@@ -46,6 +61,8 @@ Json as_json(const PathTable& path, const Loading& branch, const ElasticFit& fit
   object["window"] = Json{branch.curve.P_star.back(), branch.curve.P_star.front()};
   object["pressure_unit"] = path.unit.empty() ? Json(nullptr) : Json(path.unit);
   object["n_points"] = branch.rows.size();
+  object["fitted_rows"] = fitted.rows;
+  object["fitted_window"] = Json{fitted.curve.P_star.back(), fitted.curve.P_star.front()};
   object["parameters"] = parameters_as_json(fit.parameters);
   object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
   object["secant_low"] = number_or_null(fit.secant_low);
@@ -54,7 +71,7 @@ Json as_json(const PathTable& path, const Loading& branch, const ElasticFit& fit
   if (state)
     object["state"] = {{"file", state->file}, {"B", state->B},
                        {"B_S", state->B_S},   {"P", state->pressure},
-                       {"phi", state->phi},   {"rms", distance_from(*state, branch.curve)}};
+                       {"phi", state->phi},   {"rms", distance_from(*state, fitted.curve)}};
   object["warnings"] = fit.warnings;
   return object;
 }
@@ -94,16 +111,21 @@ int fit_tables(const Arguments& arguments) {
     }
     int worst = kDone;
     for (const Loading& branch : branches) {
-      const ElasticFit fit = fit_elastic(branch.curve.P_star, branch.curve.phi);
+      ElasticFit fit = fit_elastic(branch.curve.P_star, branch.curve.phi);
+      const Loading fitted = part_fitted(branch, fit);
+      const auto first = find_state(arguments, path, fitted.rows.front());
+      const auto last = find_state(arguments, path, fitted.rows.back());
+      if (fit.is_curved && first && last) hold_against(first->B_S, last->B_S, fit);
+      const auto state =
+          fit.is_curved ? find_state(arguments, path, fitted.rows[fitted.rows.size() / 2]) : first;
       if (!fit.found()) {
         spdlog::warn("{}: rows {}: no fit: {}", path.name, ranges(branch.rows), fit.refusal);
         worst = worse(worst, kNotConverged);
       }
       for (const std::string& warning : fit.warnings)
         spdlog::warn("{}: rows {}: warning: {}", path.name, ranges(branch.rows), warning);
-      const auto state = find_state(arguments, path, branch.rows.front());
-      array.push_back(as_json(path, branch, fit, state));
-      add_table_rows(path, branch, fit, state, table);
+      array.push_back(as_json(path, branch, fitted, fit, state));
+      add_table_rows(path, fitted, fit, state, table);
     }
     return worst;
   });
@@ -121,9 +143,10 @@ Command add_fit_elastic(CommandLine fit) {
          "TABLE", arguments->inputs,
          "tables with columns P (or P_star), phi (or void_ratio); directories of `floc run`; - is stdin")
       .required();
-  app.add_option(
-      "--state", arguments->state,
-      "state whose computed modulus stands beside the fit [that of the branch's first row, if it is there]");
+  app.add_option("--state", arguments->state,
+                 "state whose computed modulus stands beside the fit [that of the branch's first row, of a "
+                 "curved one that of "
+                 "the middle row of its straight part, if it is there]");
   add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio, branch");
   add_format_option(app, arguments->format);
   return {app, [arguments] { return fit_tables(*arguments); }};

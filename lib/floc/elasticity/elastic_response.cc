@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "floc/elasticity/reduced_unknowns.h"
@@ -163,6 +164,7 @@ std::optional<ElasticResponse> solve_by_approximate_inverse(
   const Condensation condensed = condense(springs, inverse, options);
   if (!condensed.converged) return std::nullopt;
   problem.answer.counted = false;
+  problem.answer.condition = std::numeric_limits<double>::quiet_NaN();  // takes an exact factor to estimate
   const double norm = springs.on_free.cols() == 0 ? 0.0 : diagonal_of(springs).maxCoeff();
   return problem.take(condensed, norm);
 }

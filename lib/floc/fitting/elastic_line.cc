@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "floc/fitting/line_fit.h"
 #include "floc/fitting/student_t.h"
@@ -19,7 +21,8 @@ double secant(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eigen::Index i
 }
 
 /// True if a parabola does better than the line, beyond its error and beyond rounding.
-bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
+/// @param n_errors  standard errors that the curvature may have; none: those of a 95 % interval
+bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, std::optional<double> n_errors = {}) {
   if (P.size() < 4) return false;
   const Eigen::ArrayXd x = (P.array() - P.mean()) / (P.maxCoeff() - P.minCoeff());
   Eigen::MatrixXd columns(P.size(), 3);
@@ -27,7 +30,99 @@ bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   const LinearFit parabola = fit_linear(columns, y);
   const double error = std::sqrt(parabola.covariance(2, 2));
   constexpr double kRounding = 1e-12;
-  return std::abs(parabola.coefficients[2]) > std::max(student_t_95(parabola.dof) * error, kRounding);
+  return std::abs(parabola.coefficients[2]) >
+         std::max(n_errors.value_or(student_t_95(parabola.dof)) * error, kRounding);
+}
+
+/// A straight line through the points [first, first + n) of a branch.
+struct Line {
+  Eigen::Index first = 0;
+  Eigen::Index n = 0;
+  LinearFit fit;
+  double B() const { return 1.0 / fit.coefficients[1]; }
+};
+
+Line line_through(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eigen::Index first, Eigen::Index n) {
+  Eigen::MatrixXd columns(n, 2);
+  columns << Eigen::VectorXd::Ones(n), P.segment(first, n);
+  return {first, n, fit_linear(columns, y.segment(first, n))};
+}
+
+/// Smallest and largest modulus between neighbouring points of a part.
+std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Line& part) {
+  double low = secant(P, y, part.first), high = low;
+  for (Eigen::Index i = part.first; i + 1 < part.first + part.n; ++i) {
+    low = std::min(low, secant(P, y, i));
+    high = std::max(high, secant(P, y, i));
+  }
+  return {low, high};
+}
+
+/// Whether moduli between neighbouring points of a part are those of its line.
+bool has_equal_secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Line& part) {
+  constexpr double kEqual = 0.15;
+  const auto [low, high] = secants(P, y, part);
+  return low > (1.0 - kEqual) * part.B() && high < (1.0 + kEqual) * part.B();
+}
+
+/// The longest straight part that begins or ends the branch; of two as long the one at low pressures.
+std::optional<Line> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
+  constexpr Eigen::Index kFewest = 4;
+  constexpr double kErrors = 2.0;  // 95 % of few points would hide any curve
+  const bool falls = P[0] > P[P.size() - 1];
+  for (Eigen::Index n = P.size(); n >= kFewest; --n)
+    for (const bool at_end : {falls, !falls}) {
+      const Line part = line_through(P, y, at_end ? P.size() - n : 0, n);
+      if (part.fit.coefficients[1] <= 0.0) continue;
+      if (!is_curved(P.segment(part.first, n), y.segment(part.first, n), kErrors) ||
+          has_equal_secants(P, y, part))
+        return part;
+    }
+  return std::nullopt;
+}
+
+FittedParameter not_identified(const std::string& name) {
+  return bounded_below(name, std::nullopt);
+}
+
+/// B and phi_unloaded of a part, whose interval holds every modulus between neighbouring points.
+void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Line& part, ElasticFit& fit) {
+  const double t95 = student_t_95(part.fit.dof);
+  const auto error = [&](int k) { return std::sqrt(part.fit.covariance(k, k)); };
+  fit.parameters = {from_inverse("B", part.fit.coefficients[1], error(1), t95),
+                    from_logarithm("phi_unloaded", part.fit.coefficients[0], error(0), t95)};
+  fit.rms = std::sqrt(part.fit.sum_of_squares / static_cast<double>(part.n));
+  fit.first = static_cast<int>(part.first);
+  fit.n_points = static_cast<int>(part.n);
+  if (!fit.is_curved) return;
+  if (has_equal_secants(P, y, part)) {
+    const auto [low, high] = secants(P, y, part);
+    FittedParameter& B = fit.parameters[0];
+    B.low95 = std::min(*B.low95, low);
+    if (B.high95) B.high95 = std::max(*B.high95, high);
+  }
+  const bool falls = P[0] > P[P.size() - 1];
+  if (falls ? part.first + part.n < P.size() : part.first > 0)
+    fit.parameters[1] = not_identified("phi_unloaded");
+}
+
+/// Moduli of a curved branch, which has no one modulus.
+void fit_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, ElasticFit& fit) {
+  fit.is_curved = true;
+  const std::string curved = fmt::format(
+      "the branch is curved: the modulus is {:.4g} between its two lowest pressures and {:.4g} between its two "
+      "highest",
+      fit.secant_low, fit.secant_high);
+  const std::optional<Line> part = straight_part(P, y);
+  if (!part) {
+    fit.parameters = {not_identified("B"), not_identified("phi_unloaded")};
+    fit.warnings.push_back(curved + "; no part of it is straight, and B is not identified");
+    return;
+  }
+  set_parameters(P, y, *part, fit);
+  const auto ends = std::minmax(P[part->first], P[part->first + part->n - 1]);
+  fit.warnings.push_back(fmt::format("{}; B is that of its straight part, from {:.4g} to {:.4g}", curved,
+                                     ends.first, ends.second));
 }
 
 }  // namespace
@@ -43,27 +138,32 @@ ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& 
   }
   const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(P.data(), n);
   const Eigen::VectorXd y = Eigen::Map<const Eigen::ArrayXd>(phi.data(), n).log();
-  Eigen::MatrixXd columns(n, 2);
-  columns << Eigen::VectorXd::Ones(n), x;
-  const LinearFit line = fit_linear(columns, y);
-  if (line.coefficients[1] <= 0.0) {
+  const Line line = line_through(x, y, 0, n);
+  if (line.fit.coefficients[1] <= 0.0) {
     fit.refusal = "the solid fraction does not fall as the pressure falls: no elastic branch";
     return fit;
   }
-  const double t95 = student_t_95(line.dof);
-  fit.parameters = {
-      from_inverse("B", line.coefficients[1], std::sqrt(line.covariance(1, 1)), t95),
-      from_logarithm("phi_unloaded", line.coefficients[0], std::sqrt(line.covariance(0, 0)), t95)};
-  fit.rms = std::sqrt(line.sum_of_squares / static_cast<double>(n));
   const bool falls = x[0] > x[n - 1];
   fit.secant_low = secant(x, y, falls ? n - 2 : 0);
   fit.secant_high = secant(x, y, falls ? 0 : n - 2);
   if (is_curved(x, y))
-    fit.warnings.push_back(
-        fmt::format("the branch is curved: the modulus is {:.4g} between its two lowest pressures and "
-                    "{:.4g} between its two highest",
-                    fit.secant_low, fit.secant_high));
+    fit_curved(x, y, fit);
+  else
+    set_parameters(x, y, line, fit);
   return fit;
+}
+
+void hold_against(double B_first, double B_last, ElasticFit& fit) {
+  FittedParameter& B = fit.parameters[0];
+  if (!B.value || !B.low95) return;
+  const auto [low, high] = std::minmax(B_first, B_last);
+  if (high >= *B.low95 && (!B.high95 || low <= *B.high95)) return;
+  fit.warnings.push_back(
+      fmt::format("B = {:.4g} of the part fitted is not that of its states, {:.4g} to {:.4g}: the branch is "
+                  "not elastic there, "
+                  "and B is not identified",
+                  *B.value, low, high));
+  B = not_identified("B");
 }
 
 }  // namespace floc

@@ -14,16 +14,27 @@ struct ElasticFit {
   /// B between the two lowest pressures; infinite or negative if Phi does not grow there.
   double secant_low = 0.0;
   double secant_high = 0.0;  ///< B between the two highest
-  double rms = 0.0;          ///< root mean square residual of ln Phi
+  double rms = 0.0;          ///< root mean square residual of ln Phi, of the points fitted
+  int first = 0;             ///< of the points fitted, in the order given
+  int n_points = 0;          ///< all of them, unless the branch is curved
+  bool is_curved = false;    ///< B is that of a part of the branch, or not identified
   std::vector<std::string> warnings;
 
   bool found() const { return refusal.empty(); }
 };
 
-/// Bulk modulus from dPhi/Phi = dP/B: the straight line ln Phi = ln Phi_0 + P/B by least
-/// squares. Says so if the branch is curved. Refused with fewer than three points, or if Phi does not fall as P
-/// does.
-/// @param P    pressures, >= 0, growing or falling   @param phi  solid fractions, > 0; as many
+/// Bulk modulus from dPhi/Phi = dP/B: the straight line ln Phi = ln Phi_0 + P/B by least squares.
+///
+/// A branch that is curved beyond its scatter has no one modulus. Then B is that of the longest straight part at
+/// one end of it, four pressures at least: straight within its scatter, or with moduli between neighbouring
+/// pressures that are within 15 % of B, all of which its interval then contains. Without such a part B is not
+/// identified. phi_unloaded is identified where the part reaches the lowest pressure. Refused with fewer than
+/// three points, or if Phi does not fall as P does.
+/// @param P    pressures, >= 0, growing or falling   @param phi  solid fractions, in (0, 1); as many
 [[nodiscard]] ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& phi);
+
+/// Gives up B, and says why, where moduli computed from the states at the ends of the points fitted lie beyond its
+/// interval altogether.
+void hold_against(double B_first, double B_last, ElasticFit& fit);
 
 }  // namespace floc

@@ -114,7 +114,7 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   for (FittedParameter& p : fit.parameters) {
     if (p.identified) continue;
     fit.warnings.push_back(fmt::format("{} is not identified by these data", p.name));
-    p.value = p.standard_error = std::nullopt;
+    p.value = p.standard_error = p.low95 = p.high95 = std::nullopt;
   }
   return fit;
 }

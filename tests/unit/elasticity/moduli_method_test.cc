@@ -35,6 +35,7 @@ TEST(ModuliMethod, AFactorInSinglePrecisionIsRefinedToTheDigitsAskedFor) {
     EXPECT_EQ(m.method, ModuliMethod::single_factor);
     EXPECT_GT(m.B_error, 0.0);
     EXPECT_LE(m.B_error, tolerance * m.B);
+    EXPECT_TRUE(std::isnan(m.condition));  // nothing estimates it
     expect_within_errors(m, exact);
   }
 }
@@ -50,6 +51,7 @@ TEST(ModuliMethod, IterationFromTheLastStateKeepsItsFactorAndTellsItsError) {
     const Packing<2> packing = with_contacts_lost(first, n_lost);
     const Moduli m = sequence.next(packing, false);
     EXPECT_EQ(m.method, ModuliMethod::iterative) << n_lost;
+    EXPECT_TRUE(std::isnan(m.condition));
     EXPECT_LE(m.B_error, options.tolerance * m.B);
     expect_within_errors(m, by_method(packing, ModuliMethod::factor, 1e-10));
   }

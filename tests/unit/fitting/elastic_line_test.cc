@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "floc/base/random.h"
@@ -54,6 +55,36 @@ TEST(Elastic, IntervalsCoverTheTruthAndCurvatureIsSaid) {
   EXPECT_THAT(fit.warnings[0], HasSubstr("curved"));
   EXPECT_NEAR(fit.secant_low, 100 / (std::sqrt(11.0) - std::sqrt(10.0)), 1e-9);
   EXPECT_NEAR(fit.secant_high, 100 / (std::sqrt(15.0) - std::sqrt(14.0)), 1e-9);
+}
+
+TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
+  // Plastic strain at the start of the unloading, elastic below P = 3: the line through all has another slope.
+  std::vector<double> P = {13.0, 10.0, 7.0, 3.0, 2.0, 1.0, 0.5, 0.1}, phi;
+  for (const double p : P)
+    phi.push_back(0.77 * std::exp(p / 2.5e4 - 3e-6 * std::pow(std::max(p - 3.0, 0.0), 2)));
+  const ElasticFit fit = fit_elastic(P, phi);
+  EXPECT_TRUE(fit.is_curved);
+  EXPECT_EQ(fit.first, 3);
+  EXPECT_EQ(fit.n_points, 5);
+  const FittedParameter& B = fit.parameters[0];
+  EXPECT_NEAR(*B.value, 2.5e4, 1e-6 * 2.5e4);
+  EXPECT_LE(*B.low95, 2.5e4);
+  EXPECT_GE(*B.high95, 2.5e4);
+  EXPECT_NEAR(*fit.parameters[1].value, 0.77, 1e-9);
+  ElasticFit held = fit;
+  hold_against(2.6e4, 2.4e4, held);
+  EXPECT_TRUE(held.parameters[0].value);
+  hold_against(3.6e4, 3.4e4, held);
+  EXPECT_FALSE(held.parameters[0].value || held.parameters[0].low95 || held.parameters[0].identified);
+  EXPECT_THAT(held.warnings.back(), HasSubstr("is not that of its states"));
+
+  // ln Phi goes with the root of P: no part of it is straight.
+  phi.clear();
+  for (const double p : P) phi.push_back(0.77 * std::exp(std::sqrt(p) / 100));
+  const ElasticFit none = fit_elastic(P, phi);
+  EXPECT_TRUE(none.found());
+  for (const FittedParameter& p : none.parameters) EXPECT_FALSE(p.value || p.low95 || p.identified) << p.name;
+  EXPECT_THAT(none.warnings.at(0), HasSubstr("not identified"));
 }
 
 TEST(Elastic, NoBranchIsRefusedInWords) {

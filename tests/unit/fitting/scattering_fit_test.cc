@@ -82,6 +82,7 @@ TEST(ScatteringFit, SaysWhatTheDataDoNotTell) {
   ASSERT_TRUE(flat.found());
   EXPECT_FALSE(flat.parameters[1].value);
   EXPECT_FALSE(flat.parameters[2].value);
+  for (const int k : {1, 2}) EXPECT_FALSE(flat.parameters[k].low95 || flat.parameters[k].high95) << k;
   std::vector<ScatteredPoint> wrong = points_of(1.0, 9.0, 1.6, 100000, nullptr);
   for (std::size_t k = 0; k < wrong.size(); k += 2) wrong[k].I *= 1.5;
   EXPECT_THAT(fit_scattering(wrong, 0.0, 4.0).warnings, Contains(HasSubstr("does not follow the law")));

@@ -53,6 +53,7 @@ UNCHECKED_TABLES = {
     "| column | meaning |": "words",
     "| column of a contact | meaning |": "words",
     "| read | from |": "words",
+    "| program | its law |": "words; validation tests convert packings by these laws",
     "| code | meaning |": "words",
     "| key | meaning |": "words",
     "| `control` | driven axis |": "words",

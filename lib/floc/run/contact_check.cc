@@ -82,10 +82,11 @@ ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance) {
     check.n_with_gap += !c.distant && c.gap >= 0.0;
     check.n_distant += c.distant;
     check.n_pulling += c.normal_force < -kNoForce * largest;
-    check.n_at_cap += c.sliding || c.rolling_yield;
+    check.n_at_cap += c.yields();
     const Mobilised beyond = mobilised(packing.law, c, -kCapTolerance);
-    check.n_beyond_cap +=
-        (beyond.sliding && !c.shear_force.isZero(0.0)) || (beyond.rolling && !c.rolling_moment.isZero(0.0));
+    check.n_beyond_cap += (beyond.sliding && !c.shear_force.isZero(0.0)) ||
+                          (beyond.rolling && !c.rolling_moment.isZero(0.0)) ||
+                          (beyond.twisting && c.twisting_moment != 0.0);
   }
   add_forces(packing, tolerance, check);
   const std::vector<Contact<Dim>> missing = missing_contacts(packing, distance_error(packing));

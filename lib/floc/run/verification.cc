@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <tuple>
 
 #include "floc/elasticity/stability.h"
 #include "floc/packing/balance.h"
@@ -262,14 +261,15 @@ constexpr double kAtCap = 1e-13;
 
 template <int Dim>
 void compare_flags(const Packing<Dim>& stored, Record& record) {
-  const auto wrong = [](bool recorded, bool near, bool at) { return recorded ? !near : at; };
+  const auto compare = [&record](const Contact<Dim>& c, const char* flag, bool recorded, bool near, bool at) {
+    if (recorded ? !near : at)
+      record.wrong(fmt::format("{} recorded as {}{}", name_of(c), recorded ? "" : "not ", flag));
+  };
   for (const Contact<Dim>& c : stored.contacts) {
     const Mobilised near = mobilised(stored.law, c, kFlagTolerance), at = mobilised(stored.law, c, kAtCap);
-    if (wrong(c.sliding, near.sliding, at.sliding))
-      record.wrong(fmt::format("{} recorded as {}sliding", name_of(c), c.sliding ? "" : "not "));
-    if (wrong(c.rolling_yield, near.rolling, at.rolling))
-      record.wrong(
-          fmt::format("{} recorded as {}yielding in rolling", name_of(c), c.rolling_yield ? "" : "not "));
+    compare(c, "sliding", c.sliding, near.sliding, at.sliding);
+    compare(c, "yielding in rolling", c.rolling_yield, near.rolling, at.rolling);
+    compare(c, "yielding in twisting", c.twisting_yield, near.twisting, at.twisting);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/assembly/box_options.h"
 #include "floc/assembly/saved_start.h"
 #include "floc/assembly/vibration.h"
 #include "floc/relaxation/cell_response.h"
@@ -47,6 +48,8 @@ struct AssemblyOptions {
   CellResponse cell;                   ///< while grains are put together
   std::optional<Vibration> vibration;  ///< of a saved packing, or of one put together from a gas
   SavedStart saved;                    ///< of the protocol that starts from one
+  /// Walls around the grains; none: a periodic cell. `solid_fraction` zero: the sides of the box are lengths.
+  std::optional<BoxOptions> box;
 };
 
 }  // namespace floc

@@ -18,6 +18,15 @@ template <int Dim>
 Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, double solid_fraction,
                       RandomStream& random);
 
+/// The same in a box with walls, centres a radius or more from them. Velocities have one magnitude, random
+/// directions and no total momentum; density times squared speed is the kinetic pressure of the box, whatever
+/// the magnitude that taking the momentum out leaves to single grains.
+/// @param solid_fraction  of the box; 0: its sides are lengths
+/// @throws InputError if the box is too small for a grain, or as make_gas()
+template <int Dim>
+Packing<Dim> make_boxed_gas(const GrainOptions& options, const LawParameters& law, const BoxOptions& box,
+                            double solid_fraction, RandomStream& random);
+
 /// Gives the grains Maxwell velocities: total momentum zero, root mean square of the translational speed
 /// `rms_speed` exactly, no spin.
 template <int Dim>

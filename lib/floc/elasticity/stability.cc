@@ -20,10 +20,9 @@ constexpr double kVanishing = 1e-11;
 /// A Cholesky factor of a larger condition may hide a mechanism, which has no sign.
 constexpr double kSuspiciousCondition = 1e12;
 
-template <int Dim>
-bool has_negative_stiffness(const ContactNetwork<Dim>& network) {
-  return std::any_of(network.contacts.begin(), network.contacts.end(),
-                     [](const NetworkContact<Dim>& c) { return c.kn < 0.0; });
+/// @param contacts  of a network or of a packing
+bool has_negative_stiffness(const auto& contacts) {
+  return std::any_of(contacts.begin(), contacts.end(), [](const auto& c) { return c.kn < 0.0; });
 }
 
 int count_below(const Eigen::MatrixXd& symmetric, double bound) {
@@ -58,7 +57,7 @@ int inertia(const ContactNetwork<Dim>& whole, const std::optional<Mat<Dim>>& str
 
 template <int Dim>
 int count_negative_eigenvalues(const ContactNetwork<Dim>& network) {
-  return has_negative_stiffness(network) ? inertia<Dim>(network, std::nullopt) : 0;
+  return has_negative_stiffness(network.contacts) ? inertia<Dim>(network, std::nullopt) : 0;
 }
 
 template <int Dim>
@@ -68,6 +67,7 @@ int count_negative_eigenvalues(const ContactNetwork<Dim>& network, const Mat<Dim
 
 template <int Dim>
 int count_negative_eigenvalues(const Packing<Dim>& packing, bool prestress) {
+  if (!prestress && !has_negative_stiffness(packing.contacts)) return 0;
   const ContactNetwork<Dim> network = ModuliOptions{}.loaded_network(packing);
   return prestress ? count_negative_eigenvalues(network, static_stress(packing))
                    : count_negative_eigenvalues(network);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "floc/base/error.h"
-#include "floc/neighbors/pairs.h"
+#include "floc/neighbors/interacting_pairs.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t kContactsAlways = 10'000;
 constexpr std::size_t kContactsPerGrain = 100;
 
-/// Between grains, then with walls, sorted as contacts are.
+}  // namespace
+
 template <int Dim>
 std::vector<NeighborPair<Dim>> interacting_pairs(const Packing<Dim>& packing) {
   const double range = packing.law.range();
@@ -31,8 +32,6 @@ std::vector<NeighborPair<Dim>> interacting_pairs(const Packing<Dim>& packing) {
   std::sort(pairs.begin(), pairs.end(), precedes<NeighborPair<Dim>>);
   return pairs;
 }
-
-}  // namespace
 
 template <int Dim>
 void find_contacts(Packing<Dim>& packing) {
@@ -60,6 +59,8 @@ void find_contacts(Packing<Dim>& packing) {
   }
 }
 
+template std::vector<NeighborPair<2>> interacting_pairs(const Packing<2>&);
+template std::vector<NeighborPair<3>> interacting_pairs(const Packing<3>&);
 template void find_contacts(Packing<2>&);
 template void find_contacts(Packing<3>&);
 

@@ -15,7 +15,7 @@ int least_contacts(const Packing<Dim>& packing) {
 
 template <int Dim>
 CarryingStructure carrying_structure(const Packing<Dim>& packing, double smallest_force, int least) {
-  assert(packing.walls.empty() && smallest_force >= 0.0 && least >= 1);
+  assert(smallest_force >= 0.0 && least >= 1);
   CarryingStructure out;
   out.rattler.assign(packing.grains.size(), false);
   for (std::size_t k = 0; k < packing.contacts.size(); ++k)
@@ -24,11 +24,14 @@ CarryingStructure carrying_structure(const Packing<Dim>& packing, double smalles
   for (bool removed = true; removed;) {
     removed = false;
     out.degree.assign(out.rattler.size(), 0);
-    for (const int k : out.contacts) ++out.degree[packing.contacts[k].i], ++out.degree[packing.contacts[k].j];
+    for (const int k : out.contacts)
+      for (const int body : {packing.contacts[k].i, packing.contacts[k].j})
+        if (!packing.is_wall(body)) ++out.degree[body];
     for (std::size_t i = 0; i < out.rattler.size(); ++i)
       if (!out.rattler[i] && out.degree[i] < least) out.rattler[i] = removed = true;
     std::erase_if(out.contacts, [&](int k) {
-      return out.rattler[packing.contacts[k].i] || out.rattler[packing.contacts[k].j];
+      const Contact<Dim>& contact = packing.contacts[k];
+      return out.rattler[contact.i] || (!packing.is_wall(contact.j) && out.rattler[contact.j]);
     });
   }
   out.n_rattlers = static_cast<int>(std::count(out.rattler.begin(), out.rattler.end(), true));

@@ -18,8 +18,10 @@ bool remove_unheld(const Packing<Dim>& packing, double smallest_force, std::vect
   std::vector<int> n_touching(n, 0);
   std::vector<bool> loaded(n, false);
   for (const Contact<Dim>& c : packing.contacts) {
-    if (rattler[c.i] || rattler[c.j]) continue;
+    const bool on_wall = packing.is_wall(c.j);
+    if (rattler[c.i] || (!on_wall && rattler[c.j])) continue;
     for (const int grain : {c.i, c.j}) {
+      if (packing.is_wall(grain)) continue;
       ++n_touching[grain];
       if (c.normal_force > smallest_force) loaded[grain] = true;
     }
@@ -37,7 +39,10 @@ std::vector<bool> find_rattlers(const Packing<Dim>& packing, double smallest_for
   const bool cohesive = packing.law.pull_off_force() > 0.0;
   if (cohesive || !carries_force(packing, smallest_force)) {
     std::vector<bool> alone(packing.grains.size(), true);
-    for (const Contact<Dim>& c : packing.contacts) alone[c.i] = alone[c.j] = false;
+    for (const Contact<Dim>& c : packing.contacts) {
+      alone[c.i] = false;
+      if (!packing.is_wall(c.j)) alone[c.j] = false;
+    }
     return alone;
   }
   std::vector<bool> rattler(packing.grains.size(), false);

@@ -37,9 +37,12 @@ template <int Dim>
 Mat<Dim> boundary_stress(const Packing<Dim>& packing) {
   Mat<Dim> sum = Mat<Dim>::Zero();
   for (const Contact<Dim>& c : packing.contacts) {
-    if (c.image.isZero()) continue;
+    const bool on_wall = packing.is_wall(c.j);
+    if (c.image.isZero() && !on_wall) continue;
     const Vec<Dim> on_j = c.normal_force * c.normal - c.shear_force;
-    sum += on_j * packing.cell.shift(c.image).transpose();
+    const Vec<Dim> shift =
+        on_wall ? Vec<Dim>(packing.grains.position[c.i] + branch(packing, c)) : packing.cell.shift(c.image);
+    sum += on_j * shift.transpose();
   }
   return sum / packing.cell.volume();
 }

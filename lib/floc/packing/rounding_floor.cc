@@ -24,7 +24,7 @@ RoundingFloor rounding_floor(const Packing<Dim>& packing, const Vec<Dim>& target
   for (const Contact<Dim>& c : packing.contacts) {
     const double k = std::max(std::abs(c.kn), c.kt);
     stiffness[c.i] += k;
-    stiffness[c.j] += k;
+    if (!packing.is_wall(c.j)) stiffness[c.j] += k;
     largest_force = std::max(largest_force, std::abs(c.normal_force));
     affine += k * branch(packing, c).squaredNorm();
   }

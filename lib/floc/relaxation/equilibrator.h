@@ -17,8 +17,12 @@ enum class RelaxationStatus { running, converged, gave_up };
 /// How a relaxation ended, or its progress, in numbers and text.
 struct RelaxationReport {
   Residuals residuals;
-  int n_negative = -1;       ///< negative eigenvalues of an equilibrium's stiffness matrix; -1 before
-  std::string ending;        ///< "polished", "dynamic", "static", "diverged", "unloaded"; empty while it runs
+  int n_negative = -1;  ///< negative eigenvalues of an equilibrium's stiffness matrix; -1 before
+  /// Mechanisms of what carries force between walls, -1: not counted. A state that has some is no equilibrium.
+  int n_mechanisms = -1;
+  /// "polished", "dynamic", "static", "stopped" (recorded as it is, between walls), "diverged",
+  /// "unloaded"; empty while it runs.
+  std::string ending;
   std::string blocking;      ///< criterion that is worst against its tolerance, with its grain
   double decay_rate = 0.0;   ///< of the force residual (1/time); positive when it falls
   std::string phase;         ///< what it is doing: "moving", "finishing", ...
@@ -50,7 +54,7 @@ class Equilibrator {
   virtual std::string progress() const = 0;
 };
 
-/// The equilibrator that the options ask for; today always the explicit relaxer (relaxer.h).
+/// The explicit relaxer (relaxer.h), or that of boxes where the packing has walls (box_relaxer.h).
 /// @param load           what is imposed on each axis
 /// @param progress       of an equilibrator that was stopped; empty: from the beginning
 /// @throws InputError if `progress` is not one of this kind of equilibrator

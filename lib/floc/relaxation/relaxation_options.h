@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "floc/packing/equilibrium.h"
+#include "floc/relaxation/compaction_end.h"
 
 namespace floc {
 
@@ -44,6 +45,7 @@ struct RelaxationOptions {
   /// How long a packing has to stay as it is before its motion counts as stopped, in units of what the relaxer
   /// asks for: a smaller number saves time, and may end a collapse that only pauses.
   double patience = 1.0;
+  CompactionEnd compaction;  ///< of packings between walls
 };
 
 }  // namespace floc

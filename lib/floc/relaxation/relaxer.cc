@@ -12,6 +12,7 @@
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/require_periodic.h"
+#include "floc/relaxation/box_relaxer.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/static_solver.h"
 
@@ -490,6 +491,8 @@ RelaxationReport Relaxer<Dim>::report() const {
 template <int Dim>
 std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
                                                      const LoadTarget<Dim>& load, const std::string& progress) {
+  if (!packing.walls.empty())
+    return std::make_unique<BoxRelaxer<Dim>>(options, std::move(packing), load, progress);
   return std::make_unique<Relaxer<Dim>>(
       options, std::move(packing), load,
       progress.empty() ? RelaxationProgress{} : relaxation_progress(progress));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "floc/packing/wall_forces.h"
+
 namespace floc {
 
 template <int Dim>
@@ -63,14 +65,16 @@ void WallMotion<Dim>::drift(double time_step) {
 
 template <int Dim>
 void WallMotion<Dim>::stop() {
-  for (Wall<Dim>& wall : walls_) wall.velocity = 0.0;
+  for (Wall<Dim>& wall : walls_)
+    if (follows_forces(wall)) wall.velocity = 0.0;
   set_arrays();
 }
 
 template <int Dim>
 double WallMotion<Dim>::twice_kinetic_energy() const {
   double sum = 0.0;
-  for (const Wall<Dim>& wall : walls_) sum += wall.mass * wall.velocity * wall.velocity;
+  for (const Wall<Dim>& wall : walls_)
+    if (follows_forces(wall)) sum += wall.mass * wall.velocity * wall.velocity;
   return sum;
 }
 

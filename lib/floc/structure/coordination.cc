@@ -13,9 +13,12 @@ template <int Dim>
 int between_pairs(const Packing<Dim>& packing) {
   std::vector<int> degree(packing.grains.size(), 0);
   for (const Contact<Dim>& c : packing.contacts)
-    if (!c.distant) ++degree[c.i], ++degree[c.j];
+    if (!c.distant)
+      for (const int body : {c.i, c.j})
+        if (!packing.is_wall(body)) ++degree[body];
   int n = 0;
-  for (const Contact<Dim>& c : packing.contacts) n += !c.distant && degree[c.i] == 2 && degree[c.j] == 2;
+  for (const Contact<Dim>& c : packing.contacts)
+    n += !c.distant && !packing.is_wall(c.j) && degree[c.i] == 2 && degree[c.j] == 2;
   return n;
 }
 
@@ -26,6 +29,7 @@ Coordination coordination(const Packing<Dim>& packing, double zero_force) {
   Coordination result;
   int positive = 0, negative = 0;
   for (const Contact<Dim>& c : packing.contacts) {
+    if (packing.is_wall(c.j)) continue;
     if (c.distant) {
       ++result.n_distant;
       continue;
@@ -45,7 +49,8 @@ Coordination coordination(const Packing<Dim>& packing, double zero_force) {
   result.n_rattlers = static_cast<int>(std::count(rattler.begin(), rattler.end(), true));
   result.rattler_fraction = static_cast<double>(result.n_rattlers) / n;
   int n_held = 0;
-  for (const Contact<Dim>& c : packing.contacts) n_held += !c.distant && !rattler[c.i] && !rattler[c.j];
+  for (const Contact<Dim>& c : packing.contacts)
+    n_held += !c.distant && !packing.is_wall(c.j) && !rattler[c.i] && !rattler[c.j];
   if (result.n_rattlers < n) result.z_star = 2.0 * n_held / (n - result.n_rattlers);
   if (result.n_contacts > 0) result.x22 = static_cast<double>(between_pairs(packing)) / result.n_contacts;
   return result;

@@ -11,9 +11,9 @@ std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing) {
   for (const Contact<Dim>& c : packing.contacts) {
     const Vec<Dim> on_j = c.normal_force * c.normal - c.shear_force;
     const Mat<Dim> whole = on_j * branch(packing, c).transpose();
-    const double share_i = g.radius[c.i] / (g.radius[c.i] + g.radius[c.j]);
+    const double share_i = g.radius[c.i] / (g.radius[c.i] + packing.surface_radius(c.j));
     stress[c.i] += share_i * whole;
-    stress[c.j] += (1.0 - share_i) * whole;
+    if (!packing.is_wall(c.j)) stress[c.j] += (1.0 - share_i) * whole;
   }
   // V_i = V R_i^Dim / sum R^Dim: the volumes of the grains over Phi.
   double sum = 0.0;

@@ -330,7 +330,6 @@ TEST(Walls, AreRefusedWhereNothingKnowsThem) {
   find_contacts(box);
   const auto refuses = testing::ThrowsMessage<InputError>(testing::HasSubstr("has walls; "));
   EXPECT_THAT([&] { (void)contact_network(box); }, refuses);
-  EXPECT_THAT([&] { (void)make_equilibrator(RelaxationOptions{}, box, Vec<2>(Vec<2>::Ones())); }, refuses);
   EXPECT_THAT([&] { (void)solve_statics(box, pressure(1.0), StaticSolverOptions{}); }, refuses);
 }
 

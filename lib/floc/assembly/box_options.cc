@@ -1,0 +1,47 @@
+#include "floc/assembly/box_options.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "floc/contact/law_description.h"
+
+namespace floc {
+
+LawParameters wall_law(const LawParameters& grains, const BoxOptions& box) {
+  LawParameters law = grains;
+  if (box.adhesion == 0.0)
+    law.adhesion.reset();
+  else if (!law.adhesion)
+    law.adhesion = ConstantAdhesion{box.adhesion};
+  if (box.friction == 0.0) {
+    law.friction.reset();
+    law.rolling.reset();
+    law.twisting.reset();
+  }
+  for (const LawNumber& n : numbers_of(law)) {
+    if (n.key == "adhesion.force") *n.value = box.adhesion;
+    if (n.key == "friction.coefficient") *n.value = box.friction;
+  }
+  return law;
+}
+
+template <int Dim>
+std::vector<Wall<Dim>> walls_around(const Packing<Dim>& packing, const BoxOptions& box,
+                                    const Vec<Dim>& lowest) {
+  const std::vector<double>& mass = packing.grains.mass;
+  const double heaviest = *std::max_element(mass.begin(), mass.end());
+  std::vector<Wall<Dim>> walls;
+  for (int a = 0; a < Dim; ++a) {
+    if (box.boundary[a] == BoxSide::periodic) continue;
+    const double m =
+        box.boundary[a] == BoxSide::fixed ? std::numeric_limits<double>::infinity() : box.mass * heaviest;
+    walls.push_back({a, -1, lowest[a], 0.0, m});
+    walls.push_back({a, +1, lowest[a] + packing.cell.matrix(a, a), 0.0, m});
+  }
+  return walls;
+}
+
+template std::vector<Wall<2>> walls_around(const Packing<2>&, const BoxOptions&, const Vec<2>&);
+template std::vector<Wall<3>> walls_around(const Packing<3>&, const BoxOptions&, const Vec<3>&);
+
+}  // namespace floc

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/neighbors/pairs.h"
+
+namespace floc {
+
+/// Pairs within the range of the law between them, sorted as contacts are: of grains, and of grains with walls,
+/// whose numbers follow those of the grains.
+/// @throws InputError as find_pairs()
+template <int Dim>
+std::vector<NeighborPair<Dim>> interacting_pairs(const Packing<Dim>& packing);
+
+}  // namespace floc

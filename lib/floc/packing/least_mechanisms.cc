@@ -1,0 +1,69 @@
+#include "floc/packing/least_mechanisms.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace floc {
+namespace {
+
+/// Grains that more than one contact holds, once those that hang on one have been taken away in turn.
+template <int Dim>
+std::vector<bool> held_grains(const Packing<Dim>& packing) {
+  std::vector<bool> held(packing.grains.size(), true);
+  for (bool removed = true; removed;) {
+    removed = false;
+    std::vector<int> degree(held.size(), 0);
+    for (const Contact<Dim>& c : packing.contacts) {
+      const bool on_wall = packing.is_wall(c.j);
+      if (!held[c.i] || (!on_wall && !held[c.j])) continue;
+      ++degree[c.i];
+      if (!on_wall) ++degree[c.j];
+    }
+    for (std::size_t i = 0; i < held.size(); ++i)
+      if (held[i] && degree[i] < 2) held[i] = false, removed = true;
+  }
+  return held;
+}
+
+/// What the contacts of a grain do to its rotations.
+struct Hold {
+  int n_contacts = 0;
+  bool across = false;   ///< a spring across a contact
+  bool rolling = false;  ///< or against rolling or twisting
+};
+
+template <int Dim>
+int rotations_of(const Hold& hold) {
+  if (!hold.across && !hold.rolling) return 0;
+  const bool pivots = Dim == 3 && hold.n_contacts == 2 && !hold.rolling;
+  return kRotations<Dim> - (pivots ? 1 : 0);
+}
+
+}  // namespace
+
+template <int Dim>
+int least_mechanisms(const Packing<Dim>& packing) {
+  const std::vector<bool> held = held_grains(packing);
+  std::vector<Hold> hold(held.size());
+  int n_springs = 0;
+  for (const Contact<Dim>& c : packing.contacts) {
+    const bool on_wall = packing.is_wall(c.j);
+    if (!held[c.i] || (!on_wall && !held[c.j])) continue;
+    n_springs += 1 + (c.kt > 0.0 ? Dim - 1 : 0) + (c.kr > 0.0 ? Dim - 1 : 0) + (c.ktw > 0.0 ? 1 : 0);
+    for (const int body : {c.i, c.j}) {
+      if (packing.is_wall(body)) continue;
+      ++hold[body].n_contacts;
+      hold[body].across = hold[body].across || c.kt > 0.0;
+      hold[body].rolling = hold[body].rolling || c.kr > 0.0 || c.ktw > 0.0;
+    }
+  }
+  int n_unknowns = 0;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i]) n_unknowns += Dim + rotations_of<Dim>(hold[i]);
+  return std::max(n_unknowns - n_springs, 0);
+}
+
+template int least_mechanisms(const Packing<2>&);
+template int least_mechanisms(const Packing<3>&);
+
+}  // namespace floc

@@ -1,0 +1,84 @@
+#include "floc/packing/wall_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace floc {
+
+template <int Dim>
+bool follows_forces(const Wall<Dim>& wall) {
+  return std::isfinite(wall.mass);
+}
+
+template <int Dim>
+Packing<Dim> with_walls_at_cell(Packing<Dim> packing) {
+  Vec<Dim> lowest = Vec<Dim>::Zero();
+  for (const Wall<Dim>& wall : packing.walls)
+    if (wall.side < 0) lowest[wall.axis] = wall.position;
+  if (lowest.isZero(0.0)) return packing;
+  for (Wall<Dim>& wall : packing.walls) wall.position -= lowest[wall.axis];
+  for (Vec<Dim>& x : packing.grains.position) x -= lowest;
+  return packing;
+}
+
+template <int Dim>
+double wall_area(const Packing<Dim>& packing, int axis) {
+  double area = 1.0;
+  for (int b = 0; b < Dim; ++b)
+    if (b != axis) area *= packing.cell.matrix(b, b);
+  return area;
+}
+
+template <int Dim>
+std::vector<double> wall_forces(const Packing<Dim>& packing) {
+  std::vector<double> force(packing.walls.size(), 0.0);
+  for (const Contact<Dim>& c : packing.contacts)
+    if (packing.is_wall(c.j)) force[c.j - packing.grains.size()] += c.normal_force;
+  return force;
+}
+
+template <int Dim>
+Vec<Dim> wall_pressure(const Packing<Dim>& packing) {
+  Vec<Dim> pressure = Vec<Dim>::Zero();
+  const std::vector<double> force = wall_forces(packing);
+  for (std::size_t w = 0; w < force.size(); ++w) {
+    const int axis = packing.walls[w].axis;
+    pressure[axis] += 0.5 * force[w] / wall_area(packing, axis);
+  }
+  return pressure;
+}
+
+template <int Dim>
+Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing) {
+  Vec<Dim> sum = Vec<Dim>::Zero();
+  for (const Contact<Dim>& c : packing.contacts)
+    if (packing.is_wall(c.j)) sum += c.shear_force.cwiseProduct(packing.grains.position[c.i]);
+  return sum / packing.cell.volume();
+}
+
+template <int Dim>
+double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
+  double largest = 0.0;
+  const std::vector<double> force = wall_forces(packing);
+  for (std::size_t w = 0; w < force.size(); ++w) {
+    const Wall<Dim>& wall = packing.walls[w];
+    if (!follows_forces(wall)) continue;
+    const double pressure = force[w] / wall_area(packing, wall.axis);
+    largest = std::max(largest, std::abs(pressure - target_stress[wall.axis]));
+  }
+  return largest;
+}
+
+#define FLOC_INSTANTIATE(Dim)                                      \
+  template bool follows_forces(const Wall<Dim>&);                  \
+  template Packing<Dim> with_walls_at_cell(Packing<Dim>);          \
+  template double wall_area(const Packing<Dim>&, int);             \
+  template std::vector<double> wall_forces(const Packing<Dim>&);   \
+  template Vec<Dim> wall_pressure(const Packing<Dim>&);            \
+  template Vec<Dim> stress_borne_by_friction(const Packing<Dim>&); \
+  template double wall_imbalance(const Packing<Dim>&, const Vec<Dim>&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

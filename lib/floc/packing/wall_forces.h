@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Whether a wall follows the forces on it. One of infinite mass moves at its velocity whatever pushes it: at
+/// rest it is fixed.
+template <int Dim>
+bool follows_forces(const Wall<Dim>& wall);
+
+/// The packing moved so that the lower wall of each axis is at zero, where a cell begins: walls leave it as they
+/// move. Unchanged without walls.
+template <int Dim>
+Packing<Dim> with_walls_at_cell(Packing<Dim> packing);
+
+/// Area of the walls across an axis (length^(Dim-1)).
+template <int Dim>
+double wall_area(const Packing<Dim>& packing, int axis);
+
+/// Static normal force that the grains push each wall outwards with, in the order of Packing::walls (force).
+template <int Dim>
+std::vector<double> wall_forces(const Packing<Dim>& packing);
+
+/// Mean pressure of the grains on the two walls of each axis, zero along an axis without walls
+/// (force/length^(Dim-1)).
+template <int Dim>
+Vec<Dim> wall_pressure(const Packing<Dim>& packing);
+
+/// What the friction of the walls along each axis bears of the pressure on the walls across it: the sum of t_a
+/// x_a over their contacts, t the friction on a grain at x, over the volume (force/length^(Dim-1)). At rest the
+/// static stress is the pressure less this (docs/physics.md, "Boxes with walls").
+template <int Dim>
+Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing);
+
+/// Largest difference between the pressure on a wall that follows its forces and that imposed on its axis
+/// (force/length^(Dim-1)); 0 without such walls.
+template <int Dim>
+double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
+
+}  // namespace floc

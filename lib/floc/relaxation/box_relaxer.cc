@@ -1,0 +1,295 @@
+#include "floc/relaxation/box_relaxer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/error.h"
+#include "floc/elasticity/stability.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/contact_energy.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/least_mechanisms.h"
+#include "floc/packing/wall_forces.h"
+#include "floc/relaxation/dynamics.h"
+#include "floc/relaxation/members_as_json.h"
+#include "floc/relaxation/relaxer.h"
+
+namespace floc {
+namespace {
+
+/// The void ratio may change so much while what is left of the motion is taken out; beyond, it is set free
+/// again.
+constexpr double kFinishVoidRatio = 1e-3;
+/// A finish that takes longer (T) leaves the state as it is.
+constexpr double kLongestFinish = 60.0;
+/// Walls that touch nothing, at so many times the distance at which they started, have run away.
+constexpr double kRunAway = 4.0;
+/// A box has closed where its walls are nearer than this, in largest diameters: overlaps are small.
+constexpr double kClosed = 0.5;
+
+/// Visits every member under the name that checkpoints have for it.
+constexpr auto kMembers = [](auto& p, const auto& visit) {
+  visit("stage", p.phase);
+  visit("n_steps", p.n_steps);
+  visit("time", p.time);
+  visit("skin", p.skin);
+  visit("start_side", p.start_side);
+  visit("void_ratio", p.void_ratio);
+  visit("closing_sign", p.closing_sign);
+  visit("armed", p.armed);
+  visit("finishing_since", p.finishing_since);
+  visit("finishing_time", p.finishing_time);
+};
+
+CompactionProgress parsed(const std::string& text) {
+  if (text.empty()) return {};
+  return members_from_json<CompactionProgress>(text, "progress", "is not that of a box of this version",
+                                               kMembers);
+}
+
+template <int Dim>
+double void_ratio(const Packing<Dim>& packing) {
+  return 1.0 / solid_fraction(packing) - 1.0;
+}
+
+}  // namespace
+
+template <int Dim>
+double compaction_time(const Packing<Dim>& packing, double pressure) {
+  if (!(pressure > 0.0)) return inertial_time<Dim>(packing, Vec<Dim>::Zero());
+  const Grains<Dim>& g = packing.grains;
+  const double m = *std::max_element(g.mass.begin(), g.mass.end());
+  return std::sqrt(m / (pressure * std::pow(largest_diameter(g), Dim - 2)));
+}
+
+template <int Dim>
+BoxRelaxer<Dim>::BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
+                            const std::string& progress)
+    : options_(options),
+      packing_(std::move(packing)),
+      target_(load.stress),
+      progress_(parsed(progress)),
+      time_step_(time_step_of(packing_, options.time_step, target_.mean())),
+      time_unit_(compaction_time(packing_, target_.mean())) {
+  if (load.any_strained())
+    throw InputError("packing", "has walls: expected a pressure on each axis, not a length");
+  measure();
+  if (progress_.skin == 0.0)
+    progress_.skin = options.skin ? *options.skin * largest_diameter(packing_.grains)
+                                  : 0.05 * skin_length_unit(packing_.grains.radius);
+  if (!progress_.start_side.empty()) return;
+  const Vec<Dim> pressure = wall_pressure(packing_);
+  for (int a = 0; a < Dim; ++a) {
+    progress_.start_side.push_back(packing_.cell.matrix(a, a));
+    const bool closes = options.compaction.wall_speed && under_pressure(a);
+    progress_.closing_sign.push_back(!closes ? 0.0 : pressure[a] < target_[a] ? -1.0 : 1.0);
+  }
+}
+
+/// Whether the walls of an axis follow the pressure.
+template <int Dim>
+bool BoxRelaxer<Dim>::under_pressure(int axis) const {
+  return std::any_of(packing_.walls.begin(), packing_.walls.end(),
+                     [axis](const Wall<Dim>& w) { return w.axis == axis && follows_forces(w); });
+}
+
+/// Walls of infinite mass stand still under a stress, too.
+template <int Dim>
+BoundaryControl<Dim> BoxRelaxer<Dim>::control() {
+  BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
+  const Vec<Dim> pressure = wall_pressure(packing_);
+  for (int a = 0; a < Dim; ++a) {
+    if (!between_walls(packing_.walls, a)) continue;
+    double& sign = progress_.closing_sign[a];
+    if ((pressure[a] - target_[a]) * sign < 0.0) sign = 0.0;
+    control.imposed[a] = sign == 0.0 ? Imposed::stress : Imposed::rate;
+    control.target[a] =
+        sign == 0.0 ? target_[a] : -sign * *options_.compaction.wall_speed / packing_.cell.matrix(a, a);
+  }
+  return control;
+}
+
+template <int Dim>
+RelaxationStatus BoxRelaxer<Dim>::advance() {
+  time_step_ = time_step_of(packing_, options_.time_step, target_.mean());
+  const bool finishing = progress_.phase == CompactionProgress::finishing;
+  auto dynamics = make_dynamics(packing_, control(), {time_step_, progress_.skin, options_.threads});
+  packing_.contacts = {};  // dynamics has them now: a large packing is held once
+  advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
+                   progress_.time, time_step_);
+  if (!dynamics->finite()) {
+    find_contacts(packing_);
+    measure();
+    return give_up("diverged", "the motion diverged, run.time_step is too large");
+  }
+  packing_ = {};
+  packing_ = dynamics->packing();
+  if (!options_.skin) progress_.skin = dynamics->skin();
+  dynamics.reset();
+  progress_.n_steps += kStepsPerChunk;
+  progress_.time += kStepsPerChunk * time_step_;
+  measure();
+  if (std::string words = lost(); !words.empty()) return give_up("lost", std::move(words));
+  const RelaxationStatus status = finishing ? check_finish() : check_motion();
+  if (status != RelaxationStatus::running) return status;
+  const double longest = options_.compaction.longest.value_or(options_.max_time) * time_unit_;
+  if (finishing || progress_.time <= longest) return status;
+  return options_.compaction.longest ? stop_here()
+                                     : give_up("", "the box has not settled within equilibrium.max_time");
+}
+
+template <int Dim>
+RelaxationStatus BoxRelaxer<Dim>::give_up(const char* ending, std::string words) {
+  ending_ = ending;
+  words_ = std::move(words);
+  return RelaxationStatus::gave_up;
+}
+
+/// What makes the packing none any more, in words; nothing while it is one.
+template <int Dim>
+std::string BoxRelaxer<Dim>::lost() const {
+  const Grains<Dim>& g = packing_.grains;
+  for (const Wall<Dim>& wall : packing_.walls)
+    for (int i = 0; i < g.size(); ++i)
+      if (!(wall.side * (wall.position - g.position[i][wall.axis]) > 0.0))
+        return fmt::format(
+            "grain {} has its centre on or beyond a wall of axis {}: the walls are too fast, or the "
+            "pressure too high for the stiffness of the grains",
+            i, wall.axis + 1);
+  const double a = largest_diameter(g);
+  const std::vector<double> force = wall_forces(packing_);
+  for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
+    const int axis = packing_.walls[w].axis;
+    const double side = packing_.cell.matrix(axis, axis);
+    if (side < kClosed * a)
+      return fmt::format(
+          "the box closes: its walls across axis {} are {:.4g} apart, with grains of {:.4g} between them",
+          axis + 1, side, a);
+    if (follows_forces(packing_.walls[w]) && force[w] == 0.0 && side > kRunAway * progress_.start_side[axis])
+      return fmt::format(
+          "the walls across axis {} run away: no grain touches them at a distance of {:.4g}, where "
+          "they began at {:.4g}; expected a higher pressure, or less motion of the grains",
+          axis + 1, side, progress_.start_side[axis]);
+  }
+  return "";
+}
+
+/// Every wall has borne half of its pressure once.
+template <int Dim>
+bool BoxRelaxer<Dim>::is_armed() {
+  if (progress_.armed) return true;
+  const std::vector<double> force = wall_forces(packing_);
+  bool all = true;
+  for (std::size_t w = 0; w < force.size(); ++w) {
+    const Wall<Dim>& wall = packing_.walls[w];
+    if (!follows_forces(wall)) continue;
+    const double load = target_[wall.axis] * wall_area(packing_, wall.axis);
+    all = all && force[w] >= 0.5 * load;
+  }
+  for (const double sign : progress_.closing_sign) all = all && sign == 0.0;
+  return progress_.armed = all;
+}
+
+/// Within the window of the specification [SVI2024 and docs/physics.md].
+template <int Dim>
+bool BoxRelaxer<Dim>::void_ratio_is_steady() {
+  std::vector<double>& recent = progress_.void_ratio;
+  recent.push_back(void_ratio(packing_));
+  const double chunk = kStepsPerChunk * time_step_;
+  const auto window = static_cast<std::size_t>(
+                          std::ceil(options_.patience * CompactionEnd::kSettledTime * time_unit_ / chunk)) +
+                      1;
+  if (recent.size() > window) recent.erase(recent.begin(), recent.end() - static_cast<std::ptrdiff_t>(window));
+  if (recent.size() < window) return false;
+  const auto [least, most] = std::minmax_element(recent.begin(), recent.end());
+  return *most - *least < CompactionEnd::kSettledVoidRatio;
+}
+
+template <int Dim>
+bool BoxRelaxer<Dim>::has_ended() {
+  const bool steady = void_ratio_is_steady();
+  if (!is_armed()) return false;
+  if (options_.compaction.criterion == CompactionEnd::Criterion::energy_ratio)
+    return energy_ratio_ <= options_.compaction.energy_ratio;
+  return steady && residuals_.stress < CompactionEnd::kSettledPressure;
+}
+
+/// What has mechanisms moves on until more contacts hold it: a quench would freeze it. Where the ratio of
+/// energies is to end it, it is recorded as it is.
+template <int Dim>
+RelaxationStatus BoxRelaxer<Dim>::check_motion() {
+  if (!has_ended()) return RelaxationStatus::running;
+  const bool by_energy = options_.compaction.criterion == CompactionEnd::Criterion::energy_ratio;
+  n_mechanisms_ = least_mechanisms(packing_);
+  if (n_mechanisms_ > 0 && by_energy) return stop_here();
+  if (n_mechanisms_ > 0) return RelaxationStatus::running;
+  progress_.phase = CompactionProgress::finishing;
+  progress_.finishing_since = void_ratio(packing_);
+  progress_.finishing_time = progress_.time;
+  return RelaxationStatus::running;
+}
+
+template <int Dim>
+RelaxationStatus BoxRelaxer<Dim>::check_finish() {
+  if (std::abs(void_ratio(packing_) - progress_.finishing_since) > kFinishVoidRatio) {
+    progress_.phase = CompactionProgress::moving;
+    progress_.void_ratio.clear();
+    return RelaxationStatus::running;
+  }
+  if (progress_.time - progress_.finishing_time > kLongestFinish * time_unit_) return stop_here();
+  if (!residuals_.within(options_.tolerance)) return RelaxationStatus::running;
+  n_negative_ = count_negative_eigenvalues(packing_);
+  if (n_negative_ > 0) return RelaxationStatus::running;
+  n_mechanisms_ = least_mechanisms(packing_);
+  ending_ = "dynamic";
+  return RelaxationStatus::converged;
+}
+
+/// Records the state as it is.
+template <int Dim>
+RelaxationStatus BoxRelaxer<Dim>::stop_here() {
+  n_mechanisms_ = least_mechanisms(packing_);
+  n_negative_ = -1;
+  ending_ = "stopped";
+  return RelaxationStatus::converged;
+}
+
+template <int Dim>
+void BoxRelaxer<Dim>::measure() {
+  stress_ = static_stress(packing_);
+  residuals_ = residuals(packing_, target_, stress_);
+  energy_ratio_ = kinetic_over_elastic_energy(packing_);
+}
+
+template <int Dim>
+RelaxationReport BoxRelaxer<Dim>::report() const {
+  RelaxationReport report;
+  report.residuals = residuals_;
+  report.n_negative = n_negative_;
+  report.n_mechanisms = n_mechanisms_;
+  report.ending = ending_;
+  report.phase = progress_.phase == CompactionProgress::finishing ? "finishing" : "moving";
+  report.time = progress_.time;
+  report.n_steps = progress_.n_steps;
+  report.blocking =
+      words_.empty()
+          ? fmt::format("t = {:.1f} T, K/E {:.1e}, walls off by {:.1e} of their pressure, force {:.1e}",
+                        progress_.time / time_unit_, energy_ratio_, residuals_.stress, residuals_.force)
+          : words_;
+  return report;
+}
+
+template <int Dim>
+std::string BoxRelaxer<Dim>::progress() const {
+  return members_as_json(progress_, kMembers);
+}
+
+template class BoxRelaxer<2>;
+template class BoxRelaxer<3>;
+template double compaction_time(const Packing<2>&, double);
+template double compaction_time(const Packing<3>&, double);
+
+}  // namespace floc

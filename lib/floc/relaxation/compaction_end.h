@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+namespace floc {
+
+/// What ends the dynamic compaction of a box (docs/physics.md, "Boxes with walls"). Times are in
+/// T = sqrt(m/(P a^(Dim-2))), m and a of the largest grain.
+struct CompactionEnd {
+  enum class Criterion {
+    /// The void ratio has moved less than kSettledVoidRatio in kSettledTime, every wall bears its pressure, and
+    /// what carries it has no mechanism.
+    settled,
+    energy_ratio,  ///< kinetic energy of the grains' translations over the elastic energy
+  };
+  Criterion criterion = Criterion::settled;
+  double energy_ratio = 2e-7;  ///< [SVI2024]
+  /// After so long the state is recorded as it is; absent: the relaxation is given up at its max_time.
+  std::optional<double> longest;
+  /// Walls move at this speed towards or away from each other until they bear their pressure (length/time);
+  /// absent: the pressure acts at once.
+  std::optional<double> wall_speed;
+
+  static constexpr double kSettledVoidRatio = 1e-4;
+  static constexpr double kSettledTime = 3.0;
+  /// Share of its pressure by which a wall may be off.
+  static constexpr double kSettledPressure = 1e-3;
+};
+
+}  // namespace floc

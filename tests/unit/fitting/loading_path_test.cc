@@ -64,5 +64,22 @@ TEST(MeanCurve, IsTheMeanOfInversePhiAtCommonPressures) {
   EXPECT_THAT(mean_curve({}).P_star, IsEmpty());
 }
 
+/// What an axis carries that is given a length may fall along its branch; only oedometers consolidate.
+TEST(LoadingPath, TestsWithADrivenAxisAreLeftOut) {
+  const std::vector<PathRow> rows = {{"assembly", 1.0, 0.5},
+                                     {"load", 2.0, 0.6, PathLoad::oedometric},
+                                     {"load", 1.9, 0.61, PathLoad::oedometric},
+                                     {"triaxial", 3.0, 0.7, PathLoad::other},
+                                     {"triaxial", 2.5, 0.69, PathLoad::other},
+                                     {"load", 4.0, 0.8}};
+  EXPECT_FALSE(path_fault(rows));
+  const std::vector<PathStep> steps = path_steps(rows);
+  EXPECT_EQ(steps[1], PathStep::first_loading);
+  EXPECT_EQ(steps[3], PathStep::test);
+  EXPECT_EQ(steps[4], PathStep::test);
+  EXPECT_EQ(steps[5], PathStep::later_virgin);
+  EXPECT_EQ(first_loading(rows).rows, (std::vector<int>{0, 1}));
+}
+
 }  // namespace
 }  // namespace floc

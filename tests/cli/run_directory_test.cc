@@ -47,7 +47,7 @@ TEST(TwoRuns, TheSecondIsToldWhoHoldsTheDirectory) {
   EXPECT_FALSE(fs::exists(scratch.file("run/run.lock")));
 }
 
-TEST(RunDirectories, NeedAName) {
+TEST(RunDirectoryWithoutAName, IsRefused) {
   const ScratchDirectory scratch;
   write_text(scratch.file("small.toml"), small_scene());
   for (const std::string command : {"run small.toml -o ''", "draw '' -o a.svg", "moduli ''",

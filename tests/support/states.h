@@ -59,7 +59,7 @@ State<Dim> busy_state() {
   s.tolerance.force = 2e-5;
   measure(s);
   s.n_negative = 2;
-  s.path = {17, "unload", 123.456 / 7.0, std::int64_t{5} << 33, "polished"};
+  s.path = {17, "unload", 123.456 / 7.0, std::int64_t{5} << 33, "polished", {}};
   s.scene = "[scene]\nname = \"d\xc3\xa9pot\"\n";
   s.provenance = {"floc 0.1.0",         "abc123", "g++", ~std::uint64_t{0}, 1234567890123456789u,
                   std::string(64, 'e'), "a b"};

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <iostream>
 #include <system_error>
 
 #include "floc/base/error.h"
@@ -72,8 +71,8 @@ bool is_stream(const std::string& path) {
 
 void write_to_stream(const std::string& path, std::string_view bytes) {
   if (path == "-") {
-    std::cout << bytes << std::flush;
-    if (!std::cout) throw cannot_be_written("standard output", errno);
+    std::fflush(stdout);  // what the program has said before comes first
+    if (!write_all(STDOUT_FILENO, bytes)) throw cannot_be_written("standard output", errno);
     return;
   }
   Descriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));

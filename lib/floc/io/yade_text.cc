@@ -125,6 +125,13 @@ void check_no_contact_columns(const ImportOptions& options) {
     throw InputError("--contact-columns", "the interactions of YADE name their columns themselves");
 }
 
+/// Whether a file has rows without a line that names their columns.
+bool begins_with_number(const std::string& path) {
+  const std::string text = read_file(path);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && text[first] >= '0' && text[first] <= '9';
+}
+
 /// Tokens of the first line, if that is a comment.
 std::vector<std::string> first_comment(const std::string& path) {
   if (!begins_with(path, "#")) return {};
@@ -170,7 +177,8 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   if (options.cell.empty() && dimension == 2 && listed.cell.size() == 3)
     listed.cell = {{listed.cell[0][0], listed.cell[0][1]}, {listed.cell[1][0], listed.cell[1][1]}};
   std::vector<std::string> remarks;
-  const bool says_law = !options.law && !options.contacts.empty() && is_yade_interactions(options.contacts);
+  const bool says_law = !options.law && !options.contacts.empty() &&
+                        (is_yade_interactions(options.contacts) || begins_with_number(options.contacts));
   listed.law = says_law ? law_of(read_table(options.contacts, "id1", {}).table, options.contacts)
                         : required_law(path, options);
   listed.contacts = read_contact_file(options, dimension);

@@ -85,6 +85,9 @@ void require_one_run(const std::string& directory) {
       throw InputError(file,
                        fmt::format("is state {} of its run, not {} as its name says", origin->step, step));
     if (!first) first = origin;
+    if (origin->dimension != first->dimension)
+      throw InputError(file, fmt::format("is not {}D as {} is: expected the states of one run",
+                                         first->dimension, states.begin()->second));
     require_same_scene(*origin, *first, file, "the states before it");
     if (origin->seed != first->seed)
       throw InputError(

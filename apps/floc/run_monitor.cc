@@ -65,6 +65,7 @@ void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& re
              terminal_ ? "\r\033[K" : "", state.path.step + 1, n_steps_, state.path.branch,
              state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
              state.residuals.force, report.ending, seconds);
+  if (!report.stability.note.empty()) fmt::print(stderr, "  stability {}\n", report.stability.note);
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                    \

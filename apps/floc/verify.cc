@@ -21,10 +21,11 @@ struct VerifyArguments {
 int report(const std::string& file, const std::vector<Criterion>& criteria, Table& table) {
   std::string failed;
   for (const Criterion& c : criteria) {
+    if (c.holds && !c.where.empty()) spdlog::info("{}: {}: {}", file, c.name, c.where);
     if (c.holds) continue;
     if (!failed.empty()) failed += ' ';
     failed += c.name;
-    spdlog::error("{}: {} does not hold: {:.3g}, limit {:.3g}: {}", file, c.name, c.value, c.limit, c.where);
+    spdlog::error("{}: {} does not hold: {:.3g}, limit {:.3g}: {}", file, c.name, *c.value, c.limit, c.where);
   }
   if (table.columns.empty()) {
     table.columns = {"file", "equilibrium", "failed"};
@@ -34,7 +35,7 @@ int report(const std::string& file, const std::vector<Criterion>& criteria, Tabl
   row.emplace_back(file);
   row.emplace_back(failed.empty());
   row.push_back(failed.empty() ? TableValue{} : TableValue{failed});
-  for (const Criterion& c : criteria) row.emplace_back(c.value);
+  for (const Criterion& c : criteria) row.push_back(or_undefined(c.value));
   return failed.empty() ? kDone : kVerificationFailed;
 }
 

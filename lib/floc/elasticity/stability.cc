@@ -1,12 +1,16 @@
 #include "floc/elasticity/stability.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "floc/base/dense_solvers.h"
 #include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/moduli.h"
 #include "floc/elasticity/reduced_unknowns.h"
+#include "floc/linalg/positivity.h"
 #include "floc/linalg/symmetric_factor.h"
 #include "floc/network/free_motions.h"
 #include "floc/network/stiffness_matrix.h"
@@ -19,6 +23,10 @@ namespace {
 constexpr double kVanishing = 1e-11;
 /// A Cholesky factor of a larger condition may hide a mechanism, which has no sign.
 constexpr double kSuspiciousCondition = 1e12;
+/// L D L^T takes its operations one by one, L L^T works on dense blocks: an order of magnitude, rounded up.
+constexpr double kSlownessOfPivots = 20.0;
+/// Largest eigenvalue of a network's stiffness matrix with a diagonal of 1: 2 to 4 in packings.
+constexpr double kLargestEigenvalue = 4.0;
 
 /// @param contacts  of a network or of a packing
 bool has_negative_stiffness(const auto& contacts) {
@@ -29,54 +37,150 @@ int count_below(const Eigen::MatrixXd& symmetric, double bound) {
   return static_cast<int>((symmetric_eigenvalues(symmetric).array() < bound).count());
 }
 
-/// Haynsworth: the inertia of K is that of the block of the grains and that of its Schur complement, the
-/// stiffness of the strains once the grains have relaxed. The factor's rounding is that of a matrix close to K,
-/// so that no refinement would add to it.
+/// The stiffness matrix of grains and strains over the stiffest contact's, free motions taken out.
+struct ReducedStiffness {
+  Eigen::SparseMatrix<double> grains;  // lower triangle
+  std::vector<int> group;              // of its rows
+  Eigen::MatrixXd border, boundary;
+  double vanishing = 0.0;   // eigenvalues of the strains' stiffness within this are zero
+  int n_unstable_ends = 0;  // negative eigenvalues that left with the dead ends
+};
+
 template <int Dim>
-int inertia(const ContactNetwork<Dim>& whole, const std::optional<Mat<Dim>>& stress) {
+ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::optional<Mat<Dim>>& stress) {
   const FreeMotions free = find_free_motions(whole);
   const ContactNetwork<Dim> core = without_grains(whole, free.dead_end);
   const ReducedUnknowns unknowns = reduce_unknowns(core, free.kept);
   const double unit = stiffness_scale(core);
   const StiffnessMatrix k = stiffness_matrix(core, {StrainSet::diagonal, stress.has_value()});
-  SymmetricFactor factor;
-  factor.set_matrix(reduce(k.grains, unknowns, unit), grain_of_rows<Dim>(unknowns));
-  int n_negative = free.n_unstable_ends;
-  if (!factor.factorize_positive() || factor.reciprocal_condition() * kSuspiciousCondition < 1.0)
-    n_negative += factor.count_eigenvalues_below(-ResponseOptions{}.mechanism_bound);
+  ReducedStiffness out;
+  out.n_unstable_ends = free.n_unstable_ends;
+  out.grains = reduce(k.grains, unknowns, unit);
+  out.group = grain_of_rows<Dim>(unknowns);
+  out.border.resize(unknowns.length.size(), k.border.cols());
+  for (Eigen::Index a = 0; a < out.border.rows(); ++a)
+    out.border.row(a) =
+        k.border.row(unknowns.unknown[static_cast<std::size_t>(a)]) * (unknowns.length[a] / unit);
+  out.boundary = k.boundary / unit;
+  out.vanishing = kVanishing * k.boundary.cwiseAbs().maxCoeff() / unit;
+  if (stress) out.boundary += whole.volume / unit * convected_stress<Dim>(*stress, Dim);
+  return out;
+}
 
-  Eigen::MatrixXd border(unknowns.length.size(), k.border.cols());
-  for (Eigen::Index a = 0; a < border.rows(); ++a)
-    border.row(a) = k.border.row(unknowns.unknown[static_cast<std::size_t>(a)]) * (unknowns.length[a] / unit);
-  Eigen::MatrixXd relaxed = k.boundary / unit - border.transpose() * factor.solve(border, 0);
-  if (stress) relaxed += whole.volume / unit * convected_stress<Dim>(*stress, Dim);
-  return n_negative + count_below(relaxed, -kVanishing * k.boundary.cwiseAbs().maxCoeff() / unit);
+/// Haynsworth: the inertia of K is that of the block of the grains and that of its Schur complement, the
+/// stiffness of the strains once the grains have relaxed. The factor's rounding is that of a matrix close to K,
+/// so that no refinement would add to it.
+/// @return why not in words, where the factor or the count of its pivots would take too much
+Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& options) {
+  SymmetricFactor factor;
+  factor.set_matrix(k.grains, k.group);
+  const FactorCost cost = factor.predicted_cost();
+  const auto too_dear = [&cost](const char* what, double operations) {
+    return Stability{std::nullopt, fmt::format("{} would take {:.2g} GB and {:.0e} operations; ", what,
+                                               1e-9 * cost.bytes, operations)};
+  };
+  if (cost.bytes > options.largest_factor || cost.operations > options.most_operations)
+    return too_dear("a factor", cost.operations);
+  int n_negative = k.n_unstable_ends;
+  if (!factor.factorize_positive() || factor.reciprocal_condition() * kSuspiciousCondition < 1.0) {
+    const double operations = kSlownessOfPivots * cost.operations;
+    if (operations > options.most_operations) return too_dear("a count of negative pivots", operations);
+    n_negative += factor.count_eigenvalues_below(-ResponseOptions{}.mechanism_bound);
+  }
+  const Eigen::MatrixXd relaxed = k.boundary - k.border.transpose() * factor.solve(k.border, 0);
+  return {n_negative + count_below(relaxed, -k.vanishing), ""};
+}
+
+/// K over its diagonal, by products alone.
+class ScaledStiffness {
+ public:
+  explicit ScaledStiffness(const ReducedStiffness& k) : grains_(k.grains), border_(k.border) {
+    const Eigen::Index n = grains_.rows(), n_strains = k.boundary.rows();
+    diagonal_.resize(n + n_strains);
+    diagonal_ << grains_.diagonal(), k.boundary.diagonal();
+    const Eigen::VectorXd root = (diagonal_.array() > 0.0).select(diagonal_.array().sqrt(), 1.0).matrix();
+    const Eigen::VectorXd scale = root.cwiseInverse();
+    grains_ = scale.head(n).asDiagonal() * grains_ * scale.head(n).asDiagonal();
+    border_ = scale.head(n).asDiagonal() * border_ * scale.tail(n_strains).asDiagonal();
+    boundary_ = scale.tail(n_strains).asDiagonal() * k.boundary * scale.tail(n_strains).asDiagonal();
+  }
+
+  Eigen::Index order() const { return diagonal_.size(); }
+  bool has_negative_diagonal(double vanishing) const { return diagonal_.minCoeff() < -vanishing; }
+  /// Of one product.
+  double operations() const {
+    return 4.0 * static_cast<double>(grains_.nonZeros()) + 4.0 * static_cast<double>(border_.size());
+  }
+  Eigen::VectorXd operator()(const Eigen::VectorXd& x) const {
+    const Eigen::Index n = grains_.rows();
+    Eigen::VectorXd y(x.size());
+    y.head(n) = grains_.selfadjointView<Eigen::Lower>() * x.head(n);
+    y.head(n) += border_ * x.tail(boundary_.rows());
+    y.tail(boundary_.rows()) = border_.transpose() * x.head(n) + boundary_ * x.tail(boundary_.rows());
+    return y;
+  }
+
+ private:
+  Eigen::SparseMatrix<double> grains_;
+  Eigen::MatrixXd border_, boundary_;
+  Eigen::VectorXd diagonal_;
+};
+
+Stability test_by_iteration(const ReducedStiffness& k, const StabilityOptions& options,
+                            const std::string& no_factor) {
+  if (k.n_unstable_ends > 0) return {k.n_unstable_ends, no_factor + "grains held by a distant bond alone"};
+  const ScaledStiffness scaled(k);
+  PositivityOptions test;
+  test.bound = options.bound;
+  test.max_steps = static_cast<int>(std::min(options.most_operations / scaled.operations(), 1e6));
+  if (const int steps = predicted_steps(scaled.order(), kLargestEigenvalue, test); steps > test.max_steps)
+    return {std::nullopt,
+            fmt::format("not tested: {}and {} steps of an iterative test would take {:.0e} operations",
+                        no_factor, steps, steps * scaled.operations())};
+  if (scaled.has_negative_diagonal(k.vanishing)) return {1, no_factor + "an unknown of negative stiffness"};
+  const Positivity found = test_positivity(scaled.order(), scaled, test);
+  if (found.negative)
+    return {1, fmt::format("{}a direction of negative stiffness found in {} steps, there may be more",
+                           no_factor, found.steps)};
+  const bool far_enough = found.bound <= test.bound;
+  return {far_enough ? std::optional<int>(0) : std::nullopt,
+          fmt::format("{}{}no eigenvalue below -{:.1e} of the diagonal in {} steps",
+                      far_enough ? "" : "not tested as far as asked: ", no_factor, found.bound, found.steps)};
+}
+
+template <int Dim>
+Stability test(const ContactNetwork<Dim>& network, const std::optional<Mat<Dim>>& stress,
+               const StabilityOptions& options) {
+  const ReducedStiffness k = reduced_stiffness<Dim>(network, stress);
+  const Stability exact = test_by_factor(k, options);
+  return exact.n_negative ? exact : test_by_iteration(k, options, exact.note);
 }
 
 }  // namespace
 
 template <int Dim>
-int count_negative_eigenvalues(const ContactNetwork<Dim>& network) {
-  return has_negative_stiffness(network.contacts) ? inertia<Dim>(network, std::nullopt) : 0;
+Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options) {
+  return has_negative_stiffness(network.contacts) ? test<Dim>(network, std::nullopt, options)
+                                                  : Stability{0, ""};
 }
 
 template <int Dim>
-int count_negative_eigenvalues(const ContactNetwork<Dim>& network, const Mat<Dim>& stress) {
-  return inertia<Dim>(network, stress);
+Stability stability(const ContactNetwork<Dim>& network, const Mat<Dim>& stress,
+                    const StabilityOptions& options) {
+  return test<Dim>(network, stress, options);
 }
 
 template <int Dim>
-int count_negative_eigenvalues(const Packing<Dim>& packing, bool prestress) {
-  if (!prestress && !has_negative_stiffness(packing.contacts)) return 0;
+Stability stability(const Packing<Dim>& packing, bool prestress, const StabilityOptions& options) {
+  if (!prestress && !has_negative_stiffness(packing.contacts)) return {0, ""};
   const ContactNetwork<Dim> network = ModuliOptions{}.loaded_network(packing);
-  return prestress ? count_negative_eigenvalues(network, static_stress(packing))
-                   : count_negative_eigenvalues(network);
+  return prestress ? stability(network, static_stress(packing), options) : stability(network, options);
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                           \
-  template int count_negative_eigenvalues(const ContactNetwork<Dim>&);                  \
-  template int count_negative_eigenvalues(const ContactNetwork<Dim>&, const Mat<Dim>&); \
-  template int count_negative_eigenvalues(const Packing<Dim>&, bool);
+#define FLOC_INSTANTIATE(Dim)                                                                         \
+  template Stability stability(const ContactNetwork<Dim>&, const StabilityOptions&);                  \
+  template Stability stability(const ContactNetwork<Dim>&, const Mat<Dim>&, const StabilityOptions&); \
+  template Stability stability(const Packing<Dim>&, bool, const StabilityOptions&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

@@ -1,25 +1,55 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "floc/network/contact_network.h"
 #include "floc/packing/packing.h"
 
 namespace floc {
 
-/// Number of negative eigenvalues of the stiffness matrix of a network, grains and diagonal strains, after
-/// rigid translations, rattlers and free rollers are removed: 0 for a stable state. Mechanisms do not count.
-/// Inertia alone: a Cholesky factor that succeeds says that there is none, else the negative pivots of L D L^T
-/// are counted; a network without negative stiffness needs neither.
+/// How far a test of stability may go. Whatever it takes is predicted before it starts.
+struct StabilityOptions {
+  double largest_factor = 4e9;    ///< bytes
+  double most_operations = 1e12;  ///< of a factor, or of an iterative test: minutes of one core
+  /// Without a factor: a state counts as stable when no eigenvalue of the stiffness matrix, its diagonal scaled
+  /// to 1, lies below minus this. Where a grain has left its contacts, as at the end of a tail of attraction,
+  /// the lowest is of the order of F0/(D0 K_N), some 1e-2.
+  double bound = 1e-4;
+};
+
+/// What is known of the stability of a state.
+struct Stability {
+  /// Negative eigenvalues of the stiffness matrix: 0 for a stable state; no value where it was not tested, or
+  /// where an iterative test did not get as far as the bound asked for. An iterative test that finds one says 1
+  /// and looks for no other.
+  std::optional<int> n_negative;
+  /// How the test was made and how far it goes, or why there was none, in words; empty where the count is that
+  /// of a factor.
+  std::string note;
+
+  /// No sign of instability: what has not been tested is no reason to refuse a state.
+  bool may_be_stable() const { return n_negative.value_or(0) == 0; }
+};
+
+/// Negative eigenvalues of the stiffness matrix of a network, grains and diagonal strains, after rigid
+/// translations, rattlers and free rollers are removed. Mechanisms do not count. Inertia alone: a Cholesky
+/// factor that succeeds says that there is none, else the negative pivots of L D L^T are counted; a network
+/// without negative stiffness needs neither. Where a factor would be too dear, Lanczos' method looks for a
+/// direction of negative curvature (test_positivity()).
 template <int Dim>
-[[nodiscard]] int count_negative_eigenvalues(const ContactNetwork<Dim>& network);
+[[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
 
 /// The same with the geometric terms of the forces that the network carries.
 /// @param stress  static stress of the state, which the strains convect
 template <int Dim>
-[[nodiscard]] int count_negative_eigenvalues(const ContactNetwork<Dim>& network, const Mat<Dim>& stress);
+[[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const Mat<Dim>& stress,
+                                  const StabilityOptions& options = {});
 
 /// The same of a packing without its rattlers, see ModuliOptions::loaded_network(). Without prestress only
-/// distant attractions can make it more than 0.
+/// distant attractions can make it unstable.
 template <int Dim>
-[[nodiscard]] int count_negative_eigenvalues(const Packing<Dim>& packing, bool prestress = false);
+[[nodiscard]] Stability stability(const Packing<Dim>& packing, bool prestress = false,
+                                  const StabilityOptions& options = {});
 
 }  // namespace floc

@@ -62,6 +62,7 @@ struct SymmetricFactor::Factor {
   cholmod_factor* positive = nullptr;    // supernodal L L^T; its ordering is kept
   cholmod_factor* indefinite = nullptr;  // simplicial L D L^T
   cholmod_factor* current = nullptr;     // whichever of the two was made last
+  FactorCost positive_cost;              // once it is analysed
 
   explicit Factor(Ordering chosen) : ordering(chosen) {
     prepare_blas();
@@ -177,17 +178,22 @@ struct SymmetricFactor::Factor {
     return out;
   }
 
+  /// Symbolic analysis.
+  void analyse(cholmod_factor*& factor, bool ll) {
+    common.supernodal = ll ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
+    common.final_ll = ll ? 1 : 0;
+    common.dbound = ll ? 0.0 : kSmallestPivot;
+    if (factor != nullptr) return;
+    factor = cholmod_l_analyze(matrix, &common);
+    check("analysing a matrix");
+    if (ll) positive_cost = {static_cast<double>(factor->xsize) * sizeof(double), common.fl};
+  }
+
   bool factorize(cholmod_factor*& factor, double with_shift, bool ll) {
     const OneThread one_thread;
     current = nullptr;
     if (size() == 0) return true;
-    common.supernodal = ll ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
-    common.final_ll = ll ? 1 : 0;
-    common.dbound = ll ? 0.0 : kSmallestPivot;
-    if (factor == nullptr) {
-      factor = cholmod_l_analyze(matrix, &common);
-      check("analysing a matrix");
-    }
+    analyse(factor, ll);
     double beta[2] = {with_shift, 0.0};
     cholmod_l_factorize_p(matrix, beta, nullptr, 0, factor, &common);
     check("factorizing a matrix");
@@ -262,6 +268,12 @@ void SymmetricFactor::set_matrix(const Eigen::SparseMatrix<double>& lower, const
     std::iota(groups.begin(), groups.end(), 0);
   }
   factor_->take_matrix(lower, std::move(groups));
+}
+
+FactorCost SymmetricFactor::predicted_cost() {
+  if (factor_->size() == 0) return {};
+  factor_->analyse(factor_->positive, true);
+  return factor_->positive_cost;
 }
 
 bool SymmetricFactor::factorize_positive(double shift) {

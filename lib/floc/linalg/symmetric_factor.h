@@ -8,6 +8,12 @@
 
 namespace floc {
 
+/// What a Cholesky factor takes, known from the places of its entries alone.
+struct FactorCost {
+  double bytes = 0.0;       ///< of the factor, the most of what is held
+  double operations = 0.0;  ///< floating-point, of one factorization
+};
+
 /// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite
 /// matrices are factorized by supernodes; that a matrix is not positive definite is a result, not an error, and
 /// its eigenvalues can be counted. Lengths of the unknowns should be chosen so that A has a diagonal of order
@@ -25,6 +31,10 @@ class SymmetricFactor {
   ///               faster by the square of its size and as good. Empty: each is its own.
   /// @throws std::runtime_error when memory runs out.
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
+
+  /// What factorize_positive() will take, by the symbolic analysis, which it then goes on from: nothing of the
+  /// size of the factor is allocated. L D L^T takes as many operations, one by one.
+  FactorCost predicted_cost();
 
   /// Factorizes A + shift * 1 as L L^T.
   /// @return false when it is not positive definite to working precision.

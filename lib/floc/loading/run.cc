@@ -247,7 +247,7 @@ State<Dim> Run<Dim>::state_without_packing() const {
     const RelaxationReport reached = equilibrator_->report();
     state.stress = equilibrator_->stress();
     state.residuals = reached.residuals;
-    state.n_negative = reached.n_negative;
+    state.n_negative = reached.stability.n_negative.value_or(-1);
   }
   state.path = path();
   state.scene = options_.text;

@@ -241,8 +241,9 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
   }
   if (progress_.time - progress_.finishing_time > kLongestFinish * time_unit_) return stop_here();
   if (!residuals_.within(options_.tolerance)) return RelaxationStatus::running;
-  n_negative_ = count_negative_eigenvalues(packing_);
-  if (n_negative_ > 0) return RelaxationStatus::running;
+  Stability found = stability(packing_);
+  if (!found.may_be_stable()) return RelaxationStatus::running;
+  stability_ = std::move(found);
   n_mechanisms_ = least_mechanisms(packing_);
   ending_ = "dynamic";
   return RelaxationStatus::converged;
@@ -252,7 +253,7 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::stop_here() {
   n_mechanisms_ = least_mechanisms(packing_);
-  n_negative_ = -1;
+  stability_ = {};
   ending_ = "stopped";
   return RelaxationStatus::converged;
 }
@@ -268,7 +269,7 @@ template <int Dim>
 RelaxationReport BoxRelaxer<Dim>::report() const {
   RelaxationReport report;
   report.residuals = residuals_;
-  report.n_negative = n_negative_;
+  report.stability = stability_;
   report.n_mechanisms = n_mechanisms_;
   report.ending = ending_;
   report.phase = progress_.phase == CompactionProgress::finishing ? "finishing" : "moving";

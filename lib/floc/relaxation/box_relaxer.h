@@ -72,7 +72,8 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   Mat<Dim> stress_;  ///< of the packing, like what follows
   Residuals residuals_;
   double energy_ratio_ = 0.0;
-  int n_negative_ = -1, n_mechanisms_ = -1;
+  Stability stability_;  ///< of an equilibrium
+  int n_mechanisms_ = -1;
   std::string ending_, words_;
   double time_step_;
   double time_unit_;  ///< T

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "floc/elasticity/stability.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/load_target.h"
 #include "floc/relaxation/motion_observer.h"
@@ -17,7 +18,7 @@ enum class RelaxationStatus { running, converged, gave_up };
 /// How a relaxation ended, or its progress, in numbers and text.
 struct RelaxationReport {
   Residuals residuals;
-  int n_negative = -1;  ///< negative eigenvalues of an equilibrium's stiffness matrix; -1 before
+  Stability stability;  ///< of an equilibrium, not tested before
   /// Mechanisms of what carries force between walls, -1: not counted. A state that has some is no equilibrium.
   int n_mechanisms = -1;
   /// "polished", "dynamic", "static", "stopped" (recorded as it is, between walls), "diverged",

@@ -384,9 +384,9 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
   if (!within) return RelaxationStatus::running;
-  const int n_negative = count_negative_eigenvalues(packing_);
-  if (n_negative > 0) return RelaxationStatus::running;
-  n_negative_ = n_negative;
+  Stability found = stability(packing_);
+  if (!found.may_be_stable()) return RelaxationStatus::running;
+  stability_ = std::move(found);
   ending_ = "dynamic";
   return RelaxationStatus::converged;
 }
@@ -434,13 +434,13 @@ bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const cha
   const Vec<Dim> target = load_.stress_with(stress);
   const Residuals reached = residuals(solution.packing, target, stress);
   if (!reached.within(options_.tolerance)) return false;
-  const int n_negative = count_negative_eigenvalues(solution.packing);
-  if (n_negative > 0) return false;
+  Stability found = stability(solution.packing);
+  if (!found.may_be_stable()) return false;
   packing_ = std::move(solution.packing);
   stress_ = stress;
   target_ = target;
   residuals_ = reached;
-  n_negative_ = n_negative;
+  stability_ = std::move(found);
   ending_ = ending;
   return true;
 }
@@ -457,7 +457,7 @@ template <int Dim>
 RelaxationReport Relaxer<Dim>::report() const {
   RelaxationReport report;
   report.residuals = residuals_;
-  report.n_negative = n_negative_;
+  report.stability = stability_;
   report.ending = ending_;
   report.phase = progress_.phase == RelaxationProgress::finishing ? "finishing" : "moving";
   report.time = progress_.time;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "floc/elasticity/stability.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/relaxation/equilibrator.h"
@@ -68,7 +69,7 @@ class Relaxer final : public Equilibrator<Dim> {
   RelaxationProgress progress_;
   Mat<Dim> stress_;  ///< of the packing, like the residuals
   Residuals residuals_;
-  int n_negative_ = -1;  ///< of an equilibrium
+  Stability stability_;  ///< of an equilibrium
   std::string ending_;
   double time_step_;
   double time_unit_;  ///< sqrt(a m/F1): T0 of a cohesive scene below P* = 1

@@ -105,7 +105,7 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
                  state.residuals.moment,
                  state.residuals.stress,
                  state.residuals.energy,
-                 std::int64_t{state.n_negative},
+                 state.n_negative < 0 ? TableValue{} : TableValue{std::int64_t{state.n_negative}},
                  state.path.time,
                  state.path.n_steps,
                  or_undefined(seconds),

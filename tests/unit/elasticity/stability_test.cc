@@ -31,7 +31,7 @@ void expect_inertia_of_the_moduli(int n_grains, double grains_per_volume) {
       for (const bool prestress : {false, true}) {
         const auto packing = test::random_packing<Dim>(n_grains, seed, tail_law(force), grains_per_volume);
         const int expected = count_with_moduli(packing, prestress);
-        EXPECT_EQ(count_negative_eigenvalues(packing, prestress), expected) << seed << " " << force;
+        EXPECT_EQ(stability(packing, prestress).n_negative, expected) << seed << " " << force;
         n_unstable += expected > 0;
       }
   EXPECT_GT(n_unstable, 10);
@@ -47,11 +47,47 @@ TEST(Stability, CountsWhatTheModuliCountIn3D) {
   expect_inertia_of_the_moduli<3>(12, 0.9);
 }
 
+/// No factor is made; whatever is further below zero than the bound is seen.
+template <int Dim>
+void expect_sign_of_the_inertia(int n_grains, double grains_per_volume) {
+  StabilityOptions iterative;
+  iterative.largest_factor = 0.0;
+  int n_unstable = 0;
+  for (unsigned seed = 0; seed < 12; ++seed)
+    for (const double force : {0.0, 0.004, 0.02, 0.08})
+      for (const bool prestress : {false, true}) {
+        const auto packing = test::random_packing<Dim>(n_grains, seed, tail_law(force), grains_per_volume);
+        const int expected = *stability(packing, prestress).n_negative;
+        const Stability found = stability(packing, prestress, iterative);
+        ASSERT_TRUE(found.n_negative.has_value());
+        EXPECT_EQ(*found.n_negative > 0, expected > 0) << seed << " " << force << " " << found.note;
+        n_unstable += expected > 0;
+      }
+  EXPECT_GT(n_unstable, 10);
+}
+
+TEST(Stability, IsSeenWithoutAFactor) {
+  expect_sign_of_the_inertia<2>(20, 1.6);
+  expect_sign_of_the_inertia<2>(20, 0.9);
+  expect_sign_of_the_inertia<3>(12, 0.9);
+}
+
+TEST(Stability, ThatIsTooDearToTestIsSaidToBeUnknownAndRefusesNothing) {
+  StabilityOptions nothing;
+  nothing.most_operations = 1e3;
+  const auto packing = test::random_packing<3>(12, 0, tail_law(0.004), 1.6);
+  const Stability found = stability(packing, true, nothing);
+  EXPECT_FALSE(found.n_negative.has_value());
+  EXPECT_TRUE(found.may_be_stable());
+  EXPECT_NE(found.note.find("not tested: a factor would take"), std::string::npos) << found.note;
+  EXPECT_TRUE(stability(packing, true).n_negative.has_value());
+}
+
 TEST(Stability, DoesNotCountMechanisms) {
   // Without tangential springs a square lattice shears at no cost, and a chain has nothing across it.
   const LawParameters bare = test::elastic_law(1.0, 0.0, 0.0);
-  EXPECT_EQ(count_negative_eigenvalues(test::square_frames(4, 1.0, bare)), 0);
-  EXPECT_EQ(count_negative_eigenvalues(test::chain_across(5, 1.0, 2.0, bare)), 0);
+  EXPECT_EQ(stability(test::square_frames(4, 1.0, bare)).n_negative, 0);
+  EXPECT_EQ(stability(test::chain_across(5, 1.0, 2.0, bare)).n_negative, 0);
 }
 
 TEST(Moduli, OfANetworkAreThoseOfItsPacking) {

@@ -28,6 +28,20 @@ Eigen::SparseMatrix<double> ring(int n) {
   return m;
 }
 
+TEST(SymmetricFactor, PredictsWhatItsFactorTakes) {
+  const int n = 200;
+  SymmetricFactor factor;
+  factor.set_matrix(Eigen::MatrixXd::Ones(n, n).sparseView());
+  const FactorCost dense = factor.predicted_cost();
+  EXPECT_GE(dense.bytes, 8.0 * n * (n + 1) / 2);  // a full triangle
+  EXPECT_LE(dense.bytes, 8.0 * n * n);
+  EXPECT_NEAR(dense.operations, n * n * n / 3.0, 0.02 * dense.operations);
+  factor.set_matrix(chain(n));
+  EXPECT_LT(factor.predicted_cost().operations, 10.0 * n);
+  ASSERT_TRUE(factor.factorize_positive());            // from the same analysis
+  EXPECT_EQ(factor.count_eigenvalues_below(1.0), 66);  // k pi/201 < pi/3
+}
+
 TEST(SymmetricFactor, SolvesWithEitherOrderingAndEitherFactor) {
   const Eigen::MatrixXd X = Eigen::MatrixXd::Random(60, 2);
   for (const Ordering ordering : {Ordering::amd, Ordering::metis}) {

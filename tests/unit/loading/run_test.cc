@@ -72,7 +72,7 @@ TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
       const State<2> state = run.state();
       expect_measured(state);
       if (event == RunEvent::equilibrium) {
-        EXPECT_EQ(state.n_negative, count_negative_eigenvalues(state.packing));
+        EXPECT_EQ(state.n_negative, stability(state.packing).n_negative);
         run.saved("");
         continue;
       }

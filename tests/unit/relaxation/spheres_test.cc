@@ -233,7 +233,7 @@ TEST(Spheres, AFrictionalGasRelaxesToEquilibrium) {
   EXPECT_LT(left.moment, options.tolerance.moment);
   EXPECT_LT(left.stress, options.tolerance.stress);
   EXPECT_LT(left.energy, options.tolerance.energy);
-  EXPECT_EQ(relaxer->report().n_negative, 0);
+  EXPECT_EQ(relaxer->report().stability.n_negative, 0);
   EXPECT_GT(solid_fraction(relaxer->packing()), 0.55);
 }
 

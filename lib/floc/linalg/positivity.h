@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace floc {
+
+struct PositivityOptions {
+  /// Test goes on until an eigenvalue below minus this would have been seen.
+  double bound = 1e-4;
+  int max_steps = 10000;
+  /// Of an eigenvalue below the bound that is not seen: the start vector is drawn at random, and may happen to
+  /// lie across its eigenvector.
+  double oversight = 1e-6;
+  /// Eigenvalues above minus this count as zero: mechanisms, and what rounding makes of them.
+  double rounding = 1e-10;
+};
+
+/// What is known of the lowest eigenvalue of a symmetric matrix A.
+struct Positivity {
+  bool negative = false;  ///< one is below zero: a direction of negative curvature was found
+  /// Otherwise none is below minus this, but for the probability of an oversight.
+  double bound = 0.0;
+  int steps = 0;  ///< products with A
+};
+
+/// Lanczos' method from a random vector, without a factor: three vectors are held. A negative pivot of the
+/// tridiagonal matrix, found as it grows, is a Rayleigh quotient below zero, and certain. Without any, [KW1992]
+/// bounds what k steps may have missed:
+///
+///   lowest eigenvalue > -e * (spread of the spectrum),  e = (ln(1.648 sqrt(n)/oversight)/(2 k - 1))^2
+///
+/// @param n      order of A
+/// @param apply  A times a vector; A should have a diagonal of order one
+[[nodiscard]] Positivity test_positivity(Eigen::Index n,
+                                         const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply,
+                                         const PositivityOptions& options);
+
+/// Number of products after which test_positivity() of a matrix of this order and largest eigenvalue ends, if
+/// it finds nothing.
+int predicted_steps(Eigen::Index n, double largest_eigenvalue, const PositivityOptions& options);
+
+}  // namespace floc

@@ -87,13 +87,10 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
   }
 }
 
-/// Whether factorising the tangent is expected to cost less than settling by motion. In 3D the work of a factor
-/// grows with the square of the number of grains, that of motion with the number: three states of 1000 beads
-/// took 28 s of a core with Newton steps and 20 s without.
-constexpr int kMostSpheresForNewton = 1500;
-bool newton_pays(int dimension, int n_grains) {
-  return dimension == 2 || n_grains <= kMostSpheresForNewton;
-}
+/// Motion settles from one equilibrium to the next in some thousand steps, each of which takes so long a
+/// contact on one core (README, "Speed").
+constexpr double kSettlingSteps = 5000.0;
+constexpr double kSecondsAContact = 8e-8;
 
 template <class T>
 T extrapolated(const T& start, const T& end) {
@@ -376,10 +373,9 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
     return RelaxationStatus::running;
   }
   const bool within = residuals_.within(options_.tolerance);
-  const bool may_refine = options_.finish != Finish::dynamic && newton_pays(Dim, packing_.grains.size()) &&
-                          residuals_.force < kRefinementResidual;
+  const bool may_refine = options_.finish != Finish::dynamic && residuals_.force < kRefinementResidual;
   if (may_refine && (within || progress_.finishing_chunks >= progress_.next_refinement)) {
-    if (refine_by_newton()) return RelaxationStatus::converged;
+    if (newton_pays() && refine_by_newton()) return RelaxationStatus::converged;
     progress_.next_refinement =
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
@@ -389,6 +385,16 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
   stability_ = std::move(found);
   ending_ = "dynamic";
   return RelaxationStatus::converged;
+}
+
+/// Whether Newton steps are expected to take no longer than the motion of this relaxation has taken, or is
+/// going to take. In 2D they always are.
+template <int Dim>
+bool Relaxer<Dim>::newton_pays() const {
+  if (Dim == 2) return true;
+  const double steps = std::max(static_cast<double>(progress_.n_steps), kSettlingSteps);
+  const double motion = steps * static_cast<double>(packing_.contacts.size()) * kSecondsAContact;
+  return plan_statics(packing_, BoundaryControl<Dim>::imposing(load_, target_, 0.0)).seconds <= motion;
 }
 
 template <int Dim>
@@ -410,9 +416,9 @@ StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const Bo
 template <int Dim>
 bool Relaxer<Dim>::solve_without_motion() {
   const bool any = options_.finish == Finish::statics;
-  if (!any && !newton_pays(Dim, packing_.grains.size())) return false;
   // Where stiffness follows the load, what friction carries depends on the way there, and not on its end alone.
   if (!any && packing_.law.stiffness_varies() && packing_.law.resists_sliding()) return false;
+  if (!any && !newton_pays()) return false;
   StaticSolverOptions trial;
   trial.max_iterations = kTrialIterations;
   StaticSolution<Dim> solution = solve_from(packing_, way(), any ? StaticSolverOptions{} : trial);

@@ -55,6 +55,7 @@ class Relaxer final : public Equilibrator<Dim> {
   std::size_t chunks_in(double time_units) const;
   RelaxationStatus check_motion();
   RelaxationStatus check_finish();
+  bool newton_pays() const;
   bool refine_by_newton();
   StaticSolution<Dim> solve_from(const Packing<Dim>& start, const BoundaryWay<Dim>& way,
                                  const StaticSolverOptions& options) const;

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-#include "floc/linalg/unsymmetric_factor.h"
+#include "floc/linalg/tangent_solver.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/network/tangent_matrix.h"
 #include "floc/packing/contact_forces.h"
@@ -100,6 +100,8 @@ class StaticProblem {
   TangentMatrix<Dim> tangent_pattern() const {
     return {start_.grains.radius, contact_graph(n_grains(), initial_.remembered), n_strains()};
   }
+
+  TangentLayout layout() const { return {kDofs<Dim>, n_strains()}; }
 
   /// Residual of the stress that the lattice vectors, which are kept as one double each, cannot be set below:
   /// that of a strain of one rounding, at most two stiffnesses K_N large in a disk packing.
@@ -364,7 +366,19 @@ class StaticProblem {
   double stiffness_;  // of the stiffest contact
 };
 
+/// A plane packing's factor is small whatever its size.
+template <int Dim>
+TangentPlan plan_of(const StaticProblem<Dim>& problem, const TangentMatrix<Dim>& tangent) {
+  return Dim == 2 ? TangentPlan{} : plan_tangent(tangent.matrix(), problem.layout());
+}
+
 }  // namespace
+
+template <int Dim>
+TangentPlan plan_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control) {
+  const StaticProblem<Dim> problem(start, control, {});
+  return plan_of(problem, problem.tangent_pattern());
+}
 
 template <int Dim>
 StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,
@@ -374,7 +388,8 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   const StaticProblem<Dim> problem(start, control, options);
   Configuration<Dim> now = problem.initial();
   TangentMatrix<Dim> tangent = problem.tangent_pattern();
-  UnsymmetricFactor factor;
+  const TangentPlan plan = options.method ? TangentPlan{*options.method} : plan_of(problem, tangent);
+  TangentSolver solver(plan, problem.layout());
   StaticSolution<Dim> solution;
   double travelled = control.way.any() ? control.way.largest_strain() : 0.0;
   if (travelled > options.largest_displacement) {
@@ -395,11 +410,16 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
       break;
     }
     problem.assemble(now, tangent);
-    if (!factor.factorize(tangent.matrix())) {
+    if (!solver.set_matrix(tangent.matrix())) {
       solution.reason = "the tangent is singular";
       break;
     }
-    Eigen::VectorXd step = factor.solve(now.residual);
+    const std::optional<Eigen::VectorXd> solved = solver.solve(now.residual);
+    if (!solved) {
+      solution.reason = "the iterative solution with the tangent did not converge";
+      break;
+    }
+    Eigen::VectorXd step = *solved;
     double length = problem.largest_relative_displacement(now, step);
     if (!(length < 1e3)) {
       solution.reason = "a motion without stiffness";
@@ -431,6 +451,8 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   return solution;
 }
 
+template TangentPlan plan_statics(const Packing<2>&, const BoundaryControl<2>&);
+template TangentPlan plan_statics(const Packing<3>&, const BoundaryControl<3>&);
 template StaticSolution<2> solve_statics(const Packing<2>&, const BoundaryControl<2>&,
                                          const StaticSolverOptions&);
 template StaticSolution<3> solve_statics(const Packing<3>&, const BoundaryControl<3>&,

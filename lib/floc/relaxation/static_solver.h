@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "floc/linalg/tangent_solver.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/packing.h"
 #include "floc/relaxation/boundary_control.h"
@@ -17,6 +19,8 @@ struct StaticSolverOptions {
   double largest_step = 2e-3;            ///< relative displacement of two grains in contact, an iteration / a
   double largest_displacement = 2e-2;    ///< the same in total / a
   double largest_yielding_share = 0.15;  ///< of the contacts; beyond it sliding rules and Newton stalls
+  /// Of solving with the tangent; absent: a factor in 2D, in 3D what is expected to be done first.
+  std::optional<TangentMethod> method;
 };
 
 /// Outcome of a static solution.
@@ -41,6 +45,11 @@ struct StaticSolution {
 template <int Dim>
 [[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,
                                                 const StaticSolverOptions& options);
+
+/// How solve_statics() will solve with the tangent of a packing of spheres, and how long it is expected to
+/// take; nothing is known of disks, whose factor is made without asking.
+template <int Dim>
+[[nodiscard]] TangentPlan plan_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control);
 
 /// @param target_stress  stress on each axis, compression positive
 template <int Dim>

@@ -217,5 +217,23 @@ TEST(StaticSolver, HoldsTheStrainsThatAreFixed) {
   EXPECT_NEAR(static_stress(solution.packing)(0, 0), control.target[0], 1e-8);
 }
 
+TEST(StaticSolver, ComesToTheSameEquilibriumByEachWayOfSolving) {
+  const Packing<3> start = disturbed(strained_crystal(), 1e-4);
+  const Vec<3> load = load_on(start);
+  StaticSolverOptions options;
+  options.method = TangentMethod::lu;
+  const Packing<3> expected = solve_statics(start, load, options).packing;
+  for (const TangentMethod method : {TangentMethod::cholesky, TangentMethod::diagonal}) {
+    options.method = method;
+    const StaticSolution<3> found = solve_statics(start, load, options);
+    EXPECT_TRUE(found.converged) << found.reason;
+    EXPECT_LE(found.iterations, 4);
+    // Residuals of 1e-8 of a force that overlaps of a tenth carry.
+    EXPECT_LT((found.packing.cell.matrix - expected.cell.matrix).norm(), 1e-7);
+    for (int i = 0; i < start.grains.size(); ++i)
+      EXPECT_LT((found.packing.grains.position[i] - expected.grains.position[i]).norm(), 1e-7) << i;
+  }
+}
+
 }  // namespace
 }  // namespace floc

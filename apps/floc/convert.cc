@@ -15,6 +15,7 @@
 #include "floc/io/law_text.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/overlaps.h"
 #include "output.h"
 
 namespace floc {
@@ -124,6 +125,7 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
     throw InputError(arguments.law.empty() ? in : "--law", faults.front().words);
   if (!imported.contacts_known) find_contacts(state.packing);
   refuse_impossible_density(in, state.packing);
+  require_small_overlaps(in, state.packing);
   if (!arguments.stress.empty()) {
     const std::vector<double> stress = parse_numbers("--stress", arguments.stress);
     if (stress.size() != Dim)
@@ -148,6 +150,8 @@ void report(const std::string& out, const State<Dim>& state) {
       "{}: {} grains in {}D, {} contacts, phi = {:.6g}, pressure = {:.6g}, largest net force = {:.2g} F1", out,
       state.packing.grains.size(), Dim, state.packing.contacts.size(), solid_fraction(state.packing),
       state.stress.diagonal().mean(), state.residuals.force);
+  if (const std::string warning = overlap_warning(state.packing); !warning.empty())
+    spdlog::warn("{}: warning: {}", out, warning);
 }
 
 int convert(const std::string& in, const std::string& out, const ExportFormat& to,

@@ -1,5 +1,6 @@
 #include "output.h"
 
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "finish_output.h"
 #include "floc/base/error.h"
 #include "floc/io/atomic_file.h"
+#include "floc/packing/overlaps.h"
 #include "printed_columns.h"
 #include "repeated_warnings.h"
 #include "sampled_states.h"
@@ -92,10 +94,15 @@ int for_each_file(const std::vector<std::string>& files,
 
 int for_each_state(const std::vector<std::string>& files,
                    const std::function<int(const std::string& file, const AnyState& state)>& work) {
+  const auto read_and_work = [&](const std::string& file) {
+    const AnyState state = read_state(file);
+    const std::string warning = std::visit([](const auto& s) { return overlap_warning(s.packing); }, state);
+    if (!warning.empty()) spdlog::warn("{}: warning: {}", file, warning);
+    return work(file, state);
+  };
   return for_each_file(files, [&](const std::string& input) {
-    if (input == "-" || !std::filesystem::is_directory(input)) return work(input, read_state(input));
-    return for_each_file(states_of_directory(input),
-                         [&](const std::string& file) { return work(file, read_state(file)); });
+    if (input == "-" || !std::filesystem::is_directory(input)) return read_and_work(input);
+    return for_each_file(states_of_directory(input), read_and_work);
   });
 }
 

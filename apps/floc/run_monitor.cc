@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/overlaps.h"
 
 namespace floc {
 namespace {
@@ -65,6 +66,8 @@ void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& re
              terminal_ ? "\r\033[K" : "", state.path.step + 1, n_steps_, state.path.branch,
              state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
              state.residuals.force, report.ending, seconds);
+  if (const std::string warning = overlap_warning(state.packing); !warning.empty())
+    fmt::print(stderr, "  warning: {}\n", warning);
   if (!report.stability.note.empty()) fmt::print(stderr, "  stability {}\n", report.stability.note);
 }
 

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "floc/io/state_file.h"
+#include "floc/neighbors/find_contacts.h"
 #include "support/kill_and_resume.h"
 
 namespace floc::test {
@@ -117,6 +119,29 @@ TEST_F(SpheresRun, StartsFromAShakenState) {
   ASSERT_EQ(made("2", "c2").code, 0);
   EXPECT_EQ(rows_without_seconds(file("c1/path.csv")), rows_without_seconds(file("again/path.csv")));
   EXPECT_NE(rows_without_seconds(file("c1/path.csv")), rows_without_seconds(file("c2/path.csv")));
+}
+
+TEST(SpheresState, IsReadWithAWarningOfDeepOverlapsAndRefusedWhereTheirMeanIsDeep) {
+  const ScratchDirectory scratch;
+  State<3> state;
+  state.packing.law.normal = HertzRepulsion{70.0, 0.3};
+  state.packing.cell.matrix *= 5.0;
+  state.packing.grains = Grains<3>::with_size(3);
+  state.packing.grains.radius.assign(3, 0.5);
+  state.packing.grains.mass.assign(3, 1.0);
+  state.packing.grains.position = {Vec<3>(1.0, 1.0, 1.0), Vec<3>(1.93, 1.0, 1.0), Vec<3>(1.0, 1.99, 1.0)};
+  find_contacts(state.packing);
+  write_state(scratch.file("deep.h5"), state);
+  const Outcome warned = run_floc("info deep.h5", scratch.path());
+  EXPECT_EQ(warned.code, 0) << warned.err;
+  EXPECT_THAT(warned.err, testing::HasSubstr("deep.h5: warning: 50 % of the contacts overlap by more than"));
+
+  state.packing.grains.position[2][1] = 1.9;
+  find_contacts(state.packing);
+  write_state(scratch.file("deeper.h5"), state);
+  const Outcome refused = run_floc("info deeper.h5", scratch.path());
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, testing::HasSubstr("contacts overlap by 0.17 of a radius in the mean"));
 }
 
 struct BadBeads {

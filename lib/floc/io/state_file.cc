@@ -17,6 +17,7 @@
 #include "floc/io/sealed_bytes.h"
 #include "floc/io/state_archive.h"
 #include "floc/io/state_layout.h"
+#include "floc/packing/overlaps.h"
 #include "floc/packing/require_periodic.h"
 
 namespace floc {
@@ -289,6 +290,8 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   check_contacts(file, packing);
   packing.law = read_law(file);
   if (packing.law.twisting) describe_twisting(archive, packing.contacts);
+  // A packing that is stopped in its motion may be on the way out of what it cannot stay in.
+  if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);
   read_memory(archive, version, packing);
   read_equilibrium(file, archive, s);
   read_directed_load(file, archive, s);

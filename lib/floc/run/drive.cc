@@ -1,8 +1,12 @@
 #include "floc/run/drive.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <optional>
 #include <utility>
+
+#include "floc/packing/overlaps.h"
 
 namespace floc {
 namespace {
@@ -37,6 +41,8 @@ class Driver {
   void save() {
     const double seconds = seconds_since(step_began_);
     const State<Dim> state = run_.state();
+    require_small_overlaps(fmt::format("step {}, P = {:.4g}", state.path.step, state.target_stress.mean()),
+                           state.packing);
     if (table_ != nullptr) table_->finish_step(run_);
     // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
     if (table_ != nullptr) table_->write();

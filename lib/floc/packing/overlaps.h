@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Overlap of two spheres, over the smaller radius, up to which Hertz' contact is meant: beyond it the circle of
+/// contact is a third of the radius, and neighbours of a sphere feel each other.
+inline constexpr double kDeepOverlap = 0.1;
+
+/// How deep the contacts that touch are, over the smaller radius of each.
+struct Overlaps {
+  double mean = 0.0;
+  double largest = 0.0;
+  double deep_share = 0.0;  ///< of the contacts, beyond kDeepOverlap
+};
+
+template <int Dim>
+Overlaps measure_overlaps(const Packing<Dim>& packing);
+
+/// What is to be said of a packing under a law for small overlaps some contacts of which are deeper; empty
+/// where there is nothing to be said.
+template <int Dim>
+std::string overlap_warning(const Packing<Dim>& packing);
+
+/// @throws InputError at `place` if the law is for small overlaps and the mean of all is beyond kDeepOverlap
+template <int Dim>
+void require_small_overlaps(const std::string& place, const Packing<Dim>& packing);
+
+}  // namespace floc

@@ -1,0 +1,59 @@
+#include "floc/packing/overlaps.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+/// A large sphere that touches small ones of radius 1, with these overlaps.
+Packing<3> spheres_with(const std::vector<double>& overlaps) {
+  Packing<3> packing;
+  packing.law.normal = HertzRepulsion{1.0, 0.3};
+  packing.grains = Grains<3>::with_size(static_cast<int>(overlaps.size()) + 1);
+  packing.grains.radius.assign(overlaps.size() + 1, 1.0);
+  packing.grains.radius[0] = 5.0;
+  for (std::size_t k = 0; k < overlaps.size(); ++k) {
+    packing.contacts.emplace_back();
+    packing.contacts.back().j = static_cast<int>(k) + 1;
+    packing.contacts.back().gap = -overlaps[k];
+  }
+  return packing;
+}
+
+TEST(Overlaps, AreMeasuredOverTheSmallerRadius) {
+  const Overlaps found = measure_overlaps(spheres_with({0.01, 0.05, 0.11, 0.03}));
+  EXPECT_NEAR(found.mean, 0.05, 1e-15);
+  EXPECT_EQ(found.largest, 0.11);
+  EXPECT_EQ(found.deep_share, 0.25);
+  EXPECT_EQ(measure_overlaps(spheres_with({})).mean, 0.0);
+}
+
+TEST(Overlaps, BeyondATenthAreWarnedOfWithTheirShare) {
+  EXPECT_EQ(overlap_warning(spheres_with({0.01, 0.1})), "");
+  EXPECT_THAT(overlap_warning(spheres_with({0.01, 0.05, 0.12, 0.03})),
+              testing::StartsWith("25 % of the contacts overlap by more than a tenth of a radius, the deepest "
+                                  "by 0.12 of it"));
+}
+
+TEST(Overlaps, AreRefusedWhereTheirMeanIsBeyondATenth) {
+  require_small_overlaps("here", spheres_with({0.01, 0.19}));
+  try {
+    require_small_overlaps("here", spheres_with({0.02, 0.2}));
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("here: contacts overlap by 0.11 of a radius in the mean"));
+  }
+}
+
+TEST(Overlaps, AreNoMatterOfALinearLaw) {
+  Packing<3> packing = spheres_with({0.5});
+  packing.law.normal = LinearRepulsion{1.0};
+  EXPECT_EQ(overlap_warning(packing), "");
+  require_small_overlaps("here", packing);
+}
+
+}  // namespace
+}  // namespace floc

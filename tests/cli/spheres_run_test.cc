@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "floc/io/state_file.h"
@@ -155,6 +156,15 @@ TEST_P(SpheresRefusal, NamesWhatWasExpected) {
   const Outcome check = run_floc("scene check bad.toml", scratch.path());
   EXPECT_NE(check.code, 0);
   EXPECT_THAT(check.err + check.out, testing::HasSubstr(GetParam().words));
+}
+
+TEST(SpheresScene, SaysOfAModelThatDoesNotFitThatAlone) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("bad.toml"), with(beads(), "law = \"mindlin\"", "law = \"coulomb\""));
+  const Outcome check = run_floc("scene check bad.toml", scratch.path());
+  EXPECT_EQ(check.code, 4);
+  EXPECT_THAT(check.err, testing::HasSubstr("it follows from Poisson's ratio"));
+  EXPECT_EQ(std::count(check.err.begin(), check.err.end(), '\n'), 1) << check.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -97,10 +97,11 @@ void write_law(Hdf5Writer& file, const LawParameters& law) {
   for (const DeclaredSlot& slot : declared_slots()) write_slot(file, slot, parameters);
 }
 
-LawParameters read_law(const Hdf5Reader& file) {
+LawParameters read_law(const Hdf5Reader& file, int dimension) {
   LawParameters law;
   for (const DeclaredSlot& slot : declared_slots()) read_slot(file, slot, law);
-  const std::vector<std::string> faults = law.validate();
+  std::vector<std::string> faults = law.validate();
+  for (LawFault& fault : law.faults_in_dimension(dimension)) faults.push_back(std::move(fault.words));
   if (!faults.empty()) throw InputError(file.place(kGroup), fmt::format("{}", fmt::join(faults, "; ")));
   return law;
 }

@@ -39,9 +39,18 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// The model that the keys given for a slot describe: one that has all of them and lacks none of its numbers,
-/// else one that has all of them, so that what is missing can be said.
-const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given) {
+/// Whether a model goes together with the slots that a law has.
+bool fits(const DeclaredModel& model, LawParameters law) {
+  const std::size_t n_faults = law.faults_between_slots().size();
+  model.choose(law);
+  return law.faults_between_slots().size() <= n_faults;
+}
+
+/// The model that the keys given for a slot describe: of those that have all of them one that goes together with
+/// the slots before it, and of these one that lacks none of its numbers; else one that comes closest, so that
+/// what is wrong can be said.
+const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given,
+                                     const LawParameters& before) {
   const auto has_all = [&](const DeclaredModel& m) {
     return std::all_of(given.begin(), given.end(), [&](const std::string& key) { return has_key(m, key); });
   };
@@ -50,11 +59,12 @@ const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector
       return std::find(given.begin(), given.end(), n.key) != given.end();
     });
   };
-  for (const DeclaredModel& m : slot.models)
-    if (has_all(m) && lacks_none(m)) return m;
-  for (const DeclaredModel& m : slot.models)
-    if (has_all(m)) return m;
-  return slot.models.front();
+  const auto closeness = [&](const DeclaredModel& m) {
+    return has_all(m) ? 1 + 2 * fits(m, before) + lacks_none(m) : 0;
+  };
+  return *std::max_element(
+      slot.models.begin(), slot.models.end(),
+      [&](const DeclaredModel& a, const DeclaredModel& b) { return closeness(a) < closeness(b); });
 }
 
 class LawText {
@@ -113,12 +123,12 @@ int keyword_index(const std::string& place, const LawText& given, const std::str
 }
 
 const DeclaredModel& model_given(const std::string& place, const LawText& given, const DeclaredSlot& slot,
-                                 const std::vector<std::string>& keys) {
+                                 const std::vector<std::string>& keys, const LawParameters& before) {
   const std::string name = slot.key + "." + kLaw;
-  if (!given.has(name)) return described_model(slot, keys);
   std::vector<std::string> keywords;
   for (const DeclaredModel& m : slot.models) keywords.push_back(m.keyword);
-  const DeclaredModel& model = slot.models[keyword_index(place, given, name, keywords)];
+  const DeclaredModel& model = given.has(name) ? slot.models[keyword_index(place, given, name, keywords)]
+                                               : described_model(slot, keys, before);
   for (const std::string& key : keys)
     if (!has_key(model, key))
       throw InputError(place,
@@ -129,7 +139,7 @@ const DeclaredModel& model_given(const std::string& place, const LawText& given,
 void read_slot(const std::string& place, const LawText& given, const DeclaredSlot& slot, LawParameters& law) {
   const std::vector<std::string> keys = given.keys_of(slot.key);
   if (slot.optional && keys.empty() && !given.has(slot.key + "." + kLaw)) return;
-  const DeclaredModel& model = model_given(place, given, slot, keys);
+  const DeclaredModel& model = model_given(place, given, slot, keys, law);
   model.choose(law);
   for (const LawNumber& n : numbers_of(law))
     if (n.key.starts_with(slot.key + ".")) *n.value = given.number(n.key);
@@ -145,29 +155,27 @@ LawParameters parse_law(const std::string& place, const std::string& text) {
   const LawText given(place, text);
   LawParameters law;
   for (const DeclaredSlot& slot : declared_slots()) read_slot(place, given, slot, law);
-  // A coefficient alone is friction of elastic spheres, or lacks its stiffness.
-  if (law.friction.holds<MindlinFriction>() && !law.stiffness_varies())
-    (void)given.number("friction.stiffness");
   const std::vector<std::string> faults = law.validate();
   if (!faults.empty()) throw InputError(place, fmt::format("{}", fmt::join(faults, "; ")));
   return law;
 }
 
 std::string law_text(const LawParameters& law) {
-  LawParameters parameters = law;
+  LawParameters parameters = law, before;
   std::vector<std::string> said;
   for (const DeclaredSlot& slot : declared_slots()) {
     const int present = slot.present(law);
     if (present < 0) continue;
     std::vector<std::string> keys;
     for (const DeclaredNumber& n : slot.models[present].numbers) keys.push_back(n.key);
-    if (&described_model(slot, keys) != &slot.models[present])
+    if (&described_model(slot, keys, before) != &slot.models[present])
       said.push_back(fmt::format("{}.{}={}", slot.key, kLaw, slot.models[present].keyword));
     for (const LawNumber& n : numbers_of(parameters))
       if (n.key.starts_with(slot.key + ".")) said.push_back(fmt::format("{}={}", n.key, *n.value));
     for (const LawChoice& c : choices_of(law))
       if (c.key.starts_with(slot.key + ".") && c.chosen != 0)
         said.push_back(fmt::format("{}={}", c.key, c.declared->keywords[c.chosen]));
+    slot.models[present].choose(before);
   }
   return fmt::format("{}", fmt::join(said, ", "));
 }

@@ -288,7 +288,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   packing.contacts.resize(counted_rows(file, "contacts/id1"));
   describe_contacts<Dim>(archive, packing.contacts);
   check_contacts(file, packing);
-  packing.law = read_law(file);
+  packing.law = read_law(file, Dim);
   if (packing.law.twisting) describe_twisting(archive, packing.contacts);
   // A packing that is stopped in its motion may be on the way out of what it cannot stay in.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);

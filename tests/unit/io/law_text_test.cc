@@ -24,6 +24,18 @@ TEST(LawText, GivesBackEveryLawItWrites) {
   EXPECT_EQ(parse_law("", law_text(law)), law);
 }
 
+/// A coefficient is all that friction of elastic spheres has, and lacks a stiffness where contacts are linear.
+TEST(LawText, KnowsAModelByItsNumbersAndByWhatItGoesWith) {
+  LawParameters law;
+  law.normal = HertzRepulsion{70.0, 0.3};
+  law.friction = MindlinFriction{0.3};
+  law.damping = CriticalDamping{0.5};
+  EXPECT_EQ(law_text(law),
+            "normal.modulus=70, normal.poisson=0.3, damping.critical_fraction=0.5, friction.coefficient=0.3");
+  EXPECT_EQ(parse_law("", law_text(law)), law);
+  EXPECT_EQ(parse_law("", "friction.law=mindlin, " + law_text(law)), law);
+}
+
 TEST(LawText, NamesWhatIsWrongAndWhatWasExpected) {
   const auto refusal = [](const std::string& text) { return [text] { parse_law("--law", text); }; };
   EXPECT_THAT(refusal(""), ThrowsMessage<InputError>(HasSubstr("--law: normal.stiffness is missing")));
@@ -38,6 +50,10 @@ TEST(LawText, NamesWhatIsWrongAndWhatWasExpected) {
               ThrowsMessage<InputError>(HasSubstr("given twice")));
   EXPECT_THAT(refusal("normal.stiffness=1,friction.coefficient=0.5"),
               ThrowsMessage<InputError>(HasSubstr("friction.stiffness is missing")));
+  EXPECT_THAT(refusal("normal.modulus=1,normal.poisson=0.3,friction.coefficient=0.5,friction.stiffness=1"),
+              ThrowsMessage<InputError>(HasSubstr("friction.stiffness: under contact.normal.law = \"hertz\"")));
+  EXPECT_THAT(refusal("normal.stiffness=1,normal.modulus=1"),
+              ThrowsMessage<InputError>(HasSubstr("normal.modulus: normal.law = linear has no such number")));
   EXPECT_THAT(refusal("normal.stiffness=1,adhesion.range=0.1"),
               ThrowsMessage<InputError>(HasSubstr("adhesion.force is missing")));
   EXPECT_THAT(refusal("normal.stiffness=1,damping.restitution=0.5,damping.mass=heavy"),

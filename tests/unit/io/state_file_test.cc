@@ -128,6 +128,41 @@ TYPED_TEST(StateFile, HoldsAPackingWithoutContactsOrPhysicsInItsSlots) {
   EXPECT_EQ(back.residuals.force, s.residuals.force);
 }
 
+/// Two glass beads that overlap by this share of their radius.
+State<3> pressed_beads(double overlap) {
+  State<3> s = busy_state<3>();
+  s.packing.law = LawParameters{};
+  s.packing.law.normal = HertzRepulsion{70.0, 0.3};
+  s.packing.contacts.resize(1);
+  s.packing.contacts[0] = Contact<3>{};
+  s.packing.contacts[0].j = 1;
+  s.packing.contacts[0].gap = -overlap * s.packing.grains.radius[1];
+  return s;
+}
+
+/// What the reader says of a state, empty if it takes it.
+template <int Dim>
+std::string refusal_of(const State<Dim>& state, const std::string& progress = "") {
+  const ScratchDirectory scratch;
+  write_state(scratch.file("s.h5"), state, progress);
+  return refusal(scratch.file("s.h5"));
+}
+
+TEST(StateFile, OfBeadsThatOverlapTooMuchIsRefusedUnlessTheyMove) {
+  EXPECT_EQ(refusal_of(pressed_beads(0.09)), "");
+  EXPECT_THAT(refusal_of(pressed_beads(0.2)),
+              HasSubstr("contacts/gap: contacts overlap by 0.2 of a radius in the mean"));
+  EXPECT_EQ(refusal_of(pressed_beads(0.2), "in motion"), "");
+}
+
+TEST(StateFile, OfDisksUnderALawOfSpheresIsRefused) {
+  State<2> s = busy_state<2>();
+  s.packing.contacts.clear();
+  s.packing.law = LawParameters{};
+  s.packing.law.normal = HertzRepulsion{70.0, 0.3};
+  EXPECT_THAT(refusal_of(s), HasSubstr("contact.normal.law = \"hertz\": is for spheres"));
+}
+
 TEST(Checkpoint, CarriesItsProgressBesideTheState) {
   const ScratchDirectory scratch;
   write_state(scratch.file("c.h5"), busy_state<2>(), "{\"step\": 3}");

@@ -46,6 +46,7 @@ struct DrawArguments {
 
 Shown shown_by(const DrawArguments& arguments) {
   if (arguments.forces == "particle-pressure") return Shown::particle_pressure;
+  if (arguments.forces == "phases") return Shown::phases;
   if (arguments.forces == "none") return Shown::grains;
   if (arguments.forces == "equilibrium") return Shown::equilibrium;
   return arguments.step == "isotropic" ? Shown::isotropic_step : Shown::deviatoric_step;
@@ -269,8 +270,9 @@ Command add_draw(CommandLine program) {
       app.add_option("--forces", arguments->forces,
                      "equilibrium; increment: what a small step of stress adds, the contacts that hold 95 % "
                      "of its energy "
-                     "in colour; particle-pressure: colour of the grains; or none [equilibrium]")
-          .one_of({"equilibrium", "increment", "particle-pressure", "none"});
+                     "in colour; particle-pressure: colour of the grains; phases: grains of positive and of "
+                     "negative pressure and the bonds within either phase; or none [equilibrium]")
+          .one_of({"equilibrium", "increment", "particle-pressure", "phases", "none"});
   app.add_option("--step", arguments->step, "of --forces increment: isotropic or deviatoric [isotropic]")
       .one_of({"isotropic", "deviatoric"});
   app.add_option(

@@ -20,6 +20,7 @@
 #include "floc/structure/force_moments.h"
 #include "floc/structure/particle_stress.h"
 #include "floc/structure/pressure_phases.h"
+#include "network_bonds.h"
 #include "output.h"
 #include "repeated_warnings.h"
 
@@ -36,6 +37,7 @@ struct NetworkCommand {
   std::string unit = "mean";
   double bin_width = 0.1;
   std::string pressures;  ///< file for the particle stresses; empty: none
+  BondArguments bonds;
   std::string format;
 };
 
@@ -58,6 +60,7 @@ struct NetworkRow {
   double energy;
   std::optional<double> contact_pressure;
   double stress_spread;
+  BondRow bonds;
   double seconds;
 };
 
@@ -69,6 +72,7 @@ struct SideTables {
   Table distributions{{"file", "kind", "unit_force", "low", "high", "count", "n", "density"}, {}};
   Table pressures;
   Pooled pooled;
+  BondTables bonds;
 };
 
 /// The force-carrying structure: what it is like, and its degree of hyperstaticity.
@@ -123,12 +127,16 @@ void add_distribution(const std::string& file, ForceKind kind, const ForceDistri
 template <int Dim>
 void add_distributions(const std::string& file, const Packing<Dim>& packing, const NetworkCommand& command,
                        SideTables& side) {
-  const ForceUnit unit = command.unit == "F0" ? ForceUnit::pull_off : ForceUnit::mean;
+  const ForceUnit unit = command.unit == "F0"  ? ForceUnit::pull_off
+                         : command.unit == "P" ? ForceUnit::pressure
+                                               : ForceUnit::mean;
   for (const ForceKind kind : kKinds) {
     const ForceDistribution d = force_distribution(packing, kind, unit, command.bin_width);
     if (d.n == 0 && kind == ForceKind::normal)
       warn(file, fmt::format("no force to measure normal forces in: {}",
-                             unit == ForceUnit::mean ? "all are zero" : "F0 = 0, take --unit mean"));
+                             unit == ForceUnit::mean       ? "all are zero"
+                             : unit == ForceUnit::pressure ? "P is not positive, take --unit mean"
+                                                           : "F0 = 0, take --unit mean"));
     add_distribution(file, kind, d, side.distributions);
     side.pooled[kind].add(d);
   }
@@ -178,6 +186,8 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   row.phases = pressure_phases(contact_network(packing), pressure);
   add_mechanics(state, command, tolerance, row);
   add_contacts_and_stress(packing, row);
+  row.bonds = bond_row(file, packing, pressure, tolerance * force_scale(packing, state.target_stress).force,
+                       command.bonds, side.bonds);
   if (!command.distributions.empty()) add_distributions(file, packing, command, side);
   if (!command.pressures.empty()) add_pressures(file, packing, stress, side.pressures);
   row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -283,9 +293,12 @@ int run_network(const NetworkCommand& command) {
       add_distribution("pooled", kind, distribution, side.distributions);
   if (!command.distributions.empty()) write_csv(command.distributions, side.distributions);
   if (!command.pressures.empty()) write_csv(command.pressures, side.pressures);
+  write_bond_tables(command.bonds, rows.size(), side.bonds);
   std::vector<Column<NetworkRow>> columns = counted_columns();
   for (const auto& more : {force_columns(), mechanics_columns(), carrying_columns()})
     columns.insert(columns.end(), more.begin(), more.end());
+  for (const auto& [name, value] : bond_columns(command.bonds))
+    columns.emplace_back(name, [value = value](const NetworkRow& r) { return value(r.bonds); });
   print_table(to_table(columns, rows), command.format);
   return code;
 }
@@ -309,11 +322,13 @@ Command add_network(CommandLine program) {
   app.add_option("--pdf", command->distributions,
                  "file for distributions of normal forces (with sign), tangential forces and rolling moments, "
                  "a row a bin");
-  app.add_option("--unit", command->unit, "of these: mean (of the sizes of their kind) or F0 (moments F0 a)")
-      .one_of({"mean", "F0"})
+  app.add_option("--unit", command->unit,
+                 "of these: mean (of the sizes of their kind), F0 (moments F0 a) or P (P a^(d-1))")
+      .one_of({"mean", "F0", "P"})
       .show_default();
   app.add_option("--bin-width", command->bin_width, "of these, in that unit").positive().show_default();
   app.add_option("--particle-stress", command->pressures, "file for the pressure and stress of each grain");
+  add_bond_options(app, command->bonds);
   add_format_option(app, command->format);
   return {app, [command] { return run_network(*command); }};
 }

@@ -186,6 +186,27 @@ Made forces(const PlotArguments& arguments) {
   return made;
 }
 
+Made pressures(const PlotArguments& arguments) {
+  Made made;
+  std::vector<PressureSample> samples;
+  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any) {
+    PressureSample sample = std::visit(
+        [&](const auto& state) {
+          const double zero = state.tolerance.force * force_scale(state.packing, state.target_stress).force;
+          return pressure_sample(file, name_of_state(any), state.packing, zero);
+        },
+        any);
+    if (!samples.empty() && samples.front().over_adhesion != sample.over_adhesion)
+      throw InputError(file,
+                       "has particle pressures over another unit than the states before it: some have "
+                       "adhesion, others none");
+    samples.push_back(std::move(sample));
+    return int{kDone};
+  });
+  if (!samples.empty()) made.plot = pressures_plot(samples);
+  return made;
+}
+
 Made scattering_of_states(const PlotArguments& arguments) {
   Made made;
   std::vector<ScatteringSample> samples;
@@ -206,6 +227,7 @@ Made scattering_of_states(const PlotArguments& arguments) {
 
 Made make(const PlotArguments& arguments) {
   if (arguments.show == "forces") return forces(arguments);
+  if (arguments.show == "pressures") return pressures(arguments);
   if (arguments.show == "scattering") return scattering_of_states(arguments);
   if (arguments.show == "moduli") return moduli(arguments);
   if (arguments.show == "coordination") return coordination_of_path(arguments);
@@ -239,18 +261,19 @@ Command add_plot(CommandLine program) {
   app.add_option("-o,--output", arguments->output,
                  "F.svg, F.pdf or F.png; F.dat and F.gp are written beside it")
       .required();
-  app.add_option("--show", arguments->show,
-                 "consolidation: 1/Phi against P*, its fit and regimes, unloading and elastic lines; moduli: "
-                 "with their "
-                 "bounds, of states or a table of floc moduli; coordination: by sign of the force; forces: "
-                 "their distributions, "
-                 "of states; scattering: I(k) of states, and its fit "
-                 "[forces for state files, otherwise consolidation]")
-      .one_of({"consolidation", "moduli", "coordination", "forces", "scattering"});
+  app.add_option(
+         "--show", arguments->show,
+         "consolidation: 1/Phi against P*, its fit and regimes, unloading and elastic lines; moduli: "
+         "with their "
+         "bounds, of states or a table of floc moduli; coordination: by sign of the force; forces: "
+         "their distributions, "
+         "of states; pressures: distributions of particle pressures; scattering: I(k) of states, and its fit "
+         "[forces for state files, otherwise consolidation]")
+      .one_of({"consolidation", "moduli", "coordination", "forces", "pressures", "scattering"});
   app.add_option(
          "--steps", arguments->steps,
          "K,...: states of a directory, for forces [at the lowest pressure of loading, half way up, at the "
-         "highest] and scattering [three, from the first to the last]")
+         "highest], pressures and scattering [three, from the first to the last]")
       .delimiter(',')
       .non_negative();
   app.add_option("--kind", arguments->kind, "of forces: normal, tangential or rolling [normal]")

@@ -57,6 +57,9 @@ PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state,
     case Shown::particle_pressure:
       picture = grain_pressures(state.packing, state.target_stress.mean());
       break;
+    case Shown::phases:
+      picture = pressure_phases_of(state.packing, zero_force_of(state));
+      break;
     case Shown::grains:
       picture = grains_of(state.packing);
       break;

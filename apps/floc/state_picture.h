@@ -13,6 +13,7 @@ enum class Shown {
   isotropic_step,     ///< what a small step of pressure adds to them
   deviatoric_step,    ///< what a small step of sigma_1 - sigma_2 adds
   particle_pressure,  ///< as the colour of the grains
+  phases,             ///< grains under pressure and under tension, and the bonds within either kind
   grains,             ///< nothing but grains
 };
 

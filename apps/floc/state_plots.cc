@@ -9,10 +9,14 @@
 #include <numbers>
 
 #include "floc/base/error.h"
+#include "floc/fitting/cut_exponential.h"
 #include "floc/fitting/force_distribution.h"
 #include "floc/fitting/scattering_fit.h"
+#include "floc/network/rattlers.h"
+#include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/picture/drawn_scale.h"
+#include "floc/structure/particle_stress.h"
 #include "floc/structure/scattering.h"
 #include "plot_command.h"
 
@@ -56,6 +60,32 @@ void add_tail(const std::vector<double>& forces, double sign, std::vector<std::v
     rows.push_back({sign * f, at_threshold * std::exp(-(f - fit.mean) / f0)});
 }
 
+/// Rows of a histogram: value, density, about its 68 % interval, count.
+std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
+  std::vector<std::vector<double>> rows;
+  for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
+    if (d.counts[b] > 0) {
+      // About the 68 % interval of a mean of which n were counted.
+      const auto n = static_cast<double>(d.counts[b]);
+      const double half = std::sqrt(n + 0.25), density = d.density(b) / n;
+      rows.push_back({d.middle(b), n * density, (n + 0.5 - half) * density, (n + 0.5 + half) * density, n});
+    }
+  return rows;
+}
+
+/// The exponential of one sign from zero on: its share of all values times b exp(-b |p|).
+void add_exponential(const std::vector<double>& values, double sign, std::vector<std::vector<double>>& rows) {
+  std::vector<double> sizes;
+  for (const double x : values)
+    if (sign * x > 0.0) sizes.push_back(sign * x);
+  const ExponentEstimate fit = fit_exponent({cut_sample(sizes, 0.0, std::numeric_limits<double>::infinity())});
+  if (!fit.found) return;
+  const double share = static_cast<double>(sizes.size()) / static_cast<double>(values.size());
+  if (!rows.empty()) rows.push_back({std::nan(""), std::nan("")});
+  for (const double x : {0.0, *std::max_element(sizes.begin(), sizes.end())})
+    rows.push_back({sign * x, share * fit.b * std::exp(-fit.b * x)});
+}
+
 std::string symbol_of(ForceKind kind) {
   return kind == ForceKind::normal ? "F_N" : kind == ForceKind::tangential ? "|F_T|" : "|Γ|";
 }
@@ -76,16 +106,16 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
 
 namespace {
 
-/// Lowest and highest force shown, so that all curves are seen: each holds 99 % of its forces, unless that takes
+/// Lowest and highest value shown, so that all curves are seen: each holds 99 % of its values, unless that takes
 /// more than three times the width of the narrowest, which it would press into a spike.
-std::pair<double, double> shown_forces(const std::vector<ForceSample>& samples) {
+/// @param samples  the values of each curve
+std::pair<double, double> shown_values(std::vector<std::vector<double>> samples) {
   constexpr double kLeftOut = 0.005, kWidest = 3.0;
   std::vector<std::pair<double, double>> held;
-  for (const ForceSample& sample : samples) {
-    std::vector<double> forces = sample.forces;
-    std::sort(forces.begin(), forces.end());
-    const auto at = [&forces](double share) {
-      return forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))];
+  for (std::vector<double>& values : samples) {
+    std::sort(values.begin(), values.end());
+    const auto at = [&values](double share) {
+      return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
     };
     held.emplace_back(std::min(0.0, at(kLeftOut)), std::max(0.0, at(1.0 - kLeftOut)));
   }
@@ -101,17 +131,17 @@ std::pair<double, double> shown_forces(const std::vector<ForceSample>& samples) 
   return {shown.first < 0.0 ? shown.first - margin : 0.0, shown.second + margin};
 }
 
-/// Name of a sample in the legend, with the number of its forces beyond the axis.
-std::string name_in_legend(const ForceSample& sample, const std::pair<double, double>& shown) {
+/// Name of a sample in the legend, with the number of its values beyond the axis. @param what  they are
+std::string name_in_legend(const std::string& name, const std::vector<double>& values, const char* what,
+                           const std::pair<double, double>& shown) {
   const auto n =
-      std::ranges::count_if(sample.forces, [&shown](double f) { return f < shown.first || f > shown.second; });
-  return n == 0 ? sample.name
-                : fmt::format("{} ({} of {} forces not shown)", sample.name, n, sample.forces.size());
+      std::ranges::count_if(values, [&shown](double f) { return f < shown.first || f > shown.second; });
+  return n == 0 ? name : fmt::format("{} ({} of {} {} not shown)", name, n, values.size(), what);
 }
 
-/// Axes that hold the points between the forces shown, tails cut where they leave them.
-std::string force_axes(const Plot& plot, const std::vector<int>& points,
-                       const std::pair<double, double>& shown) {
+/// Axes that hold the points between the values shown, tails cut where they leave them.
+std::string density_axes(const Plot& plot, const std::vector<int>& points,
+                         const std::pair<double, double>& shown) {
   double low = std::numeric_limits<double>::infinity(), high = 0.0;
   for (const int b : points)
     for (const auto& row : plot.blocks[static_cast<std::size_t>(b)].rows)
@@ -129,25 +159,22 @@ Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceU
   Plot plot;
   std::vector<Curve> curves, tails;
   std::vector<int> all;
-  const std::pair<double, double> shown = shown_forces(samples);
+  std::vector<std::vector<double>> forces;
+  for (const ForceSample& sample : samples) forces.push_back(sample.forces);
+  const std::pair<double, double> shown = shown_values(std::move(forces));
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const ForceDistribution& d = samples[s].distribution;
-    std::vector<std::vector<double>> rows, tail;
-    for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
-      if (d.counts[b] > 0) {
-        // About the 68 % interval of a mean of which n were counted.
-        const auto n = static_cast<double>(d.counts[b]);
-        const double half = std::sqrt(n + 0.25), density = d.density(b) / n;
-        rows.push_back({d.middle(b), n * density, (n + 0.5 - half) * density, (n + 0.5 + half) * density, n});
-      }
+    std::vector<std::vector<double>> rows = density_rows(d), tail;
     add_tail(samples[s].forces, 1.0, tail);
     if (kind == ForceKind::normal) add_tail(samples[s].forces, -1.0, tail);
     const std::size_t color = s % 6 + 1;
     all.push_back(plot.add(samples[s].name + ": force density low high count", std::move(rows)));
     curves.push_back(
-        {all.back(), fmt::format("using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb "
-                                 "color[{}] title {}",
-                                 color, gnuplot_quoted(name_in_legend(samples[s], shown)))});
+        {all.back(),
+         fmt::format("using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb "
+                     "color[{}] title {}",
+                     color,
+                     gnuplot_quoted(name_in_legend(samples[s].name, samples[s].forces, "forces", shown)))});
     const bool named = tail.empty() || !tails.empty();
     const int lines = plot.add(samples[s].name + ": exponential tails: force density", std::move(tail));
     if (plot.blocks.back().rows.empty()) continue;
@@ -168,9 +195,72 @@ set xlabel {xlabel}
 set ylabel 'probability density'
 set key top right
 {colors}{curves})",
-                            fmt::arg("axes", force_axes(plot, all, shown)),
+                            fmt::arg("axes", density_axes(plot, all, shown)),
                             fmt::arg("xlabel", gnuplot_quoted(symbol_of(kind) + " / " + scale)),
                             fmt::arg("colors", kColors), fmt::arg("curves", plot_command(plot, curves)));
+  return plot;
+}
+
+template <int Dim>
+PressureSample pressure_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
+                               double zero_force) {
+  PressureSample sample{name, {}, packing.law.pull_off_force() > 0.0};
+  const std::vector<bool> rattler = find_rattlers(packing, zero_force);
+  const std::vector<double> pressure = particle_pressure(packing);
+  double diameter = 0.0;
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    diameter += 2.0 * packing.grains.radius[i] / static_cast<double>(pressure.size());
+    if (!rattler[i]) sample.pressures.push_back(pressure[i]);
+  }
+  const double unit = sample.over_adhesion ? packing.law.pull_off_force() / std::pow(diameter, Dim - 1)
+                                           : static_stress(packing).trace() / Dim;
+  if (sample.pressures.empty() || !(unit > 0.0))
+    throw InputError(place,
+                     "has no particle pressures to plot: no grain is held, or there is neither adhesion nor "
+                     "a pressure to measure them in");
+  for (double& p : sample.pressures) p /= unit;
+  return sample;
+}
+
+Plot pressures_plot(const std::vector<PressureSample>& samples) {
+  Plot plot;
+  std::vector<Curve> curves, laws;
+  std::vector<int> all;
+  std::vector<std::vector<double>> pressures;
+  for (const PressureSample& sample : samples) pressures.push_back(sample.pressures);
+  const std::pair<double, double> shown = shown_values(std::move(pressures));
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const std::vector<double>& p = samples[s].pressures;
+    std::vector<std::vector<double>> law;
+    add_exponential(p, 1.0, law);
+    add_exponential(p, -1.0, law);
+    const std::size_t color = s % 6 + 1;
+    all.push_back(plot.add(samples[s].name + ": pressure density low high count",
+                           density_rows(distribution_of(p, 1.0, bin_width(p)))));
+    curves.push_back(
+        {all.back(),
+         fmt::format("using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb "
+                     "color[{}] title {}",
+                     color, gnuplot_quoted(name_in_legend(samples[s].name, p, "pressures", shown)))});
+    const bool named = law.empty() || !laws.empty();
+    const int lines = plot.add(samples[s].name + ": exponentials: pressure density", std::move(law));
+    if (plot.blocks.back().rows.empty()) continue;
+    laws.push_back({lines, fmt::format("using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] {}", color,
+                                       named ? "notitle" : "title 'exponentials'")});
+  }
+  std::ranges::move(laws, std::back_inserter(curves));
+  plot.script =
+      fmt::format(R"(set logscale y
+set bars 0.4
+{axes}set format y '10^{{%T}}'
+set xlabel {xlabel}
+set ylabel 'probability density'
+set key top right
+{colors}{curves})",
+                  fmt::arg("axes", density_axes(plot, all, shown)),
+                  fmt::arg("xlabel", gnuplot_quoted(samples.front().over_adhesion ? "pressure of a grain / p_0"
+                                                                                  : "pressure of a grain / P")),
+                  fmt::arg("colors", kColors), fmt::arg("curves", plot_command(plot, curves)));
   return plot;
 }
 
@@ -253,6 +343,8 @@ template ForceSample force_sample(const std::string&, const std::string&, const 
                                   ForceUnit);
 template ForceSample force_sample(const std::string&, const std::string&, const Packing<3>&, ForceKind,
                                   ForceUnit);
+template PressureSample pressure_sample(const std::string&, const std::string&, const Packing<2>&, double);
+template PressureSample pressure_sample(const std::string&, const std::string&, const Packing<3>&, double);
 template ScatteringSample scattering_sample(const std::string&, const Packing<2>&);
 template ScatteringSample scattering_sample(const std::string&, const Packing<3>&);
 

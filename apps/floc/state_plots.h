@@ -26,6 +26,24 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
 /// tails of both signs fitted beyond the mean of each.
 Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit);
 
+/// Particle pressures of one state, over F0/<d>^(d-1) or, without adhesion, over the pressure.
+struct PressureSample {
+  std::string name;               ///< in the legend
+  std::vector<double> pressures;  ///< of the grains that are no rattlers
+  bool over_adhesion = true;      ///< what they are over
+};
+
+/// @param zero_force  largest normal force that counts as zero (force)
+/// @throws InputError naming the place where there is nothing to measure pressures in
+template <int Dim>
+PressureSample pressure_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
+                               double zero_force);
+
+/// Probability densities of particle pressures on a logarithmic axis, errors by their counts, with an exponential
+/// of each sign by maximum likelihood.
+/// @pre all samples are over the same, at least one
+Plot pressures_plot(const std::vector<PressureSample>& samples);
+
 /// A state whose scattering is plotted.
 struct ScatteringSample {
   std::string name;

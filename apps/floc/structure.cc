@@ -74,7 +74,9 @@ int run_structure(const StructureCommand& command) {
                                     {&command.gaps, &series.gaps},
                                     {&command.pores, &series.pores},
                                     {&command.map, &series.map},
-                                    {&command.prediction, &series.prediction}})
+                                    {&command.prediction, &series.prediction},
+                                    {&command.porosity, &series.porosity},
+                                    {&command.profile, &series.profile}})
     if (!path->empty()) write_csv(*path, *table);
   print_table(to_table(all_columns(), rows), command.format);
   return code;
@@ -119,6 +121,19 @@ Command add_structure(CommandLine program) {
       .expected(2)
       .between(1, 10000)
       .show_default();
+  app.add_option(
+      "--porosity", command->porosity,
+      "file for the porosity of cubes about the centre of the cell against their size, and of the cell "
+      "itself shrunk about it");
+  app.add_option("--probes", command->n_probes, "sizes of these").between(1, 10000).show_default();
+  app.add_option(
+      "--profile", command->profile,
+      "file for solid fraction, coordination and particle pressure in slices of the cell, a row each");
+  app.add_option("--profile-axis", command->profile_axis,
+                 "lattice vector that the slices follow each other along")
+      .one_of({"x", "y", "z"})
+      .show_default();
+  app.add_option("--slices", command->n_slices, "of a profile").between(1, 100000).show_default();
   add_format_option(app, command->format);
   return {app, [command] { return run_structure(*command); }};
 }

@@ -13,11 +13,14 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/structure/axis_profile.h"
 #include "floc/structure/coordination.h"
 #include "floc/structure/coverage.h"
 #include "floc/structure/gap_coordination.h"
 #include "floc/structure/pair_correlation.h"
+#include "floc/structure/particle_stress.h"
 #include "floc/structure/pores.h"
+#include "floc/structure/porosity_probe.h"
 #include "floc/structure/pushed_rattlers.h"
 #include "floc/structure/voronoi.h"
 #include "repeated_warnings.h"
@@ -205,6 +208,45 @@ void add_gaps(const std::string& file, const State<Dim>& state, Series& series) 
     series.gaps.rows.push_back({file, gaps[k], z[k], pushed[k], scale * (a + gaps[k]) - a});
 }
 
+/// 1/Phi - 1, undefined where there is nothing solid.
+TableValue void_ratio(double solid_fraction) {
+  return solid_fraction > 0.0 ? TableValue{1.0 / solid_fraction - 1.0} : TableValue{};
+}
+
+template <int Dim>
+void add_porosity(const std::string& file, const Packing<Dim>& packing, const StructureCommand& command,
+                  Table& table) {
+  for (const PorosityProbe& probe : porosity_probes(packing, command.n_probes))
+    table.rows.push_back({file, probe.half_side, void_ratio(probe.in_cube), 1.0 - probe.in_cube,
+                          probe.in_cell ? void_ratio(*probe.in_cell) : TableValue{},
+                          probe.in_cell ? TableValue{1.0 - *probe.in_cell} : TableValue{}});
+}
+
+/// Contacts that touch, of each grain; with walls too.
+template <int Dim>
+std::vector<double> contacts_of_each(const Packing<Dim>& packing) {
+  std::vector<double> n(packing.grains.size(), 0.0);
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (c.distant) continue;
+    ++n[c.i];
+    if (!packing.is_wall(c.j)) ++n[c.j];
+  }
+  return n;
+}
+
+template <int Dim>
+void add_profile(const std::string& file, const Packing<Dim>& packing, const StructureCommand& command,
+                 Table& table) {
+  const auto axis = static_cast<int>(std::string("xyz").find(command.profile_axis));
+  if (axis >= Dim) throw InputError(file, "is 2D: --profile-axis is x or y");
+  std::vector<std::vector<double>> values = {contacts_of_each(packing)};
+  if (packing.walls.empty()) values.push_back(particle_pressure(packing));
+  for (const ProfileSlice& s : axis_profile(packing, axis, command.n_slices, values))
+    table.rows.push_back({file, s.low, s.high, s.solid_fraction, void_ratio(s.solid_fraction),
+                          count(s.n_grains), s.mean[0],
+                          s.mean.size() > 1 ? TableValue{s.mean[1]} : TableValue{}});
+}
+
 template <int Dim>
 void add_prediction(const std::string& file, const State<Dim>& state, Series& series) {
   if (std::holds_alternative<std::monostate>(series.affine))
@@ -245,6 +287,8 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
   if (!command.pairs.empty()) add_pairs(file, packing, command, series);
   if (!command.gaps.empty()) add_gaps(file, state, series);
   if (!command.prediction.empty()) add_prediction(file, state, series);
+  if (!command.porosity.empty()) add_porosity(file, packing, command, series.porosity);
+  if (!command.profile.empty()) add_profile(file, packing, command, series.profile);
   row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return row;
 }

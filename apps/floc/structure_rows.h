@@ -19,7 +19,11 @@ struct StructureCommand {
   std::vector<double> fit_range = {0.0, 1.0};  ///< in 2 pi over the largest diameter
   bool average = false;
   std::string intensity, pairs, gaps, pores, map, prediction;  ///< files for series; empty: none
-  double reach = 5.0;                                          ///< of g(r), in largest diameters
+  std::string porosity, profile;                               ///< the same
+  int n_probes = 40;                                           ///< boxes about the centre
+  std::string profile_axis = "z";
+  int n_slices = 20;   ///< of a profile
+  double reach = 5.0;  ///< of g(r), in largest diameters
   std::vector<int> map_size = {32, 32};
   std::string format;
 };
@@ -61,6 +65,8 @@ struct Series {
   Table map{kMapColumns, {}};
   Table prediction{{"reference", "file", "phi", "P", "z", "P_predicted", "z_predicted", "z_pushed_predicted"},
                    {}};
+  Table porosity{{"file", "half_side", "void_ratio", "porosity", "void_ratio_cell", "porosity_cell"}, {}};
+  Table profile{{"file", "low", "high", "phi", "void_ratio", "n_grains", "z", "pressure"}, {}};
   int dimension = 0;                    ///< of the first state
   std::string reference;                ///< file of the first state
   std::optional<double> reference_phi;  ///< its solid fraction

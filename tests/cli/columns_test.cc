@@ -112,9 +112,12 @@ std::vector<std::string> described(const std::string& table) {
 
 TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
   ASSERT_EQ(floc("moduli run/state-0003.h5 --increments i.csv").code, 0);
-  ASSERT_EQ(floc("network run/state-0003.h5 --pdf f.csv --particle-stress g.csv").code, 0);
+  ASSERT_EQ(floc("network run/state-0003.h5 --pdf f.csv --particle-stress g.csv --exponents x.csv "
+                 "--pressure-pdf pp.csv --like-neighbours ln.csv --clusters cl.csv")
+                .code,
+            0);
   ASSERT_EQ(floc("structure run/state-0003.h5 --intensity I.csv --pair-correlation gr.csv --gaps z.csv --pores "
-                 "p.csv --map m.csv --prediction pr.csv")
+                 "p.csv --map m.csv --prediction pr.csv --porosity po.csv --profile sl.csv --profile-axis y")
                 .code,
             0);
   ASSERT_EQ(floc("compare run/state-0003.h5 run/state-0004.h5 --displacements u.csv --contacts c.csv").code, 0);
@@ -122,7 +125,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
   const std::pair<const char*, std::string> tables[] = {
       {"moduli", floc("moduli run/state-0003.h5 --strains full --prestress --rolling-stiffness 1").out},
       {"modes", floc("modes run/state-0003.h5").out},
-      {"network", floc("network run/state-0003.h5").out},
+      {"network", floc("network run/state-0003.h5 --with bonds,phases").out},
       {"structure", floc("structure run/state-0003.h5").out},
       {"compare", floc("compare run/state-0003.h5 run/state-0004.h5").out},
       {"compare of two runs", floc("compare run run").out},
@@ -143,6 +146,12 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       {"moduli --increments", content_of(file("i.csv"))},
       {"network --pdf", content_of(file("f.csv"))},
       {"network --particle-stress", content_of(file("g.csv"))},
+      {"network --exponents", content_of(file("x.csv"))},
+      {"network --pressure-pdf", content_of(file("pp.csv"))},
+      {"network --like-neighbours", content_of(file("ln.csv"))},
+      {"network --clusters", content_of(file("cl.csv"))},
+      {"structure --porosity", content_of(file("po.csv"))},
+      {"structure --profile", content_of(file("sl.csv"))},
       {"structure --intensity", content_of(file("I.csv"))},
       {"structure --pair-correlation", content_of(file("gr.csv"))},
       {"structure --gaps", content_of(file("z.csv"))},

@@ -162,6 +162,33 @@ TEST_F(Structure, ComparesStatesInRescaledDistance) {
   EXPECT_EQ(structure("loose.h5 frames.h5 --prediction p.csv").code, 4);
 }
 
+TEST_F(Structure, PorosityAndProfilesGoToFiles) {
+  State<3> bcc;
+  bcc.packing = crystal_of(body_centred_cubic(), 1.0, 1.0, elastic_law(3.0, 0.0, 0.0));
+  write_state(scratch_.file("bcc.h5"), bcc);
+  const Outcome o =
+      structure("bcc.h5 frames.h5 --porosity e.csv --probes 5 --profile p.csv --profile-axis y --slices 4");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const CsvTable e = table("e.csv"), p = table("p.csv");
+  EXPECT_THAT(e.columns(),
+              ElementsAre("file", "half_side", "void_ratio", "porosity", "void_ratio_cell", "porosity_cell"));
+  ASSERT_EQ(e.n_rows(), 10);
+  // The whole cell, and a cube in the middle of the sphere at its centre.
+  const double phi = std::sqrt(3.0) * std::numbers::pi / 8.0;
+  EXPECT_NEAR(e.number(4, 5), 1.0 - phi, 1e-12);
+  EXPECT_NEAR(e.number(4, 2), 1.0 / phi - 1.0, 1e-12);
+  EXPECT_NEAR(e.number(0, 3), 0.0, 1e-12);
+  EXPECT_THAT(p.columns(),
+              ElementsAre("file", "low", "high", "phi", "void_ratio", "n_grains", "z", "pressure"));
+  ASSERT_EQ(p.n_rows(), 8);
+  double mean = 0.0;
+  for (int r = 0; r < 4; ++r) mean += p.number(r, 3) / 4.0;
+  EXPECT_NEAR(mean, phi, 1e-12);
+  const Outcome flat = structure("frames.h5 --profile p.csv");
+  EXPECT_EQ(flat.code, 4);
+  EXPECT_THAT(flat.err, HasSubstr("frames.h5: is 2D: --profile-axis is x or y"));
+}
+
 TEST_F(Structure, BadInputIsNamedAndTheOthersAreDone) {
   write_text(scratch_.file("bad.h5"), "no state");
   State<2> empty;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/network/components.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/structure/particle_stress.h"
 
 namespace floc {
 namespace {
@@ -40,6 +42,33 @@ ContactLine<Dim> line_of(const Packing<Dim>& packing, const Contact<Dim>& c, Lin
   return {from, from + branch(packing, c), kind, force, c.i, c.j};
 }
 
+template <int Dim>
+double size_of_force(const Contact<Dim>& c, const UnitForce& unit) {
+  return std::hypot(c.normal_force, c.shear_force.norm()) / unit.size;
+}
+
+/// 1 and -1 by the sign of the pressure, 0 of rattlers and of pressures within the tolerance.
+template <int Dim>
+std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& rattler, double zero_force) {
+  const double zero_pressure = zero_force / std::pow(largest_diameter(packing.grains), Dim - 1);
+  std::vector<int> sign;
+  for (const double p : particle_pressure(packing)) {
+    const bool none = rattler[sign.size()] || std::abs(p) <= zero_pressure;
+    sign.push_back(none ? 0 : p > 0.0 ? 1 : -1);
+  }
+  return sign;
+}
+
+/// Gives the grains of the largest connected part a value. @param active  the bonds that join
+template <int Dim>
+void mark_largest(const ContactNetwork<Dim>& network, const Adjacency& of, const std::vector<bool>& active,
+                  double value, std::vector<double>& shade) {
+  std::vector<int> largest;
+  for (Component<Dim>& part : find_components(network, of, active))
+    if (part.grains.size() > largest.size()) largest = std::move(part.grains);
+  for (const int i : largest) shade[i] = value;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -49,8 +78,33 @@ PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& packing, double zero_
   picture.rattler = find_rattlers(packing, zero_force);
   picture.force_unit = unit.name;
   for (const Contact<Dim>& c : packing.contacts)
-    picture.lines.push_back(line_of(packing, c, kind_of(c, zero_force),
-                                    std::hypot(c.normal_force, c.shear_force.norm()) / unit.size));
+    picture.lines.push_back(line_of(packing, c, kind_of(c, zero_force), size_of_force(c, unit)));
+  return picture;
+}
+
+template <int Dim>
+PackingPicture<Dim> pressure_phases_of(const Packing<Dim>& packing, double zero_force) {
+  constexpr double kPale = 0.4;
+  PackingPicture<Dim> picture = grains_of(packing);
+  const UnitForce unit = unit_force_of(packing);
+  picture.force_unit = unit.name;
+  picture.compression_name = "bond of two grains under pressure";
+  picture.tension_name = "bond of two grains under tension";
+  picture.shade.name = "sign of the pressure of a grain, pale outside the largest cluster,";
+  picture.rattler = find_rattlers(packing, zero_force);
+  const std::vector<int> sign = signs_of(packing, picture.rattler, zero_force);
+  for (const int s : sign) picture.shade.value.push_back(kPale * s);
+  const ContactNetwork<Dim> network = contact_network(packing);
+  const Adjacency of = contacts_of_grains(network);
+  for (const int phase : {1, -1}) {
+    const LineKind kind = phase > 0 ? LineKind::compression : LineKind::tension;
+    std::vector<bool> active;
+    for (const Contact<Dim>& c : packing.contacts) {
+      active.push_back(sign[c.i] == phase && sign[c.j] == phase);
+      if (active.back()) picture.lines.push_back(line_of(packing, c, kind, size_of_force(c, unit)));
+    }
+    mark_largest(network, of, active, phase, picture.shade.value);
+  }
   return picture;
 }
 
@@ -79,6 +133,8 @@ PackingPicture<Dim> increment_forces(const Packing<Dim>& packing, const ContactN
 
 template PackingPicture<2> equilibrium_forces(const Packing<2>&, double);
 template PackingPicture<3> equilibrium_forces(const Packing<3>&, double);
+template PackingPicture<2> pressure_phases_of(const Packing<2>&, double);
+template PackingPicture<3> pressure_phases_of(const Packing<3>&, double);
 template PackingPicture<2> increment_forces(const Packing<2>&, const ContactNetwork<2>&,
                                             const StepResponse<2>&);
 template PackingPicture<3> increment_forces(const Packing<3>&, const ContactNetwork<3>&,

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
 
 namespace floc {
@@ -17,10 +18,11 @@ double mean_size(const std::vector<double>& forces) {
   return forces.empty() ? 0.0 : sum / static_cast<double>(forces.size());
 }
 
+/// A unit that does not depend on the forces themselves.
 template <int Dim>
-double pull_off_unit(const Packing<Dim>& packing, ForceKind kind) {
-  const double F0 = packing.law.pull_off_force();
-  return kind == ForceKind::rolling ? F0 * largest_diameter(packing.grains) : F0;
+double given_unit(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit) {
+  const double force = unit == ForceUnit::pull_off ? packing.law.pull_off_force() : pressure_force(packing);
+  return kind == ForceKind::rolling ? force * largest_diameter(packing.grains) : force;
 }
 
 }  // namespace
@@ -70,27 +72,38 @@ void ForceDistribution::add(const ForceDistribution& other) {
   counts = std::move(sum);
 }
 
-template <int Dim>
-ForceDistribution force_distribution(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit,
-                                     double width) {
+ForceDistribution distribution_of(const std::vector<double>& values, double unit, double width) {
   assert(width > 0.0);
   ForceDistribution out;
-  const std::vector<double> forces = contact_forces(packing, kind);
-  out.unit = unit == ForceUnit::mean ? mean_size(forces) : pull_off_unit(packing, kind);
+  out.unit = unit;
   out.width = width;
-  if (forces.empty() || !(out.unit > 0.0)) return out;
-  const auto bin_of = [&](double f) {
-    return static_cast<int>(std::clamp(std::floor(f / (out.unit * width)), -kMaxBins, kMaxBins));
+  if (values.empty() || !(unit > 0.0)) return out;
+  const auto bin_of = [&](double x) {
+    return static_cast<int>(std::clamp(std::floor(x / (unit * width)), -kMaxBins, kMaxBins));
   };
-  const auto [low, high] = std::minmax_element(forces.begin(), forces.end());
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
   out.first = bin_of(*low);
   out.counts.assign(bin_of(*high) - out.first + 1, 0);
-  for (const double f : forces) ++out.counts[bin_of(f) - out.first];
-  out.n = static_cast<std::int64_t>(forces.size());
+  for (const double x : values) ++out.counts[bin_of(x) - out.first];
+  out.n = static_cast<std::int64_t>(values.size());
   return out;
 }
 
+template <int Dim>
+double pressure_force(const Packing<Dim>& packing) {
+  return static_stress(packing).trace() / Dim * std::pow(largest_diameter(packing.grains), Dim - 1);
+}
+
+template <int Dim>
+ForceDistribution force_distribution(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit,
+                                     double width) {
+  const std::vector<double> forces = contact_forces(packing, kind);
+  return distribution_of(forces, unit == ForceUnit::mean ? mean_size(forces) : given_unit(packing, kind, unit),
+                         width);
+}
+
 #define FLOC_INSTANTIATE(Dim)                                                  \
+  template double pressure_force(const Packing<Dim>&);                         \
   template std::vector<double> contact_forces(const Packing<Dim>&, ForceKind); \
   template ForceDistribution force_distribution(const Packing<Dim>&, ForceKind, ForceUnit, double);
 FLOC_INSTANTIATE(2)

@@ -21,6 +21,7 @@ std::string name_of(ForceKind kind);
 enum class ForceUnit {
   pull_off,  ///< F0, moments F0 a with a the largest diameter
   mean,      ///< the mean size of the forces of their own kind
+  pressure,  ///< P a^(Dim-1), moments times a
 };
 
 /// The forces of one kind, an entry a contact in the order of the list (force, or force * length).
@@ -43,9 +44,16 @@ struct ForceDistribution {
   void add(const ForceDistribution& other);
 };
 
+/// The distribution of any values in a unit of theirs. Empty without values, or where the unit is not positive.
+/// @param width  of the bins, in units, > 0   Bins stop at +-1e5 widths; what lies beyond is in the last ones.
+ForceDistribution distribution_of(const std::vector<double>& values, double unit, double width);
+
+/// P a^(Dim-1), with the mean of the normal stresses for P (force); it may be of either sign.
+template <int Dim>
+double pressure_force(const Packing<Dim>& packing);
+
 /// @param width  of the bins, in units, > 0
-/// Empty where the unit vanishes: no adhesion, or no such forces. Bins stop at +-1e5 widths; what lies beyond
-/// is in the last ones.
+/// Empty where the unit vanishes: no adhesion, no pressure, or no such forces.
 template <int Dim>
 ForceDistribution force_distribution(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit, double width);
 

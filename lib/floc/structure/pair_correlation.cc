@@ -16,6 +16,38 @@ double ball(double r) {
   return std::numbers::pi * r * r * (Dim == 2 ? 1.0 : 4.0 / 3.0 * r);
 }
 
+/// Volume of the places no nearer to a wall than `reach`.
+template <int Dim>
+double inner_volume(const Packing<Dim>& packing, double reach) {
+  Vec<Dim> side = packing.cell.matrix.diagonal();
+  double volume = packing.cell.volume();
+  for (int a = 0; a < Dim; ++a)
+    if (between_walls(packing.walls, a)) volume *= std::max(0.0, side[a] - 2.0 * reach) / side[a];
+  return volume;
+}
+
+/// Counts, for each grain far from the walls, those around it. @return how many such grains there are
+template <int Dim>
+int count_away_from_walls(const Packing<Dim>& packing, const Grains<Dim>& points, double reach,
+                          PairCorrelation& out) {
+  std::vector<bool> is_inner(points.size(), true);
+  for (int i = 0; i < points.size(); ++i)
+    for (const Wall<Dim>& wall : packing.walls)
+      is_inner[i] = is_inner[i] && wall.side * (wall.position - points.position[i][wall.axis]) >= reach;
+  const Cell<Dim> cell = search_cell(packing.cell, packing.walls, reach);
+  for (const NeighborPair<Dim>& pair : find_pairs(cell, points, reach)) {
+    const Vec<Dim> r = points.position[pair.j] + cell.shift(pair.image) - points.position[pair.i];
+    const int b = std::min(static_cast<int>(out.g.size()) - 1, static_cast<int>(r.norm() / out.width));
+    out.n_pairs[b] += static_cast<int>(is_inner[pair.i]) + static_cast<int>(is_inner[pair.j]);
+  }
+  return static_cast<int>(std::count(is_inner.begin(), is_inner.end(), true));
+}
+
+template <int Dim>
+double shell(const PairCorrelation& of, int b) {
+  return ball<Dim>((b + 1) * of.width) - ball<Dim>(b * of.width);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -29,14 +61,20 @@ PairCorrelation pair_correlation(const Packing<Dim>& packing, double reach, int 
   if (n == 0) return out;
   Grains<Dim> points = packing.grains;
   std::fill(points.radius.begin(), points.radius.end(), 0.0);
+  if (!packing.walls.empty()) {
+    const double n_inner = count_away_from_walls(packing, points, reach, out);
+    const double inner_density = n_inner / inner_volume(packing, reach);
+    for (int b = 0; b < n_bins && n_inner > 0; ++b)
+      out.g[b] = static_cast<double>(out.n_pairs[b]) / (n_inner * inner_density * shell<Dim>(out, b));
+    return out;
+  }
   for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, points, reach)) {
     const Vec<Dim> r = points.position[pair.j] + packing.cell.shift(pair.image) - points.position[pair.i];
     ++out.n_pairs[std::min(n_bins - 1, static_cast<int>(r.norm() / out.width))];
   }
   const double density = n / packing.cell.volume();
   for (int b = 0; b < n_bins; ++b)
-    out.g[b] = 2.0 * static_cast<double>(out.n_pairs[b]) /
-               (n * density * (ball<Dim>((b + 1) * out.width) - ball<Dim>(b * out.width)));
+    out.g[b] = 2.0 * static_cast<double>(out.n_pairs[b]) / (n * density * shell<Dim>(out, b));
   return out;
 }
 

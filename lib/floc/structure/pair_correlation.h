@@ -9,10 +9,14 @@ namespace floc {
 
 /// Pair correlation g(r) of the centres: pairs at a distance in [b, b + 1) * width over those that N/V of
 /// independent grains would give. All periodic images count, of any lattice and to any distance.
+///
+/// Between walls it is that of the grains no nearer to a wall than the largest distance, which see all neighbours
+/// there are, over what their own number density would give; 0 where there are none.
 struct PairCorrelation {
   double width = 0.0;                 ///< of a bin (length)
   std::vector<double> g;              ///< g(r), bin by bin from r = 0
-  std::vector<std::int64_t> n_pairs;  ///< in each bin; a pair and an image of it are two
+  std::vector<std::int64_t> n_pairs;  ///< in each bin; a pair and an image of it are two. Between walls
+                                      ///< one for each grain of it away from them
 
   double middle(int b) const { return (b + 0.5) * width; }
 };

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "floc/elasticity/moduli.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/tile.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -61,6 +64,36 @@ TEST(EquilibriumForces, WithoutAdhesionAreMeasuredInTheirMean) {
   const PackingPicture<2> picture = equilibrium_forces(packing, 1e-6);
   EXPECT_DOUBLE_EQ(picture.lines[0].force, 10.0 / 6.0);
   EXPECT_EQ(picture.force_unit, "⟨F⟩");
+}
+
+TEST(PressurePhases, BondsWithinThemAreDrawnAndTheLargestPartsAreDark) {
+  // Six columns and four rows of a square lattice with forces along the rows: two rows under pressure, one under
+  // tension, one with a grain under tension among grains that carry nothing.
+  LawParameters law = elastic_law(100.0, 50.0, 0.0);
+  law.adhesion = ConstantAdhesion{2.0};
+  Packing<2> packing = tiled<2>(test::square_frames(2, 1.0, law), {6, 4});
+  const auto row = [&](int i) { return static_cast<int>(std::lround(packing.grains.position[i][1])); };
+  const auto column = [&](int i) { return static_cast<int>(std::lround(packing.grains.position[i][0])); };
+  for (Contact<2>& c : packing.contacts) {
+    const bool lone = row(c.i) == 3 && row(c.j) == 3 && (column(c.i) == 2 && column(c.j) == 3);
+    const bool along = std::abs(c.normal[0]) > 0.5;
+    c.normal_force = !along ? 0.0 : row(c.i) < 2 ? 1.0 : row(c.i) == 2 || lone ? -1.0 : 0.0;
+  }
+  const PackingPicture<2> picture = pressure_phases_of(packing, 1e-6);
+  int n[2] = {};
+  for (const ContactLine<2>& line : picture.lines) {
+    EXPECT_TRUE(line.kind == LineKind::compression || line.kind == LineKind::tension);
+    ++n[line.kind == LineKind::tension];
+  }
+  // Two rows with the bonds across; one row, two grains above it with their bond, and the two across to it.
+  EXPECT_EQ(n[0], 12 + 6);
+  EXPECT_EQ(n[1], 6 + 1 + 2);
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    const bool pulled = row(i) == 2 || (row(i) == 3 && (column(i) == 2 || column(i) == 3));
+    EXPECT_DOUBLE_EQ(picture.shade.value[i], row(i) < 2 ? 1.0 : pulled ? -1.0 : 0.0) << i;
+  }
+  EXPECT_EQ(picture.force_unit, "F₀");
+  EXPECT_DOUBLE_EQ(picture.lines.front().force, 0.5);
 }
 
 TEST(IncrementForces, OfASquareLatticeAreTheStressTimesTheSpacing) {

@@ -66,6 +66,14 @@ TEST(ForceDistribution, WithoutAUnitIsEmpty) {
               IsEmpty());
 }
 
+TEST(ForceDistribution, OfAnyValuesIsInTheirUnit) {
+  const ForceDistribution d = distribution_of({-1.0, 0.5, 0.6, 3.0}, 2.0, 0.25);
+  EXPECT_EQ(d.first, -2);
+  EXPECT_THAT(d.counts, ElementsAre(1, 0, 0, 2, 0, 0, 0, 0, 1));
+  EXPECT_THAT(distribution_of({1.0}, 0.0, 0.25).counts, IsEmpty());
+  EXPECT_THAT(distribution_of({}, 1.0, 0.25).counts, IsEmpty());
+}
+
 TEST(ForceDistribution, OfStatesAddUp) {
   ForceDistribution sum;
   sum.add(force_distribution(with_forces({-1.0, 3.0}, 1.0), ForceKind::normal, ForceUnit::pull_off, 1.0));

@@ -42,6 +42,23 @@ TEST(PairCorrelation, OfIndependentGrainsIsOne) {
     EXPECT_NEAR(found.g[b], 1.0, 4.0 / std::sqrt(static_cast<double>(found.n_pairs[b]))) << b;
 }
 
+TEST(PairCorrelation, BetweenWallsIsThatOfGrainsAwayFromThem) {
+  // A square lattice of 6 x 8 disks between two walls: those of the rows that are 2.5 from either see their shells.
+  Packing<2> packing = tiled<2>(square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0)), {6, 8});
+  for (Vec<2>& x : packing.grains.position) x[1] += 0.5;
+  packing.walls = {{1, -1, 0.0}, {1, 1, 8.0}};
+  const PairCorrelation found = pair_correlation(packing, 2.5, 25);
+  // Rows at 2.5, 3.5, 4.5 and 5.5: 24 grains with 4, 4, 4 and 8 neighbours, and 24 in the volume of 6 x 3.
+  const std::vector<std::pair<int, int>> shells = {{10, 4}, {14, 4}, {20, 4}, {22, 8}};
+  for (const auto& [b, n] : shells) {
+    EXPECT_EQ(found.n_pairs[b], 24 * n) << b;
+    const double ring = std::numbers::pi * 0.01 * (2 * b + 1);
+    EXPECT_NEAR(found.g[b], n / (24.0 / 18.0 * ring), 1e-12) << b;
+  }
+  packing.walls[1].position = 4.0;  // no grain is far enough from both
+  EXPECT_EQ(pair_correlation(packing, 2.5, 25).g[10], 0.0);
+}
+
 TEST(GapCoordination, CountsPairsUpToEachGap) {
   // Disks of diameter 0.9 on a square lattice: 4 neighbours at a gap of 0.1, 4 at sqrt 2 - 0.9, 4 at 1.1.
   Packing<2> packing = square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0));

@@ -1,0 +1,294 @@
+#include "network_bonds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "floc/fitting/cut_exponential.h"
+#include "floc/network/contact_network.h"
+#include "floc/network/rattlers.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/structure/force_distribution.h"
+#include "floc/structure/particle_stress.h"
+#include "output.h"
+
+namespace floc {
+namespace {
+
+constexpr double kEnd = std::numeric_limits<double>::infinity();
+
+template <int Dim>
+double mean_diameter(const Packing<Dim>& packing) {
+  double sum = 0.0;
+  for (const double R : packing.grains.radius) sum += 2.0 * R;
+  return sum / packing.grains.size();
+}
+
+std::vector<double> scaled(std::vector<double> values, double unit) {
+  for (double& x : values) x /= unit;
+  return values;
+}
+
+double mean_size(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double x : values) sum += std::abs(x);
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+/// Values of one quantity in one unit, and where exponents are taken.
+struct Measured {
+  std::string quantity, unit;
+  double unit_size = 0.0;
+  std::vector<double> values;                       ///< in units
+  std::vector<double> from;                         ///< thresholds
+  double end_of_negative = kEnd;                    ///< the largest size a negative value can have
+  std::optional<double> window_plus, window_minus;  ///< ends of windows beside the whole sides
+};
+
+/// Sizes of the values of one sign; zero belongs to neither.
+std::vector<double> sizes_of(const std::vector<double>& values, double sign) {
+  std::vector<double> sizes;
+  for (const double x : values)
+    if (sign * x > 0.0) sizes.push_back(sign * x);
+  return sizes;
+}
+
+/// The samples of a pool have each their own unit.
+TableValue size_or_none(double unit) {
+  return unit > 0.0 ? TableValue{unit} : TableValue{};
+}
+
+void add_exponents(const std::string& file, const Measured& of, Table& table) {
+  const std::vector<double> plus = sizes_of(of.values, 1.0), minus = sizes_of(of.values, -1.0);
+  const auto add = [&](const char* side, double from, double to, const std::vector<CutSample>& windows) {
+    if (!(from < to)) return;
+    const ExponentEstimate fit = fit_exponent(windows);
+    table.rows.push_back({file, of.quantity, of.unit, size_or_none(of.unit_size), std::string(side), from,
+                          std::isinf(to) ? TableValue{} : TableValue{to}, count(fit.n),
+                          fit.found ? TableValue{fit.b} : TableValue{},
+                          fit.found ? TableValue{fit.error} : TableValue{}});
+  };
+  for (const double from : of.from) {
+    const CutSample tail_plus = cut_sample(plus, from, kEnd);
+    const CutSample tail_minus = cut_sample(minus, from, of.end_of_negative);
+    add("+", from, kEnd, {tail_plus});
+    add("-", from, of.end_of_negative, {tail_minus});
+    add("both", from, kEnd, {tail_plus, tail_minus});
+    if (of.window_plus) add("+", from, *of.window_plus, {cut_sample(plus, from, *of.window_plus)});
+    if (of.window_minus) add("-", from, *of.window_minus, {cut_sample(minus, from, *of.window_minus)});
+  }
+}
+
+/// Thresholds and windows of a quantity in a unit, without its values.
+/// @param end_of_negative  in units
+Measured limits_of(const std::string& quantity, const std::string& unit, double near, double end_of_negative) {
+  constexpr double kBeyondTheMiddle = 0.1;
+  Measured out{quantity, unit, 0.0, {}, {0.0, 1.0}, end_of_negative, std::nullopt, std::nullopt};
+  if (unit == "p0") out.from = {0.0, kBeyondTheMiddle};
+  if (unit != "F0") return out;
+  out.from = {0.0};
+  if (near > 0.0) out.from.push_back(near);
+  if (near != kBeyondTheMiddle) out.from.push_back(kBeyondTheMiddle);
+  out.window_plus = 1.5;
+  out.window_minus = 0.5;
+  return out;
+}
+
+/// Forces over F0, over their mean size and over P a^(Dim-1); particle pressures over p0 and over their mean size.
+template <int Dim>
+std::vector<Measured> measured(const Packing<Dim>& packing, const std::vector<double>& pressure,
+                               double unit_pressure, const BondArguments& arguments) {
+  const double F0 = packing.law.pull_off_force();
+  const std::vector<double> forces = contact_forces(packing, ForceKind::normal);
+  std::vector<Measured> all;
+  const auto add = [&](const std::string& quantity, const std::string& unit, double size,
+                       const std::vector<double>& values) {
+    if (!(size > 0.0)) return;
+    const double end = quantity == "force" && F0 > 0.0 ? F0 / size : kEnd;
+    Measured m = limits_of(quantity, unit, arguments.near, end);
+    m.unit_size = size;
+    m.values = scaled(values, size);
+    all.push_back(std::move(m));
+  };
+  add("force", "F0", F0, forces);
+  add("force", "mean", mean_size(forces), forces);
+  add("force", "P", pressure_force(packing), forces);
+  add("pressure", "p0", unit_pressure, pressure);
+  add("pressure", "mean", mean_size(pressure), pressure);
+  return all;
+}
+
+void add_histogram(const std::string& file, const std::vector<double>& pressures, double unit, double width,
+                   Table& table) {
+  const ForceDistribution d = distribution_of(pressures, 1.0, width);
+  for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
+    table.rows.push_back({file, size_or_none(unit), d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b)});
+}
+
+void add_phase_tables(const std::string& file, const PhaseStructure& phases, BondTables& tables) {
+  for (const auto& [name, phase] :
+       {std::pair{std::string("positive"), &phases.positive}, {std::string("negative"), &phases.negative}}) {
+    for (const LikeNeighbourBin& bin : phase->by_share)
+      if (bin.n_grains > 0)
+        tables.neighbours.rows.push_back({file, name, bin.low, bin.high, count(bin.n_grains), bin.mean_size,
+                                          bin.n_grains > 1 ? TableValue{bin.mean_error} : TableValue{}});
+    std::map<int, int, std::greater<>> n_of_size;
+    for (const int size : phase->cluster_sizes) ++n_of_size[size];
+    for (const auto& [size, n] : n_of_size) tables.clusters.rows.push_back({file, name, count(size), count(n)});
+  }
+}
+
+/// "xy", "z": the lattice vectors that a part of the phase winds along; "none".
+std::string axes_of(const PhaseGeometry& phase) {
+  std::string axes;
+  for (int a = 0; a < 3; ++a)
+    if (phase.along[a]) axes += "xyz"[a];
+  return axes.empty() ? "none" : axes;
+}
+
+int largest_of(const PhaseGeometry& phase) {
+  return phase.cluster_sizes.empty() ? 0 : phase.cluster_sizes.front();
+}
+
+void append_phase(const std::string& name, PhaseGeometry PhaseStructure::*phase,
+                  std::vector<Column<BondRow>>& columns) {
+  const auto add = [&](const std::string& what, auto value) {
+    columns.emplace_back(name + what, [phase, value](const BondRow& r) {
+      return r.phases ? TableValue{value(*r.phases.*phase)} : TableValue{};
+    });
+  };
+  add("_along", [](const PhaseGeometry& p) { return axes_of(p); });
+  add("_clusters",
+      [](const PhaseGeometry& p) { return count(static_cast<std::int64_t>(p.cluster_sizes.size())); });
+  add("_largest_cluster", [](const PhaseGeometry& p) { return count(largest_of(p)); });
+  add("_largest_cluster_shuffled", [](const PhaseGeometry& p) { return p.largest_shuffled; });
+  add("_directions", [](const PhaseGeometry& p) { return count(p.n_directions); });
+  add("_directions_shuffled", [](const PhaseGeometry& p) { return p.shuffled_directions; });
+  add("_percolates_shuffled", [](const PhaseGeometry& p) { return p.shuffled_percolates; });
+}
+
+}  // namespace
+
+bool BondArguments::has(const std::string& group) const {
+  return std::find(with.begin(), with.end(), group) != with.end();
+}
+
+void add_bond_options(CommandLine app, BondArguments& arguments) {
+  app.add_option(
+         "--with", arguments.with,
+         "bonds: all interactions by sign, with a class near zero, and estimates of the tensile strength; "
+         "phases: how grains of positive and negative pressure are joined, beside shuffled signs")
+      .delimiter(',')
+      .one_of({"bonds", "phases"});
+  app.add_option("--near-zero", arguments.near, "a normal force below this is near zero, in F0")
+      .non_negative()
+      .show_default();
+  app.add_option("--shuffles", arguments.phases.n_shuffles,
+                 "of the signs of the grains, as a control of the phases")
+      .between(1, 100000)
+      .show_default();
+  app.add_option(
+      "--exponents", arguments.exponents,
+      "file for the exponents of forces and particle pressures by maximum likelihood, either side and "
+      "both");
+  app.add_option("--pressure-pdf", arguments.pressures,
+                 "file for the distribution of particle pressures, in F0/<d>^(d-1), without adhesion in P");
+  app.add_option("--pressure-bin-width", arguments.bin_width, "of these, in that unit")
+      .positive()
+      .show_default();
+  app.add_option("--like-neighbours", arguments.neighbours,
+                 "file for the size of particle pressures by the share of neighbours of the same sign");
+  app.add_option("--clusters", arguments.clusters, "file for the sizes of the parts of either phase");
+}
+
+template <int Dim>
+BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std::vector<double>& pressure,
+                 double zero_force, const BondArguments& arguments, BondTables& tables) {
+  BondRow row;
+  const double F0 = packing.law.pull_off_force();
+  if (packing.grains.size() == 0) return row;
+  const double d = mean_diameter(packing), phi = solid_fraction(packing);
+  row.bonds = bond_signs(packing, arguments.near * F0);
+  row.virial_strength = virial_strength(Dim, row.bonds.z, phi, F0, d);
+  row.rumpf_strength = rumpf_strength(Dim, phi, F0, d);
+  row.unit_pressure = F0 > 0.0 ? F0 / std::pow(d, Dim - 1) : static_stress(packing).trace() / Dim;
+  if (!arguments.needs_phases() && !arguments.needs_values()) return row;
+  // What rattlers carry is rounding, and so is a pressure within the tolerance, whatever its sign.
+  const std::vector<bool> rattler = find_rattlers(packing, zero_force);
+  const double zero_pressure = zero_force / std::pow(largest_diameter(packing.grains), Dim - 1);
+  std::vector<double> held, with_sign;
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    if (!rattler[i]) held.push_back(pressure[i]);
+    with_sign.push_back(rattler[i] || std::abs(pressure[i]) <= zero_pressure ? 0.0 : pressure[i]);
+  }
+  if (arguments.needs_phases()) {
+    row.phases = phase_structure(contact_network(packing), packing.cell, with_sign, arguments.phases);
+    add_phase_tables(file, *row.phases, tables);
+  }
+  if (!arguments.needs_values()) return row;
+  for (const Measured& m : measured(packing, held, row.unit_pressure, arguments)) {
+    if (!arguments.exponents.empty()) add_exponents(file, m, tables.exponents);
+    if (m.unit == "p0" && !arguments.pressures.empty())
+      add_histogram(file, m.values, m.unit_size, arguments.bin_width, tables.pressures);
+    auto& pool = tables.pooled[{m.quantity, m.unit}];
+    pool.insert(pool.end(), m.values.begin(), m.values.end());
+  }
+  return row;
+}
+
+std::vector<Column<BondRow>> bond_columns(const BondArguments& arguments) {
+  using Row = BondRow;
+  std::vector<Column<Row>> columns;
+  if (arguments.has("bonds"))
+    columns = {{"n_bonds", [](const Row& r) { return count(r.bonds.n_bonds); }},
+               {"z_bonds", [](const Row& r) { return r.bonds.z; }},
+               {"z_bonds_plus", [](const Row& r) { return r.bonds.z_plus; }},
+               {"z_bonds_minus", [](const Row& r) { return r.bonds.z_minus; }},
+               {"z_bonds_near_zero", [](const Row& r) { return r.bonds.z_near; }},
+               {"minus_share", [](const Row& r) { return r.bonds.minus_share; }},
+               {"mean_plus", [](const Row& r) { return r.bonds.mean_plus; }},
+               {"mean_minus", [](const Row& r) { return r.bonds.mean_minus; }},
+               {"virial_strength", [](const Row& r) { return r.virial_strength; }},
+               {"rumpf_strength", [](const Row& r) { return r.rumpf_strength; }}};
+  if (!arguments.has("phases")) return columns;
+  const auto add = [&](const char* name, auto value) {
+    columns.emplace_back(
+        name, [value](const Row& r) { return r.phases ? TableValue{value(*r.phases)} : TableValue{}; });
+  };
+  columns.emplace_back("p0", [](const Row& r) { return r.unit_pressure; });
+  add("n_signed_bonds", [](const PhaseStructure& p) { return count(p.n_bonds); });
+  add("like_share", [](const PhaseStructure& p) { return p.like_share; });
+  add("like_share_shuffled", [](const PhaseStructure& p) { return p.like_expected; });
+  add("like_share_shuffled_stddev", [](const PhaseStructure& p) { return p.like_deviation; });
+  append_phase("positive", &PhaseStructure::positive, columns);
+  append_phase("negative", &PhaseStructure::negative, columns);
+  return columns;
+}
+
+void write_bond_tables(const BondArguments& arguments, std::size_t n_states, BondTables& tables) {
+  if (n_states > 1)
+    for (const auto& [key, values] : tables.pooled) {
+      const auto& [quantity, unit] = key;
+      Measured m = limits_of(quantity, unit, arguments.near, kEnd);
+      m.values = values;
+      if (quantity == "force" && unit == "F0") m.end_of_negative = 1.0;
+      add_exponents("pooled", m, tables.exponents);
+      if (unit == "p0") add_histogram("pooled", values, 0.0, arguments.bin_width, tables.pressures);
+    }
+  for (const auto& [path, table] : {std::pair{&arguments.exponents, &tables.exponents},
+                                    {&arguments.pressures, &tables.pressures},
+                                    {&arguments.neighbours, &tables.neighbours},
+                                    {&arguments.clusters, &tables.clusters}})
+    if (!path->empty()) write_csv(*path, *table);
+}
+
+template BondRow bond_row(const std::string&, const Packing<2>&, const std::vector<double>&, double,
+                          const BondArguments&, BondTables&);
+template BondRow bond_row(const std::string&, const Packing<3>&, const std::vector<double>&, double,
+                          const BondArguments&, BondTables&);
+
+}  // namespace floc

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "columns.h"
+#include "command_line.h"
+#include "floc/io/table.h"
+#include "floc/packing/state.h"
+#include "floc/structure/bond_signs.h"
+#include "floc/structure/phase_structure.h"
+
+namespace floc {
+
+/// What of the bonds of cohesive networks and of the phases of particle pressure is asked for.
+struct BondArguments {
+  std::vector<std::string> with;  ///< groups of columns: "bonds", "phases"
+  double near = 0.02;             ///< normal forces below this are a class of their own (F0)
+  PhaseOptions phases;
+  std::string exponents, pressures, neighbours, clusters;  ///< files; empty: none
+  double bin_width = 0.1;                                  ///< of the particle pressures, in p0
+
+  bool has(const std::string& group) const;
+  bool needs_values() const { return !exponents.empty() || !pressures.empty(); }
+  bool needs_phases() const { return has("phases") || !neighbours.empty() || !clusters.empty(); }
+};
+
+void add_bond_options(CommandLine app, BondArguments& arguments);
+
+/// Of one state.
+struct BondRow {
+  BondSigns bonds;
+  double virial_strength = 0.0, rumpf_strength = 0.0;  ///< (stress)
+  double unit_pressure = 0.0;                          ///< p0 (stress)
+  std::optional<PhaseStructure> phases;
+};
+
+/// Tables that go to files.
+struct BondTables {
+  Table exponents{{"file", "quantity", "unit", "unit_size", "side", "from", "to", "n", "exponent", "stderr"},
+                  {}};
+  Table pressures{{"file", "unit_stress", "low", "high", "count", "n", "density"}, {}};
+  Table neighbours{{"file", "phase", "like_low", "like_high", "n_grains", "mean_size", "stderr"}, {}};
+  Table clusters{{"file", "phase", "n_grains", "count"}, {}};
+  /// Values of all states by quantity and unit, each in its own unit.
+  std::map<std::pair<std::string, std::string>, std::vector<double>> pooled;
+};
+
+/// @param pressure  of each grain (stress)   @param zero_force  largest normal force that counts as zero (force)
+template <int Dim>
+BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std::vector<double>& pressure,
+                 double zero_force, const BondArguments& arguments, BondTables& tables);
+
+/// The columns of the groups asked for.
+std::vector<Column<BondRow>> bond_columns(const BondArguments& arguments);
+
+/// Adds rows "pooled" for all states as samples of one, and writes the files asked for.
+/// @param n_states  read
+void write_bond_tables(const BondArguments& arguments, std::size_t n_states, BondTables& tables);
+
+}  // namespace floc

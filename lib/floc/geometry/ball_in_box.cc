@@ -1,0 +1,70 @@
+#include "floc/geometry/ball_in_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace floc {
+namespace {
+
+/// Part of the unit disk with x > p and y > q; p, q >= 0 and p^2 + q^2 < 1.
+double beyond_corner(const Vec<2>& t) {
+  const double p = t[0], q = t[1];
+  return p * q + 0.5 * (std::acos(p) - std::asin(q) - p * std::sqrt(1.0 - p * p) - q * std::sqrt(1.0 - q * q));
+}
+
+/// Part of the unit ball with x > a, y > b and z > c; all >= 0, and the corner inside.
+double beyond_corner(const Vec<3>& t) {
+  double sphere = 2.0 * std::numbers::pi, faces = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+    const double rho = std::sqrt(1.0 - a * a);
+    // The arc of the plane x = a, its curvature along the sphere, and the angle at its end on y = b.
+    sphere -= a * (std::acos(std::min(1.0, b / rho)) - std::asin(std::min(1.0, c / rho)));
+    sphere -= std::acos(std::max(-1.0, -a * b / (rho * std::sqrt(1.0 - b * b))));
+    faces += a * rho * rho * beyond_corner(Vec<2>(std::min(1.0, b / rho), std::min(1.0, c / rho)));
+  }
+  return (sphere - faces) / 3.0;
+}
+
+/// Part of the unit ball beyond the planes at t along each axis, from the first axis on those >= 0.
+template <int Dim>
+double beyond(Vec<Dim> t, int axis = 0) {
+  for (; axis < Dim; ++axis) {
+    if (t[axis] >= 0.0) continue;
+    // What is not beyond a plane below the centre lies beyond its mirror image: twice a half, less that.
+    Vec<Dim> mirrored = t;
+    mirrored[axis] = -t[axis];
+    t[axis] = 0.0;
+    return 2.0 * beyond<Dim>(t, axis + 1) - beyond<Dim>(mirrored, axis + 1);
+  }
+  return t.squaredNorm() < 1.0 ? beyond_corner(t) : 0.0;
+}
+
+}  // namespace
+
+template <int Dim>
+double ball_in_box(const Vec<Dim>& centre, double radius, const Vec<Dim>& low, const Vec<Dim>& high) {
+  const Vec<Dim> from = (low - centre) / radius, to = (high - centre) / radius;
+  const double unit = std::pow(radius, Dim);
+  const double whole = Dim == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
+  if ((from.array() <= -1.0).all() && (to.array() >= 1.0).all()) return whole * unit;
+  if ((from.array() >= 1.0).any() || (to.array() <= -1.0).any()) return 0.0;
+  double sum = 0.0;
+  for (int corner = 0; corner < (1 << Dim); ++corner) {
+    Vec<Dim> t;
+    double sign = 1.0;
+    for (int a = 0; a < Dim; ++a) {
+      const bool upper = (corner >> a & 1) != 0;
+      t[a] = std::clamp(upper ? to[a] : from[a], -1.0, 1.0);
+      if (upper) sign = -sign;
+    }
+    sum += sign * beyond<Dim>(t);
+  }
+  return std::clamp(sum, 0.0, whole) * unit;
+}
+
+template double ball_in_box(const Vec<2>&, double, const Vec<2>&, const Vec<2>&);
+template double ball_in_box(const Vec<3>&, double, const Vec<3>&, const Vec<3>&);
+
+}  // namespace floc

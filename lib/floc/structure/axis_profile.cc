@@ -1,0 +1,66 @@
+#include "floc/structure/axis_profile.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "floc/geometry/ball_in_box.h"
+
+namespace floc {
+namespace {
+
+/// Volume that a ball has between two planes normal to the first axis.
+template <int Dim>
+double ball_between(double place, double radius, double low, double high) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Vec<Dim> centre = Vec<Dim>::Zero(), from = Vec<Dim>::Constant(-kFar), to = Vec<Dim>::Constant(kFar);
+  centre[0] = place, from[0] = low, to[0] = high;
+  return ball_in_box<Dim>(centre, radius, from, to);
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, int n,
+                                       const std::vector<std::vector<double>>& values) {
+  assert(0 <= axis && axis < Dim && n >= 1);
+  const Vec<Dim> to_reduced = packing.cell.matrix.transpose().inverse().row(axis).transpose();
+  const double height = 1.0 / to_reduced.norm();
+  const bool walled = between_walls(packing.walls, axis);
+  double origin = 0.0;
+  for (const Wall<Dim>& wall : packing.walls)
+    if (wall.axis == axis && wall.side < 0) origin = wall.position / height;
+  std::vector<ProfileSlice> slices(n);
+  for (int k = 0; k < n; ++k) {
+    slices[k].low = height * k / n, slices[k].high = height * (k + 1) / n;
+    slices[k].mean.assign(values.size(), 0.0);
+  }
+  const double thickness = height / n, slice_volume = packing.cell.volume() / n;
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    double s = to_reduced.dot(packing.grains.position[i]) - origin;
+    if (!walled) s -= std::floor(s);
+    const double radius = packing.grains.radius[i];
+    const int own = std::clamp(static_cast<int>(s * n), 0, n - 1);
+    ++slices[own].n_grains;
+    for (std::size_t v = 0; v < values.size(); ++v) slices[own].mean[v] += values[v][i];
+    const int first = static_cast<int>(std::floor((s * height - radius) / thickness));
+    const int last = static_cast<int>(std::floor((s * height + radius) / thickness));
+    for (int k = first; k <= last; ++k) {
+      if (walled && (k < 0 || k >= n)) continue;
+      slices[((k % n) + n) % n].solid_fraction +=
+          ball_between<Dim>(s * height, radius, k * thickness, (k + 1) * thickness) / slice_volume;
+    }
+  }
+  for (ProfileSlice& slice : slices)
+    for (double& mean : slice.mean)
+      mean = slice.n_grains > 0 ? mean / slice.n_grains : std::numeric_limits<double>::quiet_NaN();
+  return slices;
+}
+
+template std::vector<ProfileSlice> axis_profile(const Packing<2>&, int, int,
+                                                const std::vector<std::vector<double>>&);
+template std::vector<ProfileSlice> axis_profile(const Packing<3>&, int, int,
+                                                const std::vector<std::vector<double>>&);
+
+}  // namespace floc

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Solid fraction in boxes about the centre of the cell (between walls, of their distance). The volumes that a box
+/// and the grains have in common are exact; of overlaps each grain counts, as it does in solid_fraction().
+struct PorosityProbe {
+  /// Half the side of a cube, over the shortest distance L of opposite faces of the cell; of the cell shrunk about
+  /// its centre, half the factor.
+  double half_side = 0.0;
+  double in_cube = 0.0;
+  std::optional<double> in_cell;  ///< in the shrunk cell; absent where the cell is not right-angled
+};
+
+/// Probes of half sides 1/(2 n), 2/(2 n) ... 1/2, in L. The largest shrunk cell is the cell itself.
+/// @param n  of probes, >= 1
+template <int Dim>
+std::vector<PorosityProbe> porosity_probes(const Packing<Dim>& packing, int n);
+
+}  // namespace floc

@@ -2,6 +2,9 @@
 // 1:30, under P/K_N = 1e-4 with friction. Diameters are uniform, as scenes draw them, or uniform by area, P(d)
 // ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), of which most are small and touch nothing. Compare the
 // rows of one run and distribution. FLOC_BENCH_RATIO=100 adds a ratio.
+//
+// Spheres of one size and of sizes 1:20, uniform by volume, P(d) ~ d^-3, of a gas whose spheres have grown until some
+// touch: pairs found a second, and contact updates a second.
 
 #include <benchmark/benchmark.h>
 
@@ -11,7 +14,9 @@
 #include <tuple>
 
 #include "floc/assembly/gas.h"
+#include "floc/neighbors/pairs.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/relaxer.h"
 
@@ -41,11 +46,12 @@ std::vector<double> diameters(int n, double ratio, Sizes sizes) {
   return diameter;
 }
 
-BoundaryControl<2> loaded(const Packing<2>& packing, const Vec<2>& stress) {
+template <int Dim>
+BoundaryControl<Dim> loaded(const Packing<Dim>& packing, const Vec<Dim>& stress) {
   RelaxationOptions options;
   options.inertial_number_cap = 0.03;
   const double mass = 0.01 * std::accumulate(packing.grains.mass.begin(), packing.grains.mass.end(), 0.0);
-  return BoundaryControl<2>::normal_stress(stress, mass, strain_rate_cap(options, packing, stress));
+  return BoundaryControl<Dim>::normal_stress(stress, mass, strain_rate_cap(options, packing, stress));
 }
 
 Packing<2> moved_for(const Packing<2>& packing, const Vec<2>& stress, double time, DynamicsSettings& settings) {
@@ -59,7 +65,8 @@ Packing<2> moved_for(const Packing<2>& packing, const Vec<2>& stress, double tim
   return now;
 }
 
-DynamicsSettings settings_of(const Packing<2>& packing) {
+template <int Dim>
+DynamicsSettings settings_of(const Packing<Dim>& packing) {
   return {time_step_of(packing, RelaxationOptions().time_step), 0.01};
 }
 
@@ -109,6 +116,53 @@ void size_ratio(benchmark::State& state) {
   state.counters["skin"] = settings.skin;
 }
 
+/// Spheres at a solid fraction of 0.45 without overlap, then all 6 % larger; each is made once.
+const Packing<3>& grown_gas(double ratio) {
+  static std::map<double, Packing<3>> made;
+  const auto [entry, is_new] = made.try_emplace(ratio);
+  Packing<3>& packing = entry->second;
+  if (!is_new) return packing;
+  GrainOptions grains;
+  grains.count = 8000;
+  grains.diameter.kind = DiameterDistribution::Kind::power_law;
+  grains.diameter.exponent = kUniformByVolume;
+  grains.diameter.min = 1.0 / ratio;
+  grains.diameter.max = 1.0;
+  LawParameters law;
+  law.normal = LinearRepulsion{1e5};
+  law.damping = ViscousDamping{0.015, DampingMass::effective};
+  law.friction = CoulombFriction{0.5, 1e5};
+  RandomStream random(1, 1);
+  packing = make_gas<3>(grains, law, 0.45, random);
+  for (double& R : packing.grains.radius) R *= 1.06;
+  return packing;
+}
+
+void pairs_of_spheres(benchmark::State& state) {
+  const Packing<3>& packing = grown_gas(static_cast<double>(state.range(0)));
+  const double gap = 0.1 * skin_length_unit(packing.grains.radius);
+  std::size_t n = 0;
+  for (auto _ : state) n = find_pairs(packing.cell, packing.grains, gap).size();
+  state.SetItemsProcessed(static_cast<std::int64_t>(n) * static_cast<std::int64_t>(state.iterations()));
+  state.counters["pairs"] = static_cast<double>(n);
+}
+
+void steps_of_spheres(benchmark::State& state) {
+  const Packing<3>& packing = grown_gas(static_cast<double>(state.range(0)));
+  const Vec<3> stress = Vec<3>::Constant(kPressure);
+  DynamicsSettings settings = settings_of(packing);
+  std::int64_t updates = 0;
+  for (auto _ : state) {
+    const auto dynamics = make_dynamics(packing, loaded(packing, stress), settings);
+    dynamics->advance(kStepsPerChunk, Motion::free);
+    settings.skin = dynamics->skin();
+    updates += kStepsPerChunk * static_cast<std::int64_t>(dynamics->packing().contacts.size());
+  }
+  state.SetItemsProcessed(updates);
+}
+
+BENCHMARK(pairs_of_spheres)->Arg(1)->Arg(20)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(steps_of_spheres)->Arg(1)->Arg(20)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(size_ratio)
     ->Apply([](benchmark::internal::Benchmark* b) {
       b->ArgNames({"ratio", "by_area", "load"});

@@ -5,21 +5,12 @@
 #include <vector>
 
 #include "floc/assembly/box_options.h"
+#include "floc/assembly/diameters.h"
 #include "floc/assembly/saved_start.h"
 #include "floc/assembly/vibration.h"
 #include "floc/relaxation/cell_response.h"
 
 namespace floc {
-
-/// Distribution of grain diameters (length).
-struct DiameterDistribution {
-  enum class Kind { uniform, constant, bidisperse, list };
-  Kind kind = Kind::uniform;
-  double min = 0.0;             ///< uniform; the small size of bidisperse; the size of constant
-  double max = 0.0;             ///< uniform; the large size of bidisperse
-  double share_of_large = 0.5;  ///< bidisperse: number share of large grains
-  std::vector<double> values;   ///< list: one diameter a grain
-};
 
 /// The grains of a scene before they are placed.
 struct GrainOptions {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "floc/base/error.h"
-#include "floc/neighbors/pairs.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -35,19 +35,23 @@ struct Room {
   std::array<bool, Dim> walled = {};
 };
 
-/// Hard grains in a rectangular room, on a grid of bins no finer than the largest grain.
+/// Hard grains in a rectangular room. Those of similar size share a grid of bins no finer than the largest of
+/// them: one grid for all unless sizes differ much, otherwise one for each factor of two.
 template <int Dim>
 class HardGrains {
  public:
-  HardGrains(const Room<Dim>& room, const std::vector<double>& diameter) : room_(room), diameter_(diameter) {
-    const double largest = *std::max_element(diameter.begin(), diameter.end());
-    std::size_t n_bins = 1;
-    for (int a = 0; a < Dim; ++a) {
-      bins_[a] = std::max(1, static_cast<int>(room.side[a] / largest));
-      n_bins *= static_cast<std::size_t>(bins_[a]);
+  HardGrains(const Room<Dim>& room, const std::vector<double>& diameter)
+      : room_(room), diameter_(diameter), grid_of_(diameter.size(), 0), position_(diameter.size()) {
+    const auto [least, most] = std::minmax_element(diameter.begin(), diameter.end());
+    if (*most > kSimilarSizes * *least)
+      for (std::size_t i = 0; i < diameter.size(); ++i) grid_of_[i] = std::ilogb(*most / diameter[i]);
+    grids_.resize(*std::max_element(grid_of_.begin(), grid_of_.end()) + 1);
+    for (std::size_t i = 0; i < diameter.size(); ++i) {
+      Grid& grid = grids_[grid_of_[i]];
+      grid.largest = std::max(grid.largest, diameter[i]), ++grid.n_grains;
     }
-    members_.resize(n_bins);
-    position_.resize(diameter.size());
+    for (Grid& grid : grids_)
+      if (grid.n_grains > 0) divide(grid);
   }
 
   const Room<Dim>& room() const { return room_; }
@@ -55,31 +59,35 @@ class HardGrains {
   /// True if grain i at x, with all diameters times `scale`, keeps clear of every placed grain but itself.
   bool free_at(int i, const Vec<Dim>& x, double scale) const { return clearance(i, x, scale) >= 1.0; }
 
-  /// Smallest ratio of distance to contact distance (diameters times `scale`) around grain i at x, at most 2.
+  /// Smallest ratio of distance to contact distance (diameters times `scale`, <= 1) around grain i at x; of
+  /// those above 1 only that it is not below.
   double clearance(int i, const Vec<Dim>& x, double scale) const {
     double least = 2.0;
-    Vec<Dim, int> centre = bin_of(x), offset = Vec<Dim, int>::Constant(-1);
-    while (true) {
-      for (const int j : members_[flat(centre + offset)]) {
-        if (j == i) continue;
-        Vec<Dim> r = position_[j] - x;
-        for (int a = 0; a < Dim; ++a)
-          if (!room_.walled[a]) r[a] -= room_.side[a] * std::round(r[a] / room_.side[a]);
-        least = std::min(least, r.norm() / (0.5 * scale * (diameter_[i] + diameter_[j])));
-      }
+    for (const Grid& grid : grids_) {
+      if (grid.n_grains == 0) continue;
+      const double reach = 0.5 * (diameter_[i] + grid.largest);
+      const Vec<Dim, int> centre = bin_of(x, grid);
+      Vec<Dim, int> most;
+      // The whole grid, where the reach is half the room or more.
+      for (int a = 0; a < Dim; ++a)
+        most[a] = std::min(grid.bins[a] / 2, static_cast<int>(std::ceil(reach / room_.side[a] * grid.bins[a])));
+      Vec<Dim, int> offset = -most;
       int a = 0;
-      while (a < Dim && ++offset[a] > 1) offset[a] = -1, ++a;
-      if (a == Dim) return least;
+      while (a < Dim) {
+        least = std::min(least, clearance_in(grid.members[flat(centre + offset, grid)], i, x, scale));
+        for (a = 0; a < Dim && ++offset[a] > most[a]; ++a) offset[a] = -most[a];
+      }
     }
+    return least;
   }
 
   void place(int i, const Vec<Dim>& x) {
     position_[i] = x;
-    members_[flat(bin_of(x))].push_back(i);
+    bin_at(i, x).push_back(i);
   }
 
   void move(int i, const Vec<Dim>& x) {
-    auto& old = members_[flat(bin_of(position_[i]))];
+    auto& old = bin_at(i, position_[i]);
     old.erase(std::find(old.begin(), old.end(), i));
     place(i, x);
   }
@@ -87,24 +95,58 @@ class HardGrains {
   const std::vector<Vec<Dim>>& position() const { return position_; }
 
  private:
-  Vec<Dim, int> bin_of(const Vec<Dim>& x) const {
+  struct Grid {
+    double largest = 0.0;  ///< diameter
+    int n_grains = 0;
+    Vec<Dim, int> bins;  ///< along each side
+    std::vector<std::vector<int>> members;
+  };
+
+  void divide(Grid& grid) const {
+    // Bins much finer than the grains cost memory and find nothing.
+    const double most_bins = 2.0 * std::pow(static_cast<double>(grid.n_grains), 1.0 / Dim) + 1.0;
+    std::size_t n_bins = 1;
+    for (int a = 0; a < Dim; ++a) {
+      grid.bins[a] = static_cast<int>(std::clamp(room_.side[a] / grid.largest, 1.0, most_bins));
+      n_bins *= static_cast<std::size_t>(grid.bins[a]);
+    }
+    grid.members.resize(n_bins);
+  }
+
+  double clearance_in(const std::vector<int>& members, int i, const Vec<Dim>& x, double scale) const {
+    double least = 2.0;
+    for (const int j : members) {
+      if (j == i) continue;
+      Vec<Dim> r = position_[j] - x;
+      for (int a = 0; a < Dim; ++a)
+        if (!room_.walled[a]) r[a] -= room_.side[a] * std::round(r[a] / room_.side[a]);
+      least = std::min(least, r.norm() / (0.5 * scale * (diameter_[i] + diameter_[j])));
+    }
+    return least;
+  }
+
+  Vec<Dim, int> bin_of(const Vec<Dim>& x, const Grid& grid) const {
     Vec<Dim, int> bin;
     for (int a = 0; a < Dim; ++a)
-      bin[a] = std::min(bins_[a] - 1, static_cast<int>(x[a] / room_.side[a] * bins_[a]));
+      bin[a] = std::min(grid.bins[a] - 1, static_cast<int>(x[a] / room_.side[a] * grid.bins[a]));
     return bin;
   }
-  std::size_t flat(const Vec<Dim, int>& bin) const {
+  std::size_t flat(const Vec<Dim, int>& bin, const Grid& grid) const {
     std::size_t index = 0;
     for (int a = 0; a < Dim; ++a)
-      index =
-          index * static_cast<std::size_t>(bins_[a]) + static_cast<std::size_t>((bin[a] + bins_[a]) % bins_[a]);
+      index = index * static_cast<std::size_t>(grid.bins[a]) +
+              static_cast<std::size_t>((bin[a] + grid.bins[a]) % grid.bins[a]);
     return index;
+  }
+  std::vector<int>& bin_at(int i, const Vec<Dim>& x) {
+    Grid& grid = grids_[grid_of_[i]];
+    return grid.members[flat(bin_of(x, grid), grid)];
   }
 
   Room<Dim> room_;
   std::vector<double> diameter_;
-  Vec<Dim, int> bins_;
-  std::vector<std::vector<int>> members_;
+  std::vector<int> grid_of_;
+  std::vector<Grid> grids_;
   std::vector<Vec<Dim>> position_;
 };
 
@@ -176,19 +218,9 @@ bool all_free(const HardGrains<Dim>& grains, int n, double scale) {
 }  // namespace
 
 std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random) {
-  const DiameterDistribution& d = options.diameter;
-  if (d.kind == DiameterDistribution::Kind::list) return d.values;
-  const int n = options.count;
-  std::vector<double> diameter(n, d.min);
-  // Equally spaced quantiles in random order: the sample has the distribution's moments, and its largest grain
-  // is exactly the unit of length that P* and kappa are made of.
-  for (int i = 0; i < n; ++i) {
-    if (d.kind == DiameterDistribution::Kind::uniform)
-      diameter[i] = n == 1 ? d.max : d.min + (d.max - d.min) * i / (n - 1);
-    if (d.kind == DiameterDistribution::Kind::bidisperse)
-      diameter[i] = i < d.share_of_large * n ? d.max : d.min;
-  }
-  for (int i = n - 1; i > 0; --i) std::swap(diameter[i], diameter[random.below(i + 1)]);
+  std::vector<double> diameter = equally_spaced_diameters(options.diameter, options.count);
+  if (options.diameter.kind == DiameterDistribution::Kind::list) return diameter;
+  for (int i = options.count - 1; i > 0; --i) std::swap(diameter[i], diameter[random.below(i + 1)]);
   return diameter;
 }
 

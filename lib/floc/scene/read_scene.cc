@@ -17,6 +17,7 @@
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/numerical_settings.h"
 #include "floc/scene/read_accuracy.h"
+#include "floc/scene/read_diameters.h"
 #include "floc/scene/read_law.h"
 #include "floc/scene/read_load.h"
 #include "floc/scene/read_saved_start.h"
@@ -33,9 +34,6 @@ constexpr bool positive(double x) {
 constexpr bool not_negative(double x) {
   return x >= 0;
 }
-constexpr bool in_unit_interval(double x) {
-  return x >= 0 && x <= 1;
-}
 /// Beyond these a fluid of disks, or of spheres, is too dense for grains to be placed at random without overlap.
 constexpr bool is_gas_of_disks(double x) {
   return x > 0 && x <= 0.6;
@@ -50,8 +48,6 @@ constexpr bool is_stable_step(double x) {
 
 constexpr std::int64_t kMaxThreads = 1024;
 
-constexpr NumberRule kDiameter{positive, "a positive number (length)"};
-
 void read_scene_table(TableReader& root, Scene& scene) {
   TableReader t = root.table("scene", "a table [scene]");
   scene.name = t.text("name", "a string", Need::optional).value_or(scene.name);
@@ -59,72 +55,6 @@ void read_scene_table(TableReader& root, Scene& scene) {
   const std::vector<std::string> units = {"reduced", "SI"};
   if (const auto chosen = t.choice("units", units)) scene.units = units[*chosen];
   t.refuse_other_keys();
-}
-
-std::vector<double> read_list_file(const std::string& path, SceneSource& source) {
-  std::vector<double> values;
-  std::ifstream in(path);
-  if (!in) source.fault_at(path, "cannot be read: expected one diameter a line");
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    std::istringstream tokens(line.substr(0, line.find('#')));
-    for (std::string token; tokens >> token;) {
-      char* end = nullptr;
-      const double value = std::strtod(token.c_str(), &end);
-      if (*end == '\0' && std::isfinite(value) && value > 0)
-        values.push_back(value);
-      else
-        source.fault_at(fmt::format("{}:{}", path, number),
-                        fmt::format("'{}': expected a positive number", token));
-    }
-  }
-  if (in.eof() && values.empty()) source.fault_at(path, "holds no diameters: expected one a line");
-  return values;
-}
-
-std::vector<double> read_list(TableReader& t, SceneSource& source, const std::string& directory) {
-  if (t.has("values")) return t.numbers("values", {positive, "an array of positive numbers (length)"});
-  const auto file = t.text("file", "the name of a file with one diameter a line");
-  if (!file) return {};
-  return read_list_file((std::filesystem::path(directory) / *file).string(), source);
-}
-
-DiameterDistribution read_diameters(TableReader t, SceneSource& source, const std::string& directory) {
-  using Kind = DiameterDistribution::Kind;
-  DiameterDistribution d;
-  const auto kind = t.choice("distribution", {"uniform", "constant", "bidisperse", "list"});
-  if (!kind) return d;
-  d.kind = std::array{Kind::uniform, Kind::constant, Kind::bidisperse, Kind::list}[*kind];
-  switch (d.kind) {
-    case Kind::uniform:
-      d.min = t.number("min", kDiameter).value_or(0);
-      d.max = t.number("max", kDiameter).value_or(0);
-      if (d.min > d.max && d.max > 0)
-        t.fault("min", fmt::format("grains.diameter.min = {}: expected at most max = {}", d.min, d.max));
-      break;
-    case Kind::constant:
-      d.min = d.max = t.number("value", kDiameter).value_or(0);
-      break;
-    case Kind::bidisperse:
-      d.min = t.number("small", kDiameter).value_or(0);
-      d.max = t.number("large", kDiameter).value_or(0);
-      d.share_of_large =
-          t.number("share_of_large", {in_unit_interval, "a number share of large grains, 0 to 1"}).value_or(0);
-      if (d.min > d.max && d.max > 0)
-        t.fault("small", fmt::format("grains.diameter.small = {}: expected at most large = {}", d.min, d.max));
-      break;
-    case Kind::list:
-      d.values = read_list(t, source, directory);
-      if (!d.values.empty()) {
-        const auto [smallest, largest] = std::minmax_element(d.values.begin(), d.values.end());
-        d.min = *smallest;
-        d.max = *largest;
-      }
-      break;
-  }
-  t.refuse_other_keys();
-  return d;
 }
 
 void read_grains(TableReader& root, SceneSource& source, const std::string& directory, Scene& scene) {

@@ -274,6 +274,40 @@ TEST(ReadScene, EveryDistributionOfDiametersIsRead) {
       AllOf(HasSubstr("grains.diameter.value is missing"), HasSubstr("unknown key grains.diameter.min")));
 }
 
+TEST(ReadScene, DistributionsOverWideRangesAreRead) {
+  using Kind = DiameterDistribution::Kind;
+  const std::string uniform = "{distribution = \"uniform\", min = 0.5, max = 1.0}";
+  const Scene volume = read(with(uniform, "{distribution = \"uniform_by_volume\", min = 0.05, max = 1}"));
+  EXPECT_EQ(volume.grains.diameter.kind, Kind::power_law);
+  EXPECT_EQ(volume.grains.diameter.exponent, 3.0);
+  const Scene area = read(with(uniform, "{distribution = \"uniform_by_area\", min = 0.05, max = 1}"));
+  EXPECT_EQ(area.grains.diameter.exponent, 2.0);
+  const Scene power = read(with(uniform, "{distribution = \"power_law\", min = 0.05, max = 1, exponent = -1}"));
+  EXPECT_EQ(power.grains.diameter.exponent, -1.0);
+  const Scene normal =
+      read(with(uniform, "{distribution = \"lognormal\", median = 0.4, sigma = 0.3, min = 0.1, max = 1}"));
+  EXPECT_EQ(normal.grains.diameter.kind, Kind::lognormal);
+  EXPECT_EQ(normal.grains.diameter.median, 0.4);
+  EXPECT_EQ(normal.grains.diameter.sigma, 0.3);
+}
+
+TEST(ReadScene, FaultyDistributionsAreNamedWithTheirLine) {
+  const std::string uniform = "{distribution = \"uniform\", min = 0.5, max = 1.0}";
+  const auto refused = [&](const std::string& diameter) { return faults(with(uniform, diameter)); };
+  EXPECT_THAT(refused("{distribution = \"uniform_by_volume\", min = 2, max = 1}"),
+              testing::ContainsRegex("[a-z]+:[0-9]+.*grains.diameter.min = 2: expected at most max = 1"));
+  EXPECT_THAT(refused("{distribution = \"uniform_by_volume\", min = 0.1, max = 1, exponent = 3}"),
+              HasSubstr("unknown key grains.diameter.exponent"));
+  EXPECT_THAT(refused("{distribution = \"power_law\", min = 0.1, max = 1}"),
+              HasSubstr("grains.diameter.exponent is missing"));
+  EXPECT_THAT(refused("{distribution = \"power_law\", min = 0.1, max = 1, exponent = 300}"),
+              HasSubstr("expected a number, -100 to 100"));
+  EXPECT_THAT(refused("{distribution = \"lognormal\", median = 0.4, sigma = 0, min = 0.1, max = 1}"),
+              HasSubstr("grains.diameter.sigma = 0"));
+  EXPECT_THAT(refused("{distribution = \"lognormal\", median = 100, sigma = 0.1, min = 0.1, max = 1}"),
+              HasSubstr("grains.diameter.median = 100: 0 of this distribution lies between"));
+}
+
 TEST(ReadScene, AListOfDiametersIsReadBesideTheSceneAndKeptInItsText) {
   const std::filesystem::path dir = std::filesystem::path(testing::TempDir()) / "floc_read_scene_test";
   std::filesystem::create_directories(dir);

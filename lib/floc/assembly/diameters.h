@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+namespace floc {
+
+/// Distribution of grain diameters (length), by number.
+struct DiameterDistribution {
+  enum class Kind {
+    uniform,     ///< P(d) constant from min to max
+    constant,    ///< all of one size
+    bidisperse,  ///< two sizes
+    list,        ///< one diameter a grain
+    power_law,   ///< P(d) ~ d^-exponent from min to max
+    lognormal,   ///< ln d normal about ln median, cut off at min and max
+  };
+  Kind kind = Kind::uniform;
+  double min = 0.0;             ///< the small size of bidisperse; the size of constant
+  double max = 0.0;             ///< the large size of bidisperse
+  double share_of_large = 0.5;  ///< bidisperse: number share of large grains
+  std::vector<double> values;   ///< list: one diameter a grain
+  double exponent = 0.0;        ///< power_law
+  double median = 0.0;          ///< lognormal, of the distribution before it is cut off
+  double sigma = 0.0;           ///< lognormal: standard deviation of ln d, before it is cut off
+};
+
+/// P(d) ~ d^-3: spheres of every size from min to max fill the same volume.
+inline constexpr double kUniformByVolume = 3.0;
+/// P(d) ~ d^-2: disks of every size fill the same area.
+inline constexpr double kUniformByArea = 2.0;
+
+/// The diameter below which a share of the grains lies (length), for a power law or a lognormal distribution.
+/// Exact: 0 gives min and 1 gives max. @param share  0 to 1
+double diameter_quantile(const DiameterDistribution& distribution, double share);
+
+/// n diameters in ascending order of their share: equally spaced quantiles, the first min and the last max, so
+/// that the sample has the distribution's moments, and its largest grain is exactly the unit of length that P*
+/// and kappa are made of. A list is returned as it is.
+std::vector<double> equally_spaced_diameters(const DiameterDistribution& distribution, int n);
+
+/// Share of the lognormal distribution that lies between min and max, before it is cut off there.
+double share_within_bounds(const DiameterDistribution& lognormal);
+
+}  // namespace floc

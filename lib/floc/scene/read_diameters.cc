@@ -1,0 +1,122 @@
+#include "floc/scene/read_diameters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace floc {
+namespace {
+
+using Kind = DiameterDistribution::Kind;
+
+constexpr NumberRule kDiameter{[](double x) { return x > 0; }, "a positive number (length)"};
+
+std::vector<double> read_list_file(const std::string& path, SceneSource& source) {
+  std::vector<double> values;
+  std::ifstream in(path);
+  if (!in) source.fault_at(path, "cannot be read: expected one diameter a line");
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    std::istringstream tokens(line.substr(0, line.find('#')));
+    for (std::string token; tokens >> token;) {
+      char* end = nullptr;
+      const double value = std::strtod(token.c_str(), &end);
+      if (*end == '\0' && std::isfinite(value) && value > 0)
+        values.push_back(value);
+      else
+        source.fault_at(fmt::format("{}:{}", path, number),
+                        fmt::format("'{}': expected a positive number", token));
+    }
+  }
+  if (in.eof() && values.empty()) source.fault_at(path, "holds no diameters: expected one a line");
+  return values;
+}
+
+void read_list(TableReader& t, SceneSource& source, const std::string& directory, DiameterDistribution& d) {
+  if (t.has("values")) {
+    d.values = t.numbers("values", {kDiameter.holds, "an array of positive numbers (length)"});
+  } else if (const auto file = t.text("file", "the name of a file with one diameter a line")) {
+    d.values = read_list_file((std::filesystem::path(directory) / *file).string(), source);
+  }
+  if (d.values.empty()) return;
+  const auto [smallest, largest] = std::minmax_element(d.values.begin(), d.values.end());
+  d.min = *smallest;
+  d.max = *largest;
+}
+
+/// The two sizes that a distribution lies between, or consists of.
+void read_sizes(TableReader& t, const char* small, const char* large, DiameterDistribution& d) {
+  d.min = t.number(small, kDiameter).value_or(0);
+  d.max = t.number(large, kDiameter).value_or(0);
+  if (d.min > d.max && d.max > 0)
+    t.fault(small,
+            fmt::format("grains.diameter.{} = {}: expected at most {} = {}", small, d.min, large, d.max));
+}
+
+void read_lognormal(TableReader& t, DiameterDistribution& d) {
+  d.median = t.number("median", kDiameter).value_or(0);
+  d.sigma = t.number("sigma", {[](double x) { return x > 0; },
+                               "a positive number (standard deviation of the logarithm of the diameter)"})
+                .value_or(0);
+  // Quantiles of a share as small as this keep half their digits.
+  constexpr double kLeastShare = 1e-12;
+  if (!(d.min > 0 && d.min < d.max && d.median > 0 && d.sigma > 0)) return;
+  const double share = share_within_bounds(d);
+  if (!(share >= kLeastShare))
+    t.fault("median",
+            fmt::format("grains.diameter.median = {}: {:.2g} of this distribution lies between min = {} "
+                        "and max = {}; expected at least {:.0e}",
+                        d.median, share, d.min, d.max, kLeastShare));
+}
+
+}  // namespace
+
+DiameterDistribution read_diameters(TableReader t, SceneSource& source, const std::string& directory) {
+  DiameterDistribution d;
+  const auto chosen = t.choice("distribution", {"uniform", "constant", "bidisperse", "list", "power_law",
+                                                "lognormal", "uniform_by_volume", "uniform_by_area"});
+  if (!chosen) return d;
+  d.kind = std::array{Kind::uniform,   Kind::constant,  Kind::bidisperse, Kind::list,
+                      Kind::power_law, Kind::lognormal, Kind::power_law,  Kind::power_law}[*chosen];
+  constexpr std::size_t kByVolume = 6;
+  switch (d.kind) {
+    case Kind::uniform:
+      read_sizes(t, "min", "max", d);
+      break;
+    case Kind::constant:
+      d.min = d.max = t.number("value", kDiameter).value_or(0);
+      break;
+    case Kind::bidisperse:
+      read_sizes(t, "small", "large", d);
+      d.share_of_large = t.number("share_of_large", {[](double x) { return x >= 0 && x <= 1; },
+                                                     "a number share of large grains, 0 to 1"})
+                             .value_or(0);
+      break;
+    case Kind::list:
+      read_list(t, source, directory, d);
+      break;
+    case Kind::power_law:
+      read_sizes(t, "min", "max", d);
+      if (*chosen >= kByVolume)
+        d.exponent = *chosen == kByVolume ? kUniformByVolume : kUniformByArea;
+      else
+        d.exponent = t.number("exponent", {[](double x) { return std::abs(x) <= 100; },
+                                           "a number, -100 to 100 (P(d) ~ d^-exponent)"})
+                         .value_or(0);
+      break;
+    case Kind::lognormal:
+      read_sizes(t, "min", "max", d);
+      read_lognormal(t, d);
+      break;
+  }
+  t.refuse_other_keys();
+  return d;
+}
+
+}  // namespace floc

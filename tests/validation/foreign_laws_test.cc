@@ -123,6 +123,27 @@ TEST_P(LammpsSpheres, OfHertzAndMindlinGiveTheirForcesAndTheModuliOfTheNetworkEn
 
 INSTANTIATE_TEST_SUITE_P(Styles, LammpsSpheres, testing::Values("history", "granular"));
 
+TEST(LammpsDisks, WithFrictionAndAttractionGiveTheirForcesAndTheModuliOfTheNetworkEnteredByHand) {
+  const std::string name = "lammps/cohesive";
+  const Imported converted = imported(name + ".dump", name + ".contacts",
+                                      "normal.stiffness=1000,adhesion.law=constant,adhesion.force=1,"
+                                      "friction.coefficient=0.5,friction.stiffness=800",
+                                      lammps_columns(2));
+  EXPECT_LT(largest_difference<2>(converted), kRelative);
+  const Packing<2>& packing = std::get<State<2>>(converted.state).packing;
+  EXPECT_GT(std::count_if(packing.contacts.begin(), packing.contacts.end(),
+                          [](const Contact<2>& c) { return c.normal_force < 0.0; }),
+            0);
+  EXPECT_GT(packing.contacts.front().shear_force.norm(), 0.0);
+  const HandNetwork<2> hand(lammps_cell(kData + name + ".dump"),
+                            grains_of(numbers_behind(kData + name + ".dump", "ITEM: ATOMS"), 2, 5));
+  expect_same_moduli<2>(converted,
+                        by_hand(hand, numbers_behind(kData + name + ".contacts", "ITEM: ENTRIES"),
+                                [](double gap, double) -> std::optional<HandContact> {
+                                  return gap < 0.0 ? std::optional(HandContact{1000.0, 800.0}) : std::nullopt;
+                                }));
+}
+
 /// Cell and grains as a script of YADE writes them: lattice vectors in the first line.
 HandNetwork<3> yade_hand(const std::string& file) {
   std::ifstream in(file);

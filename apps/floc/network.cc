@@ -214,11 +214,16 @@ std::vector<Column<NetworkRow>> carrying_columns() {
       {"energy_per_grain", [](const Row& r) { return r.energy; }},
       {"p_max", [](const Row& r) { return or_undefined(r.contact_pressure); }},
       {"stress_spread", [](const Row& r) { return r.stress_spread; }}};
-  for (int a = 0; a < 3; ++a)
-    for (int b = a; b < 3; ++b)
-      columns.emplace_back(fmt::format("fabric{}{}", a + 1, b + 1), [a, b](const Row& r) {
-        return b < r.dimension ? TableValue{r.carrying.fabric(a, b)} : TableValue{};
-      });
+  const std::pair<const char*, Eigen::MatrixXd CarryingForces::*> fabrics[] = {
+      {"fabric", &CarryingForces::fabric},
+      {"strong_fabric", &CarryingForces::strong_fabric},
+      {"weak_fabric", &CarryingForces::weak_fabric}};
+  for (const auto& [name, fabric] : fabrics)
+    for (int a = 0; a < 3; ++a)
+      for (int b = a; b < 3; ++b)
+        columns.emplace_back(fmt::format("{}{}{}", name, a + 1, b + 1), [a, b, fabric = fabric](const Row& r) {
+          return b < r.dimension ? TableValue{(r.carrying.*fabric)(a, b)} : TableValue{};
+        });
   return columns;
 }
 

@@ -15,6 +15,7 @@
 #include "path_plots.h"
 #include "run_states.h"
 #include "state_plots.h"
+#include "test_plots.h"
 
 namespace floc {
 namespace {
@@ -127,6 +128,14 @@ Made coordination_of_path(const PlotArguments& arguments) {
   return {kDone, coordination_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
 }
 
+Made test_of_path(const PlotArguments& arguments) {
+  if (arguments.inputs.size() != 1)
+    throw InputError("--show test", fmt::format("expected one input, got {}", arguments.inputs.size()));
+  const std::string& input = arguments.inputs.front();
+  const bool is_directory = input != "-" && fs::is_directory(input);
+  return {kDone, axial_test_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
+}
+
 /// The states to plot: of a directory without --steps, three from the first to the last.
 std::vector<std::string> states_of(const PlotArguments& arguments) {
   return drawn_states(arguments.inputs, arguments.steps, 3);
@@ -225,7 +234,25 @@ Made scattering_of_states(const PlotArguments& arguments) {
   return made;
 }
 
+constexpr int kDirections = 36;  // bins of a rose diagram, five degrees each
+
+Made fabric(const PlotArguments& arguments) {
+  Made made;
+  std::vector<std::pair<std::string, ContactDirections>> states;
+  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any) {
+    const State<2>* state = std::get_if<State<2>>(&any);
+    if (state == nullptr)
+      throw InputError(file, "is 3D: a rose diagram is of disks; see fabric in floc network");
+    states.emplace_back(name_of_state(any), contact_directions(state->packing, kDirections));
+    return int{kDone};
+  });
+  if (!states.empty()) made.plot = fabric_plot(states);
+  return made;
+}
+
 Made make(const PlotArguments& arguments) {
+  if (arguments.show == "test") return test_of_path(arguments);
+  if (arguments.show == "fabric") return fabric(arguments);
   if (arguments.show == "forces") return forces(arguments);
   if (arguments.show == "pressures") return pressures(arguments);
   if (arguments.show == "scattering") return scattering_of_states(arguments);
@@ -267,13 +294,16 @@ Command add_plot(CommandLine program) {
          "with their "
          "bounds, of states or a table of floc moduli; coordination: by sign of the force; forces: "
          "their distributions, "
-         "of states; pressures: distributions of particle pressures; scattering: I(k) of states, and its fit "
+         "of states; pressures: distributions of particle pressures; scattering: I(k) of states, and its fit; "
+         "test: of a path with a driven axis, q/p and volumetric strain over the axial strain, and K0; "
+         "fabric: rose diagrams of contacts, of states "
          "[forces for state files, otherwise consolidation]")
-      .one_of({"consolidation", "moduli", "coordination", "forces", "pressures", "scattering"});
+      .one_of(
+          {"consolidation", "moduli", "coordination", "forces", "pressures", "scattering", "test", "fabric"});
   app.add_option(
          "--steps", arguments->steps,
          "K,...: states of a directory, for forces [at the lowest pressure of loading, half way up, at the "
-         "highest], pressures and scattering [three, from the first to the last]")
+         "highest], pressures, scattering and fabric [three, from the first to the last]")
       .delimiter(',')
       .non_negative();
   app.add_option("--kind", arguments->kind, "of forces: normal, tangential or rolling [normal]")

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "floc/io/state_file.h"
 #include "support/places.h"
@@ -207,6 +208,63 @@ TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
   // A state of another branch says which.
   ASSERT_EQ(floc("plot run -o two.svg --show forces --steps 7,8").code, 0);
   EXPECT_THAT(content_of(file("two.dat")), HasSubstr("# P* = 0.1, unload:"));
+}
+
+TEST_F(PlotCommand, TestsWithADrivenAxisBeginAtZeroStrainWithTheirOwnStresses) {
+  // An isotropic state, an oedometric stage along 2, then a biaxial one along 1.
+  write_text(file("tests.csv"),
+             "step,branch,stress_1,stress_2,strain_1,strain_2,control,axis\n"
+             "0,load,1,1,0,0.5,,\n"
+             "1,load,1,2,0,0.6,oedometric,2\n"
+             "2,load,2,4,0,0.65,oedometric,2\n"
+             "3,triaxial,6,4,0.1,0.6,triaxial,1\n");
+  const Outcome o = floc("plot tests.csv -o tests.svg --show test");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(content_of(file("tests.svg")), HasSubstr("</svg>"));
+  const auto test = block(content_of(file("tests.dat")), "test"),
+             lateral = block(content_of(file("tests.dat")), "lateral");
+  ASSERT_EQ(test.size(), 6u);  // a gap between the two
+  ASSERT_EQ(lateral.size(), 6u);
+  const std::vector<std::vector<double>> expected = {{0, 0, 0}, {0.1, 2.0 / 3, 0.1}, {0.15, 2.0 / 3, 0.15}};
+  for (int k = 0; k < 3; ++k)
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(test[k][c], expected[k][c], 1e-12) << k << c;
+  EXPECT_EQ(lateral[2], (std::vector<double>{4, 0.5}));
+  EXPECT_TRUE(std::isnan(test[3][0]));
+  // The second starts from what axis 1 bears where the first ended.
+  EXPECT_NEAR(test[4][1], -2.0 / 3, 1e-12);
+  EXPECT_EQ(lateral[4], (std::vector<double>{2, 2}));
+  EXPECT_NEAR(test[5][0], 0.1, 1e-12);
+  EXPECT_NEAR(test[5][1], 0.4, 1e-12);
+  EXPECT_NEAR(test[5][2], 0.05, 1e-12);
+}
+
+TEST_F(PlotCommand, WhatHasNoTestWithADrivenAxisSaysSo) {
+  const Outcome isotropic = floc("plot run -o t.svg --show test");
+  EXPECT_EQ(isotropic.code, 4);
+  EXPECT_THAT(isotropic.err, HasSubstr("no row of the path belongs to a test with a driven axis"));
+  write_text(file("wrong.csv"),
+             "branch,stress_1,stress_2,strain_1,strain_2,axis\nload,1,1,0,0,\nload,1,2,0,0.1,3\n");
+  EXPECT_THAT(floc("plot wrong.csv -o t.svg --show test").err,
+              HasSubstr("wrong.csv:3: axis = 3, expected 1 to 2"));
+  EXPECT_EQ(floc("plot run run -o t.svg --show test").code, 4);
+}
+
+TEST_F(PlotCommand, RoseDiagramsHoldAllContactsThatPress) {
+  const Outcome o = floc("plot run -o rose.svg --show fabric --steps 1,7");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(content_of(file("rose.svg")), HasSubstr("</svg>"));
+  const auto rows = block(content_of(file("rose.dat")), "direction");
+  ASSERT_EQ(rows.size(), 2u * 2u * 36u + 1u);
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 1 < rows.size(); k += 2) {
+    sum += rows[k][1] * std::numbers::pi / 36;  // each bin twice, by its two edges
+    EXPECT_LE(rows[k][2], rows[k][1]);
+  }
+  EXPECT_NEAR(sum, 2.0, 1e-12);
+  write_state(file("spheres.h5"), busy_state<3>());
+  const Outcome spheres = floc("plot spheres.h5 --show fabric -o rose.svg");
+  EXPECT_EQ(spheres.code, 4);
+  EXPECT_THAT(spheres.err, HasSubstr("is 3D: a rose diagram is of disks"));
 }
 
 TEST_F(PlotCommand, BadInputIsNamed) {

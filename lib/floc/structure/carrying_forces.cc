@@ -28,12 +28,23 @@ double reduced_moment(const Packing<Dim>& packing, const CarryingStructure& carr
   return sum / static_cast<double>(carrying.contacts.size());
 }
 
+/// Sum over contacts, strong or weak, of n n - 1/Dim, over the number of all.
+template <int Dim>
+Mat<Dim> fabric_of(const Packing<Dim>& packing, const CarryingStructure& carrying, double mean, bool strong) {
+  Mat<Dim> sum = Mat<Dim>::Zero();
+  for (const int k : carrying.contacts) {
+    const Contact<Dim>& c = packing.contacts[k];
+    if ((c.elastic_force > mean) == strong) sum += c.normal * c.normal.transpose() - Mat<Dim>::Identity() / Dim;
+  }
+  return sum / static_cast<double>(carrying.contacts.size());
+}
+
 }  // namespace
 
 template <int Dim>
 CarryingForces carrying_forces(const Packing<Dim>& packing, const CarryingStructure& carrying) {
   CarryingForces out;
-  out.fabric = Mat<Dim>::Zero();
+  out.fabric = out.strong_fabric = out.weak_fabric = Mat<Dim>::Zero();
   count(Dim, carrying, out);
   if (carrying.contacts.empty()) return out;
   double mean = 0.0;
@@ -44,6 +55,8 @@ CarryingForces carrying_forces(const Packing<Dim>& packing, const CarryingStruct
     out.fabric += c.normal * c.normal.transpose() / out.n_contacts;
   }
   out.fabric -= Mat<Dim>::Identity() / Dim;
+  out.strong_fabric = fabric_of(packing, carrying, mean, true);
+  out.weak_fabric = fabric_of(packing, carrying, mean, false);
   if (!(mean > 0.0)) return out;
   out.Z_third = reduced_moment(packing, carrying, mean, 1.0 / 3.0);
   out.Z2 = reduced_moment(packing, carrying, mean, 2.0);

@@ -23,6 +23,9 @@ struct CarryingForces {
   double sliding_share = 0.0;  ///< of contacts whose tangential force is at its cap
   /// Fabric <n n> less 1/Dim (Dim x Dim): no trace, zero where directions are isotropic.
   Eigen::MatrixXd fabric;
+  /// The same of the contacts with N above <N>, the strong ones, and of the others; each as a share of all
+  /// contacts, so that their sum is the fabric.
+  Eigen::MatrixXd strong_fabric, weak_fabric;
 };
 
 /// @param carrying  carrying_structure() of this packing

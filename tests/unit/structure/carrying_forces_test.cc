@@ -69,6 +69,11 @@ TEST(CarryingForces, HaveTheMomentsOfAHandfulOfContacts) {
   EXPECT_NEAR(f.fabric(0, 0), 1.0 / 3.0, 1e-15);
   EXPECT_NEAR(f.fabric(1, 1), 0.0, 1e-15);
   EXPECT_NEAR(f.fabric(2, 2), -1.0 / 3.0, 1e-15);
+  // The third contact alone is above <N>.
+  EXPECT_NEAR(f.strong_fabric(0, 0), -1.0 / 9.0, 1e-15);
+  EXPECT_NEAR(f.strong_fabric(1, 1), 2.0 / 9.0, 1e-15);
+  EXPECT_NEAR(f.weak_fabric(0, 0), 4.0 / 9.0, 1e-15);
+  EXPECT_LT((f.strong_fabric + f.weak_fabric - f.fabric).norm(), 1e-15);
 }
 
 TEST(CarryingForces, OfNothingAreZero) {
@@ -79,6 +84,7 @@ TEST(CarryingForces, OfNothingAreZero) {
   EXPECT_EQ(f.x0, 1.0);
   EXPECT_EQ(f.z_star, 0.0);
   EXPECT_EQ(f.fabric.norm(), 0.0);
+  EXPECT_EQ(f.strong_fabric.norm() + f.weak_fabric.norm(), 0.0);
 }
 
 }  // namespace

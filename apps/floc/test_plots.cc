@@ -1,0 +1,134 @@
+#include "test_plots.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+/// The columns that a plot of tests reads.
+struct TestColumns {
+  explicit TestColumns(const CsvTable& path) : axis(path.column("axis")), branch(path.column("branch")) {
+    stress.push_back(path.column("stress_1"));
+    strain.push_back(path.column("strain_1"));
+    for (int a = 2; path.has(fmt::format("stress_{}", a)); ++a) {
+      stress.push_back(path.column(fmt::format("stress_{}", a)));
+      strain.push_back(path.column(fmt::format("strain_{}", a)));
+    }
+  }
+
+  int axis, branch;
+  std::vector<int> stress, strain;
+};
+
+using Rows = std::vector<std::vector<double>>;
+
+}  // namespace
+
+Plot axial_test_plot(const CsvTable& path) {
+  const TestColumns columns(path);
+  const int dimension = static_cast<int>(columns.stress.size());
+  const auto axis_of = [&](int i) -> int {
+    if (path.is_empty(i, columns.axis)) return -1;
+    const std::int64_t axis = path.integer(i, columns.axis);
+    if (axis < 1 || axis > dimension)
+      throw InputError(path.place(i), fmt::format("axis = {}, expected 1 to {}", axis, dimension));
+    return static_cast<int>(axis) - 1;
+  };
+  Rows test, lateral;
+  // From stresses and strains themselves: q and K0 of the row where a test starts are of another axis.
+  const auto add = [&](int row, int axis, int first) {
+    double others = 0.0, mean = 0.0, volumetric = 0.0;
+    for (int a = 0; a < dimension; ++a) {
+      const double stress = path.number(row, columns.stress[a]);
+      mean += stress / dimension;
+      if (a != axis) others += stress / (dimension - 1);
+      volumetric += path.number(row, columns.strain[a]) - path.number(first, columns.strain[a]);
+    }
+    const double driven = path.number(row, columns.stress[axis]);
+    const double strain = path.number(row, columns.strain[axis]) - path.number(first, columns.strain[axis]);
+    test.push_back({strain, (driven - others) / mean, volumetric});
+    lateral.push_back({driven, others / driven});
+  };
+  int first = 0;  // row that the present test starts from
+  for (int i = 1; i < path.n_rows(); ++i) {
+    const int axis = axis_of(i);
+    if (axis < 0) continue;
+    if (axis_of(i - 1) != axis || path.text(i, columns.branch) != path.text(i - 1, columns.branch)) {
+      if (!test.empty()) {
+        test.emplace_back(3, std::nan(""));
+        lateral.emplace_back(2, std::nan(""));
+      }
+      first = i - 1;
+      add(first, axis, first);
+    }
+    add(i, axis, first);
+  }
+  if (test.empty()) throw InputError("--show test", "no row of the path belongs to a test with a driven axis");
+  Plot plot;
+  plot.width = 1000;
+  plot.height = 420;
+  plot.add("test: axial_strain q/p volumetric_strain", std::move(test));
+  plot.add("lateral: driven_stress K0", std::move(lateral));
+  plot.script = R"(set multiplot layout 1,2
+set xlabel 'axial strain since the start of the test'
+set ylabel 'q/p'
+set ytics nomirror
+set y2label 'volumetric strain (compression positive)'
+set y2tics
+set key outside top center horizontal
+plot data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.4 linecolor rgb '#d55e00' title 'q/p', \
+     data index 0 using 1:3 axes x1y2 with lines linewidth 2 linecolor rgb '#0072b2' title 'volumetric strain'
+unset y2tics
+unset y2label
+set ytics mirror
+set xlabel 'driven stress'
+set ylabel 'K_0 = lateral/driven stress'
+unset key
+set format x '%g'
+plot data index 1 using 1:2 with linespoints pointtype 7 pointsize 0.5 linecolor rgb '#202020'
+unset multiplot
+)";
+  return plot;
+}
+
+Plot fabric_plot(const std::vector<std::pair<std::string, ContactDirections>>& states) {
+  Plot plot;
+  std::string drawn;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const ContactDirections& d = states[k].second;
+    Rows rows;
+    for (int turn = 0; turn < 2; ++turn)
+      for (int b = 0; b < d.n_bins; ++b)
+        for (const int edge : {b, b + 1})
+          rows.push_back({180.0 * (static_cast<double>(edge) / d.n_bins + turn), d.all[b], d.strong[b]});
+    if (!rows.empty()) rows.push_back(rows.front());
+    plot.add("direction all strong, " + states[k].first, std::move(rows));
+    drawn += fmt::format(
+        "{}data index {} using 1:2 with lines linewidth 2 linetype {} title {}, data index {} using 1:3 with "
+        "lines dashtype 2 linetype {} notitle",
+        k == 0 ? "" : ", ", k, k + 1, gnuplot_quoted(states[k].first), k, k + 1);
+  }
+  plot.width = plot.height = 560;
+  plot.script = fmt::format(R"(set polar
+set angles degrees
+set size square
+set grid polar 30
+unset border
+unset xtics
+unset ytics
+set rtics format '%.2f'
+set key outside bottom center horizontal
+set title 'directions of contacts (density; dashed: strong ones; isotropic: {:.3f})'
+plot {}
+)",
+                            1.0 / std::numbers::pi, drawn);
+  return plot;
+}
+
+}  // namespace floc

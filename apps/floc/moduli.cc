@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -209,6 +210,13 @@ TableValue shear_strain_modulus(const ModuliRow& r) {
   return r.moduli.C.diagonal().tail(n_shear).mean();
 }
 
+/// Compliances of the normal strains, shear clamped (or relaxed, where the strains are full).
+std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
+  const Eigen::FullPivLU<Eigen::MatrixXd> factor(r.moduli.C);
+  if (!r.moduli.C.allFinite() || !factor.isInvertible()) return std::nullopt;
+  return Eigen::MatrixXd(factor.inverse());
+}
+
 /// A column of the table: its name and how a row fills it.
 using ModuliColumn = Column<ModuliRow>;
 
@@ -303,6 +311,26 @@ std::vector<ModuliColumn> budget_columns() {
           column("limited_by", [](const ErrorBudget& b) { return std::string(b.limit()); })};
 }
 
+/// Young's modulus along each axis, and what the axes b shorten by when a lengthens: of states whose axes
+/// differ, which B and G are means of.
+std::vector<ModuliColumn> axis_columns(int dimension) {
+  std::vector<ModuliColumn> columns;
+  for (int a = 0; a < dimension; ++a)
+    columns.emplace_back(fmt::format("E_{}", a + 1), [a](const ModuliRow& r) {
+      const auto S = compliance(r);
+      return S && a < r.dimension ? TableValue{1.0 / (*S)(a, a)} : TableValue{};
+    });
+  for (int a = 0; a < dimension; ++a)
+    for (int b = 0; b < dimension; ++b) {
+      if (a == b) continue;
+      columns.emplace_back(fmt::format("nu_{}{}", a + 1, b + 1), [a, b](const ModuliRow& r) {
+        const auto S = compliance(r);
+        return S && std::max(a, b) < r.dimension ? TableValue{-(*S)(b, a) / (*S)(a, a)} : TableValue{};
+      });
+    }
+  return columns;
+}
+
 std::vector<ModuliColumn> columns_for(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
   std::vector<ModuliColumn> columns = contract_columns();
   std::ranges::move(network_columns(), std::back_inserter(columns));
@@ -326,6 +354,9 @@ std::vector<ModuliColumn> columns_for(const ModuliCommand& command, const std::v
   columns.emplace_back("B_reuss_mean_field", [](const ModuliRow& r) { return r.mean_field.B_reuss; });
   columns.emplace_back("Z_hat", [](const ModuliRow& r) { return r.mean_field.Z_hat; });
   columns.emplace_back("G_shear", [](const ModuliRow& r) { return shear_strain_modulus(r); });
+  int dimension = 2;
+  for (const ModuliRow& r : rows) dimension = std::max(dimension, r.dimension);
+  std::ranges::move(axis_columns(dimension), std::back_inserter(columns));
   return columns;
 }
 

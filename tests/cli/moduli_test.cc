@@ -62,6 +62,20 @@ TEST_F(ModuliCommand, OfAForeignPackingGiveTheShearModulusOfTheProgramThatMadeIt
   EXPECT_NEAR(diagonal.at("B").get<double>() / row.at("B_without_prestress").get<double>(), 1.0, 1e-13);
 }
 
+/// A stretch of one axis at constant stress of the other: S = C^-1.
+TEST_F(ModuliCommand, AreToldAxisByAxis) {
+  const json row = json::parse(moduli("packing.h5 --format json").out).at(0);
+  const auto number = [&](const char* key) { return row.at(key).get<double>(); };
+  const double C11 = number("C11"), C22 = number("C22"), C12 = number("C12");
+  EXPECT_NEAR(number("E_1") / (C11 - C12 * C12 / C22), 1.0, 1e-12);
+  EXPECT_NEAR(number("E_2") / (C22 - C12 * C12 / C11), 1.0, 1e-12);
+  EXPECT_NEAR(number("nu_12") / (C12 / C22), 1.0, 1e-12);
+  EXPECT_NEAR(number("nu_21") / (C12 / C11), 1.0, 1e-12);
+  // Free shear makes every stretch easier.
+  const json full = json::parse(moduli("packing.h5 --strains full --format json").out).at(0);
+  EXPECT_LT(full.at("E_1").get<double>(), number("E_1"));
+}
+
 TEST_F(ModuliCommand, HaveMeanFieldEstimatesBesideTheBounds) {
   // Springs that are all alike: the estimate for different ones is the printed one.
   const json row = json::parse(moduli("packing.h5 --format json").out).at(0);

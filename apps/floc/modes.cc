@@ -165,6 +165,12 @@ std::vector<Column<ModeRow>> columns_for(const std::vector<ModeRow>& rows) {
 int run_modes(const ModesCommand& command) {
   std::vector<ModeRow> rows;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
+    std::visit(
+        [&](const auto& state) {
+          if (!state.packing.walls.empty())
+            throw InputError(file, "has walls; modes are those of a periodic cell");
+        },
+        any);
     std::visit([&](const auto& state) { add_state(file, state, command, rows); }, any);
     return int{kDone};
   });

@@ -86,6 +86,11 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
       fmt::print(stderr, "\ninterrupted; --resume continues from here\n");
       return kInterrupted;
     case DriveReport::gave_up:
+      if (!run.packing().walls.empty()) {
+        fmt::print(stderr, "step {} ({} P = {:.4g}) ended without a state: {}\n", run.point().step,
+                   run.target().branch, run.target().pressure, report.relaxation.blocking);
+        return kNotConverged;
+      }
       fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time\n",
                  run.point().step, run.target().branch, run.pressure(), report.relaxation.blocking,
                  report.relaxation.decay_rate);
@@ -107,6 +112,9 @@ constexpr int kReturnedBlock = 1 << 22;
 template <int Dim>
 int run_scene(const Scene& scene, const RunArguments& arguments) {
   const RunOptions options = run_options(scene, arguments);
+  if (scene.assembly.box && (arguments.track_contacts || arguments.track_energy))
+    throw InputError(arguments.track_energy ? "--track-energy" : "--track-contacts",
+                     "the grains stand in a [box]; contacts are tracked in periodic cells only");
   const std::vector<PlannedEquilibrium> plan =
       plan_run(options.assembly, options.law, options.load, options.dimension);
   // From here on there is a directory to leave in order.

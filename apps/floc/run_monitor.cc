@@ -31,6 +31,12 @@ std::string phase_of(const Run<Dim>& run) {
   return text;
 }
 
+/// A state between walls that is no equilibrium says how many mechanisms keep it from being one.
+std::string ending_of(const RelaxationReport& report) {
+  if (report.n_mechanisms <= 0) return report.ending;
+  return fmt::format("{}, {} mechanisms", report.ending, report.n_mechanisms);
+}
+
 }  // namespace
 
 RunMonitor::RunMonitor(int n_steps)
@@ -65,7 +71,7 @@ void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& re
   fmt::print(stderr, "{}step {}/{} {} P = {:.4g}: phi {:.5f}, {} contacts, residual {:.1e} ({}), {:.1f} s\n",
              terminal_ ? "\r\033[K" : "", state.path.step + 1, n_steps_, state.path.branch,
              state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
-             state.residuals.force, report.ending, seconds);
+             state.residuals.force, ending_of(report), seconds);
   if (const std::string warning = overlap_warning(state.packing); !warning.empty())
     fmt::print(stderr, "  warning: {}\n", warning);
   if (!report.stability.note.empty()) fmt::print(stderr, "  stability {}\n", report.stability.note);

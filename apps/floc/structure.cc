@@ -65,6 +65,12 @@ int run_structure(const StructureCommand& command) {
   std::vector<StructureRow> rows;
   Series series;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
+    std::visit(
+        [&](const auto& state) {
+          if (!state.packing.walls.empty())
+            throw InputError(file, "has walls; structure is measured only with periodic boundaries");
+        },
+        any);
     std::visit([&](const auto& state) { rows.push_back(structure_row(file, state, command, series)); }, any);
     return int{kDone};
   });

@@ -171,6 +171,8 @@ std::vector<std::string> written_states(const std::string& extension) {
   };
   add(test::busy_state<2>());
   add(test::busy_state<3>());
+  add(test::boxed_state<2>());
+  add(test::boxed_state<3>());
   return seeds;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "floc/packing/contact_forces.h"
@@ -63,6 +64,36 @@ State<Dim> busy_state() {
   s.scene = "[scene]\nname = \"d\xc3\xa9pot\"\n";
   s.provenance = {"floc 0.1.0",         "abc123", "g++", ~std::uint64_t{0}, 1234567890123456789u,
                   std::string(64, 'e'), "a b"};
+  return s;
+}
+
+/// One grain between the two walls of the first axis, one of them fixed, and below another of the last axis; the
+/// rest as in busy_state(). In 2D all sides have walls.
+template <int Dim>
+State<Dim> boxed_state() {
+  State<Dim> s = busy_state<Dim>();
+  Packing<Dim>& p = s.packing;
+  p.cell.matrix = (7.3 / 3.0) * Mat<Dim>::Identity();
+  p.cell.matrix(0, 0) = 1.0 - 1e-5 / 3.0;
+  p.cell.velocity.setZero();
+  p.wall_law = p.law;
+  p.wall_law.adhesion.reset();
+  p.wall_law.friction = CoulombFriction{0.3, 1e5};
+  const double lowest = 0.1 / 3.0 - 0.5 + 4e-6;
+  p.walls = {{0, -1, lowest, 0.0, std::numeric_limits<double>::infinity()},
+             {0, +1, lowest + p.cell.matrix(0, 0), -1e-3 / 7.0, 96.0},
+             {Dim - 1, -1, -1.0 / 3.0, 1e-3 / 3.0, 96.0},
+             {Dim - 1, +1, 6.3 / 3.0, 0.0, 96.0}};
+  Contact<Dim> low, high;
+  low.j = p.grains.size();
+  high.j = low.j + 1;
+  test::shear_spring(low)[Dim == 2 ? 0 : 1] = 1e-6 / 7.0;
+  Contact<Dim> overlap;
+  overlap.j = 1;
+  test::shear_spring(overlap)[0] = 1e-6 / 3.0;
+  p.contacts = {overlap, low, high};
+  refresh_contacts(p);
+  measure(s);
   return s;
 }
 

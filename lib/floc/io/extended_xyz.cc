@@ -10,6 +10,7 @@
 #include "floc/base/read_file.h"
 #include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
+#include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
@@ -147,14 +148,15 @@ namespace {
 
 template <int Dim>
 std::string text_of(const State<Dim>& state) {
-  const Packing<Dim>& packing = state.packing;
+  const Packing<Dim> packing = with_walls_at_cell(state.packing);
   const Grains<Dim>& grains = packing.grains;
   Eigen::Matrix3d lattice = Eigen::Matrix3d::Identity();
   lattice.topLeftCorner<Dim, Dim>() = packing.cell.matrix;
   std::string text = fmt::format("{}\nLattice=\"", grains.size());
   for (int k = 0; k < 9; ++k) text += fmt::format("{}{}", k == 0 ? "" : " ", lattice(k / 3, k % 3));
-  text += fmt::format("\" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:id:I:1 pbc=\"T T {}\"\n",
-                      Dim == 3 ? "T" : "F");
+  const auto periodic_along = [&](int a) { return between_walls(packing.walls, a) ? "F" : "T"; };
+  text += fmt::format("\" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:id:I:1 pbc=\"{} {} {}\"\n",
+                      periodic_along(0), periodic_along(1), Dim == 3 ? periodic_along(2) : "F");
   for (int i = 0; i < grains.size(); ++i) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.head<Dim>() = grains.position[i];

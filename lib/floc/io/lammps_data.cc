@@ -13,6 +13,7 @@
 #include "floc/io/contact_file.h"
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
+#include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
@@ -174,9 +175,23 @@ void reduce_tilts(Mat<Dim>& rows) {
     for (int b = a - 1; b >= 0; --b) rows.row(a) -= std::round(rows(a, b) / rows(b, b)) * rows.row(b);
 }
 
+/// What of the walls the format has no place for, for its comment line.
+template <int Dim>
+std::string walls_in_words(const std::vector<Wall<Dim>>& walls) {
+  if (walls.empty()) return "";
+  std::string axes, boundary;
+  for (int a = 0; a < Dim; ++a) {
+    const bool walled = between_walls(walls, a);
+    if (walled) axes += fmt::format("{}{}", axes.empty() ? "" : " and ", "xyz"[a]);
+    boundary += walled ? " f" : " p";
+  }
+  return fmt::format("; walls at the faces across {}: boundary{}{}, fix wall/gran", axes, boundary,
+                     Dim == 2 ? " p" : "");
+}
+
 template <int Dim>
 std::string text_of(const State<Dim>& state) {
-  const Packing<Dim>& packing = state.packing;
+  const Packing<Dim> packing = with_walls_at_cell(state.packing);
   const Grains<Dim>& grains = packing.grains;
   Mat<Dim> rotation;
   Mat<Dim> rows = lower_triangular<Dim>(packing.cell.matrix, rotation);
@@ -186,14 +201,14 @@ std::string text_of(const State<Dim>& state) {
   Cell<Dim> cell;
   cell.matrix = rows;
   std::string text = fmt::format(
-      "floc: {} grains, atom_style sphere\n\n{} atoms\n1 atom types\n\n0 {} xlo xhi\n0 {} ylo yhi\n",
-      grains.size(), grains.size(), box(0, 0), box(1, 1));
+      "floc: {} grains, atom_style sphere{}\n\n{} atoms\n1 atom types\n\n0 {} xlo xhi\n0 {} ylo yhi\n",
+      grains.size(), walls_in_words<Dim>(packing.walls), grains.size(), box(0, 0), box(1, 1));
   text += Dim == 3 ? fmt::format("0 {} zlo zhi\n", box(2, 2)) : std::string("-0.5 0.5 zlo zhi\n");
   if (!rows.isDiagonal(0.0)) text += fmt::format("{} {} {} xy xz yz\n", box(1, 0), box(2, 0), box(2, 1));
   text += "\nAtoms # sphere\n\n";
   for (int i = 0; i < grains.size(); ++i) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
-    x.head<Dim>() = cell.wrapped(rotation * grains.position[i]);
+    x.head<Dim>() = packing.walls.empty() ? cell.wrapped(rotation * grains.position[i]) : grains.position[i];
     text += fmt::format("{} 1 {} {} {} {} {}\n", i + 1, 2.0 * grains.radius[i],
                         grains.mass[i] / sphere_volume(grains.radius[i]), x[0], x[1], x[2]);
   }

@@ -11,16 +11,15 @@
 namespace floc {
 namespace {
 
-const std::string kGroup = "law";
-
 /// Index of the keyword that an attribute of the law holds.
-int keyword_index(const Hdf5Reader& file, const std::string& attribute, const std::vector<std::string>& known) {
+int keyword_index(const Hdf5Reader& file, const std::string& group, const std::string& attribute,
+                  const std::vector<std::string>& known) {
   std::string given;
-  file.attribute(kGroup, attribute, given);
+  file.attribute(group, attribute, given);
   const auto found = std::find(known.begin(), known.end(), given);
   if (found != known.end()) return static_cast<int>(found - known.begin());
-  throw InputError(file.place(kGroup), fmt::format("attribute {} = \"{}\", expected one of {}", attribute,
-                                                   given, fmt::join(known, ", ")));
+  throw InputError(file.place(group), fmt::format("attribute {} = \"{}\", expected one of {}", attribute, given,
+                                                  fmt::join(known, ", ")));
 }
 
 /// The attributes that a file has for a slot, each key once: those of the model present (-1: none), and of
@@ -52,57 +51,57 @@ bool is_named_in_every_file(const DeclaredSlot& slot) {
                      [](const DeclaredModel& model) { return model.is_in_every_file; });
 }
 
-void write_slot(Hdf5Writer& file, const DeclaredSlot& slot, LawParameters& law) {
+void write_slot(Hdf5Writer& file, const std::string& group, const DeclaredSlot& slot, LawParameters& law) {
   const int present = slot.present(law);
   if (present < 0 && !is_named_in_every_file(slot)) return;
-  file.attribute(kGroup, slot.key, present < 0 ? "none" : slot.models[present].keyword);
+  file.attribute(group, slot.key, present < 0 ? "none" : slot.models[present].keyword);
   const std::vector<LawNumber> numbers = numbers_of(law);
   for (const std::string& key : keys_of(slot, present, false)) {
     const auto n = std::find_if(numbers.begin(), numbers.end(),
                                 [&](const LawNumber& number) { return number.key == slot.key + "." + key; });
-    file.attribute(kGroup, attribute_name(slot.key, key), n == numbers.end() ? 0.0 : *n->value);
+    file.attribute(group, attribute_name(slot.key, key), n == numbers.end() ? 0.0 : *n->value);
   }
   const std::vector<LawChoice> choices = choices_of(law);
   for (const std::string& key : keys_of(slot, present, true)) {
     const auto c = std::find_if(choices.begin(), choices.end(),
                                 [&](const LawChoice& choice) { return choice.key == slot.key + "." + key; });
-    file.attribute(kGroup, attribute_name(slot.key, key),
+    file.attribute(group, attribute_name(slot.key, key),
                    c == choices.end() ? std::string("none") : c->declared->keywords[c->chosen]);
   }
 }
 
-void read_slot(const Hdf5Reader& file, const DeclaredSlot& slot, LawParameters& law) {
-  if (!is_named_in_every_file(slot) && !file.has_attribute(kGroup, slot.key.c_str())) return;
+void read_slot(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot, LawParameters& law) {
+  if (!is_named_in_every_file(slot) && !file.has_attribute(group, slot.key.c_str())) return;
   std::vector<std::string> known;
   if (slot.optional) known.emplace_back("none");
   for (const DeclaredModel& model : slot.models) known.push_back(model.keyword);
-  const int chosen = keyword_index(file, slot.key, known) - (slot.optional ? 1 : 0);
+  const int chosen = keyword_index(file, group, slot.key, known) - (slot.optional ? 1 : 0);
   if (chosen < 0) return;
   const DeclaredModel& model = slot.models[chosen];
   model.choose(law);
   for (const LawNumber& n : numbers_of(law)) {
     const std::string prefix = slot.key + ".";
     if (n.key.starts_with(prefix))
-      file.attribute(kGroup, attribute_name(slot.key, n.key.substr(prefix.size())), *n.value);
+      file.attribute(group, attribute_name(slot.key, n.key.substr(prefix.size())), *n.value);
   }
   for (const DeclaredChoice& c : model.choices)
-    choose(law, slot.key, c.key, keyword_index(file, attribute_name(slot.key, c.key), c.keywords));
+    choose(law, slot.key, c.key, keyword_index(file, group, attribute_name(slot.key, c.key), c.keywords));
 }
 
 }  // namespace
 
-void write_law(Hdf5Writer& file, const LawParameters& law) {
-  file.group(kGroup);
+void write_law(Hdf5Writer& file, const LawParameters& law, const std::string& group) {
+  file.group(group);
   LawParameters parameters = law;
-  for (const DeclaredSlot& slot : declared_slots()) write_slot(file, slot, parameters);
+  for (const DeclaredSlot& slot : declared_slots()) write_slot(file, group, slot, parameters);
 }
 
-LawParameters read_law(const Hdf5Reader& file, int dimension) {
+LawParameters read_law(const Hdf5Reader& file, int dimension, const std::string& group) {
   LawParameters law;
-  for (const DeclaredSlot& slot : declared_slots()) read_slot(file, slot, law);
+  for (const DeclaredSlot& slot : declared_slots()) read_slot(file, group, slot, law);
   std::vector<std::string> faults = law.validate();
   for (LawFault& fault : law.faults_in_dimension(dimension)) faults.push_back(std::move(fault.words));
-  if (!faults.empty()) throw InputError(file.place(kGroup), fmt::format("{}", fmt::join(faults, "; ")));
+  if (!faults.empty()) throw InputError(file.place(group), fmt::format("{}", fmt::join(faults, "; ")));
   return law;
 }
 

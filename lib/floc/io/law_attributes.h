@@ -1,16 +1,18 @@
 #pragma once
 
+#include <string>
+
 #include "floc/contact/law_parameters.h"
 #include "floc/io/hdf5_image.h"
 
 namespace floc {
 
-/// Writes a contact law as attributes of the group `law`: a keyword for each slot, "none" where it is absent,
+/// Writes a contact law as attributes of a group: a keyword for each slot, "none" where it is absent,
 /// and every parameter, zero where it is absent.
-void write_law(Hdf5Writer& file, const LawParameters& law);
+void write_law(Hdf5Writer& file, const LawParameters& law, const std::string& group = "law");
 
 /// @throws InputError naming file and attribute for an unknown keyword, a parameter no law can have, or a law
 /// that is not for packings of this dimension.
-LawParameters read_law(const Hdf5Reader& file, int dimension);
+LawParameters read_law(const Hdf5Reader& file, int dimension, const std::string& group = "law");
 
 }  // namespace floc

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "floc/base/error.h"
@@ -18,7 +19,7 @@
 #include "floc/io/state_archive.h"
 #include "floc/io/state_layout.h"
 #include "floc/packing/overlaps.h"
-#include "floc/packing/require_periodic.h"
+#include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
@@ -102,7 +103,9 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
 /// the root attribute `features` names them, and a reader refuses one that it does not know.
 const std::string kContactMemory = "contacts/memory";
 const std::string kNoFeatures = "none";
-const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory};
+const std::string kWalls = "walls";
+const std::string kWallLaw = "wall_law";
+const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory, kWalls};
 
 Quantity quantity_of(Unit unit) {
   switch (unit) {
@@ -124,10 +127,23 @@ Quantity quantity_of(Unit unit) {
   return Quantity::ratio;
 }
 
+/// What contacts remember, under the law between grains or that of the walls.
+template <int Dim>
+std::vector<RememberedQuantity> quantities_of(const Packing<Dim>& packing) {
+  std::vector<RememberedQuantity> all = remembered_quantities(packing.law, Dim);
+  if (packing.walls.empty()) return all;
+  for (const RememberedQuantity& q : remembered_quantities(packing.wall_law, Dim))
+    if (std::none_of(all.begin(), all.end(), [&](const RememberedQuantity& known) {
+          return std::string(known.declared.name) == q.declared.name;
+        }))
+      all.push_back(q);
+  return all;
+}
+
 /// One array of a quantity that contacts remember: a row a contact.
 template <int Dim>
 void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
-  for (const RememberedQuantity& q : remembered_quantities(packing.law, Dim)) {
+  for (const RememberedQuantity& q : quantities_of(packing)) {
     const std::string path = kContactMemory + "/" + q.declared.name;
     const std::string meaning = std::string("history: ") + q.declared.meaning;
     std::vector<double> values;
@@ -148,7 +164,7 @@ void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Pack
     MemoryKind kind;
     Quantity quantity;
   };
-  const std::vector<RememberedQuantity> quantities = remembered_quantities(packing.law, Dim);
+  const std::vector<RememberedQuantity> quantities = quantities_of(packing);
   for (const Known& known : {Known{"shear_spring", MemoryKind::tangent, Quantity::length},
                              Known{"rolling_spring", MemoryKind::rotation, Quantity::angle}}) {
     const std::string path = std::string("contacts/") + known.name;
@@ -165,7 +181,7 @@ void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Pack
 /// @param version  files of version 1 have the arrays beside those of the contacts
 template <int Dim>
 void read_memory(ReadingArchive& archive, std::int64_t version, Packing<Dim>& packing) {
-  for (const RememberedQuantity& q : remembered_quantities(packing.law, Dim)) {
+  for (const RememberedQuantity& q : quantities_of(packing)) {
     const std::string path = (version == 1 ? "contacts" : kContactMemory) + "/" + q.declared.name;
     const auto values = archive.take<double>({path.c_str(), quantity_of(q.declared.unit), ""},
                                              shape_of(packing.contacts.size(), q.size));
@@ -188,6 +204,88 @@ void check_features(const Hdf5Reader& file) {
                       features, name, fmt::join(kKnownFeatures, ", ")));
 }
 
+constexpr Field kWallMass = {"walls/mass", Quantity::mass, "0: it moves at its velocity whatever pushes it"};
+constexpr Field kWallForce = {"walls/force", Quantity::force, "static normal force of the grains, outwards"};
+
+/// Walls, the law of their contacts, and what they are under.
+template <int Dim>
+void write_walls(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& s) {
+  const std::vector<Wall<Dim>>& walls = s.packing.walls;
+  if (walls.empty()) return;
+  describe_walls<Dim>(archive, walls);
+  std::vector<double> mass;
+  for (const Wall<Dim>& wall : walls) mass.push_back(follows_forces(wall) ? wall.mass : 0.0);
+  archive.put(kWallMass, {mass.size()}, mass);
+  archive.put(kWallForce, {mass.size()}, wall_forces(s.packing));
+  write_law(file, s.packing.wall_law, kWallLaw);
+}
+
+/// @throws InputError unless they come in pairs of an axis, the lower one first, axes ascending
+template <int Dim>
+void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
+  const std::vector<Wall<Dim>>& walls = packing.walls;
+  int next_axis = 0;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const auto refuse = [&](const char* path, const std::string& what) {
+      throw InputError(file.place(path), fmt::format("entry {} is {}", w, what));
+    };
+    const bool lower = w % 2 == 0;
+    if (walls[w].axis < next_axis || walls[w].axis >= Dim || (!lower && walls[w].axis != walls[w - 1].axis))
+      refuse("walls/axis", fmt::format("{}, expected two walls of an axis from 0 to {}, axes ascending",
+                                       walls[w].axis, Dim - 1));
+    if (walls[w].side != (lower ? -1 : 1))
+      refuse("walls/side", fmt::format("{}, expected -1 and 1 for the two walls of an axis", walls[w].side));
+    if (walls[w].mass < 0.0) refuse("walls/mass", fmt::format("{}, expected 0 or more", walls[w].mass));
+    if (lower) continue;
+    next_axis = walls[w].axis + 1;
+    const double distance = walls[w].position - walls[w - 1].position;
+    const double side = packing.cell.matrix(walls[w].axis, walls[w].axis);
+    if (!packing.cell.rectangular() || !(distance > 0.0) || !(std::abs(distance / side - 1.0) < 1e-9))
+      refuse("walls/position",
+             fmt::format("{:.6g} beyond the wall opposite, expected the side of a rectangular cell, "
+                         "{:.6g}",
+                         distance, side));
+  }
+  if (walls.size() % 2 != 0)
+    throw InputError(file.place("walls/axis"),
+                     fmt::format("has {} walls, expected two for each axis", walls.size()));
+}
+
+template <int Dim>
+void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& s) {
+  if (!file.has("walls/axis")) return;
+  Packing<Dim>& packing = s.packing;
+  const std::uint64_t n = file.n_rows("walls/axis");
+  if (n > 2 * Dim)
+    throw InputError(file.place("walls/axis"), fmt::format("has {} walls, expected at most {}", n, 2 * Dim));
+  packing.walls.assign(n, Wall<Dim>{});
+  describe_walls<Dim>(archive, packing.walls);
+  const auto mass = archive.take<double>(kWallMass, {n});
+  for (std::size_t w = 0; w < n; ++w) packing.walls[w].mass = mass[w];
+  check_walls(file, packing);
+  for (Wall<Dim>& wall : packing.walls)
+    if (wall.mass == 0.0) wall.mass = std::numeric_limits<double>::infinity();
+  packing.wall_law = read_law(file, Dim, kWallLaw);
+}
+
+/// The features of a state, by name.
+template <int Dim>
+std::string features_of(const Packing<Dim>& packing, bool remembers) {
+  std::string features = remembers ? kContactMemory : "";
+  if (!packing.walls.empty()) features += (features.empty() ? "" : " ") + kWalls;
+  return features.empty() ? kNoFeatures : features;
+}
+
+/// What bounds each axis, in a word each.
+template <int Dim>
+std::string boundary_of(const Packing<Dim>& packing) {
+  if (packing.walls.empty()) return "periodic";
+  std::string text;
+  for (int a = 0; a < Dim; ++a)
+    text += std::string(a == 0 ? "" : " ") + (between_walls(packing.walls, a) ? "walls" : "periodic");
+  return text;
+}
+
 template <int Dim>
 std::string encode(const State<Dim>& s, const std::string& progress) {
   Hdf5Writer file;
@@ -196,12 +294,13 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
   file.attribute("/", "dimension", std::int64_t{Dim});
   file.attribute("/", "units", s.units);
   file.attribute("/", "sign_convention", kSignConvention);
-  const bool remembers = !remembered_quantities(s.packing.law, Dim).empty();
-  file.attribute("/", "features", remembers ? kContactMemory : kNoFeatures);
+  const bool remembers = !quantities_of(s.packing).empty();
+  file.attribute("/", "features", features_of(s.packing, remembers));
   for (const char* group : {"cell", "grains", "contacts", "equilibrium", "path", "provenance"})
     file.group(group);
   if (remembers) file.group(kContactMemory);
-  file.attribute("cell", "boundary", std::string("periodic"));
+  if (!s.packing.walls.empty()) file.group(kWalls);
+  file.attribute("cell", "boundary", boundary_of(s.packing));
 
   WritingArchive archive(file, s.units, Dim);
   describe_cell(archive, s.packing.cell);
@@ -216,6 +315,7 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
   write_law(file, s.packing.law);
   write_equilibrium(archive, s);
   write_directed_load(file, archive, s);
+  write_walls(file, archive, s);
   describe_attributes(archive, s);
   file.text("scene", s.scene);
   file.attribute("provenance", "scene_sha256", sha256(s.scene));
@@ -264,6 +364,7 @@ void check_contacts(const Hdf5Reader& file, const Packing<Dim>& packing) {
   for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
     const Contact<Dim>& contact = packing.contacts[c];
     require_grain("contacts/id1", c, contact.i);
+    if (contact.j >= n && contact.j < n + static_cast<int>(packing.walls.size())) continue;
     require_grain("contacts/id2", c, contact.j);
     for (const int image : contact.image)
       if (image < -kFarthestImage || image > kFarthestImage)
@@ -287,6 +388,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   check_grains(file, packing, id);
   packing.contacts.resize(counted_rows(file, "contacts/id1"));
   describe_contacts<Dim>(archive, packing.contacts);
+  read_walls(file, archive, s);
   check_contacts(file, packing);
   packing.law = read_law(file, Dim);
   if (packing.law.twisting) describe_twisting(archive, packing.contacts);
@@ -352,7 +454,6 @@ auto read_sealed(const std::string& path, const Read& read) {
 
 template <int Dim>
 void write_state(const std::string& path, const State<Dim>& state, const std::string& progress) {
-  require_periodic(state.packing, "a state is saved");
   write_bytes_atomically(path, seal(encode(state, progress)));
 }
 

@@ -59,6 +59,21 @@ void describe_grains(Archive& archive, Grains& g) {
   archive.column({"grains/angular_velocity", spin, ""}, g.angular_velocity);
 }
 
+template <int Dim, class Archive, class Walls>
+void describe_walls(Archive& archive, Walls& walls) {
+  using enum Quantity;
+  const auto rows = [&](const Field& field, auto get) { archive.rows(field, walls, get); };
+  rows(
+      {"walls/axis", count, "of the normal, 0 the first"}, [](auto& w) -> auto& { return w.axis; });
+  rows(
+      {"walls/side", count, "1: grains lie below it on the axis, -1: above"},
+      [](auto& w) -> auto& { return w.side; });
+  rows(
+      {"walls/position", length, "on the axis"}, [](auto& w) -> auto& { return w.position; });
+  rows(
+      {"walls/velocity", velocity, "along the axis"}, [](auto& w) -> auto& { return w.velocity; });
+}
+
 template <int Dim, class Archive, class Contacts>
 void describe_contacts(Archive& archive, Contacts& contacts) {
   using enum Quantity;

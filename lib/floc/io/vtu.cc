@@ -13,6 +13,7 @@
 #include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
 #include "floc/io/vtk_arrays.h"
+#include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
@@ -237,6 +238,12 @@ class Drawing {
 
   template <int Dim>
   void add_contact(const Packing<Dim>& packing, const Contact<Dim>& c) {
+    if (packing.is_wall(c.j)) {
+      const Vec<Dim> foot = packing.grains.position[c.i] + branch(packing, c);
+      add_cell(kLine, {c.i, add_point(in_space<Dim>(foot), 0.0, 0.0, -1)});
+      add_contact_data(c);
+      return;
+    }
     if (c.image.isZero()) {
       add_cell(kLine, {c.i, c.j});
       add_contact_data(c);
@@ -287,7 +294,15 @@ std::string text_of(const State<Dim>& state) {
   pugi::xml_node fields = grid.append_child("FieldData");
   append(fields, cell);
   fields.child("DataArray").append_attribute("NumberOfTuples") = 3;
-  Drawing(state.packing).write(grid.append_child("Piece"));
+  const Packing<Dim> packing = with_walls_at_cell(state.packing);
+  if (!packing.walls.empty()) {
+    ArrayText walls{"Float64", "walls", 3, ""};  // axis, side, position
+    for (const Wall<Dim>& wall : packing.walls)
+      walls.add(Eigen::Vector3d(static_cast<double>(wall.axis), static_cast<double>(wall.side), wall.position));
+    append(fields, walls);
+    fields.last_child().append_attribute("NumberOfTuples") = static_cast<unsigned>(packing.walls.size());
+  }
+  Drawing(packing).write(grid.append_child("Piece"));
   std::ostringstream text;
   document.save(text, " ", pugi::format_default | pugi::format_save_file_text);
   return text.str();

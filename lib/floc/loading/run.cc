@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "floc/assembly/gas.h"
+#include "floc/base/error.h"
 #include "floc/base/version.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/contact_forces.h"
@@ -20,6 +21,23 @@ namespace {
 constexpr std::uint64_t kAssemblyStream = 1;
 constexpr std::uint64_t kVibrationStream = 2;
 
+/// Gives the walls of a saved packing the mass and the law that a scene asks for; they stay where they are.
+/// @throws InputError if they are across other axes
+template <int Dim>
+void take_walls(const BoxOptions& box, const LawParameters& law, Packing<Dim>& packing) {
+  Vec<Dim> lowest = Vec<Dim>::Zero();
+  for (const Wall<Dim>& wall : packing.walls)
+    if (wall.side < 0) lowest[wall.axis] = wall.position;
+  const std::vector<Wall<Dim>> saved = std::move(packing.walls);
+  packing.walls = walls_around(packing, box, lowest);
+  for (int a = 0; a < Dim; ++a)
+    if (between_walls(saved, a) != between_walls(packing.walls, a))
+      throw InputError("box.boundary", fmt::format("the state has {} across axis {}: expected the same",
+                                                   between_walls(saved, a) ? "walls" : "no walls", a + 1));
+  packing.wall_law = wall_law(law, box);
+  refresh_contacts(packing);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -31,6 +49,10 @@ Run<Dim>::Run(RunOptions options)
     packing_ =
         start_from<Dim>(assembly.saved.read_packing<Dim>(), options_.law, assembly.saved.copies_along<Dim>());
     point_.parent_sha256 = assembly.saved.sha256;
+    if (assembly.box) take_walls(*assembly.box, options_.law, packing_);
+  } else if (assembly.box) {
+    packing_ =
+        make_boxed_gas<Dim>(options_.grains, plan_.front().law, *assembly.box, assembly.solid_fraction, random);
   } else {
     packing_ = make_gas<Dim>(options_.grains, plan_.front().law, assembly.solid_fraction, random);
   }
@@ -147,6 +169,7 @@ void Run<Dim>::start_step() {
   if (packing_.law != target().law) {
     // The relaxer takes the imbalance it has to respond to from the forces in the contact list.
     packing_.law = target().law;
+    if (options_.assembly.box) packing_.wall_law = wall_law(packing_.law, *options_.assembly.box);
     refresh_contacts(packing_);
   }
   equilibrator_ = make_equilibrator<Dim>(target().cell.applied_to(options_.relaxation), std::move(packing_),

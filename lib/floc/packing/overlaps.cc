@@ -14,7 +14,9 @@ Overlaps measure_overlaps(const Packing<Dim>& packing) {
   int n_touching = 0, n_deep = 0;
   for (const Contact<Dim>& c : packing.contacts) {
     if (c.distant) continue;
-    const double overlap = -c.gap / std::min(packing.grains.radius[c.i], packing.grains.radius[c.j]);
+    const double radius = packing.grains.radius[c.i];
+    const double smaller = packing.is_wall(c.j) ? radius : std::min(radius, packing.grains.radius[c.j]);
+    const double overlap = -c.gap / smaller;
     ++n_touching;
     n_deep += overlap > kDeepOverlap;
     out.mean += overlap;

@@ -8,6 +8,7 @@
 #include "floc/network/components.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/wall_forces.h"
 #include "floc/structure/particle_stress.h"
 
 namespace floc {
@@ -72,7 +73,8 @@ void mark_largest(const ContactNetwork<Dim>& network, const Adjacency& of, const
 }  // namespace
 
 template <int Dim>
-PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& packing, double zero_force) {
+PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& given, double zero_force) {
+  const Packing<Dim> packing = with_walls_at_cell(given);
   PackingPicture<Dim> picture = grains_of(packing);
   const UnitForce unit = unit_force_of(packing);
   picture.rattler = find_rattlers(packing, zero_force);
@@ -109,8 +111,9 @@ PackingPicture<Dim> pressure_phases_of(const Packing<Dim>& packing, double zero_
 }
 
 template <int Dim>
-PackingPicture<Dim> increment_forces(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
+PackingPicture<Dim> increment_forces(const Packing<Dim>& given, const ContactNetwork<Dim>& network,
                                      const StepResponse<Dim>& step) {
+  const Packing<Dim> packing = with_walls_at_cell(given);
   PackingPicture<Dim> picture = grains_of(packing);
   const double largest = packing.grains.size() == 0 ? 1.0 : largest_diameter(picture.radius);
   const double unit = std::pow(largest, Dim - 1);

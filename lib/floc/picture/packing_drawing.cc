@@ -70,10 +70,15 @@ class Drawing {
     for (const ContactLine<2>& line : picture_.lines) {
       const int level = static_cast<int>(std::lround(width_of(line) / kWidthStep));
       const double reach = 0.5 * width_of(line) / placement_.scale.points_per_length;
-      copies_.of_segment(line.from, line.to, reach, [&](const Vec<2>& shift) {
+      const auto add = [&](const Vec<2>& shift) {
         by_width[{line.kind, std::max(1, level)}].push_back(
             {on_page(line.from + shift), on_page(line.to + shift)});
-      });
+      };
+      // What ends at a wall has no copy behind it.
+      if (line.j >= static_cast<int>(picture_.position.size()))
+        add(Vec<2>::Zero());
+      else
+        copies_.of_segment(line.from, line.to, reach, add);
     }
     cairo_set_line_cap(page_, CAIRO_LINE_CAP_ROUND);
     for (const auto& [kind_and_level, segments] : by_width) {

@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "floc/packing/wall_forces.h"
+
 namespace floc {
 
 template <int Dim>
 PackingPicture<Dim> grains_of(const Packing<Dim>& packing) {
   PackingPicture<Dim> picture;
   picture.cell = packing.cell;
-  picture.position = packing.grains.position;
+  picture.position = with_walls_at_cell(packing).grains.position;
   picture.radius = packing.grains.radius;
   return picture;
 }

@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "floc/neighbors/pairs.h"
+#include "floc/neighbors/interacting_pairs.h"
 #include "floc/packing/contact_forces.h"
 
 namespace floc {
@@ -23,8 +23,8 @@ constexpr double kNoForce = 1e-9;
 /// was read as touching pulls across a gap.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  if (!c.distant && !packing.law.stiffness_varies())
-    return -c.kn * c.gap - (c.gap < 0.0 ? packing.law.pull_off_force() : 0.0);
+  const LawParameters& law = law_of(packing, c);
+  if (!c.distant && !law.stiffness_varies()) return -c.kn * c.gap - (c.gap < 0.0 ? law.pull_off_force() : 0.0);
   Contact<Dim> by_law = c;
   refresh_contact(packing, by_law);
   return by_law.normal_force;
@@ -58,16 +58,15 @@ double distance_error(const Packing<Dim>& packing) {
 
 template <int Dim>
 std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>& packing, double open) {
-  const double range = packing.law.range();
   std::set<PairIdentity> listed;
   for (const Contact<Dim>& c : packing.contacts) listed.insert(identity(c));
   std::vector<Contact<Dim>> missing;
-  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, packing.grains, range)) {
+  for (const NeighborPair<Dim>& pair : interacting_pairs(packing)) {
     if (listed.contains(identity(pair))) continue;
     Contact<Dim> c;
     c.i = pair.i, c.j = pair.j, c.image = pair.image;
     refresh_contact(packing, c);
-    if (c.gap < range - open) missing.push_back(c);
+    if (c.gap < law_of(packing, c).range() - open) missing.push_back(c);
   }
   return missing;
 }
@@ -83,7 +82,7 @@ ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance) {
     check.n_distant += c.distant;
     check.n_pulling += c.normal_force < -kNoForce * largest;
     check.n_at_cap += c.yields();
-    const Mobilised beyond = mobilised(packing.law, c, -kCapTolerance);
+    const Mobilised beyond = mobilised(law_of(packing, c), c, -kCapTolerance);
     check.n_beyond_cap += (beyond.sliding && !c.shear_force.isZero(0.0)) ||
                           (beyond.rolling && !c.rolling_moment.isZero(0.0)) ||
                           (beyond.twisting && c.twisting_moment != 0.0);

@@ -19,12 +19,18 @@ PairIdentity identity(Pair pair) {
   return {pair.i, pair.j, {pair.image.begin(), pair.image.end()}};
 }
 
+/// The law of a contact: that between grains, or that of the walls.
+template <int Dim>
+const LawParameters& law_of(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  return packing.is_wall(contact.j) ? packing.wall_law : packing.law;
+}
+
 /// What positions leave open of a distance: their differences and that of radii are rounded (length).
 template <int Dim>
 double distance_error(const Packing<Dim>& packing);
 
-/// Pairs of grains that overlap by more than `open` (length), or are within the law's range by more, and are not
-/// among the contacts; gap and normal are set.
+/// Pairs of grains, and of grains with walls, that overlap by more than `open` (length), or are within the range of
+/// their law by more, and are not among the contacts; gap and normal are set.
 template <int Dim>
 std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>& packing, double open);
 

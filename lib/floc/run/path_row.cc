@@ -2,11 +2,15 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
 #include "floc/io/table.h"
+#include "floc/packing/contact_energy.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/least_mechanisms.h"
+#include "floc/packing/wall_forces.h"
 #include "floc/structure/axial_test.h"
 #include "floc/structure/coordination.h"
 
@@ -39,7 +43,7 @@ const std::vector<std::string> kColumns = {"step",
                                            "state",
                                            "ending"};
 
-std::vector<std::string> columns_of(int dimension) {
+std::vector<std::string> columns_of(int dimension, bool boxed) {
   std::vector<std::string> columns = kColumns;
   if (dimension == 3) columns.emplace_back("L3");
   for (const char* quantity : {"stress", "strain"})
@@ -47,6 +51,11 @@ std::vector<std::string> columns_of(int dimension) {
   for (const char* name :
        {"p", "q", "K0", "volumetric_strain", "mobilised_friction", "dilatancy", "control", "axis"})
     columns.emplace_back(name);
+  if (!boxed) return columns;
+  for (const char* name : {"n_wall_contacts", "z_wall", "kinetic_over_elastic", "n_mechanisms"})
+    columns.emplace_back(name);
+  for (int a = 1; a <= dimension; ++a) columns.push_back(fmt::format("p_wall_{}", a));
+  for (int a = 1; a <= dimension; ++a) columns.push_back(fmt::format("p_friction_{}", a));
   return columns;
 }
 
@@ -71,10 +80,30 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
   row.push_back(is_test ? TableValue{std::int64_t{state.path.turn.axis + 1}} : TableValue{});
 }
 
+/// What a packing between walls has beside. Pressure on walls and what their friction bears of it are nothing
+/// along an axis without walls.
+template <int Dim>
+void add_walls(const State<Dim>& state, const Coordination& c, std::vector<TableValue>& row) {
+  const Packing<Dim>& packing = state.packing;
+  const Vec<Dim> pressure = wall_pressure(packing), borne = stress_borne_by_friction(packing);
+  const auto n_on_walls =
+      std::count_if(packing.contacts.begin(), packing.contacts.end(),
+                    [&](const auto& contact) { return packing.is_wall(contact.j) && !contact.distant; });
+  row.emplace_back(std::int64_t{n_on_walls});
+  row.emplace_back(c.z + static_cast<double>(n_on_walls) / packing.grains.size());
+  row.emplace_back(kinetic_over_elastic_energy(packing));
+  row.emplace_back(std::int64_t{least_mechanisms(packing)});
+  for (const Vec<Dim>* values : {&pressure, &borne})
+    for (int a = 0; a < Dim; ++a) {
+      row.emplace_back();
+      if (between_walls(packing.walls, a)) row.back() = (*values)[a];
+    }
+}
+
 }  // namespace
 
-std::string path_header(int dimension) {
-  return fmt::format("{}", fmt::join(columns_of(dimension), ","));
+std::string path_header(int dimension, bool boxed) {
+  return fmt::format("{}", fmt::join(columns_of(dimension, boxed), ","));
 }
 
 template <int Dim>
@@ -85,7 +114,8 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
   const double zero_force = state.tolerance.force * force_scale(state.packing, state.target_stress).force;
   const Coordination c = coordination(state.packing, zero_force);
   Table table;
-  table.columns = columns_of(Dim);
+  const bool boxed = !state.packing.walls.empty();
+  table.columns = columns_of(Dim, boxed);
   table.rows = {{std::int64_t{state.path.step},
                  state.path.branch,
                  reduced_pressure(state.packing, pressure),
@@ -113,6 +143,7 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
                  or_undefined(state.path.ending)}};
   if constexpr (Dim == 3) table.rows[0].emplace_back(state.packing.cell.matrix(2, 2));
   add_axes(state, reference, table.rows[0]);
+  if (boxed) add_walls(state, c, table.rows[0]);
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;

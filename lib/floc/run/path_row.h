@@ -8,7 +8,8 @@
 namespace floc {
 
 /// First line of path.csv.
-std::string path_header(int dimension);
+/// @param boxed  the grains stand between walls, of which the last columns tell
+std::string path_header(int dimension, bool boxed);
 
 /// What strains of a row are counted from.
 template <int Dim>

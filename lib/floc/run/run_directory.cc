@@ -39,7 +39,10 @@ State<Dim> read_run_state(const std::string& file) {
 }  // namespace
 
 RunDirectory::RunDirectory(const std::string& path, Existing existing, const RunOptions& options)
-    : path_(path), claim_(path, existing, "run"), dimension_(options.dimension) {
+    : path_(path),
+      claim_(path, existing, "run"),
+      dimension_(options.dimension),
+      boxed_(options.assembly.box.has_value()) {
   std::error_code failed;
   fs::create_directories(fs::path(path) / "checkpoint", failed);
   if (failed) throw IoError(path, "cannot make the directory: " + failed.message());
@@ -165,7 +168,7 @@ void RunDirectory::read_rows() {
   std::string line;
   if (!std::getline(in, line)) return;
   if (in.eof()) return;  // a header that is cut
-  if (line != path_header(dimension_))
+  if (line != path_header(dimension_, boxed_))
     throw InputError(path_table() + ":1", "columns are not those of this version of floc: " + line);
   const int n_columns = n_cells(line);
   while (std::getline(in, line)) {
@@ -178,7 +181,7 @@ void RunDirectory::read_rows() {
 }
 
 void RunDirectory::write_rows() const {
-  std::string text = path_header(dimension_) + "\n";
+  std::string text = path_header(dimension_, boxed_) + "\n";
   for (const auto& [step, line] : rows_) text += line + "\n";
   write_bytes_atomically(path_table(), text);
 }

@@ -66,6 +66,7 @@ class RunDirectory {
   std::string path_;
   ClaimedDirectory claim_;
   int dimension_;
+  bool boxed_;
   std::map<int, std::string> rows_;           ///< lines of path.csv by step
   std::map<int, std::vector<double>> sides_;  ///< of the cell (length), of the states seen so far
 };

@@ -10,6 +10,7 @@
 #include "floc/elasticity/stability.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/wall_forces.h"
 #include "floc/run/contact_check.h"
 
 namespace floc {
@@ -37,7 +38,8 @@ class Violations {
 };
 
 template <int Dim>
-std::string name_of(const Contact<Dim>& c) {
+std::string name_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  if (packing.is_wall(c.j)) return fmt::format("grain {} and wall {}", c.i, c.j - packing.grains.size());
   return fmt::format("grains {}-{}", c.i, c.j);
 }
 
@@ -51,7 +53,8 @@ Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recompu
     const double error =
         std::max(std::abs(c.gap - r.gap), (c.normal - r.normal).norm() * branch(recomputed, r).norm());
     result.value = std::max(*result.value, error);
-    if (!(error <= result.limit)) violations.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
+    if (!(error <= result.limit))
+      violations.add(error, fmt::format("{} by {:.2g}", name_of(recomputed, c), error));
   }
   result.where = violations.worst_first();
   result.holds = result.where.empty();
@@ -61,17 +64,17 @@ Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recompu
 template <int Dim>
 Criterion check_list(const Packing<Dim>& recomputed) {
   const double open = distance_error(recomputed);
-  const double range = recomputed.law.range();
   Violations violations;
   std::set<std::pair<PairIdentity, int>> listed;
   int n_wrong = 0;
   const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
   for (const Contact<Dim>& c : recomputed.contacts) {
-    if (!listed.insert({identity(c), c.key}).second) wrong(name_of(c) + " listed twice");
-    if (c.gap >= range + open) wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(c), c.gap));
+    if (!listed.insert({identity(c), c.key}).second) wrong(name_of(recomputed, c) + " listed twice");
+    if (c.gap >= law_of(recomputed, c).range() + open)
+      wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(recomputed, c), c.gap));
   }
   for (const Contact<Dim>& c : missing_contacts(recomputed, open))
-    wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(c), c.gap));
+    wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(recomputed, c), c.gap));
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
@@ -95,23 +98,23 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
   for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
     const Contact<Dim>& c = stored.contacts[k];
     const Contact<Dim>& r = recomputed.contacts[k];
-    const double arm = stored.grains.radius[c.i] + stored.grains.radius[c.j];
+    const double arm = stored.grains.radius[c.i] + stored.surface_radius(c.j);
     const double error =
         std::max({std::abs(c.normal_force - r.normal_force), std::abs(c.elastic_force - r.elastic_force),
                   (c.shear_force - r.shear_force).norm(), (c.rolling_moment - r.rolling_moment).norm() / arm,
                   std::abs(c.twisting_moment - r.twisting_moment) / arm});
     result.value = std::max(*result.value, error);
     // A stiffness that grows with the overlap follows it to the rounding of the positions.
-    const double open = recomputed.law.stiffness_varies() ? 1e-12 + distance / std::abs(r.gap) : 0.0;
+    const double open = law_of(recomputed, c).stiffness_varies() ? 1e-12 + distance / std::abs(r.gap) : 0.0;
     const auto same = [open](double kept, double found) {
       return kept == found || std::abs(kept - found) <= open * std::abs(found);
     };
     const bool same_state = same(c.kn, r.kn) && same(c.kt, r.kt) && same(c.kr, r.kr) && same(c.ktw, r.ktw) &&
                             c.distant == r.distant;
     if (!(error <= result.limit))
-      violations.add(error, fmt::format("{} by {:.2g}", name_of(c), error));
+      violations.add(error, fmt::format("{} by {:.2g}", name_of(recomputed, c), error));
     else if (!same_state)
-      violations.add(0.0, fmt::format("{} in a stiffness", name_of(c)));
+      violations.add(0.0, fmt::format("{} in a stiffness", name_of(recomputed, c)));
   }
   result.where = violations.worst_first();
   result.holds = result.where.empty();
@@ -146,9 +149,12 @@ void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, co
       unbalanced(
           net.moment, [&](int i) { return scales.of(i).force * scales.of(i).length; }, t.moment));
   std::string stresses;
+  const bool boxed = !recomputed.walls.empty();
+  const Vec<Dim> on_walls = wall_pressure(recomputed);
   for (int a = 0; a < Dim; ++a)
-    stresses += fmt::format("{}sigma_{} = {:.6g} against {:.6g}", a == 0 ? "" : ", ", a + 1, stress(a, a),
-                            state.target_stress[a]);
+    stresses += fmt::format("{}{}_{} = {:.6g} against {:.6g}", a == 0 ? "" : ", ",
+                            boxed ? "pressure on the walls" : "sigma", a + 1,
+                            boxed ? on_walls[a] : stress(a, a), state.target_stress[a]);
   add("stress", r.stress, t.stress, stresses);
   add("energy", r.energy, t.energy, "the grains still move");
 }
@@ -216,15 +222,16 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
   const Balance<Dim> net = net_forces(recomputed);
   const double largest = state.tolerance.force * force_scale(recomputed, state.target_stress).force;
   Vec<Dim> centre = Vec<Dim>::Zero();
-  for (const Vec<Dim>& x : g.position) centre += x / g.size();
+  if (recomputed.walls.empty())
+    for (const Vec<Dim>& x : g.position) centre += x / g.size();
   double open = 0.0;  // force * length
   for (int i = 0; i < g.size(); ++i)
     open += std::min(net.force[i].norm(), largest) * (g.position[i] - centre).norm();
   double rounded = 0.0;
   for (const Contact<Dim>& c : recomputed.contacts) {
     const double force = std::abs(c.normal_force) + c.shear_force.norm();
-    rounded +=
-        force * (recomputed.cell.shift(c.image).norm() + g.position[c.i].norm() + g.position[c.j].norm());
+    const double to_j = recomputed.is_wall(c.j) ? branch(recomputed, c).norm() : g.position[c.j].norm();
+    rounded += force * (recomputed.cell.shift(c.image).norm() + g.position[c.i].norm() + to_j);
   }
   const Mat<Dim> across = boundary_stress(recomputed);
   const double volume = recomputed.cell.volume();
@@ -261,12 +268,13 @@ constexpr double kAtCap = 1e-13;
 
 template <int Dim>
 void compare_flags(const Packing<Dim>& stored, Record& record) {
-  const auto compare = [&record](const Contact<Dim>& c, const char* flag, bool recorded, bool near, bool at) {
+  const auto compare = [&](const Contact<Dim>& c, const char* flag, bool recorded, bool near, bool at) {
     if (recorded ? !near : at)
-      record.wrong(fmt::format("{} recorded as {}{}", name_of(c), recorded ? "" : "not ", flag));
+      record.wrong(fmt::format("{} recorded as {}{}", name_of(stored, c), recorded ? "" : "not ", flag));
   };
   for (const Contact<Dim>& c : stored.contacts) {
-    const Mobilised near = mobilised(stored.law, c, kFlagTolerance), at = mobilised(stored.law, c, kAtCap);
+    const LawParameters& law = law_of(stored, c);
+    const Mobilised near = mobilised(law, c, kFlagTolerance), at = mobilised(law, c, kAtCap);
     compare(c, "sliding", c.sliding, near.sliding, at.sliding);
     compare(c, "yielding in rolling", c.rolling_yield, near.rolling, at.rolling);
     compare(c, "yielding in twisting", c.twisting_yield, near.twisting, at.twisting);
@@ -286,8 +294,12 @@ Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, 
   record.compare("residuals.moment", state.residuals.moment, found.moment, open);
   double lengths = 0.0;
   for (const Contact<Dim>& c : recomputed.contacts) lengths += branch(recomputed, c).norm();
-  record.compare("residuals.stress", state.residuals.stress, found.stress,
-                 open * lengths * std::pow(scale.length, Dim - 1) / recomputed.cell.volume());
+  // The residual of a box is in units of the pressure.
+  const bool by_pressure = !recomputed.walls.empty() && state.target_stress.mean() > 0.0;
+  const double unit = by_pressure ? state.target_stress.mean() : scale.force / std::pow(scale.length, Dim - 1);
+  record.compare(
+      "residuals.stress", state.residuals.stress, found.stress,
+      unit > 0.0 ? kContacts * force_error(recomputed) * lengths / (recomputed.cell.volume() * unit) : 0.0);
   record.compare("residuals.energy", state.residuals.energy, found.energy, 0.0);
   if (state.n_negative >= 0 && tested.n_negative && state.n_negative != *tested.n_negative)
     record.wrong(fmt::format("n_negative recorded as {}, found {}", state.n_negative, *tested.n_negative));

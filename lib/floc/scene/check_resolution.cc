@@ -37,7 +37,7 @@ void for_each_pressure(TableReader& root, const Scene& scene, const Check& check
 
 /// A pressure below the possible error of a stress cannot be distinguished from zero.
 void check_pressures(TableReader& root, const Scene& scene) {
-  if (!scene.law.adhesion || !(scene.grains.diameter.max > 0)) return;
+  if (!scene.law.adhesion || scene.assembly.box || !(scene.grains.diameter.max > 0)) return;
   const double area = std::pow(scene.grains.diameter.max, scene.dimension - 1);  // a length in 2D
   const double least = scene.relaxation.tolerance.stress * scene.law.pull_off_force() / area;
   const auto check = [&](TableReader& t, const char* key, double pressure) {
@@ -102,11 +102,27 @@ void check_overlaps(TableReader& root, const Scene& scene) {
   for_each_pressure(root, scene, check, [](const LoadStage&) { return false; });
 }
 
+/// A pair pulled together by its adhesion alone overlaps by F0/K_N.
+void check_cohesive_overlap(TableReader& root, const Scene& scene) {
+  constexpr double kLargest = 0.1;
+  if (!scene.assembly.box || !scene.law.adhesion || scene.law.stiffness_varies()) return;
+  const double a = scene.grains.diameter.max;
+  const double stiffness = a * scene.law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
+  const double overlap = scene.law.pull_off_force() / stiffness;
+  TableReader contact = root.table("contact", "", Need::optional);
+  if (contact && overlap > kLargest)
+    contact.fault("adhesion",
+                  fmt::format("contact.adhesion.force: F0/(a K_N) = {:.3g}, the overlap of a free pair in "
+                              "diameters; expected at most {}",
+                              overlap, kLargest));
+}
+
 }  // namespace
 
 void check_resolution(TableReader& root, const Scene& scene) {
   check_pressures(root, scene);
   check_overlaps(root, scene);
+  check_cohesive_overlap(root, scene);
   check_stiffness(root, scene);
 }
 

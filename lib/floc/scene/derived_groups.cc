@@ -152,6 +152,41 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
         {"T0", std::sqrt(a * m / scene.law.pull_off_force()), "sqrt(a m/F0), unit of time of the scene"});
 }
 
+/// Groups of the dynamic compaction of a box [SVI2024]: sc = F0/a^(D-1), se = K_N/a^(D-2).
+void add_box(const Scene& scene, double a, double m, Groups& groups) {
+  const BoxOptions& box = *scene.assembly.box;
+  const double p = scene.assembly.pressure;
+  const double sc = scene.law.pull_off_force() / std::pow(a, scene.dimension - 1);
+  const double se = scene.law.contact_modulus(scene.dimension, a);
+  groups.push_back({"sc", sc, "F0/a^(D-1), stress of the adhesion (unit of pressure of the scene)"});
+  groups.push_back({"eta", sc / p, "sc/p, adhesion against the first pressure"});
+  groups.push_back(
+      {"eta_star", sc / std::sqrt(p * se), "sc/sqrt(p se), adhesion against impacts; below 1 grains bounce"});
+  groups.push_back(
+      {"sc/se", sc / se, "overlap of a free pair in diameters; above 0.02 it shows in the void ratio"});
+  groups.push_back({"se/p", se / p, "stiffness against the first pressure"});
+  if (!scene.starts_from_state()) {
+    groups.push_back(
+        {"p_k/p", box.kinetic_pressure / p, "kinetic pressure of the gas; above 1 it pushes the walls out"});
+    if (scene.assembly.solid_fraction > 0.0)
+      groups.push_back({"e_i", 1.0 / scene.assembly.solid_fraction - 1.0, "void ratio of the gas"});
+  }
+  groups.push_back({"m_w/m", box.mass, "mass of a wall"});
+  groups.push_back(
+      {"f_w/F0", sc > 0.0 ? box.adhesion / scene.law.pull_off_force() : 0.0, "adhesion of the walls"});
+  groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});
+  groups.push_back(
+      {"T", std::sqrt(m / (p * std::pow(a, scene.dimension - 2))), "sqrt(m/(p a^(D-2))), unit of time"});
+}
+
+/// Time steps of a compaction, that of the load included: as long as it may take, or what dense samples took.
+double steps_of_compaction(const Scene& scene) {
+  constexpr double kUsual = 30.0;
+  const double a = scene.grains.diameter.max;
+  const double T = std::sqrt(mass_of(scene, a) / (scene.assembly.pressure * std::pow(a, scene.dimension - 2)));
+  return scene.relaxation.compaction.longest.value_or(kUsual) * T / time_step(scene);
+}
+
 /// K_N; where it varies, that of the mean force under the first pressure, 0.665 kappa P a (z Phi = 4).
 double typical_stiffness(const Scene& scene) {
   const double a = scene.grains.diameter.max, modulus = scene.law.contact_modulus(scene.dimension, a);
@@ -166,6 +201,13 @@ double hertz_kappa(const Scene& scene, double pressure) {
 }
 
 double expected_cost(const Scene& scene) {
+  // Seconds a sphere and step, with some two contacts (a core of 2023).
+  constexpr double kSecondsPerGrainStep = 4.3e-8;
+  if (scene.assembly.box) {
+    const Steps stages = count_steps(scene);
+    return kSecondsPerGrainStep * scene.grains.count * steps_of_compaction(scene) *
+           (1 + stages.up + stages.down);
+  }
   // What assembling a gas costs, in loading steps.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
@@ -197,7 +239,10 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
     add_pressures(scene, K_N, "P/K_N", "P/K_N", groups);
   }
   add_law(scene, a, groups);
-  add_rates(scene, a, m, groups);
+  if (scene.assembly.box)
+    add_box(scene, a, m, groups);
+  else
+    add_rates(scene, a, m, groups);
   groups.push_back({"time_step", time_step(scene), "step of the dynamics (time unit of the scene)"});
   const Steps steps = count_steps(scene);
   // Aggregation is equilibrated without pressure first, what is shaken before.

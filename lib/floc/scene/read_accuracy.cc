@@ -40,6 +40,10 @@ void check_table_covers(TableReader& t, const Scene& scene) {
         "",
         "[accuracy]: expected a scene in two dimensions, of which the shipped table was measured; here give "
         "the settings themselves ([equilibrium], run.time_step)");
+  else if (scene.assembly.box)
+    t.fault(
+        "",
+        "[accuracy]: expected a scene with a periodic [cell], as those that the shipped table was measured of");
   else if (!kappa)
     t.fault("",
             "[accuracy]: expected a scene with contact.adhesion; the shipped table was measured on cohesive "

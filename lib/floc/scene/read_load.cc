@@ -220,8 +220,26 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
                         t.path_of(key)));
 }
 
+/// Between walls an axis is under a stress where its walls move, and keeps its length elsewhere.
+void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) {
+  const char* key = t.has("axes") ? "axes" : "control";
+  for (std::size_t a = 0; a < stage.axes.size(); ++a) {
+    if (stage.axes[a].kind == AxisLoad::strain)
+      return t.fault(
+          key, fmt::format("{}: gives axis {} a length, and walls are under a stress or at rest; expected "
+                           "stresses, and box.boundary = \"fixed\" for axes that keep their length",
+                           t.path_of(key), a + 1));
+    if (stage.axes[a].kind == AxisLoad::stress && box.boundary[a] != BoxSide::walls)
+      return t.fault(key, fmt::format("{}: no wall along axis {} can carry its stress; expected an axis whose "
+                                      "box.boundary is \"walls\"",
+                                      t.path_of(key), a + 1));
+  }
+}
+
 /// @param from  stresses before the stage
-LoadStage read_stage(TableReader t, const KnownStress& from, LawParameters& law) {
+/// @param box   that the grains stand in, if they do
+LoadStage read_stage(TableReader t, const KnownStress& from, const std::optional<BoxOptions>& box,
+                     LawParameters& law) {
   LoadStage stage;
   const int dimension = static_cast<int>(from.size());
   stage.axis = dimension - 1;
@@ -257,7 +275,8 @@ LoadStage read_stage(TableReader t, const KnownStress& from, LawParameters& law)
     read_step_size(t, from, stage);
   stage.name = t.text("name", "a string", Need::optional).value_or(default_name(from, stage));
   stage.set = t.flat_numbers("set");
-  stage.cell = read_cell_response(t);
+  stage.cell = read_cell_response(t, box.has_value());
+  if (box) check_walls(t, *box, stage);
   apply_changes(t, stage, law);
   check_zero_stress(t, stage, has_end, law);
   t.refuse_other_keys();
@@ -266,7 +285,20 @@ LoadStage read_stage(TableReader t, const KnownStress& from, LawParameters& law)
 
 }  // namespace
 
-CellResponse read_cell_response(TableReader& t) {
+CellResponse read_cell_response(TableReader& t, bool boxed) {
+  if (boxed) {
+    for (const char* key : {"inertial_number_cap", "cell_mass"})
+      t.refuse(key, fmt::format("{}: a [box] has walls, no cell; expected no such key", t.path_of(key)));
+    CellResponse response;
+    response.wall_speed = t.number("speed",
+                                   {positive,
+                                    "a positive number (speed at which walls approach each other, or move "
+                                    "apart, until they bear their pressure)"},
+                                   Need::optional);
+    return response;
+  }
+  t.refuse("speed", fmt::format("{}: the scene has no [box] whose walls could move at it; expected no such key",
+                                t.path_of("speed")));
   return {t.number("inertial_number_cap", kInertialNumberCap, Need::optional),
           t.number("cell_mass", kCellMass, Need::optional)};
 }
@@ -275,7 +307,7 @@ void read_load(TableReader& root, Scene& scene) {
   LawParameters law = scene.law;
   KnownStress from(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
   for (TableReader& t : root.tables("load", "tables [[load]]")) {
-    scene.load.push_back(read_stage(t, from, law));
+    scene.load.push_back(read_stage(t, from, scene.assembly.box, law));
     from = after_stage(from, scene.load.back());
   }
 }

@@ -51,6 +51,10 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
                        scene.dimension == 2 ? "disks" : "spheres");
   if (state.units != scene.units)
     return fmt::format("units = \"{}\": expected those of the scene, \"{}\"", state.units, scene.units);
+  const bool has_walls = !state.packing.walls.empty();
+  if (has_walls != scene.assembly.box.has_value())
+    return has_walls ? "the state has walls: expected a table [box]"
+                     : "the state has no walls: expected a table [cell]";
   const Cell<Dim>& cell = state.packing.cell;
   if (!cell.rectangular() || cell.matrix.diagonal().minCoeff() <= 0.0)
     return "cell/matrix is skewed or turned: expected a rectangular cell along the axes, whose sides can "
@@ -95,6 +99,8 @@ void describe_start(TableReader& t, const State<Dim>& state, const std::string& 
     start.copies.setOnes();
     t.fault("copies", fmt::format("assembly.copies: {:g} grains, expected 2 to 1e8", n_grains));
   }
+  if (scene.assembly.box && start.copies.prod() != 1)
+    t.fault("copies", "assembly.copies: a box with walls cannot be put side by side; expected one copy");
   scene.grains = grains_of(state.packing.grains, start.copies.prod());
   scene.assembly.solid_fraction = solid_fraction(state.packing);
   scene.start = start_description(state, file, scene);

@@ -17,6 +17,7 @@
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/numerical_settings.h"
 #include "floc/scene/read_accuracy.h"
+#include "floc/scene/read_box.h"
 #include "floc/scene/read_diameters.h"
 #include "floc/scene/read_law.h"
 #include "floc/scene/read_load.h"
@@ -108,6 +109,11 @@ void read_cell(TableReader& root, Scene& scene) {
   t.refuse_other_keys();
 }
 
+/// Whether the grains stand between walls: a scene has either a [box] or a [cell].
+bool has_box(const TableReader& root) {
+  return root.has("box");
+}
+
 /// How a saved packing is shaken before it is compressed.
 std::optional<Vibration> read_vibration(TableReader& assembly) {
   if (!assembly.has("vibration")) return std::nullopt;
@@ -129,11 +135,26 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   const auto protocol = t.choice("protocol", {"direct", "aggregation", "state"});
   scene.assembly.protocol =
       std::array{Protocol::direct, Protocol::aggregation, Protocol::state}[protocol.value_or(0)];
-  scene.assembly.pressure =
-      t.number("pressure", {positive, "a positive number (first pressure, compression positive)"}).value_or(0);
+  const bool boxed = has_box(root);
+  if (boxed) {
+    read_boxed_gas(t, scene);
+  } else {
+    scene.assembly.pressure =
+        t.number("pressure", {positive, "a positive number (first pressure, compression positive)"})
+            .value_or(0);
+    for (const char* key : {"kinetic_pressure", "solid_fraction"})
+      t.refuse(key, fmt::format("assembly.{}: is that of the gas in a [box]; expected no such key", key));
+  }
   const NumberRule agitation{positive, "a positive number (V0/V*, V* = sqrt(F0 D0/m))"};
   const bool aggregates = scene.assembly.protocol == Protocol::aggregation;
-  if (protocol && scene.assembly.protocol == Protocol::direct && scene.law.adhesion)
+  if (boxed && aggregates)
+    t.fault("protocol",
+            "assembly.protocol = \"aggregation\": in a [box] the pressure acts at once; expected "
+            "\"direct\" or \"state\"");
+  if (boxed)
+    t.refuse("agitation",
+             "assembly.agitation: the gas of a [box] has a kinetic_pressure; expected no such key");
+  else if (protocol && scene.assembly.protocol == Protocol::direct && scene.law.adhesion)
     t.refuse("agitation",
              "assembly.agitation: grains start at rest with protocol = \"direct\"; expected "
              "\"aggregation\", or no agitation");
@@ -146,8 +167,10 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   else
     t.refuse("friction",
              "assembly.friction: the contact law has no friction; expected contact.friction, or no such key");
-  scene.assembly.cell = read_cell_response(t);
-  if (aggregates)
+  scene.assembly.cell = read_cell_response(t, boxed);
+  if (boxed)
+    t.refuse("vibration", "assembly.vibration: is that of a periodic cell; expected no such key");
+  else if (aggregates)
     t.refuse("vibration", "assembly.vibration: expected protocol = \"direct\" or \"state\", or no such key");
   else
     scene.assembly.vibration = read_vibration(t);
@@ -160,8 +183,10 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   t.refuse_other_keys();
 }
 
-void read_equilibrium(TableReader& root, RelaxationOptions& relaxation) {
+void read_equilibrium(TableReader& root, Scene& scene) {
+  RelaxationOptions& relaxation = scene.relaxation;
   TableReader t = root.table("equilibrium", "a table [equilibrium]", Need::optional);
+  read_compaction_end(t, scene);
   const NumberRule rule{positive, "a positive number (tolerance)"};
   EquilibriumTolerance& tolerance = relaxation.tolerance;
   tolerance.force = t.number("force", rule, Need::optional).value_or(tolerance.force);
@@ -263,9 +288,14 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   scene.law = read_law(root, scene.dimension);
   read_assembly(root, directory, scene);
   read_grains(root, source, directory, scene);
-  read_cell(root, scene);
+  if (has_box(root)) {
+    read_box(root, scene);
+    root.refuse("cell", "[cell]: the grains stand in a [box]; expected one of the two");
+  } else {
+    read_cell(root, scene);
+  }
   read_load(root, scene);
-  read_equilibrium(root, scene.relaxation);
+  read_equilibrium(root, scene);
   read_run(root, scene);
   check_consistency(root, source, scene);
   const bool has_chosen = read_accuracy(root, source, scene);

@@ -346,7 +346,7 @@ TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
     EXPECT_EQ(s.load.back().to, s.assembly.pressure);
     ++n_cycles;
   }
-  EXPECT_EQ(n, 22);
+  EXPECT_EQ(n, 24);
   EXPECT_EQ(n_cycles, 15);
 }
 

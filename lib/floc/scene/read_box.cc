@@ -1,0 +1,177 @@
+#include "floc/scene/read_box.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace floc {
+namespace {
+
+using Need = TableReader::Need;
+
+constexpr NumberRule kPositive{[](double x) { return x > 0; }, "a positive number"};
+
+/// One keyword an axis: "walls", "fixed" or "periodic".
+void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
+  constexpr std::array kSides = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic};
+  static const char* const kKeys[] = {"x", "y", "z"};
+  if (!t.has("boundary")) return;
+  TableReader sides = t.table("boundary", "a table, e.g. {x = \"periodic\", y = \"walls\"}");
+  for (int a = 0; a < dimension; ++a)
+    if (const auto chosen = sides.choice(kKeys[a], {"walls", "fixed", "periodic"}, Need::optional))
+      box.boundary[a] = kSides[*chosen];
+  sides.refuse_other_keys();
+}
+
+void read_sides(TableReader& t, const Scene& scene, BoxOptions& box) {
+  if (scene.starts_from_state())
+    return t.refuse("sides", "box.sides: the box is that of assembly.state; expected no such key");
+  const bool plane = scene.dimension == 2;
+  const std::vector<double> sides =
+      t.numbers("sides", {kPositive.holds, plane ? "two lengths, e.g. [30, 40]; proportions where "
+                                                   "assembly.solid_fraction is given"
+                                                 : "three lengths, e.g. [25, 25, 40]; proportions where "
+                                                   "assembly.solid_fraction is given"});
+  if (sides.empty()) {
+    if (t && !t.has("sides")) t.fault("sides", "box.sides is missing: expected a length for each axis");
+    return;
+  }
+  if (sides.size() != static_cast<std::size_t>(scene.dimension))
+    return t.fault("sides", fmt::format("box.sides: {} numbers, expected {}", sides.size(), scene.dimension));
+  for (int a = 0; a < scene.dimension; ++a) box.sides[a] = sides[static_cast<std::size_t>(a)];
+}
+
+/// Friction and adhesion of walls have no default: they decide the result, and publications forget to say them.
+void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
+  const NumberRule friction{
+      [](double x) { return x >= 0; },
+      "a friction coefficient of grains on walls, >= 0 (no default: it decides the result)"};
+  const NumberRule adhesion{
+      [](double x) { return x >= 0; },
+      "the pull-off force of grains from walls, >= 0 (no default: it decides the result)"};
+  box.friction = t.number("friction", friction).value_or(0);
+  box.adhesion = t.number("adhesion", adhesion).value_or(0);
+  if (box.friction > 0 && !scene.law.friction)
+    t.fault("friction",
+            fmt::format("box.friction = {}: the grains have no friction whose stiffness the walls could share; "
+                        "expected contact.friction, or 0",
+                        box.friction));
+}
+
+/// Whether the grains can be placed in the box at random.
+void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
+  const double d = scene.grains.diameter.max;
+  if (scene.starts_from_state() || !(d > 0) || scene.grains.count == 0) return;
+  if (scene.assembly.solid_fraction == 0.0)
+    for (int a = 0; a < scene.dimension; ++a)
+      if (!(box.sides[a] > d))
+        return t.fault("sides",
+                       fmt::format("box.sides: {} along axis {}, expected more than the largest diameter {}",
+                                   box.sides[a], a + 1, d));
+  // Of diameters between two, at least the volume of the smallest.
+  const double least = std::pow(scene.grains.diameter.min, scene.dimension) *
+                       (scene.dimension == 2 ? 0.785398163397448 : 0.523598775598299) * scene.grains.count;
+  const double volume = box.sides.head(scene.dimension).prod();
+  const double densest = scene.dimension == 2 ? 0.6 : 0.49;
+  if (scene.assembly.solid_fraction == 0.0 && least > densest * volume)
+    t.fault("sides",
+            fmt::format("box.sides: the {} grains fill {:.3g} of the box or more, expected at most {}, at "
+                        "which they can be placed at random without overlap",
+                        scene.grains.count, least / volume, densest));
+}
+
+}  // namespace
+
+void read_boxed_gas(TableReader& assembly, Scene& scene) {
+  scene.assembly.box.emplace();
+  BoxOptions& box = *scene.assembly.box;
+  assembly.refuse("pressure", "assembly.pressure: that of the walls is box.pressure; expected no such key");
+  box.kinetic_pressure = assembly
+                             .number("kinetic_pressure",
+                                     {[](double x) { return x >= 0; },
+                                      "a kinetic pressure >= 0, density of the gas times "
+                                      "squared speed of its grains"},
+                                     Need::optional)
+                             .value_or(0);
+  if (scene.starts_from_state()) {
+    assembly.refuse("solid_fraction",
+                    "assembly.solid_fraction: the box is that of assembly.state; expected no such key");
+    assembly.refuse("kinetic_pressure",
+                    "assembly.kinetic_pressure: grains of a state start at rest; expected no such key");
+    return;
+  }
+  const bool plane = scene.dimension == 2;
+  scene.assembly.solid_fraction =
+      assembly
+          .number("solid_fraction",
+                  plane ? NumberRule{[](double x) { return x > 0 && x <= 0.6; },
+                                     "a solid fraction of the gas in (0, 0.6]; box.sides are then proportions"}
+                        : NumberRule{[](double x) { return x > 0 && x <= 0.49; },
+                                     "a solid fraction of the gas in (0, 0.49]; box.sides are then "
+                                     "proportions"},
+                  Need::optional)
+          .value_or(0);
+}
+
+void read_box(TableReader& root, Scene& scene) {
+  TableReader t = root.table("box", "a table [box]");
+  BoxOptions& box = *scene.assembly.box;
+  read_boundary(t, scene.dimension, box);
+  read_sides(t, scene, box);
+  read_contacts(t, scene, box);
+  if (std::none_of(box.boundary.begin(), box.boundary.begin() + scene.dimension,
+                   [](BoxSide side) { return side == BoxSide::walls; }))
+    t.fault(
+        "boundary",
+        "box.boundary: no wall can carry the pressure; expected \"walls\" along an axis at least, or a table "
+        "[cell]");
+  box.mass =
+      t.number("mass", {kPositive.holds, "a positive number (mass of a wall over that of the largest grain)"})
+          .value_or(1);
+  scene.assembly.pressure = t.number("pressure", {kPositive.holds,
+                                                  "a positive number (pressure on the walls at "
+                                                  "assembly)"})
+                                .value_or(0);
+  scene.assembly.cell.wall_speed =
+      t.number("speed",
+               {kPositive.holds,
+                "a positive number (speed at which walls approach each other until they "
+                "bear their pressure)"},
+               Need::optional);
+  // An attraction across gaps may make the stiffness matrix indefinite, which is not known between walls.
+  if (scene.law.range() > 0.0)
+    root.table("contact", "", Need::optional)
+        .fault("adhesion",
+               "contact.adhesion: acts across a gap, under which the stability of a box is not determined; "
+               "expected law = \"constant\"");
+  check_room(t, scene, box);
+  t.refuse_other_keys();
+}
+
+void read_compaction_end(TableReader& t, Scene& scene) {
+  CompactionEnd& end = scene.relaxation.compaction;
+  if (!scene.assembly.box) {
+    for (const char* key : {"end", "energy_ratio", "stop_time"})
+      t.refuse(key, fmt::format("{}: says how the compaction of a [box] ends; expected no such key",
+                                t.path_of(key)));
+    return;
+  }
+  scene.relaxation.tolerance.stress = CompactionEnd::kSettledPressure;
+  const auto chosen = t.choice("end", {"settled", "energy_ratio"}, Need::optional);
+  if (chosen && *chosen == 1) end.criterion = CompactionEnd::Criterion::energy_ratio;
+  end.energy_ratio =
+      t.number("energy_ratio", {kPositive.holds, "a positive number (kinetic over elastic energy)"},
+               Need::optional)
+          .value_or(end.energy_ratio);
+  if (t.has("energy_ratio") && end.criterion != CompactionEnd::Criterion::energy_ratio)
+    t.fault("energy_ratio", "equilibrium.energy_ratio: expected end = \"energy_ratio\", or no such key");
+  end.longest = t.number("stop_time",
+                         {kPositive.holds,
+                          "a positive number (in T = sqrt(m/(P a^(d-2))), after which "
+                          "the state is recorded as it is)"},
+                         Need::optional);
+}
+
+}  // namespace floc

@@ -1,0 +1,244 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "floc/io/csv.h"
+#include "support/kill_and_resume.h"
+
+namespace floc::test {
+namespace {
+
+/// Sticky grains pressed together by walls on all sides, then under twice the pressure, in a second or so.
+std::string box(int dimension) {
+  const std::string sides = dimension == 2 ? "[1, 1.3]" : "[1, 1, 1.3]";
+  return R"([scene]
+name = "box"
+dimension = )" +
+         std::to_string(dimension) + R"(
+units = "reduced"
+[grains]
+count = 60
+diameter = {distribution = "uniform", min = 0.8, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e3}
+adhesion = {law = "constant", force = 0.2}
+damping = {restitution = 0.4472136}
+friction = {coefficient = 0.4, stiffness = 1.5e3}
+[box]
+sides = )" +
+         sides +
+         R"(
+mass = 20
+pressure = 0.1
+friction = 0.4
+adhesion = 0
+[assembly]
+protocol = "direct"
+solid_fraction = 0.35
+kinetic_pressure = 0.02
+[[load]]
+name = "load"
+to = 0.2
+steps = 1
+[equilibrium]
+stop_time = 200
+[run]
+seed = 3
+checkpoint_every = 0.02
+)";
+}
+
+/// With one part of the text exchanged for another.
+std::string with(std::string text, const std::string& old, const std::string& replacement) {
+  text.replace(text.find(old), old.size(), replacement);
+  return text;
+}
+
+class BoxRun : public ::testing::TestWithParam<int> {
+ protected:
+  Outcome run(const std::string& scene, const std::string& arguments) {
+    write_text(scratch_.file("box.toml"), scene);
+    return run_floc("run box.toml " + arguments, scratch_.path());
+  }
+  Outcome floc(const std::string& arguments) { return run_floc(arguments, scratch_.path()); }
+  std::string file(const std::string& name) const { return scratch_.file(name); }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_P(BoxRun, MakesStatesThatVerifyAndRowsThatSayWhatWallsBear) {
+  const Outcome made = run(box(GetParam()), "-o out");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const Outcome verified = floc("verify out/state-*.h5");
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+  const std::string rows = content_of(file("out/path.csv"));
+  EXPECT_THAT(rows,
+              testing::HasSubstr("n_wall_contacts,z_wall,kinetic_over_elastic,n_mechanisms,p_wall_1,p_wall_2"));
+  EXPECT_THAT(rows, testing::HasSubstr(",dynamic,"));
+  EXPECT_EQ(floc("info out/state-0000.h5").code, 0);
+}
+
+TEST_P(BoxRun, GivesTheSameFilesForTwoThreads) {
+  ASSERT_EQ(run(box(GetParam()), "--until 0 -o one").code, 0);
+  ASSERT_EQ(run(box(GetParam()), "--until 0 -o two --threads 2").code, 0);
+  expect_same_results(file("one"), file("two"), 1);
+}
+
+TEST_P(BoxRun, SurvivesTenKillsWithoutATrace) {
+  kill_and_resume(10, 11, box(GetParam()), 2);
+}
+
+/// A saved box is where the next run starts: its walls stand where they stood.
+TEST_P(BoxRun, StartsFromAStateWithWalls) {
+  ASSERT_EQ(run(box(GetParam()), "--until 0 -o first").code, 0);
+  std::string next =
+      with(box(GetParam()), "protocol = \"direct\"\nsolid_fraction = 0.35\nkinetic_pressure = 0.02",
+           "protocol = \"state\"\nstate = \"first/state-0000.h5\"");
+  const std::size_t grains = next.find("[grains]"), contact = next.find("[contact]");
+  next.erase(grains, contact - grains);
+  const std::size_t sides = next.find("sides ="), mass = next.find("mass = 20");
+  next.erase(sides, mass - sides);
+  const Outcome made = run(next, "-o again");
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(floc("verify again/state-*.h5").code, 0);
+}
+
+/// Walls across an axis may bear another pressure than the rest.
+TEST_P(BoxRun, PutsAStressOfItsOwnOnAnAxis) {
+  const Outcome made = run(with(box(GetParam()), "to = 0.2", "control = \"triaxial\"\nto = 0.2"), "-o out");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const CsvTable path = CsvTable::read(file("out/path.csv"));
+  ASSERT_EQ(path.n_rows(), 2);
+  for (int a = 1; a <= GetParam(); ++a)
+    EXPECT_NEAR(path.number(1, path.column("p_wall_" + std::to_string(a))), a == GetParam() ? 0.2 : 0.1, 2e-4);
+  EXPECT_EQ(path.text(1, path.column("control")), "triaxial");
+  EXPECT_EQ(floc("verify out/state-0001.h5").code, 0);
+}
+
+/// Other programs get the grains in a box that begins at zero, and are told of its walls.
+TEST_P(BoxRun, IsExportedWithItsWalls) {
+  ASSERT_EQ(run(box(GetParam()), "--until 0 -o out").code, 0);
+  ASSERT_EQ(floc("convert out/state-0000.h5 box.data").code, 0);
+  EXPECT_THAT(content_of(file("box.data")), testing::HasSubstr("fix wall/gran"));
+  ASSERT_EQ(floc("convert out/state-0000.h5 box.xyz").code, 0);
+  EXPECT_THAT(content_of(file("box.xyz")), testing::HasSubstr("pbc=\"F F F\""));
+  ASSERT_EQ(floc("convert out/state-0000.h5 box.vtu").code, 0);
+  EXPECT_THAT(content_of(file("box.vtu")), testing::HasSubstr("Name=\"walls\""));
+  const Outcome drawn = floc("draw out/state-0000.h5 -o box.svg");
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, BoxRun, testing::Values(2, 3));
+
+/// A box of which the aggregate still has mechanisms is recorded as it is when its time is over.
+TEST(BoxRun, RecordsWhatHasNotSettledAsStopped) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("box.toml"), with(box(3), "stop_time = 200", "stop_time = 2"));
+  const Outcome made = run_floc("run box.toml --until 0 -o out", scratch.path());
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_THAT(content_of(scratch.file("out/path.csv")), testing::HasSubstr(",stopped,"));
+  EXPECT_NE(run_floc("verify out/state-0000.h5", scratch.path()).code, 0);
+}
+
+/// The groups of the published study.
+TEST(BoxSceneCheck, PrintsItsGroups) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("box.toml"), box(3));
+  const Outcome check = run_floc("scene check box.toml --format csv", scratch.path());
+  ASSERT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(check.out, testing::HasSubstr("\neta,2,"));
+  EXPECT_THAT(check.out, testing::HasSubstr("\neta_star,0.02,"));
+  EXPECT_THAT(check.out, testing::HasSubstr("\np_k/p,0."));
+}
+
+struct BadBox {
+  const char *old, *replacement, *words;
+};
+class BoxRefusal : public ::testing::TestWithParam<BadBox> {};
+
+TEST_P(BoxRefusal, NamesWhatWasExpected) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("bad.toml"), with(box(3), GetParam().old, GetParam().replacement));
+  const Outcome check = run_floc("scene check bad.toml", scratch.path());
+  EXPECT_NE(check.code, 0);
+  EXPECT_THAT(check.err + check.out, testing::HasSubstr(GetParam().words));
+  EXPECT_THAT(check.err + check.out, testing::HasSubstr("bad.toml:"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, BoxRefusal,
+    testing::Values(
+        BadBox{"[box]", "[cell]\nmass = 1.0\n[box]",
+               "[cell]: the grains stand in a [box]; expected one of the two"},
+        BadBox{"mass = 20", "mass = -1", "box.mass = -1: expected a positive number"},
+        BadBox{"mass = 20\n", "", "box.mass is missing"},
+        BadBox{"friction = 0.4\nadhesion = 0\n", "adhesion = 0\n", "box.friction is missing"},
+        BadBox{"adhesion = 0\n", "", "box.adhesion is missing"},
+        BadBox{"adhesion = 0\n", "adhesion = -1\n", "box.adhesion = -1: expected the pull-off force"},
+        BadBox{"sides = [1, 1, 1.3]", "sides = [1, 1]", "box.sides: 2 numbers, expected 3"},
+        BadBox{"solid_fraction = 0.35\n", "", "expected more than the largest diameter"},
+        BadBox{"sides = [1, 1, 1.3]",
+               "sides = [1, 1, 1.3]\nboundary = {x = \"periodic\", y = \"periodic\", z = "
+               "\"fixed\"}",
+               "box.boundary: no wall can carry the pressure"},
+        BadBox{"pressure = 0.1", "pressure = 0", "box.pressure = 0: expected a positive number"},
+        BadBox{"solid_fraction = 0.35", "solid_fraction = 0.6",
+               "expected a solid fraction of the gas in (0, 0.49]"},
+        BadBox{"protocol = \"direct\"", "protocol = \"aggregation\"", "in a [box] the pressure acts at once"},
+        BadBox{"kinetic_pressure = 0.02", "kinetic_pressure = -1", "expected a kinetic pressure >= 0"},
+        BadBox{"kinetic_pressure = 0.02", "agitation = 2", "the gas of a [box] has a kinetic_pressure"},
+        BadBox{"to = 0.2", "to = 0.2\ninertial_number_cap = 0.1", "a [box] has walls, no cell"},
+        BadBox{"to = 0.2", "control = \"oedometric\"\nto = 0.2", "load.0.control: gives axis 1 a length"},
+        BadBox{"to = 0.2", "control = \"triaxial\"\nstrain = 0.1", "load.0.control: gives axis 3 a length"},
+        BadBox{"to = 0.2", "control = \"axes\"\naxes = [{stress = 1}, {as = 1}, {strain = 0.1}]",
+               "load.0.axes: gives axis 3 a length"},
+        BadBox{"force = 0.2", "force = 200", "the overlap of a free pair in diameters; expected at most 0.1"},
+        BadBox{"law = \"constant\", force = 0.2", "law = \"tail\", force = 0.2, range = 1e-3",
+               "under which the stability of a box is not determined"},
+        BadBox{"stop_time = 200", "stop_time = 200\nenergy_ratio = 1e-3", "expected end = \"energy_ratio\""}));
+
+/// A stress on an axis needs walls that move along it; one that stays what it was does not.
+TEST(BoxRefusal, OfAStressThatNoWallCarries) {
+  const ScratchDirectory scratch;
+  const std::string fixed =
+      with(box(3), "sides = [1, 1, 1.3]", "sides = [1, 1, 1.3]\nboundary = {z = \"fixed\"}");
+  const auto check = [&](int axis) {
+    write_text(
+        scratch.file("bad.toml"),
+        with(fixed, "to = 0.2", "control = \"triaxial\"\naxis = " + std::to_string(axis) + "\nto = 0.2"));
+    return run_floc("scene check bad.toml", scratch.path());
+  };
+  EXPECT_EQ(check(1).code, 0);
+  const Outcome refused = check(3);
+  EXPECT_NE(refused.code, 0);
+  EXPECT_THAT(refused.err, testing::HasSubstr("no wall along axis 3 can carry its stress"));
+}
+
+/// Keys of boxes have no place beside a periodic cell.
+TEST(BoxRefusal, OfKeysInAPeriodicScene) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("bad.toml"),
+             with(small_scene(), "agitation = 3.0", "agitation = 3.0\nkinetic_pressure = 1"));
+  const Outcome check = run_floc("scene check bad.toml", scratch.path());
+  EXPECT_NE(check.code, 0);
+  EXPECT_THAT(check.err, testing::HasSubstr("assembly.kinetic_pressure: is that of the gas in a [box]"));
+}
+
+/// What knows periodic cells alone says so.
+TEST(BoxRefusal, OfCommandsThatKnowPeriodicCellsAlone) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("box.toml"), box(2));
+  ASSERT_EQ(run_floc("run box.toml --until 0 -o out", scratch.path()).code, 0);
+  for (const char* command : {"structure out/state-0000.h5", "modes out/state-0000.h5",
+                              "moduli out/state-0000.h5", "network out/state-0000.h5"}) {
+    const Outcome refused = run_floc(command, scratch.path());
+    EXPECT_NE(refused.code, 0) << command;
+    EXPECT_THAT(refused.err, testing::HasSubstr("has walls")) << command;
+  }
+  const Outcome tracked = run_floc("run box.toml --track-contacts 1 -o tracked", scratch.path());
+  EXPECT_THAT(tracked.err, testing::HasSubstr("contacts are tracked in periodic cells only"));
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,0 +1,98 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "floc/base/error.h"
+#include "floc/base/read_file.h"
+#include "floc/io/hdf5_image.h"
+#include "floc/io/sealed_bytes.h"
+#include "floc/io/state_file.h"
+#include "floc/packing/wall_forces.h"
+#include "support/scratch_directory.h"
+#include "support/states.h"
+
+namespace floc {
+namespace {
+
+template <int Dim>
+State<Dim> written_and_read(const State<Dim>& state) {
+  const test::ScratchDirectory scratch;
+  write_state(scratch.file("box.h5"), state);
+  return std::get<State<Dim>>(read_state(scratch.file("box.h5")));
+}
+
+template <int Dim>
+void expect_walls_kept() {
+  const State<Dim> saved = test::boxed_state<Dim>();
+  const State<Dim> read = written_and_read(saved);
+  EXPECT_EQ(read.packing.walls, saved.packing.walls);
+  EXPECT_EQ(read.packing.wall_law, saved.packing.wall_law);
+  EXPECT_EQ(read.packing.law, saved.packing.law);
+  ASSERT_EQ(read.packing.contacts.size(), saved.packing.contacts.size());
+  int on_walls = 0;
+  for (std::size_t k = 0; k < saved.packing.contacts.size(); ++k) {
+    const Contact<Dim>&a = saved.packing.contacts[k], &b = read.packing.contacts[k];
+    EXPECT_EQ(a.j, b.j);
+    EXPECT_EQ(a.memory, b.memory);
+    EXPECT_EQ(a.normal_force, b.normal_force);
+    on_walls += saved.packing.is_wall(a.j);
+  }
+  EXPECT_EQ(on_walls, 2);
+  EXPECT_EQ(read.residuals.stress, saved.residuals.stress);
+}
+
+TEST(StateWithWalls, ComesBackAsItWas) {
+  expect_walls_kept<2>();
+  expect_walls_kept<3>();
+}
+
+/// What the file says of itself: the feature that older programs refuse, the boundary of each axis, the forces.
+TEST(StateWithWalls, SaysWhatItHasInItsAttributes) {
+  const State<3> state = test::boxed_state<3>();
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("box.h5");
+  write_state(path, state);
+  const std::string bytes = read_file(path);
+  const Hdf5Reader file(path, unseal(path, bytes));
+  std::string features, boundary;
+  file.attribute("/", "features", features);
+  file.attribute("cell", "boundary", boundary);
+  EXPECT_EQ(features, "contacts/memory walls");
+  EXPECT_EQ(boundary, "walls periodic walls");
+  std::vector<double> force;
+  file.array("walls/force", {4}, force);
+  EXPECT_EQ(force, wall_forces(state.packing));
+  EXPECT_GT(force[0], 0.0);
+}
+
+void expect_refused(const State<2>& state, const char* words) {
+  const test::ScratchDirectory scratch;
+  write_state(scratch.file("box.h5"), state);
+  EXPECT_THAT([&] { read_state(scratch.file("box.h5")); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr(words)));
+}
+
+TEST(StateWithWalls, IsRefusedWhereTheyMakeNoBox) {
+  State<2> state = test::boxed_state<2>();
+  state.packing.walls[1].side = -1;
+  expect_refused(state, "walls/side");
+  state = test::boxed_state<2>();
+  state.packing.walls[1].axis = 1;
+  expect_refused(state, "walls/axis");
+  state = test::boxed_state<2>();
+  state.packing.walls[3].position += 1.0;
+  expect_refused(state, "walls/position");
+  state = test::boxed_state<2>();
+  state.packing.walls[2].mass = -1.0;
+  expect_refused(state, "walls/mass");
+  state = test::boxed_state<2>();
+  state.packing.walls.pop_back();
+  expect_refused(state, "expected two for each axis");
+  state = test::boxed_state<2>();
+  state.packing.contacts[2].j = 7;
+  expect_refused(state, "contacts/id2");
+}
+
+}  // namespace
+}  // namespace floc

@@ -88,7 +88,7 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
     case DriveReport::gave_up:
       if (!run.packing().walls.empty()) {
         fmt::print(stderr, "step {} ({} P = {:.4g}) ended without a state: {}\n", run.point().step,
-                   run.target().branch, run.target().pressure, report.relaxation.blocking);
+                   run.target().branch, run.pressure(), report.relaxation.blocking);
         return kNotConverged;
       }
       fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time\n",

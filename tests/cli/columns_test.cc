@@ -193,7 +193,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       EXPECT_TRUE(std::ranges::any_of(names, [&](const auto& name) { return stands_for(name, column); }))
           << table << " prints " << column << ", which is not described";
     for (const std::string& name : names)
-      EXPECT_TRUE(elsewhere.contains(name) || elsewhere.contains(table + " " + name) ||
+      EXPECT_TRUE(elsewhere.contains(name) || elsewhere.contains(std::string(table) + " " + name) ||
                   std::ranges::any_of(columns, [&](const auto& column) { return stands_for(name, column); }))
           << table << " is said to have " << name;
   }

@@ -28,7 +28,7 @@ void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
           fmt::format("equilibrium.{} = {}: doubles do not hold it; rounding of the forces leaves about {}, so "
                       "that steps end by equilibrium.max_time alone",
                       key, value, kRounding));
-    else if (value < newton)
+    else if (value < newton && !scene.assembly.box)
       warnings.push_back(
           fmt::format("equilibrium.{} = {}: Newton steps end at {}; a step that they do not bring below by "
                       "chance goes on until equilibrium.max_time",

@@ -74,7 +74,7 @@ State<Dim> boxed_state() {
   State<Dim> s = busy_state<Dim>();
   Packing<Dim>& p = s.packing;
   p.cell.matrix = (7.3 / 3.0) * Mat<Dim>::Identity();
-  p.cell.matrix(0, 0) = 1.0 - 1e-5 / 3.0;
+  p.cell.matrix(0, 0) = 1.0 - 1e-5 / 1.1;
   p.cell.velocity.setZero();
   p.wall_law = p.law;
   p.wall_law.adhesion.reset();

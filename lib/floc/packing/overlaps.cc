@@ -43,10 +43,10 @@ template <int Dim>
 void require_small_overlaps(const std::string& place, const Packing<Dim>& packing) {
   if (!packing.law.stiffness_varies()) return;
   const Overlaps found = measure_overlaps(packing);
-  if (found.mean > kDeepOverlap)
+  if (found.mean > kDeepestMean)
     throw InputError(place, fmt::format("contacts overlap by {:.3g} of a radius in the mean, expected at most "
                                         "{}: Hertz' law is for small overlaps",
-                                        found.mean, kDeepOverlap));
+                                        found.mean, kDeepestMean));
 }
 
 #define FLOC_INSTANTIATE(Dim)                                \

@@ -9,6 +9,9 @@ namespace floc {
 /// Overlap of two spheres, over the smaller radius, up to which Hertz' contact is meant: beyond it the circle of
 /// contact is a third of the radius, and neighbours of a sphere feel each other.
 inline constexpr double kDeepOverlap = 0.1;
+/// Mean of a packing beyond which it is refused: at the largest pressure that scenes may ask for, a stiffness level of
+/// 30, it is 0.11.
+inline constexpr double kDeepestMean = 0.12;
 
 /// How deep the contacts that touch are, over the smaller radius of each.
 struct Overlaps {
@@ -25,7 +28,7 @@ Overlaps measure_overlaps(const Packing<Dim>& packing);
 template <int Dim>
 std::string overlap_warning(const Packing<Dim>& packing);
 
-/// @throws InputError at `place` if the law is for small overlaps and the mean of all is beyond kDeepOverlap
+/// @throws InputError at `place` if the law is for small overlaps and the mean of all is beyond kDeepestMean
 template <int Dim>
 void require_small_overlaps(const std::string& place, const Packing<Dim>& packing);
 

@@ -38,13 +38,13 @@ TEST(Overlaps, BeyondATenthAreWarnedOfWithTheirShare) {
                                   "by 0.12 of it"));
 }
 
-TEST(Overlaps, AreRefusedWhereTheirMeanIsBeyondATenth) {
-  require_small_overlaps("here", spheres_with({0.01, 0.19}));
+TEST(Overlaps, AreRefusedWhereTheirMeanIsBeyondThatOfTheLargestPressure) {
+  require_small_overlaps("here", spheres_with({0.03, 0.19}));
   try {
-    require_small_overlaps("here", spheres_with({0.02, 0.2}));
+    require_small_overlaps("here", spheres_with({0.06, 0.2}));
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("here: contacts overlap by 0.11 of a radius in the mean"));
+    EXPECT_THAT(e.what(), testing::HasSubstr("here: contacts overlap by 0.13 of a radius in the mean"));
   }
 }
 

@@ -1,8 +1,6 @@
 #include "run_ensemble.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,9 +8,9 @@
 #include <filesystem>
 #include <map>
 
+#include "child_process.h"
 #include "command.h"
 #include "floc/base/error.h"
-#include "floc/base/parse_number.h"
 #include "output.h"
 
 namespace floc {
@@ -31,29 +29,17 @@ constexpr useconds_t kPause = 20000;
 class Ensemble {
  public:
   Ensemble(std::string directory, const std::vector<std::string>& arguments, bool append)
-      : directory_(std::move(directory)),
-        program_(fs::read_symlink("/proc/self/exe").string()),
-        arguments_(arguments),
-        append_(append) {}
+      : directory_(std::move(directory)), arguments_(arguments), append_(append) {}
 
   int n_running() const { return static_cast<int>(seed_of_.size()); }
   int code() const { return code_; }
 
   void start(std::uint64_t seed) {
     const std::string sample = fmt::format("{}/seed-{}", directory_, seed);
-    std::vector<std::string> args = {program_, "run"};
+    std::vector<std::string> args = {"run"};
     args.insert(args.end(), arguments_.begin(), arguments_.end());
-    for (const std::string& arg : {std::string("-o"), sample, std::string("--seed"), std::to_string(seed)})
-      args.push_back(arg);
-    std::vector<char*> argv;
-    for (std::string& arg : args) argv.push_back(arg.data());
-    argv.push_back(nullptr);
-    const std::string log = sample + ".log";
-    const pid_t parent = ::getpid();
-    const pid_t child = ::fork();
-    if (child < 0) throw IoError(sample, "cannot start a process");
-    if (child == 0) become(argv, log, parent);
-    seed_of_[child] = seed;
+    args.insert(args.end(), {"-o", sample, "--seed", std::to_string(seed)});
+    seed_of_[start_floc(args, {"", "", sample + ".log", append_})] = seed;
   }
 
   /// Waits until one sample has ended, and passes a signal on meanwhile.
@@ -76,23 +62,12 @@ class Ensemble {
   }
 
  private:
-  [[noreturn]] void become(const std::vector<char*>& argv, const std::string& log, pid_t parent) const {
-    // A sample does not outlive the ensemble: resuming would find two processes in one directory.
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(kFailure);
-    const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | (append_ ? O_APPEND : O_TRUNC), 0666);
-    if (file < 0 || ::dup2(file, STDERR_FILENO) < 0) ::_exit(kFailure);
-    ::execv(argv.front(), argv.data());
-    ::_exit(kFailure);
-  }
-
   void pass_signal_on() {
     for (const auto& [child, seed] : seed_of_) ::kill(child, SIGTERM);
     signal_passed_on_ = true;
   }
 
   std::string directory_;
-  std::string program_;
   std::vector<std::string> arguments_;
   bool append_;
   std::map<pid_t, std::uint64_t> seed_of_;
@@ -103,12 +78,7 @@ class Ensemble {
 }  // namespace
 
 SeedRange parse_seeds(const std::string& text) {
-  const auto dots = text.find("..");
-  if (dots != std::string::npos) {
-    const auto first = parse_number<std::uint64_t>(text.substr(0, dots));
-    const auto last = parse_number<std::uint64_t>(text.substr(dots + 2));
-    if (first && last && *first <= *last) return {*first, *last};
-  }
+  if (const auto range = seed_range_of(text)) return *range;
   throw InputError("--seeds " + text, "expected A..B, two whole numbers, A at most B");
 }
 

@@ -1,16 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
-namespace floc {
+#include "floc/base/seed_range.h"
 
-/// Seeds of the samples of an ensemble, both ends included.
-struct SeedRange {
-  std::uint64_t first;
-  std::uint64_t last;
-};
+namespace floc {
 
 /// @throws InputError unless `text` is A..B with A <= B, two whole numbers
 SeedRange parse_seeds(const std::string& text);

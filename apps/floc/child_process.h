@@ -1,0 +1,31 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace floc {
+
+/// Where a child process works and writes.
+struct ChildOptions {
+  std::string directory;  ///< it works in; empty: this one's
+  std::string output;     ///< file that its stdout replaces; empty: this one's stdout
+  std::string log;        ///< file that its stderr goes to; empty: this one's stderr
+  bool append = false;    ///< to the log, instead of writing it anew
+};
+
+/// Starts this program once more. The child does not outlive this process: what resumes its work would find two
+/// processes at it. Files are named relative to the directory of this process.
+/// @param arguments  those after the name of the program
+/// @return its process
+/// @throws IoError if no process can be started
+pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& options);
+
+/// How a process ended, from the status of waitpid(): its exit code, or 128 and the number of the signal that ended it.
+int exit_code_of(int status);
+
+/// Path of this program.
+std::string this_program();
+
+}  // namespace floc

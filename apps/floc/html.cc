@@ -94,10 +94,10 @@ std::string html_figure(const std::string& svg, const std::string& caption) {
          "\"><figcaption>" + text + "</figcaption></figure>\n";
 }
 
-std::string html_page(const std::string& title, const std::string& body) {
+std::string html_page(const std::string& title, const std::string& body, const std::string& head) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         html_text(title) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n" + body +
+         html_text(title) + "</title>\n<style>" + kStyle + "</style>\n" + head + "</head>\n<body>\n" + body +
          "</body>\n</html>\n";
 }
 

@@ -20,6 +20,7 @@ std::string html_table(const Table& table);
 std::string html_figure(const std::string& svg, const std::string& caption);
 
 /// A whole page that needs nothing else: style for screen and paper included.
-std::string html_page(const std::string& title, const std::string& body);
+/// @param head  what goes into its head besides: further style, scripts
+std::string html_page(const std::string& title, const std::string& body, const std::string& head = "");
 
 }  // namespace floc

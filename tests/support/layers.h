@@ -38,6 +38,7 @@ inline const LayerOrder& layer_order() {
       {"scene", {"contact", "assembly", "loading", "io"}},
       {"picture", {"structure", "elasticity", "packing", "lattice"}},
       {"study", {"scene", "loading", "elasticity", "structure", "fitting"}},
+      {"campaign", {"scene", "loading", "io"}},
   };
   return order;
 }
@@ -57,7 +58,7 @@ inline const std::vector<std::pair<std::string, std::set<std::string>>>& foreign
       {"hdf5", {"io"}},
       {"H5", {"io"}},
       {"pugixml", {"io"}},
-      {"toml", {"scene"}},
+      {"toml", {"scene", "campaign"}},
       {"cairo", {"picture"}},
       {"fftw3", {"structure"}},
       {"voro++", {"structure"}},

@@ -137,6 +137,19 @@ std::vector<double> TableReader::numbers(const std::string& key, NumberRule rule
   return values;
 }
 
+std::vector<std::string> TableReader::texts(const std::string& key, const char* expectation) {
+  std::vector<std::string> values;
+  const toml::node* node = find(key, expectation, Need::optional);
+  if (!node) return values;
+  const toml::array* array = node->as_array();
+  if (!array || array->empty() || !array->is_homogeneous(toml::node_type::string)) {
+    refuse_value(key, *node, expectation);
+    return values;
+  }
+  for (const toml::node& value : *array) values.push_back(value.as_string()->get());
+  return values;
+}
+
 void TableReader::refuse_other_keys() {
   if (!table_) return;
   for (const auto& [name, node] : *table_) {

@@ -52,6 +52,9 @@ class TableReader {
   /// An array of numbers that all hold the rule, at least one; empty if the key is missing or faulty.
   std::vector<double> numbers(const std::string& key, NumberRule rule);
 
+  /// An array of texts; empty if the key is missing or faulty.
+  std::vector<std::string> texts(const std::string& key, const char* expectation);
+
   /// Records a fault about a key of this table, or about the table when it lacks the key.
   void fault(const std::string& key, const std::string& problem);
 

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+#include "campaign_commands.h"
+#include "child_process.h"
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/read_file.h"
+#include "floc/campaign/campaign_tables.h"
+#include "output.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t g_signal = 0;
+volatile std::sig_atomic_t g_child = 0;
+
+/// A run writes its checkpoint on SIGTERM, which this process only passes on.
+void pass_on(int signal) {
+  g_signal = signal;
+  if (g_child > 0) ::kill(g_child, SIGTERM);
+}
+
+struct Arguments {
+  std::string scene;
+  std::vector<std::string> overrides;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::string directory;
+  std::vector<std::string> tables;
+  bool with_parent = false;
+};
+
+/// A table to make after the run.
+struct TableCommand {
+  std::string file;
+  std::vector<std::string> words;
+};
+
+TableCommand table_command(const std::string& text) {
+  TableCommand command;
+  const std::size_t colon = text.find(": ");
+  if (colon == std::string::npos || colon == 0 || text.find('/') < colon)
+    throw InputError("--table " + text, "expected FILE: COMMAND, such as \"moduli.csv: moduli state-0003.h5\"");
+  command.file = text.substr(0, colon);
+  std::istringstream words(text.substr(colon + 2));
+  for (std::string word; words >> word;) command.words.push_back(word);
+  if (command.words.empty()) throw InputError("--table " + text, "expected a command after the file");
+  return command;
+}
+
+/// Runs this program once more and waits for it. @return its exit code, of a signal 128 and its number
+int run_floc(const std::vector<std::string>& arguments, const ChildOptions& options) {
+  const pid_t child = start_floc(arguments, options);
+  g_child = child;
+  if (g_signal != 0) ::kill(child, SIGTERM);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  g_child = 0;
+  return exit_code_of(status);
+}
+
+/// What the last line of a log says.
+std::string last_line(const std::string& log) {
+  std::istringstream lines(read_file(log));
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    // Progress overwrites itself on a terminal.
+    line.erase(0, line.find_last_of('\r') + 1);
+    if (!trimmed(line).empty()) last = trimmed(line);
+  }
+  return last;
+}
+
+std::string words_of(int code, const std::string& log) {
+  constexpr int kSignals = 128;
+  if (code > kSignals && code != kInterrupted) return fmt::format("ended by signal {}", code - kSignals);
+  return last_line(log);
+}
+
+double children_seconds() {
+  rusage used{};
+  ::getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+/// Makes one table beside path.csv. @return exit code of its command
+int make_table(const TableCommand& command, const Arguments& arguments, const std::string& log) {
+  const std::string file = arguments.directory + "/" + command.file, part = file + ".part";
+  std::vector<std::string> words = command.words;
+  words.insert(words.end(), {"--format", "csv"});
+  const int code = run_floc(words, {arguments.directory, part, log, true});
+  if (code == kDone) fs::rename(part, file);
+  return code;
+}
+
+/// @return exit code: of a run that failed 0 too, since outcome.csv says so and the others go on
+int run_sample(const Arguments& arguments) {
+  // What snakemake started does not go on without it: the next one would find two processes at the same run.
+  if (arguments.with_parent) ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::vector<TableCommand> tables;
+  for (const std::string& text : arguments.tables) tables.push_back(table_command(text));
+  std::error_code failed;
+  fs::create_directories(arguments.directory, failed);
+  if (failed) throw IoError(arguments.directory, "cannot make the directory: " + failed.message());
+  fs::remove(fs::path(arguments.directory) / kOutcomeFile);
+  fs::remove(fs::path(arguments.directory) / kFailureFile);
+  std::signal(SIGINT, pass_on);
+  std::signal(SIGTERM, pass_on);
+
+  const std::string log = arguments.directory + ".log";
+  std::vector<std::string> words = {"run", arguments.scene};
+  for (const std::string& change : arguments.overrides) words.insert(words.end(), {"--set", change});
+  words.insert(words.end(), {"--seed", std::to_string(arguments.seed), "--threads",
+                             std::to_string(arguments.threads), "-o", arguments.directory, "--resume"});
+  RunOutcome outcome;
+  outcome.exit_code = run_floc(words, {"", "", log, false});
+  if (outcome.exit_code != kDone) outcome.command = "run";
+  const double before = children_seconds();
+  for (const TableCommand& table : tables) {
+    if (outcome.exit_code != kDone || g_signal != 0) break;
+    outcome.exit_code = make_table(table, arguments, log);
+    if (outcome.exit_code != kDone) outcome.command = table.words.front();
+  }
+  outcome.seconds = children_seconds() - before;
+  if (g_signal != 0) return kInterrupted;  // to be taken up again: no outcome
+  if (outcome.exit_code != kDone) outcome.words = words_of(outcome.exit_code, log);
+  write_csv(arguments.directory + "/" + kOutcomeFile, table_of(outcome));
+  if (outcome.exit_code != kDone)
+    fmt::print(stderr, "{}: floc {}: exit code {}: {} (see {})\n", arguments.directory, outcome.command,
+               outcome.exit_code, outcome.words, log);
+  return kDone;
+}
+
+}  // namespace
+
+Command add_campaign_run(CommandLine campaign) {
+  CommandLine app = campaign.add_subcommand(
+      "run",
+      "what the rule of a run calls: floc run --resume, then tables of its states, then DIR/outcome.csv, which "
+      "says whether they failed");
+  auto arguments = std::make_shared<Arguments>();
+  app.add_option("SCENE", arguments->scene, "scene file (TOML)").required();
+  app.add_option("-o,--output", arguments->directory, "directory of the run; its log is DIR.log").required();
+  app.add_option("--seed", arguments->seed, "seed of the random numbers").required();
+  app.add_option("--threads", arguments->threads, "of the run").between(1, 1024);
+  app.add_option("--set", arguments->overrides, "KEY=VALUE: change one key of the scene").one_argument_each();
+  app.add_option("--table", arguments->tables,
+                 "\"FILE: COMMAND\": a table that COMMAND of floc prints in the directory of the run, as csv")
+      .one_argument_each();
+  app.add_flag("--with-parent", arguments->with_parent, "end at once when the process that called it ends");
+  return {app, [arguments] { return run_sample(*arguments); }};
+}
+
+}  // namespace floc

@@ -1,0 +1,183 @@
+#include "floc/campaign/campaign_plan.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/loading/run_plan.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/read_scene.h"
+#include "floc/scene/scene_source.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A pressure is meant by one that is rounded to two digits.
+constexpr double kSamePressure = 0.01;
+
+std::vector<std::string> overrides_of(const CampaignCase& one) {
+  std::vector<std::string> texts;
+  for (const SceneChange& change : one.changes) texts.push_back(change.text());
+  return texts;
+}
+
+/// The line that a fault of a scene is about: that of the change it names, otherwise that of the case.
+std::string blamed_place(const CampaignCase& one, const std::string& fault) {
+  for (const SceneChange& change : one.changes)
+    if (fault.find("--set " + change.text()) != std::string::npos) return change.place;
+  return one.place;
+}
+
+/// Reduced pressure of a packing with the law of an equilibrium.
+template <int Dim>
+double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibrium) {
+  Packing<Dim> largest;
+  largest.law = equilibrium.law;
+  largest.grains = Grains<Dim>::with_size(1);
+  largest.grains.radius[0] = 0.5 * scene.grains.diameter.max;
+  return reduced_pressure(largest, equilibrium.pressure);
+}
+
+std::vector<PlannedState> states_of(const Scene& scene) {
+  std::vector<PlannedState> states;
+  for (const PlannedEquilibrium& e : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {
+    PlannedState& state = states.emplace_back(PlannedState{e.branch, {}});
+    if (e.is_isotropic())
+      state.P_star = scene.dimension == 2 ? planned_pressure<2>(scene, e) : planned_pressure<3>(scene, e);
+  }
+  return states;
+}
+
+Scene scene_of(const Campaign& campaign, const CampaignCase& one) {
+  try {
+    return parse_scene(campaign.scene, campaign.scene_file,
+                       fs::path(campaign.scene_file).parent_path().string(), overrides_of(one));
+  } catch (const InputError& error) {
+    throw InputError(blamed_place(one, error.what()), fmt::format("case {}: {}", one.label, error.what()));
+  }
+}
+
+bool same_value(const std::string& a, const std::string& b) {
+  const auto x = parse_number<double>(a), y = parse_number<double>(b);
+  return x && y ? *x == *y : a == b;
+}
+
+/// The state with a pressure.
+int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
+  int best = -1;
+  double smallest = kSamePressure;
+  std::vector<std::string> there;
+  for (int k = 0; k < static_cast<int>(plan.states.size()); ++k) {
+    const PlannedState& state = plan.states[static_cast<std::size_t>(k)];
+    if (!state.P_star || (!choice.branch.empty() && state.branch != choice.branch)) continue;
+    there.push_back(fmt::format("{:.4g}", *state.P_star));
+    const double off = *state.P_star == P_star ? 0.0 : std::abs(*state.P_star / P_star - 1.0);
+    if (off > smallest || (best >= 0 && off == smallest)) continue;
+    best = k;
+    smallest = off;
+  }
+  if (best >= 0) return best;
+  const std::string where = choice.branch.empty() ? "" : fmt::format(" of branch {}", choice.branch);
+  throw InputError(choice.place,
+                   there.empty()
+                       ? fmt::format("branch = {}: case {} has no state{} with a pressure on all axes",
+                                     choice.branch, one.label, where)
+                       : fmt::format("P_star = {:g}: expected one of the pressures that case {} reaches{}: {}",
+                                     P_star, one.label, where, fmt::join(there, ", ")));
+}
+
+}  // namespace
+
+std::vector<int> chosen_states(const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
+  const int n = static_cast<int>(plan.states.size());
+  std::set<int> chosen;
+  switch (choice.kind) {
+    case StateChoice::all:
+      for (int k = 0; k < n; ++k) chosen.insert(k);
+      break;
+    case StateChoice::last:
+      chosen.insert(n - 1);
+      break;
+    case StateChoice::steps:
+      for (const int step : choice.numbers) {
+        if (step >= n)
+          throw InputError(choice.place,
+                           fmt::format("step = {}: case {} has states 0 to {}", step, one.label, n - 1));
+        chosen.insert(step);
+      }
+      break;
+    case StateChoice::pressures:
+      for (const double P_star : choice.P_star) chosen.insert(state_at(P_star, choice, one, plan));
+      break;
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+bool is_meant(const Reference& reference, const CampaignCase& one) {
+  return std::all_of(reference.when.begin(), reference.when.end(),
+                     [&](const SceneChange& key) { return same_value(value_of(one, key.key), key.value); });
+}
+
+std::vector<CasePlan> plan_cases(const Campaign& campaign) {
+  std::vector<CasePlan> plans;
+  for (const CampaignCase& one : campaign.cases) {
+    const Scene scene = scene_of(campaign, one);
+    if (!scene.is_random() && campaign.seeds.size() > 1)
+      throw InputError(one.place,
+                       fmt::format("case {}: all samples would be the same: the scene starts from a state at "
+                                   "rest; expected assembly.agitation, or one seed",
+                                   one.label));
+    CasePlan& plan = plans.emplace_back();
+    plan.states = states_of(scene);
+    plan.threads = scene.relaxation.threads;
+    plan.cost = expected_cost(scene);
+    for (const Collection& c : campaign.collections) {
+      (void)chosen_states(c.states, one, plan);
+      if (c.table == "compare" && chosen_states(c.before, one, plan).size() != 1)
+        throw InputError(c.before.place, "before: expected one state");
+    }
+  }
+  for (const Reference& r : campaign.references) {
+    bool meant = false;
+    for (std::size_t k = 0; k < plans.size(); ++k) {
+      if (!is_meant(r, campaign.cases[k])) continue;
+      meant = true;
+      if (r.fit.empty() && chosen_states(r.state, campaign.cases[k], plans[k]).size() != 1)
+        throw InputError(r.state.place, "state: expected one state");
+    }
+    if (!meant) throw InputError(r.place, "when: expected values that a case of this campaign has");
+  }
+  return plans;
+}
+
+std::vector<CampaignRun> runs_of(const Campaign& campaign) {
+  std::vector<CampaignRun> runs;
+  for (std::size_t k = 0; k < campaign.cases.size(); ++k)
+    for (const std::uint64_t seed : campaign.seeds)
+      runs.push_back(
+          {static_cast<int>(k), seed, fmt::format("runs/{}/seed-{}", campaign.cases[k].label, seed)});
+  return runs;
+}
+
+std::string portable_scene(const Campaign& campaign) {
+  const fs::path directory = fs::path(campaign.scene_file).parent_path();
+  const Scene scene = parse_scene(campaign.scene, campaign.scene_file, directory.string());
+  if (!scene.starts_from_state()) return scene.text;
+  const SceneSource source(campaign.scene, campaign.scene_file, {});
+  const auto state = source.root()["assembly"]["state"].value<std::string>();
+  const std::string absolute = fs::absolute(directory / state.value_or("")).lexically_normal().string();
+  return parse_scene(campaign.scene, campaign.scene_file, directory.string(),
+                     {fmt::format("assembly.state=\"{}\"", absolute)})
+      .text;
+}
+
+}  // namespace floc

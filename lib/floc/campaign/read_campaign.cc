@@ -1,0 +1,343 @@
+#include "floc/campaign/read_campaign.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <tuple>
+
+#include "floc/base/error.h"
+#include "floc/base/read_file.h"
+#include "floc/base/seed_range.h"
+#include "floc/campaign/campaign_cases.h"
+#include "floc/scene/table_reader.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+using Need = TableReader::Need;
+
+/// Samples of a case, and runs of a campaign: beyond these a number is rather a slip.
+constexpr std::uint64_t kMaxSeeds = 10'000;
+constexpr std::size_t kMaxRuns = 100'000;
+
+constexpr NumberRule kAnyNumber{[](double) { return true; }, "a finite number"};
+constexpr NumberRule kNotNegative{[](double x) { return x >= 0.0; }, "a number >= 0"};
+constexpr NumberRule kPressures{[](double x) { return x >= 0.0; },
+                                "a reduced pressure >= 0, or a list of such"};
+constexpr NumberRule kSteps{[](double x) { return x >= 0.0 && x == std::floor(x) && x < 1e6; },
+                            "the number of a state, from 0, or a list of such"};
+constexpr const char* kStates =
+    "\"all\", \"last\", {step = [0, 5]} or {branch = \"load\", P_star = [0.1, 1.0]}";
+
+/// One table of the file with what reads it.
+struct Part {
+  TableReader reader;
+  const toml::table& table;
+  SceneSource& source;
+
+  std::string place() const { return source.place_of(reader.path(), &table); }
+  const toml::node* get(const std::string& key) const { return table.get(key); }
+};
+
+bool is_scalar(const toml::node& node) {
+  return node.is_string() || node.is_boolean() || node.is_integer() ||
+         (node.is_floating_point() && std::isfinite(node.as_floating_point()->get()));
+}
+
+bool is_list(const toml::node& node) {
+  const toml::array* array = node.as_array();
+  return array != nullptr && !array->empty() && std::all_of(array->begin(), array->end(), is_scalar);
+}
+
+/// A key below a table and what it holds, tables in it flattened to dotted keys.
+struct Leaf {
+  std::string key;
+  const toml::node* node;
+};
+
+/// The leaves of a table in the order of the file.
+std::vector<Leaf> leaves_of(const toml::table& table, const std::string& path = "") {
+  std::vector<Leaf> leaves;
+  for (const auto& [name, node] : table) {
+    const std::string key = path.empty() ? std::string(name.str()) : path + "." + std::string(name.str());
+    if (const toml::table* below = node.as_table()) {
+      for (Leaf& leaf : leaves_of(*below, key)) leaves.push_back(std::move(leaf));
+    } else {
+      leaves.push_back({key, &node});
+    }
+  }
+  std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
+    const auto place = [](const Leaf& l) {
+      return std::tuple(l.node->source().begin.line, l.node->source().begin.column);
+    };
+    return place(a) < place(b);
+  });
+  return leaves;
+}
+
+void refuse(SceneSource& source, const std::string& key, const toml::node& node, const std::string& expected) {
+  source.fault(key, &node, fmt::format("{} = {}: expected {}", key, as_written(node), expected));
+}
+
+/// Changes of a scene as a table of the file lists them.
+std::vector<SceneChange> read_changes(Part& part, const std::string& key, Need need) {
+  std::vector<SceneChange> changes;
+  constexpr const char* kExpected = "a table of keys of the scene, e.g. {contact.friction.coefficient = 0.3}";
+  if (!part.reader.table(key, kExpected, need)) return changes;
+  for (const Leaf& leaf : leaves_of(*part.get(key)->as_table())) {
+    if (is_scalar(*leaf.node) || is_list(*leaf.node))
+      changes.push_back({leaf.key, as_written(*leaf.node),
+                         part.source.place_of(part.reader.path_of(key + "." + leaf.key), leaf.node)});
+    else
+      refuse(part.source, part.reader.path_of(key + "." + leaf.key), *leaf.node,
+             "a number, a text, true, false, or a list of such");
+  }
+  return changes;
+}
+
+std::vector<GridAxis> read_grid(TableReader& root, SceneSource& source) {
+  std::vector<GridAxis> axes;
+  if (!root.table("grid", "a table of keys of the scene, each with a list of values", Need::optional))
+    return axes;
+  for (const Leaf& leaf : leaves_of(*source.root().get("grid")->as_table())) {
+    if (!is_list(*leaf.node)) {
+      refuse(source, "grid." + leaf.key, *leaf.node,
+             "a list of values of this key of the scene, numbers or texts, at least one");
+      continue;
+    }
+    GridAxis& axis = axes.emplace_back(GridAxis{leaf.key, {}, source.place_of("grid." + leaf.key, leaf.node)});
+    for (const toml::node& value : *leaf.node->as_array()) axis.values.push_back(as_written(value));
+    for (std::size_t k = 1; k < axis.values.size(); ++k)
+      if (std::count(axis.values.begin(), axis.values.begin() + static_cast<std::ptrdiff_t>(k),
+                     axis.values[k]) > 0)
+        source.fault("grid." + leaf.key, leaf.node,
+                     fmt::format("grid.{} has {} twice: expected each value once", leaf.key, axis.values[k]));
+  }
+  return axes;
+}
+
+std::vector<std::uint64_t> read_seeds(Part& part) {
+  const toml::node* node = part.get("seeds");
+  if (node == nullptr || node->is_string()) {
+    const auto text = part.reader.text("seeds", "\"1..4\" or a list such as [1, 2, 5]");
+    if (!text) return {};
+    const auto range = seed_range_of(*text);
+    std::vector<std::uint64_t> seeds;
+    if (range && range->last - range->first < kMaxSeeds)
+      for (std::uint64_t n = 0; n <= range->last - range->first; ++n) seeds.push_back(range->first + n);
+    else
+      refuse(part.source, part.reader.path_of("seeds"), *node,
+             fmt::format("A..B, two whole numbers, A at most B, at most {} seeds", kMaxSeeds));
+    return seeds;
+  }
+  constexpr NumberRule kSeed{[](double x) { return x >= 0.0 && x == std::floor(x) && x < 9e15; },
+                             "\"1..4\" or a list of whole numbers >= 0, such as [1, 2, 5]"};
+  std::vector<std::uint64_t> seeds;
+  std::set<double> seen;
+  for (const double x : part.reader.numbers("seeds", kSeed)) {
+    if (!seen.insert(x).second)
+      part.reader.fault(
+          "seeds", fmt::format("{} has {} twice: expected each seed once", part.reader.path_of("seeds"), x));
+    seeds.push_back(static_cast<std::uint64_t>(x));
+  }
+  return seeds;
+}
+
+/// A number or a list of numbers.
+std::vector<double> one_or_more(TableReader& reader, const toml::table& table, const std::string& key,
+                                NumberRule rule) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr || node->is_array()) return reader.numbers(key, rule);
+  const auto value = reader.number(key, rule);
+  return value ? std::vector<double>{*value} : std::vector<double>{};
+}
+
+/// @param otherwise  where the key is missing
+StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind otherwise) {
+  StateChoice choice;
+  choice.kind = otherwise;
+  choice.place = part.place();
+  const toml::node* node = part.get(key);
+  if (node == nullptr) return choice;
+  choice.place = part.source.place_of(part.reader.path_of(key), node);
+  const std::string word = node->is_string() ? node->as_string()->get() : "";
+  if (word == "all" || word == "last") {
+    (void)part.reader.text(key, kStates);
+    choice.kind = word == "all" ? StateChoice::all : StateChoice::last;
+    return choice;
+  }
+  TableReader states = part.reader.table(key, kStates, Need::optional);
+  if (!states) return choice;
+  const toml::table& table = *node->as_table();
+  if (table.contains("step") == table.contains("P_star")) {
+    part.reader.fault(key, fmt::format("{}: expected {}", part.reader.path_of(key), kStates));
+    return choice;
+  }
+  choice.kind = table.contains("step") ? StateChoice::steps : StateChoice::pressures;
+  for (const double step : one_or_more(states, table, "step", kSteps))
+    choice.numbers.push_back(static_cast<int>(step));
+  choice.P_star = one_or_more(states, table, "P_star", kPressures);
+  if (choice.kind == StateChoice::pressures)
+    choice.branch = states.text("branch", "the name of a branch of the load path", Need::optional).value_or("");
+  states.refuse_other_keys();
+  return choice;
+}
+
+Collection read_collection(Part& part) {
+  Collection collection;
+  collection.place = part.place();
+  const std::vector<std::string> tables = {"path", "moduli", "network", "structure", "compare"};
+  if (const auto which = part.reader.choice("table", tables)) collection.table = tables[*which];
+  collection.columns =
+      part.reader.texts("columns", "a list of columns of that table, such as [\"phi\", \"z\"]");
+  if (!part.reader.has("columns"))
+    part.reader.fault("columns", fmt::format("{} is missing: expected a list of columns of that table",
+                                             part.reader.path_of("columns")));
+  if (collection.table == "path")
+    part.reader.refuse("options",
+                       part.reader.path_of("options") + ": path.csv is made by floc run: expected none");
+  else
+    collection.options = part.reader.texts("options", "a list of words of the command line");
+  const bool compares = collection.table == "compare";
+  collection.states = read_states(part, "states", compares ? StateChoice::last : StateChoice::all);
+  if (compares) {
+    collection.before = read_states(part, "before", StateChoice::all);
+    if (!part.reader.has("before") || collection.before.kind == StateChoice::all)
+      part.reader.fault("before",
+                        fmt::format("{}: expected the one state to compare with, such as {{step = 1}}",
+                                    part.reader.path_of("before")));
+  } else {
+    part.reader.refuse("before", part.reader.path_of("before") + ": expected with table = \"compare\" alone");
+  }
+  return collection;
+}
+
+CampaignFit read_fit(Part& part) {
+  CampaignFit fit;
+  const std::vector<std::string> laws = {"consolidation", "elastic", "preconsolidation"};
+  if (const auto which = part.reader.choice("law", laws)) fit.law = laws[*which];
+  fit.options = part.reader.texts("options", "a list of words of the command line");
+  return fit;
+}
+
+Reference read_reference(Part& part) {
+  Reference reference;
+  reference.place = part.place();
+  TableReader& t = part.reader;
+  reference.quantity = t.text("of", "a column that is collected, or a parameter of a fit").value_or("");
+  reference.fit = t.text("fit", "the law of a [[fit]]", Need::optional).value_or("");
+  reference.when = read_changes(part, "when", Need::optional);
+  reference.state = read_states(part, "state", StateChoice::all);
+  if (reference.fit.empty() && !t.has("state"))
+    t.fault("state", t.path_of("state") +
+                         " is missing: expected one state, such as \"last\" or {branch = "
+                         "\"load\", P_star = 0.1}, or fit = the law of a [[fit]]");
+  if (!reference.fit.empty()) t.refuse("state", t.path_of("state") + ": expected of a column, not of a fit");
+  reference.value = t.number("value", kAnyNumber).value_or(0.0);
+  reference.deviation = t.number("error", kNotNegative, Need::optional).value_or(0.0);
+  constexpr IntegerRule kSamples{1, 1'000'000, "the number of samples that error is the standard deviation of"};
+  reference.n_samples = static_cast<int>(t.integer("samples", kSamples, Need::optional).value_or(1));
+  reference.source = t.text("source", "where the value is from").value_or("");
+  return reference;
+}
+
+/// Reads every table of an array of tables.
+template <class Read>
+auto read_all(TableReader& root, SceneSource& source, const std::string& key, const char* expectation,
+              Read read) {
+  std::vector<decltype(read(std::declval<Part&>()))> all;
+  std::vector<TableReader> readers = root.tables(key, expectation);
+  for (std::size_t k = 0; k < readers.size(); ++k) {
+    Part part{readers[k], *source.root().get(key)->as_array()->get(k)->as_table(), source};
+    all.push_back(read(part));
+    part.reader.refuse_other_keys();
+  }
+  return all;
+}
+
+/// What can be said only of the parts together.
+void check_references(const Campaign& campaign, SceneSource& source) {
+  for (const Reference& r : campaign.references) {
+    const bool is_fitted = std::any_of(campaign.fits.begin(), campaign.fits.end(),
+                                       [&](const CampaignFit& fit) { return fit.law == r.fit; });
+    const bool is_collected = std::any_of(
+        campaign.collections.begin(), campaign.collections.end(),
+        [&](const Collection& c) { return std::count(c.columns.begin(), c.columns.end(), r.quantity) > 0; });
+    if (!r.fit.empty() && !is_fitted)
+      source.fault_at(r.place,
+                      fmt::format("fit = \"{}\": expected the law of a [[fit]] of this campaign", r.fit));
+    if (r.fit.empty() && !r.quantity.empty() && !is_collected)
+      source.fault_at(r.place,
+                      fmt::format("of = \"{}\": expected a column that a [[collect]] names", r.quantity));
+    for (const SceneChange& key : r.when)
+      if (std::count(campaign.keys.begin(), campaign.keys.end(), key.key) == 0)
+        source.fault_at(r.place,
+                        fmt::format("when.{}: expected a key that [grid] or a [[case]] sets", key.key));
+  }
+}
+
+/// A column has one origin.
+void check_collections(const Campaign& campaign, SceneSource& source) {
+  for (std::size_t k = 0; k < campaign.collections.size(); ++k)
+    for (std::size_t before = 0; before < k; ++before) {
+      const Collection &one = campaign.collections[before], &other = campaign.collections[k];
+      if (one.table == other.table && one.options == other.options && one.table != "compare") continue;
+      for (const std::string& column : other.columns)
+        if (std::count(one.columns.begin(), one.columns.end(), column) > 0)
+          source.fault_at(other.place, fmt::format("columns has {}, which is collected from {} ({}) already: "
+                                                   "expected a column from one table and with the same options",
+                                                   column, one.table, one.place));
+    }
+}
+
+}  // namespace
+
+Campaign read_campaign(const std::string& path, const std::string& scene) {
+  if (fs::is_directory(path))
+    throw InputError(path, "cannot be read: it is a directory: expected a campaign file (TOML)");
+  const std::vector<std::string> overrides =
+      scene.empty() ? std::vector<std::string>{} : std::vector{fmt::format("campaign.scene=\"{}\"", scene)};
+  SceneSource source(read_file(path), path, overrides);
+  TableReader root(source);
+  Campaign campaign;
+  TableReader head = root.table("campaign", "a table with scene and seeds");
+  if (head) {
+    Part part{head, *source.root().get("campaign")->as_table(), source};
+    campaign.name = part.reader.text("name", "a text", Need::optional).value_or(fs::path(path).stem().string());
+    if (const auto name = part.reader.text("scene", "the scene file of all runs, beside this one"))
+      campaign.scene_file = (fs::path(path).parent_path() / *name).string();
+    campaign.seeds = read_seeds(part);
+    if (!campaign.scene_file.empty() && !fs::is_regular_file(campaign.scene_file))
+      refuse(source, "campaign.scene", *part.get("scene"), "a scene file; there is no " + campaign.scene_file);
+    part.reader.refuse_other_keys();
+  }
+  const std::vector<GridAxis> grid = read_grid(root, source);
+  const auto listed = read_all(root, source, "case", "tables [[case]] with set", [](Part& part) {
+    CampaignCase one;
+    one.place = part.place();
+    one.label = part.reader.text("name", "a text", Need::optional).value_or("");
+    one.changes = read_changes(part, "set", Need::required);
+    return one;
+  });
+  campaign.collections = read_all(root, source, "collect", "tables [[collect]]", read_collection);
+  campaign.fits = read_all(root, source, "fit", "tables [[fit]]", read_fit);
+  campaign.references = read_all(root, source, "reference", "tables [[reference]]", read_reference);
+  root.refuse_other_keys();
+  if (campaign.collections.empty() && campaign.fits.empty())
+    source.fault_at(path, "collects nothing: expected a [[collect]] or a [[fit]]");
+  set_cases(grid, listed, path, campaign);
+  check_collections(campaign, source);
+  check_references(campaign, source);
+  if (campaign.cases.size() * campaign.seeds.size() > kMaxRuns)
+    source.fault_at(path, fmt::format("has {} cases of {} seeds: expected at most {} runs",
+                                      campaign.cases.size(), campaign.seeds.size(), kMaxRuns));
+  source.throw_faults();
+  campaign.scene = read_file(campaign.scene_file);
+  return campaign;
+}
+
+}  // namespace floc

@@ -1,0 +1,152 @@
+#include "floc/campaign/snakefile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace floc {
+namespace {
+
+/// One argument of a shell.
+std::string shell_quoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+/// A text of Python.
+std::string python_quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '\n') {
+      quoted += "\\n";
+      continue;
+    }
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+/// A text of a command, in which snakemake replaces what stands in braces.
+std::string command_quoted(const std::string& text) {
+  std::string doubled;
+  for (const char c : text) {
+    if (c == '{' || c == '}') doubled += c;
+    doubled += c;
+  }
+  return python_quoted(doubled);
+}
+
+constexpr const char* kHead =
+    R"(# Runs of the campaign {}, written by floc campaign plan: plan again after a change of the campaign.
+#
+#   snakemake --cores 4      makes tables and index.html, and goes on where it was stopped
+#   snakemake --unlock       after snakemake itself was killed; then with --rerun-incomplete
+
+FLOC = config.get("floc", {})
+OUTCOMES = [
+{}]
+
+localrules: all, page, table_runs, table_means, table_fits, table_outcomes
+
+# Lists the runs that failed, if any, and fails then; the next snakemake makes them again.
+rule all:
+    input: "index.html", OUTCOMES
+    output: "complete"
+    shell: "{{FLOC}} campaign outcome . --forget > {{output}}"
+
+rule page:
+    input: "runs.csv", "means.csv", "fits.csv", "outcomes.csv"
+    output: "index.html"
+    shell: "{{FLOC}} campaign page . -o {{output}}"
+
+rule table_runs:
+    input: "campaign.toml", "scene.toml", OUTCOMES
+    output: "runs.csv"
+    shell: "{{FLOC}} campaign collect . --table runs --format csv > {{output}}"
+
+rule table_means:
+    input: "campaign.toml", "scene.toml", "runs.csv"
+    output: "means.csv"
+    shell: "{{FLOC}} campaign collect . --table means --format csv > {{output}}"
+
+rule table_fits:
+    input: "campaign.toml", "scene.toml", OUTCOMES
+    output: "fits.csv"
+    shell: "{{FLOC}} campaign collect . --table fits --format csv > {{output}}"
+
+rule table_outcomes:
+    input: "campaign.toml", "scene.toml", OUTCOMES
+    output: "outcomes.csv"
+    shell: "{{FLOC}} campaign collect . --table outcomes --format csv > {{output}}"
+)";
+
+/// What makes the table of a collection, in the directory of a run.
+std::string command_of(const Collection& collection, const CampaignCase& one, const CasePlan& plan) {
+  const auto file = [](int step) { return fmt::format(" state-{:04}.h5", step); };
+  std::string command = collection.table;
+  if (collection.table == "compare") command += file(chosen_states(collection.before, one, plan).front());
+  for (const int step : chosen_states(collection.states, one, plan)) command += file(step);
+  for (const std::string& option : collection.options) command += " " + option;
+  return command;
+}
+
+/// The commands after a run, "1-moduli.csv: moduli state-0003.h5"; of compare, which takes two states, one a state.
+std::vector<std::string> commands_of(const Campaign& campaign, int number, const CampaignCase& one,
+                                     const CasePlan& plan) {
+  Collection collection = campaign.collections[static_cast<std::size_t>(number)];
+  if (collection.table == "path") return {};
+  const std::string file = collected_file(campaign, number);
+  if (collection.table != "compare") return {file + ": " + command_of(collection, one, plan)};
+  std::vector<std::string> commands;
+  for (const int step : chosen_states(collection.states, one, plan)) {
+    collection.states.kind = StateChoice::steps;
+    collection.states.numbers = {step};
+    commands.push_back(fmt::format("{:04}-{}: {}", step, file, command_of(collection, one, plan)));
+  }
+  return commands;
+}
+
+std::string run_rule(const Campaign& campaign, const CampaignRun& run, int number, const CasePlan& plan) {
+  const CampaignCase& one = campaign.cases[static_cast<std::size_t>(run.case_number)];
+  std::string rule = fmt::format(R"(
+rule run_{}:
+    input: "scene.toml"
+    output: {}
+    threads: {}
+    shell:
+        "exec {{FLOC}} campaign run scene.toml --with-parent --seed {} --threads {{threads}}"
+)",
+                                 number, python_quoted(run.directory + "/outcome.csv"), plan.threads, run.seed);
+  const auto add = [&rule](const std::string& option, const std::string& value) {
+    rule += "        " + command_quoted(" " + option + " " + shell_quoted(value)) + "\n";
+  };
+  for (const SceneChange& change : one.changes) add("--set", change.text());
+  add("-o", run.directory);
+  for (int k = 0; k < static_cast<int>(campaign.collections.size()); ++k)
+    for (const std::string& command : commands_of(campaign, k, one, plan)) add("--table", command);
+  return rule;
+}
+
+}  // namespace
+
+std::string collected_file(const Campaign& campaign, int number) {
+  return fmt::format("{}-{}.csv", number + 1, campaign.collections[static_cast<std::size_t>(number)].table);
+}
+
+std::string snakefile_of(const Campaign& campaign, const std::vector<CasePlan>& plans,
+                         const std::string& program) {
+  const std::vector<CampaignRun> runs = runs_of(campaign);
+  std::string outcomes, rules;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    outcomes += "    " + python_quoted(runs[k].directory + "/outcome.csv") + ",\n";
+    rules += run_rule(campaign, runs[k], static_cast<int>(k) + 1,
+                      plans[static_cast<std::size_t>(runs[k].case_number)]);
+  }
+  std::string name = campaign.name;
+  std::replace(name.begin(), name.end(), '\n', ' ');
+  return fmt::format(fmt::runtime(kHead), name, python_quoted(shell_quoted(program)), outcomes) + rules;
+}
+
+}  // namespace floc

@@ -1,10 +1,14 @@
+#include <fmt/format.h>
+#include <fnmatch.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "floc/io/csv.h"
 #include "support/small_campaign.h"
@@ -83,6 +87,36 @@ TEST_F(CampaignOnSnakemake, MakesTwelveRunsTheirTablesAndAPage) {
   EXPECT_THAT(content_of(file("whole/index.html")), HasSubstr("12 of 12 runs are done"));
   EXPECT_EQ(CsvTable::read(file("whole/outcomes.csv")).n_rows(), 12);
   EXPECT_THAT(snakemake(file("whole")).out, HasSubstr("Nothing to be done"));
+}
+
+TEST_F(CampaignOnSnakemake, DescribesTheColumnsOfItsTables) {
+  std::map<std::string, std::vector<std::string>> described;
+  const Outcome reference = floc("help columns campaign --format json");
+  for (const auto& row : nlohmann::json::parse(reference.out))
+    described[row.at("table")].push_back(row.at("column"));
+  const auto is_described = [&](const std::string& table, const std::string& column) {
+    return std::ranges::any_of(described.at(table), [&](const std::string& name) {
+      return ::fnmatch(name.c_str(), column.c_str(), 0) == 0;
+    });
+  };
+  const std::set<std::string> collected = {"phi", "z", "B", "n_negative", "kept_share"};
+  for (const char* name : {"runs", "means", "fits", "outcomes"}) {
+    const CsvTable table = CsvTable::read(file(fmt::format("whole/{}.csv", name)));
+    for (const std::string& column : table.columns())
+      EXPECT_TRUE(collected.contains(column) ||
+                  is_described(fmt::format("campaign collect --table {}", name), column))
+          << name << " has " << column << ", which is not described";
+  }
+  const std::pair<const char*, std::string> printed[] = {
+      {"campaign check", floc("campaign check whole.toml").out},
+      {"campaign outcome", floc("campaign outcome whole").out},
+      {"campaign page", floc("campaign page whole -o p.html").out}};
+  for (const auto& [name, text] : printed) {
+    std::istringstream in(text);
+    const CsvTable table = CsvTable::parse(name, in);
+    for (const std::string& column : table.columns())
+      EXPECT_TRUE(is_described(name, column)) << name << " has " << column << ", which is not described";
+  }
 }
 
 TEST_F(CampaignOnSnakemake, TakesMeansOverTheSeeds) {

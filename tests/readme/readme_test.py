@@ -28,6 +28,7 @@ NOT_RUN = {
     "cmake --preset release\n": "builds and installs; install.find_package does that",
     "cmake -S . -B build -DCMAKE_PREFIX_PATH": "a project of the user; install.find_package builds one",
     "export PATH=": "where the program is",
+    "snakemake --jobs 50": "a cluster; tests/slurm/run has one of its own",
     "floc fit dynamic-compaction TABLE": None,  # line by line, see LINES_NOT_RUN
 }
 LINES_NOT_RUN = {

@@ -46,7 +46,7 @@ LONG = {
     "-o frames/ --as png": "forty pictures",
     "floc run data/scenes/cemented2d.toml": "some minutes; floc lattice on its state as many again",
     "floc lattice grains/": "likewise",
-    "floc campaign new friction": "six runs of the demo's size",
+    "cd friction && snakemake": "six runs of the demo's size",
 }
 # Tables by a part of their header, whose numbers no command prints, or not the same ones twice.
 UNCHECKED_TABLES = {
@@ -193,6 +193,8 @@ class Test:
                        "cp spheres/state-0001.h5 spheres.h5")
         if "grains.csv crystal.h5" in command:
             open(os.path.join(self.directory, "grains.csv"), "w").write(self.readme.block("x,y,r\n"))
+        if "cd friction && snakemake" in command:
+            self.shell("floc campaign new friction && floc campaign plan friction.toml -o friction")
         if "demo again" in command:
             self.shell("cp -r demo again")
 

@@ -380,6 +380,18 @@ class Test:
             self.number(found.group(1), statistics.mean(values), f"spheres {state}, z*")
             self.number(found.group(2), statistics.stdev(values), f"spheres {state}, scatter of z*")
 
+    def compaction(self):
+        points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/points.csv"))))
+        for cells in self.claim_table("| eta* | spheres | e | published law |"):
+            eta, count = float(cells[0]), cells[1]
+            stiffness = 1e3 if eta == 0.001 else 1e4
+            values = [float(r["e"]) for r in points if float(r["eta_star"]) == eta and r["N"] == count and
+                      float(r["se"]) == stiffness]
+            what = f"compaction of {count} spheres at eta* = {eta}"
+            mean, deviation = cells[2].split(" +- ")
+            self.number(mean, statistics.mean(values), what)
+            self.number(deviation, statistics.stdev(values), what + ", scatter")
+
     def lattice(self):
         study = list(csv.DictReader(open(os.path.join(self.source, "data/tables/lattice/study.csv"))))
         columns = ["E", "other_share_nodes", "beta1_nodes", "beta2_nodes", "beta1_forces", "pearson_bonded"]
@@ -498,7 +510,8 @@ class Test:
             else:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
-                              self.preconsolidation, self.lammps, self.python, self.spheres, self.lattice, self.tradeoff):
+                              self.preconsolidation, self.lammps, self.python, self.spheres, self.compaction, self.lattice,
+                              self.tradeoff):
                     try:
                         check()
                     except Exception as error:  # one stale place does not hide the others

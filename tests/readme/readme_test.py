@@ -360,25 +360,36 @@ class Test:
                 self.fault(f"h5py: README says {line!r}, the script {other!r}")
 
     def spheres(self):
-        states = list(csv.DictReader(open(os.path.join(self.source, "data/tables/spheres/states_500.csv"))))
-        text = self.readme.text()
-        columns = ["phi", "z_star_carrying", "x0_carrying", "Z_2"]
+        states = list(csv.DictReader(open(os.path.join(self.source, "data/tables/spheres/states_4000.csv"))))
+
+        def shown_agrees(shown, state, step, name):
+            percent = shown.endswith("%")
+            mean, deviation = shown.rstrip(" %").split(" +- ")
+            values = [float(r[name]) * (100.0 if percent else 1.0) for r in states
+                      if r["state"] == state and int(r["step"]) == step]
+            what = f"spheres {state}, step {step}, {name}"
+            self.number(mean, statistics.mean(values), what)
+            self.number(deviation, statistics.stdev(values), what + ", scatter")
+
         for cells in self.claim_table("| state | put together | P |"):
             state = cells[0].lower()
-            first = [r for r in states if r["state"] == state and int(r["step"]) == self.assembled(states, state)]
-            for name, shown in zip(columns, [cells[3], cells[5], cells[7], cells[9]]):
-                percent = shown.endswith("%")
-                mean, deviation = shown.rstrip(" %").split(" +- ")
-                values = [float(r[name]) * (100.0 if percent else 1.0) for r in first]
-                self.number(mean, statistics.mean(values), f"spheres {cells[0]}, {name}")
-                self.number(deviation, statistics.stdev(values), f"spheres {cells[0]}, scatter of {name}")
-        for state, pattern in [("a", r"z\* of A is ([\d.]+) \+- ([\d.]+)"),
-                               ("b", r"z\* is ([\d.]+) \+- ([\d.]+) in B"), ("d", r"and ([\d.]+) \+- ([\d.]+) in D")]:
-            found = re.search(pattern, text.replace("\n", " "))
-            last = self.highest(states, state) if state == "a" else max(int(r["step"]) for r in states if r["state"] == state)
-            values = [float(r["z_star_carrying"]) for r in states if r["state"] == state and int(r["step"]) == last]
-            self.number(found.group(1), statistics.mean(values), f"spheres {state}, z*")
-            self.number(found.group(2), statistics.stdev(values), f"spheres {state}, scatter of z*")
+            for name, shown in zip(["phi", "z_star_carrying", "x0_carrying", "Z_2"], cells[3::2]):
+                shown_agrees(shown, state, self.assembled(states, state), name)
+        for cells in self.claim_table("| state | M1 | published | M2 |"):
+            state = cells[0].lower()
+            first, top = self.assembled(states, state), self.highest(states, state)
+            last = max(int(r["step"]) for r in states if r["state"] == state)
+            for step, name, shown in ((first, "M1_carrying", cells[1]), (first, "M2_carrying", cells[3]),
+                                      (top, "z_star_carrying", cells[5]), (top, "x0_carrying", cells[6]),
+                                      (last, "z_star_carrying", cells[7]), (last, "x0_carrying", cells[8]),
+                                      (last, "M1_carrying", cells[10])):
+                shown_agrees(shown, state, step, name)
+            gained = [1e4 * (float(end["phi"]) - float(start["phi"])) for start in states for end in states
+                      if start["state"] == end["state"] == state and start["seed"] == end["seed"] and
+                      int(start["step"]) == first and int(end["step"]) == last]
+            mean, deviation = cells[9].removesuffix(" e-4").split(" +- ")
+            self.number(mean, statistics.mean(gained), f"spheres {state}, Phi gained")
+            self.number(deviation, statistics.stdev(gained), f"spheres {state}, scatter of Phi gained")
 
     def compaction(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/points.csv"))))

@@ -153,52 +153,75 @@ std::string density_axes(const Plot& plot, const std::vector<int>& points,
   return script;
 }
 
-}  // namespace
+/// A distribution to draw: its values, its density with error bars, and exponentials fitted to it.
+struct DensityCurve {
+  std::string name;
+  const std::vector<double>& values;
+  std::vector<std::vector<double>> rows, fits;
+};
 
-Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit) {
+/// What a plot of densities calls its values and the exponentials.
+struct DensityWords {
+  const char *value, *values, *fits;
+};
+
+/// Densities on a logarithmic axis with their exponentials, a color each.
+Plot density_plot(std::vector<DensityCurve> densities, const DensityWords& words, const std::string& xlabel) {
   Plot plot;
-  std::vector<Curve> curves, tails;
+  std::vector<Curve> curves, fits;
   std::vector<int> all;
-  std::vector<std::vector<double>> forces;
-  for (const ForceSample& sample : samples) forces.push_back(sample.forces);
-  const std::pair<double, double> shown = shown_values(std::move(forces));
-  for (std::size_t s = 0; s < samples.size(); ++s) {
-    const ForceDistribution& d = samples[s].distribution;
-    std::vector<std::vector<double>> rows = density_rows(d), tail;
-    add_tail(samples[s].forces, 1.0, tail);
-    if (kind == ForceKind::normal) add_tail(samples[s].forces, -1.0, tail);
+  std::vector<std::vector<double>> values;
+  for (const DensityCurve& d : densities) values.push_back(d.values);
+  const std::pair<double, double> shown = shown_values(std::move(values));
+  for (std::size_t s = 0; s < densities.size(); ++s) {
+    DensityCurve& d = densities[s];
     const std::size_t color = s % 6 + 1;
-    all.push_back(plot.add(samples[s].name + ": force density low high count", std::move(rows)));
+    const bool named = d.fits.empty() || !fits.empty();
+    all.push_back(
+        plot.add(fmt::format("{}: {} density low high count", d.name, words.value), std::move(d.rows)));
     curves.push_back(
         {all.back(),
          fmt::format("using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb "
                      "color[{}] title {}",
-                     color,
-                     gnuplot_quoted(name_in_legend(samples[s].name, samples[s].forces, "forces", shown)))});
-    const bool named = tail.empty() || !tails.empty();
-    const int lines = plot.add(samples[s].name + ": exponential tails: force density", std::move(tail));
+                     color, gnuplot_quoted(name_in_legend(d.name, d.values, words.values, shown)))});
+    const int lines =
+        plot.add(fmt::format("{}: {}: {} density", d.name, words.fits, words.value), std::move(d.fits));
     if (plot.blocks.back().rows.empty()) continue;
-    tails.push_back({lines, fmt::format("using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] {}", color,
-                                        named ? "notitle" : "title 'exponential tails'")});
+    fits.push_back({lines, fmt::format("using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] {}", color,
+                                       named ? "notitle" : fmt::format("title '{}'", words.fits))});
   }
-  std::ranges::move(tails, std::back_inserter(curves));
-  const std::string scale = unit == ForceUnit::mean
-                                ? fmt::format("⟨|{}|⟩", kind == ForceKind::normal       ? "F_N"
-                                                        : kind == ForceKind::tangential ? "F_T"
-                                                                                        : "Γ")
-                            : kind == ForceKind::rolling ? "(F_0 a)"
-                                                         : "F_0";
-  plot.script = fmt::format(R"(set logscale y
+  std::ranges::move(fits, std::back_inserter(curves));
+  plot.script =
+      fmt::format(R"(set logscale y
 set bars 0.4
 {axes}set format y '10^{{%T}}'
 set xlabel {xlabel}
 set ylabel 'probability density'
 set key top right
 {colors}{curves})",
-                            fmt::arg("axes", density_axes(plot, all, shown)),
-                            fmt::arg("xlabel", gnuplot_quoted(symbol_of(kind) + " / " + scale)),
-                            fmt::arg("colors", kColors), fmt::arg("curves", plot_command(plot, curves)));
+                  fmt::arg("axes", density_axes(plot, all, shown)), fmt::arg("xlabel", gnuplot_quoted(xlabel)),
+                  fmt::arg("colors", kColors), fmt::arg("curves", plot_command(plot, curves)));
   return plot;
+}
+
+}  // namespace
+
+Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit) {
+  std::vector<DensityCurve> densities;
+  for (const ForceSample& sample : samples) {
+    std::vector<std::vector<double>> tails;
+    add_tail(sample.forces, 1.0, tails);
+    if (kind == ForceKind::normal) add_tail(sample.forces, -1.0, tails);
+    densities.push_back({sample.name, sample.forces, density_rows(sample.distribution), std::move(tails)});
+  }
+  const std::string scale = unit == ForceUnit::mean
+                                ? fmt::format("⟨|{}|⟩", kind == ForceKind::normal       ? "F_N"
+                                                        : kind == ForceKind::tangential ? "F_T"
+                                                                                        : "Γ")
+                            : kind == ForceKind::rolling ? "(F_0 a)"
+                                                         : "F_0";
+  return density_plot(std::move(densities), {"force", "forces", "exponential tails"},
+                      symbol_of(kind) + " / " + scale);
 }
 
 template <int Dim>
@@ -223,45 +246,16 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
 }
 
 Plot pressures_plot(const std::vector<PressureSample>& samples) {
-  Plot plot;
-  std::vector<Curve> curves, laws;
-  std::vector<int> all;
-  std::vector<std::vector<double>> pressures;
-  for (const PressureSample& sample : samples) pressures.push_back(sample.pressures);
-  const std::pair<double, double> shown = shown_values(std::move(pressures));
-  for (std::size_t s = 0; s < samples.size(); ++s) {
-    const std::vector<double>& p = samples[s].pressures;
-    std::vector<std::vector<double>> law;
-    add_exponential(p, 1.0, law);
-    add_exponential(p, -1.0, law);
-    const std::size_t color = s % 6 + 1;
-    all.push_back(plot.add(samples[s].name + ": pressure density low high count",
-                           density_rows(distribution_of(p, 1.0, bin_width(p)))));
-    curves.push_back(
-        {all.back(),
-         fmt::format("using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb "
-                     "color[{}] title {}",
-                     color, gnuplot_quoted(name_in_legend(samples[s].name, p, "pressures", shown)))});
-    const bool named = law.empty() || !laws.empty();
-    const int lines = plot.add(samples[s].name + ": exponentials: pressure density", std::move(law));
-    if (plot.blocks.back().rows.empty()) continue;
-    laws.push_back({lines, fmt::format("using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] {}", color,
-                                       named ? "notitle" : "title 'exponentials'")});
+  std::vector<DensityCurve> densities;
+  for (const PressureSample& sample : samples) {
+    const std::vector<double>& p = sample.pressures;
+    std::vector<std::vector<double>> laws;
+    add_exponential(p, 1.0, laws);
+    add_exponential(p, -1.0, laws);
+    densities.push_back({sample.name, p, density_rows(distribution_of(p, 1.0, bin_width(p))), std::move(laws)});
   }
-  std::ranges::move(laws, std::back_inserter(curves));
-  plot.script =
-      fmt::format(R"(set logscale y
-set bars 0.4
-{axes}set format y '10^{{%T}}'
-set xlabel {xlabel}
-set ylabel 'probability density'
-set key top right
-{colors}{curves})",
-                  fmt::arg("axes", density_axes(plot, all, shown)),
-                  fmt::arg("xlabel", gnuplot_quoted(samples.front().over_adhesion ? "pressure of a grain / p_0"
-                                                                                  : "pressure of a grain / P")),
-                  fmt::arg("colors", kColors), fmt::arg("curves", plot_command(plot, curves)));
-  return plot;
+  return density_plot(std::move(densities), {"pressure", "pressures", "exponentials"},
+                      samples.front().over_adhesion ? "pressure of a grain / p_0" : "pressure of a grain / P");
 }
 
 template <int Dim>

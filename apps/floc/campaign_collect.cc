@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <sys/wait.h>
 
 #include <filesystem>
 #include <iostream>
@@ -41,9 +40,7 @@ void fit_case(const PlannedCampaign& planned, int case_number, int fit_number, c
       fs::path(directory) / "fits" / fmt::format("{}-{}-{}", one.label, fit_number + 1, fit.law);
   fs::create_directories(base.parent_path());
   const std::string printed = base.string() + ".csv", log = base.string() + ".log";
-  int status = 0;
-  ::waitpid(start_floc(words, {directory, printed, log, false}), &status, 0);
-  if (const int code = exit_code_of(status); code != kDone)
+  if (const int code = wait_for(start_floc(words, {directory, printed, log, false})); code != kDone)
     std::cerr << fmt::format("floc: case {}: floc fit {}: exit code {}, see {}\n", one.label, fit.law, code,
                              log);
   if (fs::file_size(printed) > 0) add_fit(planned.campaign, one, fit, CsvTable::read(printed), table);
@@ -83,15 +80,11 @@ int report_outcome(const Arguments& arguments) {
   for (const CampaignRun& run : runs_of(campaign)) {
     const fs::path place = fs::path(arguments.directory) / run.directory;
     const auto outcome = outcome_of(place.string());
-    const bool done = is_done(outcome);
     table.rows.push_back(
         {campaign.cases[static_cast<std::size_t>(run.case_number)].label, static_cast<std::int64_t>(run.seed),
-         done      ? "done"
-         : outcome ? "failed"
-                   : "missing",
-         outcome ? TableValue(std::int64_t{outcome->exit_code}) : TableValue(),
+         word_of(outcome), outcome ? TableValue(std::int64_t{outcome->exit_code}) : TableValue(),
          or_undefined(outcome ? outcome->command : ""), or_undefined(outcome ? outcome->words : "")});
-    if (done) continue;
+    if (is_done(outcome)) continue;
     ++n_failed;
     code = worse(code, outcome ? as_own(outcome->exit_code) : int{kFailure});
     lines += outcome ? fmt::format("\n  {}: floc {}: exit code {}: {}", run.directory, outcome->command,

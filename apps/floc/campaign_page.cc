@@ -73,6 +73,7 @@ struct CampaignPage {
   std::string directory;
   PlannedCampaign planned;
   CsvTable runs, means, fits, outcomes;
+  std::map<int, CampaignRun> drawn;  ///< the first run of each case that succeeded, by the number of the case
 
   std::vector<std::string> labels() const {
     std::vector<std::string> all;
@@ -200,18 +201,17 @@ int drawn_state(const CasePlan& plan) {
   return best;
 }
 
-/// The first run of each case that succeeded, by the number of the case.
-std::map<int, CampaignRun> drawn_runs(const CampaignPage& page) {
+std::map<int, CampaignRun> drawn_runs(const Campaign& campaign, const std::string& directory) {
   std::map<int, CampaignRun> drawn;
-  for (const CampaignRun& run : runs_of(page.planned.campaign)) {
-    if (is_done(outcome_of(page.directory + "/" + run.directory))) drawn.emplace(run.case_number, run);
+  for (const CampaignRun& run : runs_of(campaign)) {
+    if (is_done(outcome_of(directory + "/" + run.directory))) drawn.emplace(run.case_number, run);
   }
   return drawn;
 }
 
 std::string pictures_section(const CampaignPage& page) {
   std::string out;
-  for (const auto& [number, run] : drawn_runs(page)) {
+  for (const auto& [number, run] : page.drawn) {
     const int step = drawn_state(page.planned.plans[static_cast<std::size_t>(number)]);
     const std::string file = state_file(page.directory + "/" + run.directory, step);
     const std::string caption =
@@ -242,8 +242,9 @@ std::string cost_section(const CampaignPage& page) {
 std::string provenance_section(const CampaignPage& page) {
   Table table{{"", ""}, {}};
   table.rows.push_back({"page made by", fmt::format("floc {} ({}), {}", version(), commit(), compiler())});
-  if (const auto drawn = drawn_runs(page); !drawn.empty()) {
-    const AnyState state = read_state(state_file(page.directory + "/" + drawn.begin()->second.directory, 0));
+  if (!page.drawn.empty()) {
+    const AnyState state =
+        read_state(state_file(page.directory + "/" + page.drawn.begin()->second.directory, 0));
     const Provenance& made = std::visit([](const auto& s) -> const Provenance& { return s.provenance; }, state);
     table.rows.push_back(
         {"states made by", fmt::format("{} ({}), {}", made.program, made.commit, made.compiler)});
@@ -272,9 +273,14 @@ std::string html_of(const CampaignPage& page) {
 
 int write_page(const Arguments& arguments) {
   const auto table = [&](const char* name) { return CsvTable::read(arguments.directory + "/" + name); };
-  const CampaignPage page{arguments.directory, campaign_of(arguments.directory),
-                          table("runs.csv"),   table("means.csv"),
-                          table("fits.csv"),   table("outcomes.csv")};
+  CampaignPage page{arguments.directory,
+                    campaign_of(arguments.directory),
+                    table("runs.csv"),
+                    table("means.csv"),
+                    table("fits.csv"),
+                    table("outcomes.csv"),
+                    {}};
+  page.drawn = drawn_runs(page.planned.campaign, page.directory);
   const std::string html = html_of(page);
   write_bytes_atomically(arguments.output, html);
   print_table({{"campaign", "page", "n_cases", "n_runs", "bytes"},

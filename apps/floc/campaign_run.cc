@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 
-#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <memory>
@@ -64,11 +62,9 @@ int run_floc(const std::vector<std::string>& arguments, const ChildOptions& opti
   const pid_t child = start_floc(arguments, options);
   g_child = child;
   if (g_signal != 0) ::kill(child, SIGTERM);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int code = wait_for(child);
   g_child = 0;
-  return exit_code_of(status);
+  return code;
 }
 
 /// What the last line of a log says.

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 
@@ -53,6 +54,13 @@ pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& 
 int exit_code_of(int status) {
   constexpr int kSignals = 128;
   return WIFEXITED(status) ? WEXITSTATUS(status) : kSignals + WTERMSIG(status);
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return exit_code_of(status);
 }
 
 }  // namespace floc

@@ -25,6 +25,9 @@ pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& 
 /// How a process ended, from the status of waitpid(): its exit code, or 128 and the number of the signal that ended it.
 int exit_code_of(int status);
 
+/// Waits for a child, through signals. @return as exit_code_of()
+int wait_for(pid_t child);
+
 /// Path of this program.
 std::string this_program();
 

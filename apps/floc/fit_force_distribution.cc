@@ -9,6 +9,7 @@
 #include "floc/base/error.h"
 #include "floc/fitting/force_distribution.h"
 #include "floc/io/state_file.h"
+#include "floc/structure/force_distribution.h"
 #include "output.h"
 
 namespace floc {
@@ -41,20 +42,6 @@ std::vector<double> read_forces(const std::string& file, const ColumnNames& colu
   return forces;
 }
 
-/// Sizes of the forces of one sign.
-std::vector<double> sizes_of(const std::vector<double>& forces, double sign) {
-  std::vector<double> sizes;
-  for (const double f : forces)
-    if (sign * f > 0) sizes.push_back(sign * f);
-  return sizes;
-}
-
-double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v;
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
-}
-
 /// Tails of both signs if there are tensions, the forms of compressive networks if there are none; or the form
 /// asked for.
 std::vector<ForceFit> fit_forms(const std::vector<double>& forces, const Arguments& arguments) {
@@ -62,7 +49,7 @@ std::vector<ForceFit> fit_forms(const std::vector<double>& forces, const Argumen
   const auto wanted = [&](const char* form) { return arguments.form == "all" || arguments.form == form; };
   std::vector<ForceFit> fits;
   const auto add_tail = [&](const char* form, const std::vector<double>& sizes) {
-    const double threshold = arguments.has_threshold ? arguments.threshold : mean_of(sizes);
+    const double threshold = arguments.has_threshold ? arguments.threshold : mean_size(sizes);
     fits.push_back(fit_exponential_tail(form, sizes, threshold, arguments.options));
   };
   if (wanted("tails") && !positive.empty()) add_tail("tail_positive", positive);

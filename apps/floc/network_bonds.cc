@@ -11,7 +11,6 @@
 #include "floc/network/contact_network.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/balance.h"
-#include "floc/packing/grain_sizes.h"
 #include "floc/structure/force_distribution.h"
 #include "floc/structure/particle_stress.h"
 #include "output.h"
@@ -33,12 +32,6 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-double mean_size(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double x : values) sum += std::abs(x);
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
-}
-
 /// Values of one quantity in one unit, and where exponents are taken.
 struct Measured {
   std::string quantity, unit;
@@ -48,14 +41,6 @@ struct Measured {
   double end_of_negative = kEnd;                    ///< the largest size a negative value can have
   std::optional<double> window_plus, window_minus;  ///< ends of windows beside the whole sides
 };
-
-/// Sizes of the values of one sign; zero belongs to neither.
-std::vector<double> sizes_of(const std::vector<double>& values, double sign) {
-  std::vector<double> sizes;
-  for (const double x : values)
-    if (sign * x > 0.0) sizes.push_back(sign * x);
-  return sizes;
-}
 
 /// The samples of a pool have each their own unit.
 TableValue size_or_none(double unit) {
@@ -209,27 +194,25 @@ template <int Dim>
 BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std::vector<double>& pressure,
                  double zero_force, const BondArguments& arguments, BondTables& tables) {
   BondRow row;
+  if (arguments.asks_nothing() || packing.grains.size() == 0) return row;
   const double F0 = packing.law.pull_off_force();
-  if (packing.grains.size() == 0) return row;
   const double d = mean_diameter(packing), phi = solid_fraction(packing);
   row.bonds = bond_signs(packing, arguments.near * F0);
   row.virial_strength = virial_strength(Dim, row.bonds.z, phi, F0, d);
   row.rumpf_strength = rumpf_strength(Dim, phi, F0, d);
   row.unit_pressure = F0 > 0.0 ? F0 / std::pow(d, Dim - 1) : static_stress(packing).trace() / Dim;
   if (!arguments.needs_phases() && !arguments.needs_values()) return row;
-  // What rattlers carry is rounding, and so is a pressure within the tolerance, whatever its sign.
   const std::vector<bool> rattler = find_rattlers(packing, zero_force);
-  const double zero_pressure = zero_force / std::pow(largest_diameter(packing.grains), Dim - 1);
-  std::vector<double> held, with_sign;
-  for (std::size_t i = 0; i < pressure.size(); ++i) {
-    if (!rattler[i]) held.push_back(pressure[i]);
-    with_sign.push_back(rattler[i] || std::abs(pressure[i]) <= zero_pressure ? 0.0 : pressure[i]);
-  }
   if (arguments.needs_phases()) {
-    row.phases = phase_structure(contact_network(packing), packing.cell, with_sign, arguments.phases);
+    row.phases =
+        phase_structure(contact_network(packing), packing.cell,
+                        pressure_beyond_zero(packing, pressure, rattler, zero_force), arguments.phases);
     add_phase_tables(file, *row.phases, tables);
   }
   if (!arguments.needs_values()) return row;
+  std::vector<double> held;
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    if (!rattler[i]) held.push_back(pressure[i]);
   for (const Measured& m : measured(packing, held, row.unit_pressure, arguments)) {
     if (!arguments.exponents.empty()) add_exponents(file, m, tables.exponents);
     if (m.unit == "p0" && !arguments.pressures.empty())

@@ -24,6 +24,7 @@ struct BondArguments {
   double bin_width = 0.1;                                  ///< of the particle pressures, in p0
 
   bool has(const std::string& group) const;
+  bool asks_nothing() const { return with.empty() && !needs_values() && !needs_phases(); }
   bool needs_values() const { return !exponents.empty() || !pressures.empty(); }
   bool needs_phases() const { return has("phases") || !neighbours.empty() || !clusters.empty(); }
 };

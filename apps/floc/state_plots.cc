@@ -75,9 +75,7 @@ std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
 
 /// The exponential of one sign from zero on: its share of all values times b exp(-b |p|).
 void add_exponential(const std::vector<double>& values, double sign, std::vector<std::vector<double>>& rows) {
-  std::vector<double> sizes;
-  for (const double x : values)
-    if (sign * x > 0.0) sizes.push_back(sign * x);
+  const std::vector<double> sizes = sizes_of(values, sign);
   const ExponentEstimate fit = fit_exponent({cut_sample(sizes, 0.0, std::numeric_limits<double>::infinity())});
   if (!fit.found) return;
   const double share = static_cast<double>(sizes.size()) / static_cast<double>(values.size());

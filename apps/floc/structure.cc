@@ -6,6 +6,7 @@
 #include "command.h"
 #include "fit_parameters.h"
 #include "floc/base/error.h"
+#include "floc/packing/require_periodic.h"
 #include "output.h"
 #include "structure_rows.h"
 
@@ -67,11 +68,10 @@ int run_structure(const StructureCommand& command) {
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
     std::visit(
         [&](const auto& state) {
-          if (!state.packing.walls.empty())
-            throw InputError(file, "has walls; structure is measured only with periodic boundaries");
+          require_periodic(state.packing, "structure is measured", file);
+          rows.push_back(structure_row(file, state, command, series));
         },
         any);
-    std::visit([&](const auto& state) { rows.push_back(structure_row(file, state, command, series)); }, any);
     return int{kDone};
   });
   if (series.average && rows.size() > 1) rows.push_back(averaged(rows, command, series));

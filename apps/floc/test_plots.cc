@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "floc/base/error.h"
+#include "floc/structure/axial_test.h"
 
 namespace floc {
 namespace {
@@ -28,6 +29,17 @@ struct TestColumns {
 
 using Rows = std::vector<std::vector<double>>;
 
+/// From stresses and strains themselves: q and K0 of the row where a test starts are of another axis.
+template <int Dim>
+AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int axis, int first) {
+  Vec<Dim> stress, strain;
+  for (int a = 0; a < Dim; ++a) {
+    stress[a] = path.number(row, columns.stress[a]);
+    strain[a] = path.number(row, columns.strain[a]) - path.number(first, columns.strain[a]);
+  }
+  return measure_axial_test<Dim>(axis, stress, strain, nullptr);
+}
+
 }  // namespace
 
 Plot axial_test_plot(const CsvTable& path) {
@@ -41,19 +53,12 @@ Plot axial_test_plot(const CsvTable& path) {
     return static_cast<int>(axis) - 1;
   };
   Rows test, lateral;
-  // From stresses and strains themselves: q and K0 of the row where a test starts are of another axis.
   const auto add = [&](int row, int axis, int first) {
-    double others = 0.0, mean = 0.0, volumetric = 0.0;
-    for (int a = 0; a < dimension; ++a) {
-      const double stress = path.number(row, columns.stress[a]);
-      mean += stress / dimension;
-      if (a != axis) others += stress / (dimension - 1);
-      volumetric += path.number(row, columns.strain[a]) - path.number(first, columns.strain[a]);
-    }
-    const double driven = path.number(row, columns.stress[axis]);
+    const AxialTest measured = dimension == 2 ? test_at<2>(path, columns, row, axis, first)
+                                              : test_at<3>(path, columns, row, axis, first);
     const double strain = path.number(row, columns.strain[axis]) - path.number(first, columns.strain[axis]);
-    test.push_back({strain, (driven - others) / mean, volumetric});
-    lateral.push_back({driven, others / driven});
+    test.push_back({strain, measured.deviator / measured.mean_stress, measured.volumetric_strain});
+    lateral.push_back({path.number(row, columns.stress[axis]), measured.lateral_ratio});
   };
   int first = 0;  // row that the present test starts from
   for (int i = 1; i < path.n_rows(); ++i) {

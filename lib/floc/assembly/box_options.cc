@@ -1,9 +1,9 @@
 #include "floc/assembly/box_options.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "floc/contact/law_description.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 
@@ -28,13 +28,11 @@ LawParameters wall_law(const LawParameters& grains, const BoxOptions& box) {
 template <int Dim>
 std::vector<Wall<Dim>> walls_around(const Packing<Dim>& packing, const BoxOptions& box,
                                     const Vec<Dim>& lowest) {
-  const std::vector<double>& mass = packing.grains.mass;
-  const double heaviest = *std::max_element(mass.begin(), mass.end());
   std::vector<Wall<Dim>> walls;
   for (int a = 0; a < Dim; ++a) {
     if (box.boundary[a] == BoxSide::periodic) continue;
-    const double m =
-        box.boundary[a] == BoxSide::fixed ? std::numeric_limits<double>::infinity() : box.mass * heaviest;
+    const double m = box.boundary[a] == BoxSide::fixed ? std::numeric_limits<double>::infinity()
+                                                       : box.mass * largest_mass(packing.grains);
     walls.push_back({a, -1, lowest[a], 0.0, m});
     walls.push_back({a, +1, lowest[a] + packing.cell.matrix(a, a), 0.0, m});
   }

@@ -6,6 +6,10 @@
 
 namespace floc {
 
+/// Beyond these a fluid of disks, or of spheres, is too dense for grains to be placed at random without overlap.
+inline constexpr double kDensestGasOfDisks = 0.6;
+inline constexpr double kDensestGasOfSpheres = 0.49;
+
 /// Diameters of the grains of a scene (length): equally spaced quantiles of its distribution, in random order.
 std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random);
 

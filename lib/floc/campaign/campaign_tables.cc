@@ -140,6 +140,11 @@ bool is_done(const std::optional<RunOutcome>& outcome) {
   return outcome && outcome->exit_code == 0;
 }
 
+const char* word_of(const std::optional<RunOutcome>& outcome) {
+  if (!outcome) return "missing";
+  return is_done(outcome) ? "done" : "failed";
+}
+
 Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plans,
                      const std::string& directory) {
   std::vector<std::string> columns;
@@ -277,9 +282,7 @@ Table outcomes_of(const Campaign& campaign, const std::vector<CasePlan>& plans, 
     const std::string place = directory + "/" + run.directory;
     const auto outcome = outcome_of(place);
     Row row = case_cells(campaign, campaign.cases[static_cast<std::size_t>(run.case_number)]);
-    row.insert(row.end(), {static_cast<std::int64_t>(run.seed), !outcome           ? "missing"
-                                                                : is_done(outcome) ? "done"
-                                                                                   : "failed"});
+    row.insert(row.end(), {static_cast<std::int64_t>(run.seed), word_of(outcome)});
     row.push_back(outcome ? TableValue(std::int64_t{outcome->exit_code}) : TableValue());
     row.push_back(outcome ? or_undefined(outcome->command) : TableValue());
     row.push_back(outcome ? or_undefined(outcome->words) : TableValue());

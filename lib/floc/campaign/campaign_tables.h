@@ -32,6 +32,9 @@ std::optional<RunOutcome> outcome_of(const std::string& directory);
 /// Whether it ended, and well.
 bool is_done(const std::optional<RunOutcome>& outcome);
 
+/// "done", "failed", or "missing" of a run that has not ended.
+const char* word_of(const std::optional<RunOutcome>& outcome);
+
 /// One row a run and state that is collected, of the runs that succeeded: case, the keys in which cases differ, seed,
 /// step, branch, P_star, and the columns collected; empty where a column is not collected at that state.
 /// @param directory  of the campaign

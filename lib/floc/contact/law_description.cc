@@ -75,6 +75,12 @@ const DeclaredNumber* DeclaredModel::number(const std::string& number_key) const
   return nullptr;
 }
 
+bool fits(const DeclaredModel& model, LawParameters law) {
+  const std::size_t n_faults = law.faults_between_slots().size();
+  model.choose(law);
+  return law.faults_between_slots().size() <= n_faults;
+}
+
 int DeclaredSlot::present(const LawParameters& law) const {
   int found = -1;
   LawParameters::for_each_slot(law, [&](const char* slot_key, const auto& slot) {

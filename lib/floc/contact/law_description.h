@@ -37,6 +37,10 @@ struct DeclaredModel {
   const DeclaredNumber* number(const std::string& number_key) const;
 };
 
+/// Whether a law that holds this model too has no more faults between its slots than without: it goes together
+/// with them.
+bool fits(const DeclaredModel& model, LawParameters law);
+
 struct DeclaredSlot {
   std::string key;                    ///< of its table in a scene
   bool optional;                      ///< a law may leave it empty

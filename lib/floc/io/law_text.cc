@@ -39,13 +39,6 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// Whether a model goes together with the slots that a law has.
-bool fits(const DeclaredModel& model, LawParameters law) {
-  const std::size_t n_faults = law.faults_between_slots().size();
-  model.choose(law);
-  return law.faults_between_slots().size() <= n_faults;
-}
-
 /// The model that the keys given for a slot describe: of those that have all of them one that goes together with
 /// the slots before it, and of these one that lacks none of its numbers; else one that comes closest, so that
 /// what is wrong can be said.

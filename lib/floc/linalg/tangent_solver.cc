@@ -29,6 +29,13 @@ Eigen::VectorXd safe_diagonal(const Eigen::SparseMatrix<double>& matrix) {
   return (d.array().abs() > 0.0).select(d, 1.0);
 }
 
+/// The grain of each of the first n unknowns, which are those of grains.
+std::vector<int> grain_of_unknowns(Eigen::Index n, const TangentLayout& layout) {
+  std::vector<int> grain(static_cast<std::size_t>(n));
+  for (std::size_t k = 0; k < grain.size(); ++k) grain[k] = static_cast<int>(k) / layout.unknowns_a_grain;
+  return grain;
+}
+
 /// Cholesky factor of the symmetric part with the boundary's unknowns, which would fill it, eliminated last.
 class SymmetricPart {
  public:
@@ -38,7 +45,7 @@ class SymmetricPart {
     const Eigen::Index n = tangent.rows() - layout_.n_boundary, m = layout_.n_boundary;
     const Eigen::SparseMatrix<double> transposed = tangent.transpose();
     const Eigen::SparseMatrix<double> part = 0.5 * (tangent + transposed);
-    factor_.set_matrix(part.topLeftCorner(n, n).triangularView<Eigen::Lower>(), groups(n));
+    factor_.set_matrix(part.topLeftCorner(n, n).triangularView<Eigen::Lower>(), grain_of_unknowns(n, layout_));
     bool positive = false;
     for (double shift = kFirstShift; !positive && shift < kLastShift; shift *= kNextShift)
       positive = factor_.factorize_positive(shift);
@@ -61,12 +68,6 @@ class SymmetricPart {
   }
 
  private:
-  std::vector<int> groups(Eigen::Index n) const {
-    std::vector<int> group(static_cast<std::size_t>(n));
-    for (std::size_t k = 0; k < group.size(); ++k) group[k] = static_cast<int>(k) / layout_.unknowns_a_grain;
-    return group;
-  }
-
   TangentLayout layout_;
   SymmetricFactor factor_;
   Eigen::MatrixXd border_, response_;
@@ -110,10 +111,8 @@ TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const Tange
   constexpr double kAtNeed = 20.0;        // seconds, where nothing else converges
 
   const Eigen::Index n = tangent.rows() - layout.n_boundary;
-  std::vector<int> group(static_cast<std::size_t>(n));
-  for (std::size_t k = 0; k < group.size(); ++k) group[k] = static_cast<int>(k) / layout.unknowns_a_grain;
   SymmetricFactor factor;
-  factor.set_matrix(tangent.topLeftCorner(n, n).triangularView<Eigen::Lower>(), group);
+  factor.set_matrix(tangent.topLeftCorner(n, n).triangularView<Eigen::Lower>(), grain_of_unknowns(n, layout));
   const FactorCost cost = factor.predicted_cost();
   const double product = 2.0 * static_cast<double>(tangent.nonZeros()) / kProductRate;
   const double substitution = 4.0 * (cost.bytes / sizeof(double)) / kSubstitutionRate;

@@ -17,6 +17,12 @@ double largest_diameter(const Grains<Dim>& grains) {
   return largest_diameter(grains.radius);
 }
 
+/// (mass) @pre there are grains
+template <int Dim>
+double largest_mass(const Grains<Dim>& grains) {
+  return *std::max_element(grains.mass.begin(), grains.mass.end());
+}
+
 /// The largest ratio of diameters at which one length, the largest diameter, serves for all grains: to search
 /// neighbours by and to hold forces against. Beyond it either goes by the size of the grain.
 inline constexpr double kSimilarSizes = 4.0;

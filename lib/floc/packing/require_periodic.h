@@ -7,12 +7,13 @@
 
 namespace floc {
 
-/// @param what  the computation that knows periodic boundaries alone, as a subject
+/// @param what   the computation that knows periodic boundaries alone, as a subject
+/// @param place  that the message names
 /// @throws InputError if the packing has walls
 template <int Dim>
-void require_periodic(const Packing<Dim>& packing, const std::string& what) {
-  if (!packing.walls.empty())
-    throw InputError("packing", "has walls; " + what + " only with periodic boundaries");
+void require_periodic(const Packing<Dim>& packing, const std::string& what,
+                      const std::string& place = "packing") {
+  if (!packing.walls.empty()) throw InputError(place, "has walls; " + what + " only with periodic boundaries");
 }
 
 }  // namespace floc

@@ -51,12 +51,9 @@ double size_of_force(const Contact<Dim>& c, const UnitForce& unit) {
 /// 1 and -1 by the sign of the pressure, 0 of rattlers and of pressures within the tolerance.
 template <int Dim>
 std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& rattler, double zero_force) {
-  const double zero_pressure = zero_force / std::pow(largest_diameter(packing.grains), Dim - 1);
   std::vector<int> sign;
-  for (const double p : particle_pressure(packing)) {
-    const bool none = rattler[sign.size()] || std::abs(p) <= zero_pressure;
-    sign.push_back(none ? 0 : p > 0.0 ? 1 : -1);
-  }
+  for (const double p : pressure_beyond_zero(packing, particle_pressure(packing), rattler, zero_force))
+    sign.push_back(p == 0.0 ? 0 : p > 0.0 ? 1 : -1);
   return sign;
 }
 

@@ -61,8 +61,7 @@ template <int Dim>
 double compaction_time(const Packing<Dim>& packing, double pressure) {
   if (!(pressure > 0.0)) return inertial_time<Dim>(packing, Vec<Dim>::Zero());
   const Grains<Dim>& g = packing.grains;
-  const double m = *std::max_element(g.mass.begin(), g.mass.end());
-  return std::sqrt(m / (pressure * std::pow(largest_diameter(g), Dim - 2)));
+  return std::sqrt(largest_mass(g) / (pressure * std::pow(largest_diameter(g), Dim - 2)));
 }
 
 template <int Dim>

@@ -58,11 +58,6 @@ double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
   return options.skin ? *options.skin * largest_diameter(grains) : 0.05 * skin_length_unit(grains.radius);
 }
 
-template <int Dim>
-double largest_mass(const Packing<Dim>& packing) {
-  return *std::max_element(packing.grains.mass.begin(), packing.grains.mass.end());
-}
-
 /// Mean kinetic energy per grain of those that interact with others (energy), by their scales. A grain that
 /// touches nothing spins for ever, which says nothing about the packing. So does a sphere about its one contact,
 /// or about the line through two: with fewer than three contacts its spin does not count.
@@ -140,14 +135,14 @@ std::uint64_t contact_fingerprint(const Packing<Dim>& packing) {
 template <int Dim>
 double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
   const ForceScale scale = force_scale(packing, target_stress);
-  return std::sqrt(scale.length * largest_mass(packing) / scale.force);
+  return std::sqrt(scale.length * largest_mass(packing.grains) / scale.force);
 }
 
 template <int Dim>
 double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
                        const Vec<Dim>& target_stress) {
   const double a = force_scale(packing, target_stress).length;
-  const double m = largest_mass(packing);
+  const double m = largest_mass(packing.grains);
   if (options.strain_rate_cap && packing.law.pull_off_force() > 0.0)
     return *options.strain_rate_cap * std::sqrt(packing.law.pull_off_force() / (a * m));
   if (options.inertial_number_cap || packing.law.pull_off_force() == 0.0)
@@ -320,7 +315,7 @@ bool Relaxer<Dim>::contacts_are_steady() {
 template <int Dim>
 bool Relaxer<Dim>::vibrates(double energy) const {
   const double time = progress_.unchanged_chunks * kStepsPerChunk * time_step_;
-  const double path = std::sqrt(2.0 * energy / largest_mass(packing_)) * time;
+  const double path = std::sqrt(2.0 * energy / largest_mass(packing_.grains)) * time;
   return path > kVibrationPath * force_scale(packing_, target_).length &&
          progress_.unchanged_chunks >= static_cast<int>(chunks_in(kVibrationWindows * kSteadyContactsWindow));
 }

@@ -152,6 +152,11 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
         {"T0", std::sqrt(a * m / scene.law.pull_off_force()), "sqrt(a m/F0), unit of time of the scene"});
 }
 
+/// T = sqrt(m/(p a^(D-2))), the unit of time of a box.
+double compaction_time(const Scene& scene, double a, double m) {
+  return std::sqrt(m / (scene.assembly.pressure * std::pow(a, scene.dimension - 2)));
+}
+
 /// Groups of the dynamic compaction of a box [SVI2024]: sc = F0/a^(D-1), se = K_N/a^(D-2).
 void add_box(const Scene& scene, double a, double m, Groups& groups) {
   const BoxOptions& box = *scene.assembly.box;
@@ -175,16 +180,15 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
   groups.push_back(
       {"f_w/F0", sc > 0.0 ? box.adhesion / scene.law.pull_off_force() : 0.0, "adhesion of the walls"});
   groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});
-  groups.push_back(
-      {"T", std::sqrt(m / (p * std::pow(a, scene.dimension - 2))), "sqrt(m/(p a^(D-2))), unit of time"});
+  groups.push_back({"T", compaction_time(scene, a, m), "sqrt(m/(p a^(D-2))), unit of time"});
 }
 
 /// Time steps of a compaction, that of the load included: as long as it may take, or what dense samples took.
 double steps_of_compaction(const Scene& scene) {
   constexpr double kUsual = 30.0;
   const double a = scene.grains.diameter.max;
-  const double T = std::sqrt(mass_of(scene, a) / (scene.assembly.pressure * std::pow(a, scene.dimension - 2)));
-  return scene.relaxation.compaction.longest.value_or(kUsual) * T / time_step(scene);
+  return scene.relaxation.compaction.longest.value_or(kUsual) * compaction_time(scene, a, mass_of(scene, a)) /
+         time_step(scene);
 }
 
 /// K_N; where it varies, that of the mean force under the first pressure, 0.665 kappa P a (z Phi = 4).

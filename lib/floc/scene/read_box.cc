@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+
+#include "floc/assembly/gas.h"
 
 namespace floc {
 namespace {
@@ -71,10 +74,10 @@ void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
                        fmt::format("box.sides: {} along axis {}, expected more than the largest diameter {}",
                                    box.sides[a], a + 1, d));
   // Of diameters between two, at least the volume of the smallest.
-  const double least = std::pow(scene.grains.diameter.min, scene.dimension) *
-                       (scene.dimension == 2 ? 0.785398163397448 : 0.523598775598299) * scene.grains.count;
+  const double least = std::pow(scene.grains.diameter.min, scene.dimension) * std::numbers::pi /
+                       (scene.dimension == 2 ? 4.0 : 6.0) * scene.grains.count;
   const double volume = box.sides.head(scene.dimension).prod();
-  const double densest = scene.dimension == 2 ? 0.6 : 0.49;
+  const double densest = scene.dimension == 2 ? kDensestGasOfDisks : kDensestGasOfSpheres;
   if (scene.assembly.solid_fraction == 0.0 && least > densest * volume)
     t.fault("sides",
             fmt::format("box.sides: the {} grains fill {:.3g} of the box or more, expected at most {}, at "
@@ -106,9 +109,9 @@ void read_boxed_gas(TableReader& assembly, Scene& scene) {
   scene.assembly.solid_fraction =
       assembly
           .number("solid_fraction",
-                  plane ? NumberRule{[](double x) { return x > 0 && x <= 0.6; },
+                  plane ? NumberRule{[](double x) { return x > 0 && x <= kDensestGasOfDisks; },
                                      "a solid fraction of the gas in (0, 0.6]; box.sides are then proportions"}
-                        : NumberRule{[](double x) { return x > 0 && x <= 0.49; },
+                        : NumberRule{[](double x) { return x > 0 && x <= kDensestGasOfSpheres; },
                                      "a solid fraction of the gas in (0, 0.49]; box.sides are then "
                                      "proportions"},
                   Need::optional)

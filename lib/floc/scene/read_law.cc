@@ -78,16 +78,15 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
   const auto chosen = t.choice("law", keywords, names_its_model(slot) ? Need::required : Need::optional);
   if (!chosen && (t.has("law") || (slot.models.size() > 1 && names_its_model(slot)))) return;
   const DeclaredModel& model = slot.models[chosen ? *chosen : unnamed_model(t, slot)];
-  const std::size_t n_faults = law.faults_between_slots().size();
-  model.choose(law);
   // Of a model that does not go together with the slots before, that is all there is to say.
-  const bool fits = law.faults_between_slots().size() <= n_faults;
+  const bool goes_together = fits(model, law);
+  model.choose(law);
   for (const LawNumber& n : numbers_of(law)) {
     if (!n.key.starts_with(slot.key + ".")) continue;
     *n.value = kPlaceholder;
-    if (fits) *n.value = t.number(n.declared->key, rule_of(*n.declared)).value_or(kPlaceholder);
+    if (goes_together) *n.value = t.number(n.declared->key, rule_of(*n.declared)).value_or(kPlaceholder);
   }
-  if (!fits) return;
+  if (!goes_together) return;
   for (const DeclaredChoice& c : model.choices)
     if (const auto index = t.choice(c.key, c.keywords, Need::optional))
       choose(law, slot.key, c.key, static_cast<int>(*index));

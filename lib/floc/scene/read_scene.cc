@@ -11,6 +11,7 @@
 #include <limits>
 #include <sstream>
 
+#include "floc/assembly/gas.h"
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
 #include "floc/contact/law_description.h"
@@ -35,12 +36,11 @@ constexpr bool positive(double x) {
 constexpr bool not_negative(double x) {
   return x >= 0;
 }
-/// Beyond these a fluid of disks, or of spheres, is too dense for grains to be placed at random without overlap.
 constexpr bool is_gas_of_disks(double x) {
-  return x > 0 && x <= 0.6;
+  return x > 0 && x <= kDensestGasOfDisks;
 }
 constexpr bool is_gas_of_spheres(double x) {
-  return x > 0 && x <= 0.49;
+  return x > 0 && x <= kDensestGasOfSpheres;
 }
 /// The explicit scheme is unstable from 0.4 on (RelaxationOptions::time_step).
 constexpr bool is_stable_step(double x) {

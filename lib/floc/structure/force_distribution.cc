@@ -12,12 +12,6 @@ namespace {
 
 constexpr double kMaxBins = 1e5;
 
-double mean_size(const std::vector<double>& forces) {
-  double sum = 0.0;
-  for (const double f : forces) sum += std::abs(f);
-  return forces.empty() ? 0.0 : sum / static_cast<double>(forces.size());
-}
-
 /// A unit that does not depend on the forces themselves.
 template <int Dim>
 double given_unit(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit) {
@@ -50,6 +44,19 @@ std::vector<double> contact_forces(const Packing<Dim>& packing, ForceKind kind) 
     }
   }
   return forces;
+}
+
+std::vector<double> sizes_of(const std::vector<double>& values, double sign) {
+  std::vector<double> sizes;
+  for (const double x : values)
+    if (sign * x > 0.0) sizes.push_back(sign * x);
+  return sizes;
+}
+
+double mean_size(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double x : values) sum += std::abs(x);
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
 void ForceDistribution::add(const ForceDistribution& other) {

@@ -48,6 +48,12 @@ struct ForceDistribution {
 /// @param width  of the bins, in units, > 0   Bins stop at +-1e5 widths; what lies beyond is in the last ones.
 ForceDistribution distribution_of(const std::vector<double>& values, double unit, double width);
 
+/// Sizes of the values of one sign; zero belongs to neither. @param sign  1 or -1
+std::vector<double> sizes_of(const std::vector<double>& values, double sign);
+
+/// Mean of |x|, 0 without values.
+double mean_size(const std::vector<double>& values);
+
 /// P a^(Dim-1), with the mean of the normal stresses for P (force); it may be of either sign.
 template <int Dim>
 double pressure_force(const Packing<Dim>& packing);

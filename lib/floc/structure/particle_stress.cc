@@ -29,9 +29,22 @@ std::vector<double> particle_pressure(const Packing<Dim>& packing) {
   return pressure;
 }
 
+template <int Dim>
+std::vector<double> pressure_beyond_zero(const Packing<Dim>& packing, std::vector<double> pressure,
+                                         const std::vector<bool>& rattler, double zero_force) {
+  const double zero_pressure = zero_force / std::pow(largest_diameter(packing.grains), Dim - 1);
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    if (rattler[i] || std::abs(pressure[i]) <= zero_pressure) pressure[i] = 0.0;
+  return pressure;
+}
+
 template std::vector<Mat<2>> particle_stress(const Packing<2>&);
 template std::vector<Mat<3>> particle_stress(const Packing<3>&);
 template std::vector<double> particle_pressure(const Packing<2>&);
 template std::vector<double> particle_pressure(const Packing<3>&);
+template std::vector<double> pressure_beyond_zero(const Packing<2>&, std::vector<double>,
+                                                  const std::vector<bool>&, double);
+template std::vector<double> pressure_beyond_zero(const Packing<3>&, std::vector<double>,
+                                                  const std::vector<bool>&, double);
 
 }  // namespace floc

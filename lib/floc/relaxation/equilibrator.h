@@ -22,7 +22,7 @@ struct RelaxationReport {
   /// Mechanisms of what carries force between walls, -1: not counted. A state that has some is no equilibrium.
   int n_mechanisms = -1;
   /// "polished", "dynamic", "static", "stopped" (recorded as it is, between walls), "diverged",
-  /// "unloaded"; empty while it runs.
+  /// "unloaded", "closed"; empty while it runs.
   std::string ending;
   std::string blocking;      ///< criterion that is worst against its tolerance, with its grain
   double decay_rate = 0.0;   ///< of the force residual (1/time); positive when it falls

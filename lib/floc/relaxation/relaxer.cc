@@ -41,11 +41,6 @@ constexpr double kFinishPhi = 1e-4;
 /// F1/a^(D-1)) in the window, and the finish must not change it by more.
 constexpr double kSteadyStress = 1e-3;
 constexpr double kFinishStress = 1e-2;
-/// Strained axes move no faster than this over sqrt(a m/F1): beside the time a packing takes to settle, a step of
-/// 1e-3 is short at that rate. The scene's caps hold where they are lower.
-constexpr double kWayInertialNumber = 1e-3;
-/// Reduced pressure below which strained axes carry nothing: no packing is in equilibrium that near to zero.
-constexpr double kNoPressure = 1e-12;
 /// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
 constexpr double kDefaultInertialNumber = 1e-3;
 /// Newton refinement is tried where it is known to succeed, and after a failure again a while later, each time
@@ -167,30 +162,6 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
   if (progress_.imbalance_sign.empty() && !way().any()) begin_response();
 }
 
-/// From the lengths before this relaxation to those imposed.
-template <int Dim>
-BoundaryWay<Dim> Relaxer<Dim>::way() const {
-  BoundaryWay<Dim> way;
-  for (int a = 0; a < Dim; ++a) {
-    if (!load_.strained(a)) continue;
-    way.from[a] = progress_.side_before[a];
-    way.to[a] = load_.side[a];
-  }
-  way.begun = progress_.time;
-  way.duration = progress_.way_duration;
-  return way;
-}
-
-template <int Dim>
-void Relaxer<Dim>::begin_way() {
-  for (int a = 0; a < Dim; ++a) progress_.side_before.push_back(packing_.cell.matrix(a, a));
-  double fastest =
-      std::min(options_.inertial_number_cap.value_or(kWayInertialNumber), kWayInertialNumber) / time_unit_;
-  if (options_.strain_rate_cap) fastest = std::min(fastest, strain_rate_cap(options_, packing_, target_));
-  const double strain = way().largest_strain();
-  if (strain > 0.0) progress_.way_duration = BoundaryWay<Dim>::kPeak * strain / fastest;
-}
-
 /// What the axes under stress have to answer to.
 template <int Dim>
 void Relaxer<Dim>::begin_response() {
@@ -199,24 +170,12 @@ void Relaxer<Dim>::begin_response() {
     progress_.imbalance_sign.push_back(load_.strained(a) ? 0.0 : imbalance[a] < 0.0 ? -1.0 : 1.0);
 }
 
-/// Whether nothing acts on the grains any more: no adhesion, and no stress on any axis.
-template <int Dim>
-bool Relaxer<Dim>::carries_no_stress() const {
-  return load_.any_strained() && packing_.law.pull_off_force() == 0.0 &&
-         !(reduced_pressure(packing_, target_.mean()) > kNoPressure);
-}
-
-template <int Dim>
-double Relaxer<Dim>::mean_carried_stress() const {
-  double sum = 0.0;
-  int n = 0;
-  for (int a = 0; a < Dim; ++a)
-    if (load_.strained(a)) sum += stress_(a, a), ++n;
-  return sum / n;
-}
-
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::advance() {
+  if (progress_.n_steps == 0 && load_.any_strained() && !want_of_room().empty()) {
+    ending_ = "closed";
+    return RelaxationStatus::gave_up;
+  }
   // Newton steps know no velocities: a packing that moves goes its way.
   const bool at_rest = residuals_.energy < options_.tolerance.energy;
   if (options_.finish != Finish::dynamic && progress_.n_steps == 0 && at_rest && !load_.unloaded() &&
@@ -482,6 +441,7 @@ RelaxationReport Relaxer<Dim>::report() const {
   if (ending_ == "unloaded")
     report.blocking =
         "every contact has opened: the packing carries no stress (stress zero) at the lengths imposed";
+  if (ending_ == "closed") report.blocking = want_of_room();
   const std::vector<double>& history = progress_.force_residual;
   if (history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)
     report.decay_rate = std::log(history.front() / history.back()) /

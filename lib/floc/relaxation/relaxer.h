@@ -46,6 +46,7 @@ class Relaxer final : public Equilibrator<Dim> {
   void begin_response();
   bool carries_no_stress() const;
   double mean_carried_stress() const;
+  std::string want_of_room() const;
   bool responded_to_load();
   bool density_is_steady();
   bool carried_stress_is_steady(std::size_t window);

@@ -23,8 +23,9 @@ constexpr bool is_steps_per_decade(double x) {
   return x > 0 && x <= 1000;
 }
 /// At a logarithmic strain of 2 a side is 0.14 of what it was: beyond, the cell would close.
+constexpr double kLargestStrain = 2.0;
 constexpr bool is_strain(double x) {
-  return x >= -2 && x <= 2;
+  return x >= -kLargestStrain && x <= kLargestStrain;
 }
 constexpr std::int64_t kMaxSteps = 10'000;
 constexpr double kRoundingOfAStep = 1e-6;
@@ -202,6 +203,31 @@ std::string default_name(const KnownStress& from, const LoadStage& stage) {
   return driven.end > *before ? "load" : driven.end < *before ? "unload" : "hold";
 }
 
+/// Where every axis is given a length, their strains together are the volume's.
+void check_volume(TableReader& t, const LoadStage& stage) {
+  double sum = 0.0;
+  for (const AxisLoad& axis : stage.axes) {
+    if (axis.kind != AxisLoad::strain) return;
+    sum += axis.end;
+  }
+  if (sum > kLargestStrain)
+    t.fault("axes",
+            fmt::format("{}: the strains add up to {}, expected at most {} (beyond, the cell would close)",
+                        t.path_of("axes"), sum, kLargestStrain));
+}
+
+/// An axis cannot keep a stress of zero, known from the stage before, once there is no adhesion.
+void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage,
+                       const LawParameters& law) {
+  if (law.pull_off_force() > 0.0) return;
+  for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a)
+    if (stage.axes[a].kind == AxisLoad::kept_stress && from[a] == 0.0)
+      return t.fault("control",
+                     fmt::format("{} = \"{}\": axis {} would keep a stress of 0; expected a positive "
+                                 "pressure before; nothing holds grains without adhesion together",
+                                 t.path_of("control"), stage.control, a + 1));
+}
+
 void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const LawParameters& law) {
   const bool zero = stage.is_isotropic()
                         ? has_end && stage.to == 0.0
@@ -279,6 +305,8 @@ LoadStage read_stage(TableReader t, const KnownStress& from, const std::optional
   if (box) check_walls(t, *box, stage);
   apply_changes(t, stage, law);
   check_zero_stress(t, stage, has_end, law);
+  check_kept_stress(t, from, stage, law);
+  check_volume(t, stage);
   t.refuse_other_keys();
   return stage;
 }

@@ -206,17 +206,50 @@ TEST(DirectedLoad, IsContinuedFromItsProgressBitByBit) {
   test::expect_same_bits(whole->packing(), broken->packing());
 }
 
-/// Where every axis is drawn out, nothing would ever come to rest.
-TEST(DirectedLoad, APackingDrawnApartEndsInWords) {
-  const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
-  LoadTarget<2> load;
-  load.side = 1.02 * start.cell.matrix.diagonal();
+/// How a relaxation to lengths that no packing has ends.
+RelaxationReport refused(const Packing<2>& start, const LoadTarget<2>& load) {
   const auto relaxer = make_equilibrator<2>(moving(), start, load);
   RelaxationStatus status = RelaxationStatus::running;
   int n_chunks = 0;
   while (status == RelaxationStatus::running && ++n_chunks < 5000) status = relaxer->advance();
   EXPECT_EQ(status, RelaxationStatus::gave_up);
-  EXPECT_THAT(relaxer->report().blocking, testing::HasSubstr("stress zero"));
+  return relaxer->report();
+}
+
+/// Where every axis is drawn out, nothing would ever come to rest.
+TEST(DirectedLoad, APackingDrawnApartEndsInWords) {
+  const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
+  LoadTarget<2> load;
+  load.side = 1.02 * start.cell.matrix.diagonal();
+  EXPECT_THAT(refused(start, load).blocking, testing::HasSubstr("stress zero"));
+}
+
+/// Adhesion that reaches nobody is no load either.
+TEST(DirectedLoad, CohesiveGrainsWithoutContactsEndInWords) {
+  Packing<2> start;
+  start.law = test::cohesive_law();
+  start.cell.matrix = 4.0 * Mat<2>::Identity();
+  start.grains = Grains<2>::with_size(2);
+  start.grains.radius.assign(2, 0.5);
+  start.grains.mass.assign(2, 1.0);
+  start.grains.position = {{1.0, 1.0}, {3.0, 3.0}};
+  find_contacts(start);
+  ASSERT_TRUE(start.contacts.empty());
+  LoadTarget<2> load;
+  load.side = 1.01 * start.cell.matrix.diagonal();
+  EXPECT_THAT(refused(start, load).blocking, testing::HasSubstr("stress zero"));
+}
+
+TEST(DirectedLoad, ACellThatWouldCloseIsRefusedAtOnce) {
+  const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
+  LoadTarget<2> load;
+  load.side = start.cell.matrix.diagonal();
+  load.side[1] *= 0.7;
+  const RelaxationReport full = refused(start, load);
+  EXPECT_THAT(full.blocking, testing::HasSubstr("times its volume; expected a smaller strain"));
+  EXPECT_EQ(full.n_steps, 0);
+  load = driven<2>(start, 0, std::log(start.cell.matrix(0, 0) / 0.3), false);
+  EXPECT_THAT(refused(start, load).blocking, testing::HasSubstr("axis 1 is to be 0.3 long"));
 }
 
 }  // namespace

@@ -109,6 +109,33 @@ TEST(ReadLoad, FaultsSayWhatWasExpected) {
   EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"round\"\nto = 2\n"), HasSubstr("oedometric"));
 }
 
+TEST(ReadLoad, StrainsTogetherDoNotCloseTheCell) {
+  EXPECT_THAT(
+      faults(3, "[[load]]\ncontrol = \"axes\"\naxes = [{strain = 0.9}, {as = 1}, {as = 1}]\nsteps = 9\n"),
+      AllOf(HasSubstr("add up to 2.7"), HasSubstr("the cell would close")));
+  const std::string thinner =
+      "[[load]]\ncontrol = \"axes\"\naxes = [{strain = 1.9}, {stress = 2}]\nsteps = 9\n";
+  EXPECT_EQ(faults(2, thinner), "");
+}
+
+/// Of grains that are unloaded, and whose adhesion ends then.
+TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
+  std::string cohesive =
+      scene_of(2, "[[load]]\nto = 0\n[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n");
+  const auto replace = [&](const std::string& what, const std::string& by) {
+    cohesive.replace(cohesive.find(what), what.size(), by);
+  };
+  replace("damping", "adhesion = {law = \"tail\", force = 1.0, range = 1e-2}\ndamping");
+  replace("inertial_number_cap = 1e-3", "strain_rate_cap = 0.05");
+  EXPECT_NO_THROW(parse_scene(cohesive, "s.toml", "."));
+  try {
+    parse_scene(cohesive + "set = {adhesion.force = 0}\n", "s.toml", ".");
+    FAIL() << "expected a fault";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("would keep a stress of 0"), HasSubstr("without adhesion")));
+  }
+}
+
 /// What a strained axis carries shows in the run alone.
 TEST(ReadLoad, StepsADecadeNeedAStressThatIsKnown) {
   const std::string first = "[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n";

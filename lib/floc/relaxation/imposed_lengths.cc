@@ -1,0 +1,102 @@
+// What Relaxer does about axes that are given a length.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/packing/grain_sizes.h"
+#include "floc/relaxation/relaxer.h"
+
+namespace floc {
+namespace {
+
+/// Strained axes move no faster than this over sqrt(a m/F1): beside the time a packing takes to settle, a step of
+/// 1e-3 is short at that rate. The scene's caps hold where they are lower.
+constexpr double kWayInertialNumber = 1e-3;
+/// Reduced pressure below which strained axes carry nothing: no packing is in equilibrium that near to zero.
+constexpr double kNoPressure = 1e-12;
+/// A cell has closed where a side is shorter than this, in largest diameters: overlaps are small.
+constexpr double kClosed = 0.5;
+
+}  // namespace
+
+/// From the lengths before this relaxation to those imposed.
+template <int Dim>
+BoundaryWay<Dim> Relaxer<Dim>::way() const {
+  BoundaryWay<Dim> way;
+  for (int a = 0; a < Dim; ++a) {
+    if (!load_.strained(a)) continue;
+    way.from[a] = progress_.side_before[a];
+    way.to[a] = load_.side[a];
+  }
+  way.begun = progress_.time;
+  way.duration = progress_.way_duration;
+  return way;
+}
+
+template <int Dim>
+void Relaxer<Dim>::begin_way() {
+  for (int a = 0; a < Dim; ++a) progress_.side_before.push_back(packing_.cell.matrix(a, a));
+  double fastest =
+      std::min(options_.inertial_number_cap.value_or(kWayInertialNumber), kWayInertialNumber) / time_unit_;
+  if (options_.strain_rate_cap) fastest = std::min(fastest, strain_rate_cap(options_, packing_, target_));
+  const double strain = way().largest_strain();
+  if (strain > 0.0) progress_.way_duration = BoundaryWay<Dim>::kPeak * strain / fastest;
+}
+
+/// Whether nothing acts on the grains any more: no contact is left, or, without adhesion, no stress on any axis.
+template <int Dim>
+bool Relaxer<Dim>::carries_no_stress() const {
+  if (!load_.any_strained()) return false;
+  if (packing_.law.pull_off_force() > 0.0) return packing_.contacts.empty();
+  return !(reduced_pressure(packing_, target_.mean()) > kNoPressure);
+}
+
+template <int Dim>
+double Relaxer<Dim>::mean_carried_stress() const {
+  double sum = 0.0;
+  int n = 0;
+  for (int a = 0; a < Dim; ++a)
+    if (load_.strained(a)) sum += stress_(a, a), ++n;
+  return sum / n;
+}
+
+/// Why grains whose overlaps are small cannot have the lengths imposed, in words; nothing where they can.
+template <int Dim>
+std::string Relaxer<Dim>::want_of_room() const {
+  const double a = largest_diameter(packing_.grains);
+  double volume = packing_.cell.volume();
+  bool all_strained = true;
+  for (int k = 0; k < Dim; ++k) {
+    const double side = packing_.cell.matrix(k, k);
+    if (!load_.strained(k)) {
+      all_strained = false;
+      continue;
+    }
+    if (load_.side[k] < kClosed * a)
+      return fmt::format(
+          "the cell closes: axis {} is to be {:.4g} long, with grains of {:.4g} in it; expected a smaller "
+          "strain",
+          k + 1, load_.side[k], a);
+    volume *= load_.side[k] / side;
+  }
+  const double phi = solid_fraction(packing_) * packing_.cell.volume() / volume;
+  if (!all_strained || phi <= 1.0) return "";
+  return fmt::format(
+      "the cell closes: at the lengths imposed the grains have {:.4g} times its volume; expected a smaller "
+      "strain",
+      phi);
+}
+
+#define FLOC_INSTANTIATE(Dim)                                \
+  template BoundaryWay<Dim> Relaxer<Dim>::way() const;       \
+  template void Relaxer<Dim>::begin_way();                   \
+  template bool Relaxer<Dim>::carries_no_stress() const;     \
+  template double Relaxer<Dim>::mean_carried_stress() const; \
+  template std::string Relaxer<Dim>::want_of_room() const;
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -27,6 +27,16 @@ struct TestColumns {
   std::vector<int> stress, strain;
 };
 
+/// Row `row` of a simple shear that started from row `first`: shear strain, tau/sigma and volumetric strain.
+/// @param axis  across whose planes it goes
+std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns, int row, int first,
+                                int axis) {
+  double volumetric = 0.0;
+  for (const int strain : columns.strain) volumetric += path.number(row, strain) - path.number(first, strain);
+  return {path.number(row, path.column("shear_strain")),
+          path.number(row, path.column("shear_stress")) / path.number(row, columns.stress[axis]), volumetric};
+}
+
 using Rows = std::vector<std::vector<double>>;
 
 /// From stresses and strains themselves: q and K0 of the row where a test starts are of another axis.
@@ -52,6 +62,9 @@ Plot axial_test_plot(const CsvTable& path) {
       throw InputError(path.place(i), fmt::format("axis = {}, expected 1 to {}", axis, dimension));
     return static_cast<int>(axis) - 1;
   };
+  const auto is_sheared = [&](int i) {
+    return path.has("shear_strain") && !path.is_empty(i, path.column("shear_strain"));
+  };
   Rows test, lateral;
   const auto add = [&](int row, int axis, int first) {
     const AxialTest measured = dimension == 2 ? test_at<2>(path, columns, row, axis, first)
@@ -70,9 +83,12 @@ Plot axial_test_plot(const CsvTable& path) {
         lateral.emplace_back(2, std::nan(""));
       }
       first = i - 1;
-      add(first, axis, first);
+      if (!is_sheared(i)) add(first, axis, first);
     }
-    add(i, axis, first);
+    if (is_sheared(i))
+      test.push_back(sheared_row(path, columns, i, first, axis));
+    else
+      add(i, axis, first);
   }
   if (test.empty()) throw InputError("--show test", "no row of the path belongs to a test with a driven axis");
   Plot plot;
@@ -81,8 +97,8 @@ Plot axial_test_plot(const CsvTable& path) {
   plot.add("test: axial_strain q/p volumetric_strain", std::move(test));
   plot.add("lateral: driven_stress K0", std::move(lateral));
   plot.script = R"(set multiplot layout 1,2
-set xlabel 'axial strain since the start of the test'
-set ylabel 'q/p'
+set xlabel 'axial strain (of simple shear: shear strain) since the start of the test'
+set ylabel 'q/p (of simple shear: tau/sigma)'
 set ytics nomirror
 set y2label 'volumetric strain (compression positive)'
 set y2tics

@@ -11,7 +11,7 @@
 namespace floc {
 
 /// What tests with a driven axis measure: q/p and volumetric strain over the axial strain since the test began,
-/// and K0 over the driven stress. Every turn is a line of its own.
+/// and K0 over the driven stress; of simple shear tau/sigma over the shear strain. Every turn is a line of its own.
 /// @param path  of floc run  @throws InputError if a column is missing, or no row belongs to such a test
 Plot axial_test_plot(const CsvTable& path);
 

@@ -238,6 +238,21 @@ TEST_F(PlotCommand, TestsWithADrivenAxisBeginAtZeroStrainWithTheirOwnStresses) {
   EXPECT_NEAR(test[5][2], 0.05, 1e-12);
 }
 
+TEST_F(PlotCommand, ASimpleShearIsPlottedByItsOwnStrainAndStress) {
+  write_text(file("shear.csv"),
+             "step,branch,stress_1,stress_2,strain_1,strain_2,control,axis,shear_strain,shear_stress\n"
+             "0,load,1,2,0,0.5,,,,\n"
+             "1,simple_shear,1,2,0,0.4,simple_shear,2,0.1,0.5\n"
+             "2,simple_shear,1,2,0,0.3,simple_shear,2,0.2,0.8\n");
+  const Outcome o = floc("plot shear.csv -o shear.svg --show test");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const auto test = block(content_of(file("shear.dat")), "test");
+  ASSERT_EQ(test.size(), 2u);
+  EXPECT_EQ(test[1][0], 0.2);
+  EXPECT_EQ(test[1][1], 0.4);
+  EXPECT_NEAR(test[1][2], -0.2, 1e-12);
+}
+
 TEST_F(PlotCommand, WhatHasNoTestWithADrivenAxisSaysSo) {
   const Outcome isotropic = floc("plot run -o t.svg --show test");
   EXPECT_EQ(isotropic.code, 4);

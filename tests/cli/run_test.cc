@@ -47,7 +47,8 @@ TEST_F(RunCommand, SavesAStateAndARowForEachEquilibriumAndNamesWhatComesNext) {
                          "step,branch,P_star,P,phi,void_ratio,L1,L2,z,z_plus,z_minus,z_zero,n_contacts,"
                          "n_distant,x0,residual_force,residual_moment,residual_stress,kinetic_energy,"
                          "n_negative,time,n_steps,seconds,state,ending,stress_1,stress_2,strain_1,"
-                         "strain_2,p,q,K0,volumetric_strain,mobilised_friction,dilatancy,control,axis\n"
+                         "strain_2,p,q,K0,volumetric_strain,mobilised_friction,dilatancy,control,axis,"
+                         "shear_strain,shear_stress\n"
                          "0,assembly,0,"));
 }
 

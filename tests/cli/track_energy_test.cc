@@ -61,6 +61,13 @@ TEST_F(TrackEnergy, IsRefusedWhereNoMotionLeadsToAnEquilibrium) {
   EXPECT_EQ(o.code, 4);
   EXPECT_THAT(o.err, HasSubstr("expected equilibrium.finish = \"dynamic\""));
   EXPECT_NE(floc(std::string(kRun) + "none --track-contacts 1").code, 0);
+  const std::string scene = small_scene();
+  write_text(file("small.toml"),
+             scene.substr(0, scene.find("[[load]]")) +
+                 "[[load]]\ncontrol = \"simple_shear\"\nstrain = 0.1\nsteps = 1\n[run]\nseed = 3\n");
+  const Outcome sheared = floc(std::string(kRun) + "sheared");
+  EXPECT_EQ(sheared.code, 4);
+  EXPECT_THAT(sheared.err, HasSubstr("is a simple shear"));
 }
 
 }  // namespace

@@ -31,6 +31,9 @@ constexpr Field kStress = {"equilibrium/stress", Quantity::stress, "static, posi
 constexpr Field kTarget = {"equilibrium/target", Quantity::stress, "diagonal of the stress imposed"};
 constexpr Field kSides = {"equilibrium/target_side", Quantity::length,
                           "length imposed on each axis, 0: a stress is; target is then what it carries"};
+constexpr Field kOffset = {"equilibrium/target_offset", Quantity::length,
+                           "of simple shear: how far the lattice vector of the axis reaches along the first"};
+constexpr Field kTurnShear = {"path/turn_shear", Quantity::ratio, "of simple shear: strain since the start"};
 constexpr Field kTurnSides = {"path/turn_sides", Quantity::length, "of the cell at the start of the turn"};
 constexpr Field kTurnStress = {"path/turn_stress", Quantity::stress, "on each axis at the start of the turn"};
 constexpr Field kResiduals = {
@@ -65,6 +68,9 @@ void write_directed_load(Hdf5Writer& file, WritingArchive& archive, const State<
   file.attribute("path", "axis", std::int64_t{turn.axis + 1});
   archive.put(kTurnSides, {Dim}, turn.sides);
   archive.put(kTurnStress, {Dim}, turn.stress);
+  if (!s.target_offset) return;
+  archive.put(kOffset, {1}, std::vector<double>{s.target_offset->offset});
+  archive.put(kTurnShear, {1}, std::vector<double>{turn.shear});
 }
 
 template <int Dim>
@@ -83,6 +89,10 @@ void read_directed_load(const Hdf5Reader& file, ReadingArchive& archive, State<D
   turn.axis = static_cast<int>(axis) - 1;
   turn.sides = archive.take<double>(kTurnSides, {Dim});
   turn.stress = archive.take<double>(kTurnStress, {Dim});
+  if (!file.has(kOffset.path)) return;
+  if (turn.axis == 0) throw InputError(file.place("path"), "axis = 1 of a simple shear along the first axis");
+  s.target_offset = ImposedOffset{turn.axis, archive.take<double>(kOffset, {1})[0]};
+  turn.shear = archive.take<double>(kTurnShear, {1})[0];
 }
 
 template <int Dim>

@@ -40,6 +40,9 @@ struct LoadStage {
   std::string control;              ///< "oedometric", "triaxial", ...: how the axes are loaded
   int axis = 0;                     ///< that is driven, from 0
   std::vector<AxisLoad> axes = {};  ///< what each axis is brought to; empty: the pressure `to`
+  /// Simple shear, by the end: how far the planes across `axis` have moved along the first axis, over the length
+  /// of `axis` at the start of the stage.
+  double shear = 0.0;
 
   bool is_isotropic() const { return axes.empty(); }
 };

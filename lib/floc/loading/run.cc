@@ -12,6 +12,7 @@
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/unslant.h"
 #include "floc/relaxation/relaxer.h"
 
 namespace floc {
@@ -136,19 +137,29 @@ void Run<Dim>::shake_and_start_step() {
   start_step();
 }
 
-/// The first step of a turn in which axes are loaded differently starts it where the last state is.
+/// The first step of a turn in which axes are loaded differently starts it where the last state is. A lattice that
+/// is sheared is reduced before each step. @pre the packing is here
 template <int Dim>
 void Run<Dim>::enter_turn() {
   if (target().is_isotropic())
     point_.turn = {};
   else if (point_.turn.empty() || plan_[point_.step - 1].stage != target().stage)
     point_.turn = {target().control, target().axis, point_.last_sides, point_.last_stress};
+  if (!target().shears()) return;
+  point_.turn.shear = target().shear;
+  if (!point_.equilibration.empty()) return;
+  unslant(packing_, target().axis);
+  point_.last_offset = packing_.cell.matrix(target().axis, 0);
 }
 
 template <int Dim>
 LoadTarget<Dim> Run<Dim>::load() const {
   if (target().is_isotropic()) return LoadTarget<Dim>::normal_stress(Vec<Dim>::Constant(target().pressure));
-  return load_target<Dim>(target().axes, point_.turn);
+  LoadTarget<Dim> load = load_target<Dim>(target().axes, point_.turn);
+  const int axis = target().axis;
+  if (target().shears())
+    load.offset = ImposedOffset{axis, point_.last_offset + target().shear_step * point_.turn.sides[axis]};
+  return load;
 }
 
 template <int Dim>
@@ -263,6 +274,7 @@ State<Dim> Run<Dim>::state_without_packing() const {
   State<Dim> state;
   state.units = options_.units;
   state.target_side = load().side;
+  state.target_offset = load().offset;
   state.target_stress =
       equilibrator_ ? equilibrator_->target_stress() : Vec<Dim>(Vec<Dim>::Constant(target().pressure));
   state.tolerance = options_.relaxation.tolerance;

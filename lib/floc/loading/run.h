@@ -28,7 +28,8 @@ struct RunPoint {
   double aggregation_skin = 0.0;
   std::string parent_sha256;                    ///< of the last saved state
   std::vector<double> last_sides, last_stress;  ///< of the last saved state: where a turn starts
-  Turn turn;  ///< that this step is part of, where axes are loaded differently
+  double last_offset = 0.0;  ///< of the lattice vector of a sheared axis where this step started (length)
+  Turn turn;                 ///< that this step is part of, where axes are loaded differently
 };
 
 /// The point after a saved equilibrium: what a run continues from, with the packing of the state, when there is

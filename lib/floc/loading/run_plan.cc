@@ -22,6 +22,8 @@ void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibri
       const AxisLoad load = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to} : stage.axes[a];
       step.axes.push_back({load, k == n ? 1.0 : static_cast<double>(k) / n});
     }
+    step.shear = stage.shear * k / n;
+    step.shear_step = stage.shear / n;
     plan.push_back(step);
   }
 }

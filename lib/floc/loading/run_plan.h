@@ -21,8 +21,11 @@ struct PlannedEquilibrium {
   std::string control = {};            ///< how the axes are loaded
   int axis = 0;                        ///< that is driven, from 0
   std::vector<AxisStep> axes = {};     ///< empty: the pressure
+  double shear = 0.0;       ///< of simple shear along the first axis: strain since the start of the stage
+  double shear_step = 0.0;  ///< that of this step alone
 
   bool is_isotropic() const { return axes.empty(); }
+  bool shears() const { return shear_step != 0.0; }
 };
 
 /// All equilibria of a run, in order: those of the assembly (aggregation: P = 0, then the first pressure), then

@@ -1,14 +1,23 @@
 #pragma once
 
+#include <optional>
+
 #include "floc/base/vec.h"
 
 namespace floc {
 
-/// What an equilibrium imposes on the boundary: on each axis a stress or a length.
+/// How far the lattice vector of an axis reaches along the first axis: what a simple shear imposes.
+struct ImposedOffset {
+  int axis;       ///< of the lattice vector, not the first
+  double offset;  ///< (length)
+};
+
+/// What an equilibrium imposes on the boundary: on each axis a stress or a length, and how much it is sheared.
 template <int Dim>
 struct LoadTarget {
   Vec<Dim> stress = Vec<Dim>::Zero();  ///< on axes under stress, compression positive (force/length^(Dim-1))
   Vec<Dim> side = Vec<Dim>::Zero();    ///< of the other axes (length); zero on axes under stress
+  std::optional<ImposedOffset> offset = {};  ///< absent: the lattice is not sheared
 
   static LoadTarget normal_stress(const Vec<Dim>& stress) { return {stress}; }
 

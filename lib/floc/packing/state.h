@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/load_target.h"
 #include "floc/packing/packing.h"
 
 namespace floc {
@@ -16,6 +18,7 @@ struct Turn {
   int axis = 0;                ///< that is driven, from 0
   std::vector<double> sides;   ///< of the cell at the start (length)
   std::vector<double> stress;  ///< on each axis at the start, imposed or carried
+  double shear = 0.0;          ///< of simple shear: strain since the start, by the end of this step
 
   bool empty() const { return control.empty(); }
   bool operator==(const Turn&) const = default;
@@ -49,7 +52,8 @@ struct State {
   Packing<Dim> packing;
   /// Diagonal stress imposed, compression positive; on an axis with a length imposed, the stress it carried.
   Vec<Dim> target_stress = Vec<Dim>::Zero();
-  Vec<Dim> target_side = Vec<Dim>::Zero();  ///< length imposed on an axis; zero where a stress is
+  Vec<Dim> target_side = Vec<Dim>::Zero();          ///< length imposed on an axis; zero where a stress is
+  std::optional<ImposedOffset> target_offset = {};  ///< of the step of a simple shear
   EquilibriumTolerance tolerance;
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing, when saved
   Residuals residuals;                 ///< reached when saved

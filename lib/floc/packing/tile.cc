@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "floc/packing/contact_order.h"
+#include "floc/packing/swap_sides.h"
 
 namespace floc {
 namespace {
@@ -21,16 +21,6 @@ Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
     tile /= copies[a];
   }
   return place;
-}
-
-/// The same contact with its grains exchanged. @param parity  of what its law remembers
-template <int Dim>
-void swap_sides(const ContactMemory<Dim>& parity, Contact<Dim>& c) {
-  c = swapped(c);
-  c.normal = -c.normal;
-  c.shear_force = -c.shear_force;
-  c.rolling_moment = -c.rolling_moment;
-  c.memory = c.memory.cwiseProduct(parity);
 }
 
 /// The contact of copy `tile`: where its second grain lies in another copy, and which image of that.

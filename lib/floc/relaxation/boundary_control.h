@@ -17,7 +17,7 @@ enum class Imposed {
 };
 
 /// The smooth way of axes from one length to another, at rest at both ends: the logarithmic strain goes as
-/// 3 t^2 - 2 t^3 of the time t.
+/// 3 t^2 - 2 t^3 of the time t. A shear of the lattice goes the same way.
 template <int Dim>
 struct BoundaryWay {
   static constexpr double kPeak = 1.5;  ///< largest rate over the mean rate
@@ -25,20 +25,35 @@ struct BoundaryWay {
   Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();  ///< (length); axes where they are equal stay
   double begun = 0.0;                                       ///< how long ago the way began (time)
   double duration = 0.0;                                    ///< (time)
+  int sheared_axis = 0;                       ///< whose lattice vector moves along the first axis; 0: none
+  double offset_from = 0.0, offset_to = 0.0;  ///< how far it reaches along that (length)
+  double height = 1.0;                        ///< length of the sheared axis before (length)
 
-  bool any() const { return from != to; }
+  bool any() const { return from != to || shears(); }
+  bool shears() const { return offset_from != offset_to; }
   bool over(double since) const { return begun + since >= duration; }
   /// Length of an axis so long after now.
   double length(int axis, double since) const {
     if (over(since)) return to[axis];
-    const double t = (begun + since) / duration;
-    return from[axis] * std::pow(to[axis] / from[axis], t * t * (3.0 - 2.0 * t));
+    return from[axis] * std::pow(to[axis] / from[axis], share(since));
   }
+  /// Offset of the sheared lattice vector so long after now.
+  double offset(double since) const {
+    return over(since) ? offset_to : offset_from + share(since) * (offset_to - offset_from);
+  }
+  double shear_strain() const { return (offset_to - offset_from) / height; }
   double largest_strain() const {
-    double largest = 0.0;
+    double largest = std::abs(shear_strain());
     for (int a = 0; a < Dim; ++a)
       if (from[a] != to[a]) largest = std::max(largest, std::abs(std::log(to[a] / from[a])));
     return largest;
+  }
+
+ private:
+  /// Done of the way so long after now.
+  double share(double since) const {
+    const double t = (begun + since) / duration;
+    return t * t * (3.0 - 2.0 * t);
   }
 };
 
@@ -96,6 +111,7 @@ struct BoundaryControl {
   }
   /// Whether a rectangular lattice stays so.
   bool keeps_rectangular() const {
+    if (way.shears()) return false;
     for (int k = Dim; k < kSymmetric<Dim>; ++k)
       if (imposed[k] == Imposed::stress || target[k] != 0.0) return false;
     return true;
@@ -122,6 +138,12 @@ constexpr std::array<int, 2> component_axes(int k) {
   if (k < Dim) return {k, k};
   if (Dim == 2) return {0, 1};
   return k == 3 ? std::array{1, 2} : k == 4 ? std::array{0, 2} : std::array{0, 1};
+}
+
+/// Component that shears the planes across an axis along the first one. @pre axis > 0
+template <int Dim>
+constexpr int shear_component(int axis) {
+  return Dim == 2 ? 2 : 6 - axis;
 }
 
 }  // namespace floc

@@ -111,6 +111,10 @@ void ExplicitDynamics<Dim>::follow_way() {
     if (control_.imposed[a] == Imposed::stress || way.from[a] == way.to[a]) continue;
     control_.target[a] = way.over(time_) ? 0.0 : (1.0 - way.length(a, time_ + dt_) / side[a]) / dt_;
   }
+  if (!way.shears()) return;
+  const int axis = way.sheared_axis;
+  const double missing = way.offset(time_ + dt_) - lattice_(0, axis);
+  control_.target[shear_component<Dim>(axis)] = way.over(time_) ? 0.0 : -missing / (dt_ * lattice_(axis, axis));
 }
 
 /// Components of the velocity gradient h' h^-1 that are given. Shortening counts positive.

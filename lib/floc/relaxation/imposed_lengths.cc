@@ -1,4 +1,4 @@
-// What Relaxer does about axes that are given a length.
+// What Relaxer does about axes that are given a length, and a lattice that is sheared.
 
 #include <fmt/format.h>
 
@@ -30,6 +30,12 @@ BoundaryWay<Dim> Relaxer<Dim>::way() const {
     way.from[a] = progress_.side_before[a];
     way.to[a] = load_.side[a];
   }
+  if (load_.offset) {
+    way.sheared_axis = load_.offset->axis;
+    way.offset_from = progress_.offset_before;
+    way.offset_to = load_.offset->offset;
+    way.height = progress_.side_before[way.sheared_axis];
+  }
   way.begun = progress_.time;
   way.duration = progress_.way_duration;
   return way;
@@ -38,6 +44,7 @@ BoundaryWay<Dim> Relaxer<Dim>::way() const {
 template <int Dim>
 void Relaxer<Dim>::begin_way() {
   for (int a = 0; a < Dim; ++a) progress_.side_before.push_back(packing_.cell.matrix(a, a));
+  if (load_.offset) progress_.offset_before = packing_.cell.matrix(load_.offset->axis, 0);
   double fastest =
       std::min(options_.inertial_number_cap.value_or(kWayInertialNumber), kWayInertialNumber) / time_unit_;
   if (options_.strain_rate_cap) fastest = std::min(fastest, strain_rate_cap(options_, packing_, target_));

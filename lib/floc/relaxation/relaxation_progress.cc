@@ -14,6 +14,7 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("solid_fraction", p.solid_fraction);
   visit("imbalance_sign", p.imbalance_sign);
   visit("side_before", p.side_before);
+  visit("offset_before", p.offset_before);
   visit("way_duration", p.way_duration);
   visit("carried_stress", p.carried_stress);
   visit("finishing_since_stress", p.finishing_since_stress);

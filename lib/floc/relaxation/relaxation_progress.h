@@ -17,6 +17,7 @@ struct RelaxationProgress {
   /// Of each axis: sign of stress - target at the start; 0 once it has changed.
   std::vector<double> imbalance_sign;
   std::vector<double> side_before;     ///< of each axis where any is strained (length)
+  double offset_before = 0.0;          ///< of the lattice vector that is sheared (length)
   double way_duration = 0.0;           ///< of strained axes to their new length (time)
   std::vector<double> carried_stress;  ///< where an axis is strained: at the end of each recent chunk
   double finishing_since_stress = 0.0;

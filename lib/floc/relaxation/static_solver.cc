@@ -119,6 +119,7 @@ class StaticProblem {
     Mat<Dim> strain = Mat<Dim>::Zero();
     for (int a = 0; a < Dim; ++a)
       if (way.from[a] != way.to[a]) strain(a, a) = way.to[a] / way.from[a] - 1.0;
+    if (way.shears()) strain(0, way.sheared_axis) = way.shear_strain();
     return moved(from, Eigen::VectorXd::Zero(order()), strain);
   }
 

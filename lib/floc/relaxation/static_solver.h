@@ -39,8 +39,8 @@ struct StaticSolution {
 /// motions without stiffness (translations, rattlers, free rollers) carry no load and are given a vanishing
 /// stiffness (regularisation).
 ///
-/// @param control  components under a stress are unknowns; axes with a way start from its end, grains following;
-///                 the others stay as they are; mean_stress() sets the scale of forces
+/// @param control  components under a stress are unknowns; axes and a shear that have a way start from its end,
+///                 grains following; the others stay as they are; mean_stress() sets the scale of forces
 /// @pre the cell is lower triangular (the first lattice vector along x, ...); it stays so
 template <int Dim>
 [[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,

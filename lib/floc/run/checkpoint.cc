@@ -17,10 +17,12 @@ constexpr auto kMembers = [](auto& point, const auto& visit) {
   visit("parent_sha256", point.parent_sha256);
   visit("last_sides", point.last_sides);
   visit("last_stress", point.last_stress);
+  visit("last_offset", point.last_offset);
   visit("turn_control", point.turn.control);
   visit("turn_axis", point.turn.axis);
   visit("turn_sides", point.turn.sides);
   visit("turn_stress", point.turn.stress);
+  visit("turn_shear", point.turn.shear);
   visit("equilibration", point.equilibration);
   visit("equilibration_time", point.equilibration_time);
   visit("equilibration_steps", point.equilibration_steps);

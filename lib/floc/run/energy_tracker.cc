@@ -74,6 +74,12 @@ std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions
         "--track-energy",
         "Newton steps may end the equilibria of this scene, and no motion leads along them; expected "
         "equilibrium.finish = \"dynamic\"");
+  for (const LoadStage& stage : options.load)
+    if (stage.shear != 0.0)
+      throw InputError("--track-energy",
+                       fmt::format("stage \"{}\" is a simple shear, between whose steps the lattice "
+                                   "is reduced; expected a scene without one",
+                                   stage.name));
   auto tracker = std::make_unique<EnergyTracker<Dim>>(directory.energy_table(), run);
   constexpr double kEveryStep = 0.0;
   run.set_observer({kEveryStep, [&run, recorder = tracker.get()](const Packing<Dim>& packing, double time) {

@@ -48,8 +48,8 @@ std::vector<std::string> columns_of(int dimension, bool boxed) {
   if (dimension == 3) columns.emplace_back("L3");
   for (const char* quantity : {"stress", "strain"})
     for (int a = 1; a <= dimension; ++a) columns.push_back(fmt::format("{}_{}", quantity, a));
-  for (const char* name :
-       {"p", "q", "K0", "volumetric_strain", "mobilised_friction", "dilatancy", "control", "axis"})
+  for (const char* name : {"p", "q", "K0", "volumetric_strain", "mobilised_friction", "dilatancy", "control",
+                           "axis", "shear_strain", "shear_stress"})
     columns.emplace_back(name);
   if (!boxed) return columns;
   for (const char* name : {"n_wall_contacts", "z_wall", "kinetic_over_elastic", "n_mechanisms"})
@@ -74,10 +74,17 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
   row.insert(row.end(), strain.begin(), strain.end());
   for (const double value : {test.mean_stress, test.deviator, test.lateral_ratio, test.volumetric_strain})
     row.emplace_back(value);
-  row.push_back(is_test ? TableValue{test.mobilised} : TableValue{});
-  row.push_back(is_test ? or_undefined(test.dilatancy) : TableValue{});
-  row.push_back(or_undefined(state.path.turn.control));
-  row.push_back(is_test ? TableValue{std::int64_t{state.path.turn.axis + 1}} : TableValue{});
+  const Turn& turn = state.path.turn;
+  const bool is_sheared = state.target_offset.has_value();
+  // What resists a positive strain counts positive; between planes across an axis friction is tau/sigma.
+  const double shear_stress = is_sheared ? -state.stress(0, turn.axis) : 0.0;
+  const double mobilised = is_sheared ? shear_stress / stress[turn.axis] : test.mobilised;
+  row.push_back(is_test ? TableValue{mobilised} : TableValue{});
+  row.push_back(is_test && !is_sheared ? or_undefined(test.dilatancy) : TableValue{});
+  row.push_back(or_undefined(turn.control));
+  row.push_back(is_test ? TableValue{std::int64_t{turn.axis + 1}} : TableValue{});
+  row.push_back(is_sheared ? TableValue{turn.shear} : TableValue{});
+  row.push_back(is_sheared ? TableValue{shear_stress} : TableValue{});
 }
 
 /// What a packing between walls has beside. Pressure on walls and what their friction bears of it are nothing

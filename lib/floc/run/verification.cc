@@ -159,7 +159,20 @@ void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, co
   add("energy", r.energy, t.energy, "the grains still move");
 }
 
-/// The lengths imposed on axes, which motion reaches but for rounding.
+/// The offset of a sheared lattice vector, against the one imposed, over the length of its axis.
+template <int Dim>
+void check_offset(const State<Dim>& state, double limit, Criterion& result) {
+  if (!state.target_offset) return;
+  const auto [axis, imposed] = *state.target_offset;
+  const Mat<Dim>& lattice = state.packing.cell.matrix;
+  const double error = std::abs(lattice(axis, 0) - imposed) / lattice(axis, axis);
+  result.value = std::max(result.value, error);
+  if (!(error <= limit))
+    result.where += fmt::format("{}offset of L{} = {:.17g} against {:.17g}", result.where.empty() ? "" : ", ",
+                                axis + 1, lattice(axis, 0), imposed);
+}
+
+/// The lengths imposed on axes, which motion reaches but for rounding, and how far the lattice is sheared.
 template <int Dim>
 void check_lengths(const State<Dim>& state, std::vector<Criterion>& criteria) {
   if (state.target_side.isZero(0.0)) return;
@@ -175,6 +188,7 @@ void check_lengths(const State<Dim>& state, std::vector<Criterion>& criteria) {
       result.where += fmt::format("{}L{} = {:.17g} against {:.17g}", result.where.empty() ? "" : ", ", a + 1,
                                   length, imposed);
   }
+  check_offset(state, kRelative, result);
   result.holds = result.where.empty();
   criteria.push_back(std::move(result));
 }

@@ -67,6 +67,9 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
     const std::string end = fmt::format("end of '{}' after {} steps", stage.name, n);
     if (driven.kind == AxisLoad::strain)
       groups.push_back({"strain", driven.end, fmt::format("logarithmic{}, {}", which, end)});
+    if (stage.shear != 0.0)
+      groups.push_back({"strain", stage.shear,
+                        fmt::format("of shear of the planes across axis {}, {}", stage.axis + 1, end)});
     if (driven.kind == AxisLoad::stress)
       groups.push_back({name, driven.end / unit, fmt::format("{}{}, {}", meaning, which, end)});
     from = after_stage(from, stage);

@@ -33,7 +33,10 @@ constexpr double kRoundingOfAStep = 1e-6;
 constexpr NumberRule kStrain{is_strain,
                              "a logarithmic strain from -2 to 2 (compression positive; beyond, the cell would "
                              "close)"};
-const std::vector<std::string> kControls = {"isotropic", "oedometric", "triaxial", "constant_volume", "axes"};
+/// Beyond, a path of shear has long been steady.
+constexpr NumberRule kShear{[](double x) { return x >= -100 && x <= 100; }, "a shear strain from -100 to 100"};
+const std::vector<std::string> kControls = {"isotropic",       "oedometric", "triaxial",
+                                            "constant_volume", "axes",       "simple_shear"};
 
 std::vector<std::string> law_keys(LawParameters law) {
   std::vector<std::string> keys;
@@ -109,6 +112,20 @@ std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int 
   return axes;
 }
 
+/// The planes across an axis, which keep their stress, move along the first one. Nothing else changes its length.
+void read_shear(TableReader& t, int dimension, LoadStage& stage) {
+  const char* which = dimension == 2
+                          ? "the number of the axis across whose planes the lattice is sheared, 2"
+                          : "the number of the axis across whose planes the lattice is sheared, 2 or 3";
+  if (const auto axis = t.integer("axis", {2, dimension, which}, Need::optional))
+    stage.axis = static_cast<int>(*axis) - 1;
+  t.refuse("to", fmt::format("{}: the lattice is sheared by a strain at the stress it has; expected strain",
+                             t.path_of("to")));
+  stage.shear = t.number("strain", kShear).value_or(0.0);
+  stage.axes.assign(static_cast<std::size_t>(dimension), {AxisLoad::strain, 0.0});
+  stage.axes[static_cast<std::size_t>(stage.axis)] = {AxisLoad::kept_stress, 0.0};
+}
+
 void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
   stage.axis = dimension - 1;
   if (stage.control == "axes") {
@@ -120,6 +137,7 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
     return;
   }
   t.refuse("axes", fmt::format("{}: expected control = \"axes\", or no such key", t.path_of("axes")));
+  if (stage.control == "simple_shear") return read_shear(t, dimension, stage);
   const char* which =
       dimension == 2 ? "the number of the driven axis, 1 or 2" : "the number of the driven axis, 1 to 3";
   if (const auto axis = t.integer("axis", {1, dimension, which}, Need::optional))
@@ -128,7 +146,7 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
 }
 
 double largest_strain(const LoadStage& stage) {
-  double largest = 0.0;
+  double largest = std::abs(stage.shear);
   for (const AxisLoad& axis : stage.axes)
     if (axis.kind == AxisLoad::strain) largest = std::max(largest, std::abs(axis.end));
   return largest;

@@ -119,6 +119,33 @@ steps = 2
   EXPECT_TRUE(states[7].target_side.isZero(0.0));
 }
 
+/// Twelve steps of a shear so large that the lattice is reduced on the way.
+TEST(DirectedPath, ASimpleShearGoesOnWhileItsLatticeIsReduced) {
+  const auto states = states_of("[[load]]\ncontrol = \"simple_shear\"\nstrain = 1.2\nsteps = 12\n");
+  ASSERT_EQ(states.size(), 13u);
+  const Vec<2> first = sides(states[0]);
+  const double kept = states[0].target_stress[1];
+  bool was_reduced = false;
+  double resists = 0.0;
+  for (int k = 1; k <= 12; ++k) {
+    const State<2>& state = states[k];
+    EXPECT_EQ(state.path.turn.control, "simple_shear");
+    EXPECT_NEAR(state.path.turn.shear, 0.1 * k, 1e-14);
+    EXPECT_NEAR(sides(state)[0] / first[0], 1.0, 1e-13);
+    EXPECT_NEAR(state.stress(1, 1), kept, 1e-4);
+    ASSERT_TRUE(state.target_offset.has_value());
+    const double offset = state.packing.cell.matrix(1, 0);
+    EXPECT_NEAR(offset, state.target_offset->offset, 1e-12);
+    EXPECT_LE(std::abs(offset), 0.5 * first[0] + 0.1 * first[1] + 1e-12);
+    const double lengths = (0.1 * k * first[1] - offset) / first[0];
+    EXPECT_NEAR(lengths, std::round(lengths), 1e-11) << k;
+    was_reduced = was_reduced || std::round(lengths) > 0.0;
+    resists -= state.stress(0, 1) / 12;
+  }
+  EXPECT_TRUE(was_reduced);
+  EXPECT_GT(resists, 0.05 * kept);
+}
+
 double energy(const State<2>& state) {
   return elastic_energy_per_grain(state.packing) * state.packing.grains.size();
 }

@@ -50,6 +50,12 @@ Packing<Dim> solved(const Packing<Dim>& from, const LoadTarget<Dim>& load) {
   auto control = BoundaryControl<Dim>::imposing(load, load.stress_with(static_stress(from)), 0.0);
   for (int a = 0; a < Dim; ++a)
     if (load.strained(a)) control.way.from[a] = from.cell.matrix(a, a), control.way.to[a] = load.side[a];
+  if (load.offset) {
+    const int axis = control.way.sheared_axis = load.offset->axis;
+    control.way.offset_from = from.cell.matrix(axis, 0);
+    control.way.offset_to = load.offset->offset;
+    control.way.height = from.cell.matrix(axis, axis);
+  }
   const StaticSolution<Dim> solution = solve_statics(from, control, options);
   EXPECT_LT(solution.residual, 1e-11) << solution.reason;
   return solution.packing;
@@ -128,6 +134,39 @@ TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
   expect_elastic_answers(dense_packing<3>(60, 1e-3, 4));
 }
 
+/// Every length stays, and the planes across an axis move along the first one.
+template <int Dim>
+LoadTarget<Dim> sheared(const Packing<Dim>& packing, int axis, double strain) {
+  LoadTarget<Dim> load;
+  load.side = packing.cell.matrix.diagonal();
+  load.offset = ImposedOffset{axis, packing.cell.matrix(axis, 0) + strain * load.side[axis]};
+  return load;
+}
+
+/// d tau/d gamma is the shear modulus of the symmetric strain: under the same stress on both axes the rotation
+/// changes nothing.
+template <int Dim>
+void expect_shear_answers(const Packing<Dim>& packing) {
+  ModuliOptions options;
+  options.prestress = true;
+  options.strains = StrainSet::full;
+  const Eigen::MatrixXd C = elastic_moduli(packing, options).C;
+  for (int axis = 1; axis < Dim; ++axis) {
+    const Packing<Dim> more = solved(packing, sheared(packing, axis, kStrain));
+    const Packing<Dim> less = solved(packing, sheared(packing, axis, -kStrain));
+    EXPECT_NEAR((more.cell.matrix(axis, 0) - less.cell.matrix(axis, 0)) / packing.cell.matrix(axis, axis),
+                2 * kStrain, 1e-14);
+    const double answer = (static_stress(less)(0, axis) - static_stress(more)(0, axis)) / (2 * kStrain);
+    const int k = shear_component<Dim>(axis);
+    EXPECT_NEAR(answer / C(k, k), 1.0, 1e-5) << axis;
+  }
+}
+
+TEST(DirectedLoad, OfSimpleShearIsThatOfTheShearModuli) {
+  expect_shear_answers(test::triangular_crystal(4, 1.0, linear_law(0.5)));
+  expect_shear_answers(test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, linear_law(0.5)));
+}
+
 /// The relaxer takes such steps at once, and a cycle of them leaves nothing.
 template <int Dim>
 void expect_closed_cycle(const Packing<Dim>& start) {
@@ -187,6 +226,36 @@ TEST(DirectedLoad, AStrainedAxisMovesToItsLengthAndStandsStill) {
   EXPECT_NEAR(stress(0, 0), 1e-3, 1e-8);  // kept
   EXPECT_GT(stress(1, 1), 1.05e-3);       // driven
   EXPECT_LT(relaxer->report().residuals.stress, 1e-5);
+}
+
+/// By motion, at a constant stress on the planes.
+TEST(DirectedLoad, AShearedLatticeMovesToItsOffsetAndStandsStill) {
+  const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
+  const double height = start.cell.matrix(1, 1);
+  LoadTarget<2> load;
+  load.side[0] = start.cell.matrix(0, 0);
+  load.stress[1] = 1e-3;
+  load.offset = ImposedOffset{1, 5e-3 * height};
+  auto whole = make_equilibrator<2>(moving(), start, load);
+  auto broken = make_equilibrator<2>(moving(), start, load);
+  RelaxationStatus status = RelaxationStatus::running;
+  while (status == RelaxationStatus::running) {
+    status = whole->advance();
+    EXPECT_EQ(broken->advance(), status);
+    if (status != RelaxationStatus::running) break;
+    const std::string progress = broken->progress();
+    broken = make_equilibrator<2>(moving(), broken->release_packing(), load, progress);
+  }
+  ASSERT_EQ(status, RelaxationStatus::converged) << whole->report().blocking;
+  test::expect_same_bits(whole->packing(), broken->packing());
+  const Packing<2>& end = whole->packing();
+  EXPECT_NEAR(end.cell.matrix(1, 0), load.offset->offset, 1e-14 * height);
+  EXPECT_EQ(end.cell.matrix(0, 1), 0.0);
+  EXPECT_EQ(end.cell.velocity(1, 0), 0.0);
+  EXPECT_NEAR(end.cell.matrix(0, 0) / load.side[0], 1.0, 1e-14);
+  const Mat<2> stress = static_stress(end);
+  EXPECT_NEAR(stress(1, 1), 1e-3, 2e-8);
+  EXPECT_LT(stress(0, 1), static_stress(start)(0, 1) - 1e-4);  // resists
 }
 
 TEST(DirectedLoad, IsContinuedFromItsProgressBitByBit) {

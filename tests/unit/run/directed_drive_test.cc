@@ -15,7 +15,7 @@ namespace {
 
 /// Disks without adhesion in an oedometer, a biaxial test and at constant volume, by motion alone so that there
 /// is something to stop.
-Scene directed(const std::string& finish) {
+Scene scene_of(const std::string& loads, const std::string& finish) {
   const std::string text = R"([scene]
 dimension = 2
 units = "reduced"
@@ -33,7 +33,13 @@ inertial_number_cap = 1e-2
 [assembly]
 protocol = "direct"
 pressure = 1.0
-[[load]]
+)" + loads + R"([equilibrium]
+finish = ")";
+  return parse_scene(text + finish + "\"\n", "directed.toml", ".");
+}
+
+Scene directed(const std::string& finish) {
+  return scene_of(R"([[load]]
 control = "oedometric"
 to = 2.0
 steps = 2
@@ -46,9 +52,8 @@ strain_step = 5e-3
 control = "constant_volume"
 strain = -4e-3
 steps = 1
-[equilibrium]
-finish = ")";
-  return parse_scene(text + finish + "\"\n", "directed.toml", ".");
+)",
+                  finish);
 }
 constexpr int kEquilibria = 6;
 
@@ -94,6 +99,48 @@ TEST(DirectedDrive, MakesStatesThatVerifyAndRowsOfTheirAxes) {
   EXPECT_NEAR(at(4, "mobilised_friction"), (at(4, "stress_1") - at(4, "stress_2")) / (2 * at(4, "p")), 1e-12);
   EXPECT_NEAR(at(5, "volumetric_strain"), at(4, "volumetric_strain"), 1e-12);
   EXPECT_NEAR(at(5, "strain_2") - at(4, "strain_2"), -4e-3, 1e-12);
+}
+
+/// A lattice that is reduced before the second step, and what follows on it.
+TEST(DirectedDrive, ASimpleShearStoppedAnywhereVerifiesAndIsTheUnbrokenRun) {
+  const test::ScratchDirectory scratch;
+  const Scene scene = scene_of(
+      "[[load]]\ncontrol = \"simple_shear\"\nstrain = 1.2\nsteps = 2\n[[load]]\nto = 2.0\nsteps = 1\n", "auto");
+  ASSERT_EQ(drive_in(scratch.file("whole"), scene, {}).outcome, DriveReport::done);
+  DriveOptions<2> driving;
+  int n_chunks = 0, n_stops = 0;
+  driving.stop = [&] { return ++n_chunks % 20 == 0; };
+  while (drive_in(scratch.file("broken"), scene, driving).outcome == DriveReport::stopped) ++n_stops;
+  EXPECT_GT(n_stops, 3);
+  test::expect_same_results(scratch.file("whole"), scratch.file("broken"), 4);
+  for (int k = 0; k < 4; ++k) {
+    const auto state = std::get<State<2>>(read_state(state_file(scratch.file("whole"), k)));
+    for (const Criterion& c : verify_equilibrium(state))
+      EXPECT_TRUE(c.holds) << k << " " << c.name << " " << c.where;
+  }
+  const CsvTable path = CsvTable::read(scratch.file("whole/path.csv"));
+  const auto at = [&](int row, const char* name) { return path.number(row, path.column(name)); };
+  for (const int k : {1, 2}) {
+    EXPECT_EQ(path.text(k, path.column("control")), "simple_shear");
+    EXPECT_NEAR(at(k, "shear_strain"), 0.6 * k, 1e-14);
+    EXPECT_NEAR(at(k, "mobilised_friction"), at(k, "shear_stress") / at(k, "stress_2"), 1e-12);
+    EXPECT_TRUE(path.is_empty(k, path.column("dilatancy")));
+  }
+  EXPECT_TRUE(path.is_empty(3, path.column("shear_strain")));
+}
+
+/// The state of a shear that is off its offset does not verify, as one off its length.
+TEST(DirectedDrive, AnOffsetThatIsOffIsFound) {
+  const test::ScratchDirectory scratch;
+  DriveOptions<2> driving;
+  driving.until = 1;
+  const Scene scene = scene_of("[[load]]\ncontrol = \"simple_shear\"\nstrain = 1e-3\nsteps = 1\n", "auto");
+  ASSERT_EQ(drive_in(scratch.file("run"), scene, driving).outcome, DriveReport::done);
+  auto state = std::get<State<2>>(read_state(state_file(scratch.file("run"), 1)));
+  ASSERT_TRUE(state.target_offset.has_value());
+  state.target_offset->offset += 1e-9;
+  for (const Criterion& c : verify_equilibrium(state))
+    EXPECT_EQ(c.holds, c.name != std::string("length")) << c.name;
 }
 
 /// A length that is not the one imposed does not verify.

@@ -72,6 +72,32 @@ steps = 3
   EXPECT_EQ(load[3].axes, (std::vector{stress(2), strain(0.1), stress(2)}));
 }
 
+TEST(ReadLoad, ASimpleShearKeepsTheStressOfItsPlanesAndEveryOtherLength) {
+  const auto load = read(3, R"([[load]]
+control = "simple_shear"
+strain = 0.5
+strain_step = 0.1
+[[load]]
+control = "simple_shear"
+axis = 2
+strain = -2.5
+steps = 3
+)");
+  ASSERT_EQ(load.size(), 2u);
+  EXPECT_EQ(load[0].axes, (std::vector{strain(0), strain(0), kept}));
+  EXPECT_EQ(load[0].axis, 2);
+  EXPECT_EQ(load[0].shear, 0.5);
+  EXPECT_EQ(load[0].steps, 5);
+  EXPECT_EQ(load[0].name, "simple_shear");
+  EXPECT_EQ(load[1].axes, (std::vector{strain(0), kept, strain(0)}));
+  EXPECT_EQ(load[1].shear, -2.5);
+  const std::string shear = "[[load]]\ncontrol = \"simple_shear\"\nsteps = 2\n";
+  EXPECT_THAT(faults(2, shear), HasSubstr("load.0.strain"));
+  EXPECT_THAT(faults(2, shear + "strain = 0.1\nto = 2\n"), HasSubstr("expected strain"));
+  EXPECT_THAT(faults(2, shear + "strain = 0.1\naxis = 1\n"), HasSubstr("across whose planes"));
+  EXPECT_THAT(faults(2, shear + "strain = 1000\n"), HasSubstr("from -100 to 100"));
+}
+
 TEST(ReadLoad, TheSameStressOnEveryAxisIsTheIsotropicLoad) {
   const auto load = read(2, R"([[load]]
 control = "axes"

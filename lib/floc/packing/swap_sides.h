@@ -1,0 +1,19 @@
+#pragma once
+
+#include "floc/contact/memory_layout.h"
+#include "floc/packing/contact.h"
+#include "floc/packing/contact_order.h"
+
+namespace floc {
+
+/// The same contact with its grains exchanged. @param parity  of what its law remembers, swap_parity()
+template <int Dim>
+void swap_sides(const ContactMemory<Dim>& parity, Contact<Dim>& c) {
+  c = swapped(c);
+  c.normal = -c.normal;
+  c.shear_force = -c.shear_force;
+  c.rolling_moment = -c.rolling_moment;
+  c.memory = c.memory.cwiseProduct(parity);
+}
+
+}  // namespace floc

@@ -434,6 +434,9 @@ int run_moduli(const ModuliCommand& command) {
   Table increments;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
     if (!check_equilibrium(file, any, command.force) && !command.force) return int{kVerificationFailed};
+    if (request.options.strains == StrainSet::full &&
+        std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))
+      throw InputError(file, "has walls, which shear no grains: expected --strains diagonal");
     std::vector<ModuliRow> computed = std::visit(
         [&](const auto& state) {
           return compute_rows(file, state, request, sequences,

@@ -7,6 +7,7 @@
 #include "columns.h"
 #include "command.h"
 #include "equilibrium_check.h"
+#include "floc/base/error.h"
 #include "floc/elasticity/force_correlation.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/network_mechanics.h"
@@ -167,6 +168,8 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
                        SideTables& side) {
   const auto start = std::chrono::steady_clock::now();
   const Packing<Dim>& packing = state.packing;
+  if (!packing.walls.empty())
+    throw InputError(file, "has walls; the force network is measured only with periodic boundaries");
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
     warn(file, "this is no equilibrium: " + faults, equilibrium_excess(state));
   NetworkRow row;

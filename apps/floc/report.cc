@@ -111,6 +111,8 @@ Run<Dim> read_run(const std::string& directory) {
       throw InputError(run.files[k], fmt::format("is not {}D as {} is: expected the states of one run", Dim,
                                                  run.files.front()));
     const State<Dim>& state = *found;
+    if (!state.packing.walls.empty())
+      throw InputError(run.files[k], "has walls; reports are made only of periodic cells");
     add_state(state, run);
     if (k == 0) run.first = state;
     if (shown.contains(k)) run.shown.push_back(state), run.shown_files.push_back(run.files[k]);

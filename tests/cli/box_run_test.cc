@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 #include "floc/io/csv.h"
@@ -114,6 +116,27 @@ TEST_P(BoxRun, PutsAStressOfItsOwnOnAnAxis) {
     EXPECT_NEAR(path.number(1, path.column("p_wall_" + std::to_string(a))), a == GetParam() ? 0.2 : 0.1, 2e-4);
   EXPECT_EQ(path.text(1, path.column("control")), "triaxial");
   EXPECT_EQ(floc("verify out/state-0001.h5").code, 0);
+}
+
+/// Moduli of a boxed sample lie between its bounds; a row of increments names walls after the grains.
+TEST_P(BoxRun, HasModuliBetweenItsBounds) {
+  ASSERT_EQ(run(box(GetParam()), "--until 0 -o out").code, 0);
+  const Outcome made = floc("moduli out/state-0000.h5 --increments inc.csv --format csv");
+  ASSERT_EQ(made.code, 0) << made.err;
+  write_text(file("moduli.csv"), made.out);
+  const CsvTable row = CsvTable::read(file("moduli.csv"));
+  const auto value = [&row](const char* name) { return row.number(0, row.column(name)); };
+  EXPECT_GT(value("B_reuss"), 0.0);
+  // Forces balance and walls bear their pressure within 1e-3 alone.
+  EXPECT_LE(value("B_reuss"), 1.01 * value("B_S"));
+  EXPECT_LE(value("B_S"), value("B") * (1.0 + 1e-9));
+  EXPECT_LE(value("B"), value("B_voigt"));
+  EXPECT_NEAR(value("P"), 0.1, 2e-4);
+  const CsvTable increments = CsvTable::read(file("inc.csv"));
+  std::int64_t last = 0;
+  for (int k = 0; k < increments.n_rows(); ++k)
+    last = std::max(last, increments.integer(k, increments.column("id2")));
+  EXPECT_GE(last, 60);
 }
 
 /// Other programs get the grains in a box that begins at zero, and are told of its walls.
@@ -230,8 +253,8 @@ TEST(BoxRefusal, OfCommandsThatKnowPeriodicCellsAlone) {
   const ScratchDirectory scratch;
   write_text(scratch.file("box.toml"), box(2));
   ASSERT_EQ(run_floc("run box.toml --until 0 -o out", scratch.path()).code, 0);
-  for (const char* command : {"structure out/state-0000.h5", "modes out/state-0000.h5",
-                              "moduli out/state-0000.h5", "network out/state-0000.h5"}) {
+  for (const char* command : {"structure out/state-0000.h5", "modes out/state-0000.h5", "report out -o r.html",
+                              "moduli out/state-0000.h5 --strains full", "network out/state-0000.h5"}) {
     const Outcome refused = run_floc(command, scratch.path());
     EXPECT_NE(refused.code, 0) << command;
     EXPECT_THAT(refused.err, testing::HasSubstr("has walls")) << command;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/elasticity/reduced_unknowns.h"
 #include "floc/linalg/condensation.h"
 #include "floc/linalg/single_factor.h"
@@ -13,17 +14,52 @@
 namespace floc {
 namespace {
 
+/// A stiffness of shifts of walls below this share of that of the strains is what rounding leaves of zero: nothing
+/// but the walls themselves holds the grains then, and they move with them.
+constexpr double kFreeShift = 1e-11;
+
+/// Lets the walls of each axis move together until both bear the same, with the grains: the last columns of
+/// what was solved for are eliminated.
+template <int Dim>
+void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out) {
+  const auto n = static_cast<Eigen::Index>(network.wall_axes.size());
+  const Eigen::Index n_strains = out.relaxed.rows() - n;
+  const SymmetricEigen eigen = symmetric_eigen(out.relaxed.bottomRightCorner(n, n));
+  const double least = kFreeShift * out.relaxed.trace();
+  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (std::abs(eigen.values[k]) > least)
+      inverse[k] = 1.0 / eigen.values[k];
+    else
+      ++out.n_free_shifts;
+    if (eigen.values[k] < -least) ++out.n_negative;
+  }
+  Eigen::MatrixXd with_strain = Eigen::MatrixXd::Identity(out.relaxed.rows(), n_strains);
+  with_strain.bottomRows(n) = -eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose() *
+                              out.relaxed.bottomLeftCorner(n, n_strains);
+  out.wall_shift = Eigen::MatrixXd::Zero(Dim, n_strains);
+  for (Eigen::Index k = 0; k < n; ++k)
+    out.wall_shift.row(network.wall_axes[static_cast<std::size_t>(k)]) =
+        wall_shift_unit(network) * with_strain.row(n_strains + k);
+  const Eigen::MatrixXd magnitude = with_strain.cwiseAbs();
+  out.relaxed = (with_strain.transpose() * out.relaxed * with_strain).eval();
+  const bool bounded = out.error.allFinite();
+  out.error = (magnitude.transpose() * out.error * magnitude).eval();
+  if (!bounded) out.error.setConstant(std::numeric_limits<double>::infinity());
+  out.fluctuation = (out.fluctuation * with_strain).eval();
+}
+
 /// The springs of a network in those unknowns, over `unit`, with the strains as boundary.
 template <int Dim>
 class SpringList {
  public:
   SpringList(const ContactNetwork<Dim>& network, const ReducedUnknowns& unknowns, double unit,
              const ResponseOptions& options)
-      : unknowns_(unknowns), n_boundary_(n_strains<Dim>(options.strains)) {
+      : network_(network), unknowns_(unknowns), strains_(options.strains) {
     const int n_rows = count(network, options);
     springs_.on_free.resize(n_rows, static_cast<int>(unknowns.unknown.size()));
     springs_.on_free.reserve(n_rows * (Dim + kDofs<Dim>));
-    springs_.on_boundary.resize(n_rows, n_boundary_);
+    springs_.on_boundary.resize(n_rows, n_boundary_unknowns(network, strains_));
     springs_.stiffness.resize(n_rows);
     for (const NetworkContact<Dim>& c : network.contacts) {
       const ContactRows<Dim> rows = contact_rows(c);
@@ -45,12 +81,13 @@ class SpringList {
   }
 
   void append(const NetworkContact<Dim>& c, const ContactRows<Dim>& g, const RowStiffness<Dim>& k) {
+    const BoundaryRows<Dim> on_boundary = boundary_rows(network_, c, g, strains_);
     for (int a = 0; a < kDofs<Dim>; ++a) {
       if (k[a] == 0.0) continue;
       springs_.on_free.startVec(n_);
       append_grain(std::min(c.i, c.j), c.i <= c.j ? g.on_i.row(a) : g.on_j.row(a));
       append_grain(std::max(c.i, c.j), c.i <= c.j ? g.on_j.row(a) : g.on_i.row(a));
-      springs_.on_boundary.row(n_) = g.on_strain.row(a).head(n_boundary_);
+      springs_.on_boundary.row(n_) = on_boundary.row(a);
       springs_.stiffness[n_++] = k[a];
     }
   }
@@ -63,8 +100,9 @@ class SpringList {
     }
   }
 
+  const ContactNetwork<Dim>& network_;
   const ReducedUnknowns& unknowns_;
-  int n_boundary_;
+  StrainSet strains_;
   int n_ = 0;
   SpringSystem springs_;
 };
@@ -112,6 +150,7 @@ struct Problem {
     out.fluctuation = Eigen::MatrixXd::Zero(whole.n_unknowns(), out.relaxed.cols());
     for (int a = 0; a < static_cast<int>(unknowns.unknown.size()); ++a)
       out.fluctuation.row(unknowns.unknown[a]) = condensed.response.row(a) * unknowns.length[a];
+    if (!whole.wall_axes.empty()) relax_wall_shifts(whole, out);
     return std::move(out);
   }
 };
@@ -213,7 +252,9 @@ class InheritedInverse {
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  if (!memory.factor || memory.fluctuation.rows() != problem.whole.n_unknowns() ||
+  // What is left of a solution between walls is that of the strains alone.
+  if (!memory.factor || !problem.whole.wall_axes.empty() ||
+      memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))
     return std::nullopt;
   Eigen::MatrixXd start(unknowns.length.size(), memory.fluctuation.cols());

@@ -44,7 +44,11 @@ struct ElasticResponse {
   /// Fluctuation of the grains per unit strain: rows the unknowns of K, a column a strain. Zero where nothing
   /// fixes it.
   Eigen::MatrixXd fluctuation;
+  /// Between walls: displacement per unit strain that the two walls of an axis share, a row an axis, such that
+  /// both bear the same. Empty where there are none.
+  Eigen::MatrixXd wall_shift;
   FreeMotions free;
+  int n_free_shifts = 0;   ///< ways in which walls move together at no cost, and the grains with them
   int n_negative = 0;      ///< negative eigenvalues of the block of the grains, unstable dead ends included
   int n_mechanisms = 0;    ///< its vanishing eigenvalues beyond those of `free`
   double residual = 0.0;   ///< backward error of the solution

@@ -90,10 +90,11 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
       continue;
     }
     const ContactRows<Dim> g = contact_rows(c);
-    const ForceRows<Dim> forces =
-        row_stiffness(c).cwiseProduct(g.on_i * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.i)) +
-                                      g.on_j * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.j)) +
-                                      g.on_strain.leftCols(strain.size()) * strain);
+    ForceRows<Dim> displacement = g.on_i * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.i)) +
+                                  g.on_j * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.j)) +
+                                  g.on_strain.leftCols(strain.size()) * strain;
+    if (c.on_wall()) displacement += rows_on_walls(c) * response.wall_shift.leftCols(strain.size()) * strain;
+    const ForceRows<Dim> forces = row_stiffness(c).cwiseProduct(displacement);
     increments.push_back(increment_of(c, forces));
   }
   return increments;

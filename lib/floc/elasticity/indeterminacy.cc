@@ -20,10 +20,10 @@ Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const Elas
   const auto n_coupled =
       static_cast<int>(vanishing_strains(relaxed, affine_stiffness(network, strains)).cols());
   const FreeMotions& free = response.free;
-  out.n_unknowns =
-      kDofs<Dim> * static_cast<int>(std::count(connected.begin(), connected.end(), true)) + n_boundary;
+  out.n_unknowns = kDofs<Dim> * static_cast<int>(std::count(connected.begin(), connected.end(), true)) +
+                   n_boundary_unknowns(network, strains);
   out.n_null_modes = static_cast<int>(free.kind.size()) - free.count(FreeMotionKind::rattler) +
-                     response.n_mechanisms + n_coupled;
+                     response.n_mechanisms + response.n_free_shifts + n_coupled;
   out.degree = out.n_components - out.n_unknowns + out.n_null_modes;
   return out;
 }

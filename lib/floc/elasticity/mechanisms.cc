@@ -49,15 +49,16 @@ ContactNetwork<Dim> in_general_position(const ContactNetwork<Dim>& network) {
     for (int a = 0; a < Dim; ++a) displacement[i][a] = kDisplacement * network.grain_size[i] * random.normal();
   for (NetworkContact<Dim>& c : moved.contacts) {
     const double size = network.grain_size[c.i];
+    c.kn = c.kn == 0.0 ? 0.0 : 1.0;
+    c.kt = c.kt == 0.0 ? 0.0 : 1.0;
+    c.kr = c.kr == 0.0 ? 0.0 : size * size;
+    c.ktw = c.ktw == 0.0 ? 0.0 : size * size;
+    if (c.on_wall()) continue;
     const double share = 0.5 + 0.2 * (random.uniform() - 0.5);
     c.branch += displacement[c.j] - displacement[c.i];
     c.arm_i = share * c.branch;
     c.arm_j = (share - 1.0) * c.branch;
     c.frame = contact_frame(Vec<Dim>(c.branch.normalized()));
-    c.kn = c.kn == 0.0 ? 0.0 : 1.0;
-    c.kt = c.kt == 0.0 ? 0.0 : 1.0;
-    c.kr = c.kr == 0.0 ? 0.0 : size * size;
-    c.ktw = c.ktw == 0.0 ? 0.0 : size * size;
   }
   return moved;
 }

@@ -78,7 +78,7 @@ template <int Dim>
 double near_bound(const ContactNetwork<Dim>& network) {
   double bound = 0.0;
   for (const NetworkContact<Dim>& c : network.contacts)
-    bound = std::max(bound, std::abs(c.normal_force) / c.branch.norm());
+    if (!c.on_wall()) bound = std::max(bound, std::abs(c.normal_force) / c.branch.norm());
   return bound;
 }
 

@@ -11,8 +11,8 @@
 #include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/isotropic_moduli.h"
 #include "floc/network/rattlers.h"
-#include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
@@ -134,8 +134,9 @@ void add_warnings(Moduli& m) {
 
 template <int Dim>
 MeanField mean_field(const Packing<Dim>& packing) {
-  const auto n_touching = std::count_if(packing.contacts.begin(), packing.contacts.end(),
-                                        [](const Contact<Dim>& c) { return !c.distant; });
+  const auto n_touching =
+      std::count_if(packing.contacts.begin(), packing.contacts.end(),
+                    [&](const Contact<Dim>& c) { return !c.distant && !packing.is_wall(c.j); });
   return {2.0 * static_cast<double>(n_touching) / packing.grains.size(), solid_fraction(packing)};
 }
 
@@ -167,7 +168,7 @@ ContactNetwork<Dim> loaded(const Packing<Dim>& packing, const ModuliOptions& opt
 
 template <int Dim>
 ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) const {
-  return loaded(packing, *this, static_stress(packing));
+  return loaded(packing, *this, load_stress(packing));
 }
 
 namespace {
@@ -237,7 +238,7 @@ template <int Dim>
 Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, const auto& respond) {
   const auto n_mobilised =
       std::count_if(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.yields(); });
-  const NetworkLoad<Dim> load{static_stress(packing), options.unloaded, mean_field(packing),
+  const NetworkLoad<Dim> load{load_stress(packing), options.unloaded, mean_field(packing),
                               static_cast<int>(n_mobilised)};
   return moduli_with(loaded(packing, options, load.stress), load, options, respond);
 }

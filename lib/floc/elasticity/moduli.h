@@ -76,7 +76,7 @@ struct Moduli {
   int n_rattlers = 0;
   int n_free_rollers = 0;
   int n_mobilised = 0;     ///< contacts that slide or yield in rolling; C treats them as elastic
-  double pressure = 0.0;   ///< mean of the diagonal of the static stress
+  double pressure = 0.0;   ///< mean of the diagonal of load_stress()
   double residual = 0.0;   ///< backward error of the solution
   double condition = 1.0;  ///< of K, estimated; infinite with mechanisms
   /// The same without prestress, if prestress was asked for: the difference is its contribution.

@@ -14,7 +14,7 @@
 #include "floc/linalg/symmetric_factor.h"
 #include "floc/network/free_motions.h"
 #include "floc/network/stiffness_matrix.h"
-#include "floc/packing/balance.h"
+#include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
@@ -52,7 +52,7 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
   const ContactNetwork<Dim> core = without_grains(whole, free.dead_end);
   const ReducedUnknowns unknowns = reduce_unknowns(core, free.kept);
   const double unit = stiffness_scale(core);
-  const StiffnessMatrix k = stiffness_matrix(core, {StrainSet::diagonal, stress.has_value()});
+  const StiffnessMatrix k = stiffness_matrix(core, {StrainSet::diagonal, stress.has_value(), true});
   ReducedStiffness out;
   out.n_unstable_ends = free.n_unstable_ends;
   out.grains = reduce(k.grains, unknowns, unit);
@@ -63,7 +63,7 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
         k.border.row(unknowns.unknown[static_cast<std::size_t>(a)]) * (unknowns.length[a] / unit);
   out.boundary = k.boundary / unit;
   out.vanishing = kVanishing * k.boundary.cwiseAbs().maxCoeff() / unit;
-  if (stress) out.boundary += whole.volume / unit * convected_stress<Dim>(*stress, Dim);
+  if (stress) out.boundary.topLeftCorner(Dim, Dim) += whole.volume / unit * convected_stress<Dim>(*stress, Dim);
   return out;
 }
 
@@ -174,7 +174,7 @@ template <int Dim>
 Stability stability(const Packing<Dim>& packing, bool prestress, const StabilityOptions& options) {
   if (!prestress && !has_negative_stiffness(packing.contacts)) return {0, ""};
   const ContactNetwork<Dim> network = ModuliOptions{}.loaded_network(packing);
-  return prestress ? stability(network, static_stress(packing), options) : stability(network, options);
+  return prestress ? stability(network, load_stress(packing), options) : stability(network, options);
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                         \

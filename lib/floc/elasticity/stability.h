@@ -41,7 +41,7 @@ template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
 
 /// The same with the geometric terms of the forces that the network carries.
-/// @param stress  static stress of the state, which the strains convect
+/// @param stress  load_stress() of the state, which the strains convect
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const Mat<Dim>& stress,
                                   const StabilityOptions& options = {});

@@ -61,7 +61,7 @@ class Walk {
   bool reached(int grain) const { return index_[grain] >= 0; }
 
   Component<Dim> from(int start) {
-    Component<Dim> part{{start}, {Vec<Dim>::Zero()}, {}};
+    Component<Dim> part{{start}, {Vec<Dim>::Zero()}, {}, {}};
     Lattice<Dim> lattice;
     index_[start] = 0;
     for (std::size_t at = 0; at < part.grains.size(); ++at) {
@@ -69,6 +69,10 @@ class Walk {
       for (const int k : of_[grain]) {
         if (!active_[k]) continue;
         const NetworkContact<Dim>& c = network_.contacts[k];
+        if (c.on_wall()) {
+          part.on_walls.push_back(k);
+          continue;
+        }
         const int sign = c.i == grain ? 1 : -1;
         const int other = c.i == grain ? c.j : c.i;
         const Vec<Dim> place = part.place[at] + sign * c.branch;
@@ -101,7 +105,7 @@ Adjacency contacts_of_grains(const ContactNetwork<Dim>& network) {
   Adjacency of(network.n_grains);
   for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c) {
     of[network.contacts[c].i].push_back(c);
-    of[network.contacts[c].j].push_back(c);
+    if (!network.contacts[c].on_wall()) of[network.contacts[c].j].push_back(c);
   }
   return of;
 }

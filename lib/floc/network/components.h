@@ -18,6 +18,7 @@ struct Component {
   std::vector<int> grains;        ///< in the order in which they are reached
   std::vector<Vec<Dim>> place;    ///< of each, the first at the origin (length)
   std::vector<Vec<Dim>> winding;  ///< independent lattice vectors between the part and its own images (length)
+  std::vector<int> on_walls;      ///< contacts of its grains with walls
 };
 
 /// For each grain the contacts that touch it.

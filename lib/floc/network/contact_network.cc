@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "floc/packing/require_periodic.h"
-
 namespace floc {
 
 Mat<2> contact_frame(const Vec<2>& n) {
@@ -24,17 +22,35 @@ Mat<3> contact_frame(const Vec<3>& n) {
 
 namespace {
 
+/// The middle between the walls of each axis.
+template <int Dim>
+Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
+  Vec<Dim> middle = Vec<Dim>::Zero();
+  for (const Wall<Dim>& wall : walls) middle[wall.axis] += 0.5 * wall.position;
+  return middle;
+}
+
+/// The branch of a contact with a wall, as NetworkContact has it.
+template <int Dim>
+Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c, Vec<Dim> to_foot) {
+  const Vec<Dim> to_middle = middle(packing.walls) - packing.grains.position[c.i];
+  for (int b = 0; b < Dim; ++b)
+    if (b != packing.wall(c.j).axis && between_walls(packing.walls, b)) to_foot[b] = to_middle[b];
+  return to_foot;
+}
+
 template <int Dim>
 NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<Dim>& c, int source) {
   const Vec<Dim> r = branch(packing, c);
+  const bool on_wall = packing.is_wall(c.j);
   const double radius_i = packing.grains.radius[c.i];
-  const double radius_j = packing.grains.radius[c.j];
-  const double share_i = radius_i / (radius_i + radius_j);
+  const double share_i = radius_i / (radius_i + packing.surface_radius(c.j));
   NetworkContact<Dim> out;
   out.i = c.i;
-  out.j = c.j;
+  out.j = on_wall ? c.i : c.j;
+  if (on_wall) out.wall = c.j - packing.grains.size();
   out.image = c.image;
-  out.branch = r;
+  out.branch = on_wall ? strained_branch<Dim>(packing, c, r) : r;
   out.arm_i = share_i * r;
   out.arm_j = (share_i - 1.0) * r;
   out.frame = contact_frame(Vec<Dim>(r.normalized()));
@@ -55,8 +71,9 @@ NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<D
 
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing) {
-  require_periodic(packing, "linear response is computed");
   ContactNetwork<Dim> network;
+  for (int a = 0; a < Dim; ++a)
+    if (between_walls(packing.walls, a)) network.wall_axes.push_back(a);
   network.n_grains = packing.grains.size();
   network.volume = packing.cell.volume();
   network.grain_size = packing.grains.radius;

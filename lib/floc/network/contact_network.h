@@ -10,10 +10,13 @@ namespace floc {
 /// it is and what it carries. Nothing here assumes round grains.
 template <int Dim>
 struct NetworkContact {
-  int i;                               ///< first grain
-  int j;                               ///< second grain; may equal i (a grain and its own image)
-  Vec<Dim, int> image;                 ///< lattice vectors by which the image of j is displaced
-  Vec<Dim> branch;                     ///< from the centre of i to that of the image of j (length)
+  int i;                ///< first grain
+  int j;                ///< second grain; i itself where it touches its own image or a wall
+  Vec<Dim, int> image;  ///< lattice vectors by which the image of j is displaced
+  /// From the centre of i to that of the image of j (length); what a strain of the boundary stretches. Of a
+  /// wall: along its normal to its plane; across it, where other walls are, from the centre of i to the middle
+  /// of the box, since a wall moves along its normal alone.
+  Vec<Dim> branch;
   Vec<Dim> arm_i;                      ///< from the centre of i to the contact point (length)
   Vec<Dim> arm_j;                      ///< from the centre of the image of j to the contact point (length)
   Mat<Dim> frame;                      ///< columns: the unit normal from i to j, then the tangents
@@ -27,8 +30,10 @@ struct NetworkContact {
   double twisting_moment = 0.0;        ///< on i about the normal (force * length)
   bool distant;                        ///< acts across a gap
   int source;                          ///< index in the contact list it came from
+  int wall = -1;                       ///< index of the wall that i touches; -1: the contact is between grains
 
   Vec<Dim> normal() const { return frame.col(0); }
+  bool on_wall() const { return wall >= 0; }
 };
 
 /// Contacts of a state and the sizes its linear response needs.
@@ -39,6 +44,8 @@ struct ContactNetwork {
   /// Length that turns a rotation into a displacement: the radius of a round grain.
   std::vector<double> grain_size;
   std::vector<NetworkContact<Dim>> contacts;
+  /// Axes between walls, ascending: beside the strains, the two walls of each may move together.
+  std::vector<int> wall_axes;
 
   int n_unknowns() const { return kDofs<Dim> * n_grains; }
 };
@@ -54,8 +61,8 @@ Mat<2> contact_frame(const Vec<2>& normal);
 Mat<3> contact_frame(const Vec<3>& normal);
 
 /// The network of all contacts of a packing, in their order. Lever arms are l = R r/(R_i + R_j) along the
-/// normal (docs/physics.md, "Kinematics of a contact"), so they add up to the branch.
-/// @throws InputError if the packing has walls
+/// normal (docs/physics.md, "Kinematics of a contact"), so they add up to the branch; to a
+/// wall the arm is the distance of its plane.
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 

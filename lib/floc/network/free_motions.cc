@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/network/components.h"
 #include "floc/network/rigidity_matrix.h"
 
@@ -14,6 +15,13 @@ namespace {
 /// A rigid motion is distinct from those already pinned if it moves something by more than this share of its
 /// arm.
 constexpr double kDistinct = 1e-6;
+
+/// Orthonormal columns that a matrix with as many rows as columns, or more, takes to less than a bound.
+Eigen::MatrixXd kernel(const Eigen::MatrixXd& matrix, double bound) {
+  const SingularValues found = singular_values(matrix);
+  const Eigen::Index rank = (found.values.array() > bound).count();
+  return found.right.rightCols(matrix.cols() - rank);
+}
 
 template <int Dim>
 using GrainMotion = Eigen::Matrix<double, kDofs<Dim>, 1>;
@@ -100,6 +108,11 @@ class FreeMotionFinder {
       free_.dead_end[tip] = true;
       keep_grain(tip, false);
       if (network_.contacts[c].kn < 0.0) ++free_.n_unstable_ends;
+      if (network_.contacts[c].on_wall()) {
+        dead_ends_.push_back({tip, c, -1});
+        degree[tip] = 0;
+        continue;
+      }
       dead_ends_.push_back({tip, c, first_held_[holder]});
       first_held_[holder] = static_cast<int>(dead_ends_.size()) - 1;
       degree[tip] = 0;
@@ -173,7 +186,7 @@ class FreeMotionFinder {
       for (const int k : of_[group[at]]) {
         if (!active_[k]) continue;
         const NetworkContact<Dim>& c = network_.contacts[k];
-        if (c.kt != 0.0) held = true;
+        if (c.kt != 0.0 || (c.on_wall() && (c.kr != 0.0 || c.ktw != 0.0))) held = true;
         const int other = other_end(k, group[at]);
         if ((c.kr == 0.0 && c.ktw == 0.0) || visited[other]) continue;
         visited[other] = true;
@@ -207,7 +220,8 @@ class FreeMotionFinder {
           if (!active_[k]) continue;
           const NetworkContact<3>& c = network_.contacts[k];
           points.push_back(c.i == i ? c.arm_i : c.arm_j);
-          holds_spin = holds_spin || c.kr != 0.0 || c.ktw != 0.0 || c.kt == 0.0 || c.i == c.j;
+          const bool own_image = c.i == c.j && !c.on_wall();
+          holds_spin = holds_spin || c.kr != 0.0 || c.ktw != 0.0 || c.kt == 0.0 || own_image;
         }
         if (points.size() != 2 || holds_spin) continue;
         const Vec<3> axis = (points[1] - points[0]).normalized();
@@ -221,7 +235,7 @@ class FreeMotionFinder {
     }
   }
 
-  /// Rigid motion of a part: `at` its grains, translation along an axis first, then turns.
+  /// Rigid motion of a part at a place: translation along an axis first, then turns.
   GrainMotion<Dim> rigid_motion(const Vec<Dim>& place, int m,
                                 const std::vector<RotationVector<Dim>>& axes) const {
     GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
@@ -230,6 +244,50 @@ class FreeMotionFinder {
     else
       motion << cross<double>(axes[m - Dim], place), axes[m - Dim];
     return motion;
+  }
+
+  /// Length over which a turn of a part is like a translation.
+  double reach_of(const Component<Dim>& part) const {
+    double reach = 0.0;
+    for (std::size_t k = 0; k < part.grains.size(); ++k)
+      reach = std::max(reach, part.place[k].norm() + network_.grain_size[part.grains[k]]);
+    return reach;
+  }
+
+  /// The rigid motions of a part that the walls it touches do not resist: shares of all of them, a column each.
+  /// @param reach   of the part
+  /// @param row_of  first row of each of its grains in the motions of the part
+  Eigen::MatrixXd free_of_walls(const Component<Dim>& part, const std::vector<RotationVector<Dim>>& axes,
+                                double reach, const std::vector<int>& row_of) const {
+    const auto n = Dim + static_cast<Eigen::Index>(axes.size());
+    if (part.on_walls.empty()) return Eigen::MatrixXd::Identity(n, n);
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(n);
+    scale.tail(n - Dim).setConstant(1.0 / reach);
+    Eigen::MatrixXd felt(kDofs<Dim> * part.on_walls.size(), n);
+    for (std::size_t k = 0; k < part.on_walls.size(); ++k) {
+      const NetworkContact<Dim>& c = network_.contacts[part.on_walls[k]];
+      const ContactRows<Dim> rows = contact_rows(c);
+      const RowStiffness<Dim> stiffness = row_stiffness(c);
+      for (Eigen::Index m = 0; m < n; ++m) {
+        GrainMotion<Dim> change =
+            rows.on_i * rigid_motion(part.place[row_of[c.i] / kDofs<Dim>], static_cast<int>(m), axes) *
+            scale[m];
+        change.template tail<kRotations<Dim>>() *= network_.grain_size[c.i];
+        felt.col(m).template segment<kDofs<Dim>>(kDofs<Dim> * static_cast<Eigen::Index>(k)) =
+            (stiffness.array() != 0.0).select(change, 0.0);
+      }
+    }
+    // Translations among them first, then what is left.
+    const double bound = kDistinct * felt.norm();
+    const Eigen::MatrixXd slides = kernel(felt.leftCols(Dim), bound);
+    Eigen::MatrixXd across = Eigen::MatrixXd::Zero(felt.rows() + slides.cols(), n);
+    across.topRows(felt.rows()) = felt;
+    across.block(felt.rows(), 0, slides.cols(), Dim) = felt.norm() * slides.transpose();
+    const Eigen::MatrixXd rest = kernel(across, bound);
+    Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(n, slides.cols() + rest.cols());
+    shares.topLeftCorner(Dim, slides.cols()) = slides;
+    shares.rightCols(rest.cols()) = scale.asDiagonal() * rest;
+    return shares;
   }
 
   double unit(int grain, int dof) const { return dof < Dim ? 1.0 : network_.grain_size[grain]; }
@@ -249,12 +307,20 @@ class FreeMotionFinder {
   /// Pins the unknown that each rigid motion moves most, once the motions before it are pinned.
   void pin(const Component<Dim>& part, const std::vector<CoreSpin>& spins, std::vector<int>& row_of) {
     const std::vector<RotationVector<Dim>> axes = free_axes(part);
+    const double reach = reach_of(part);
     const int n = static_cast<int>(part.grains.size());
-    Eigen::MatrixXd motions(kDofs<Dim> * n, Dim + static_cast<int>(axes.size()));
+    for (int k = 0; k < n; ++k) row_of[part.grains[k]] = kDofs<Dim> * k;
+    const Eigen::MatrixXd shares = free_of_walls(part, axes, reach, row_of);
+    const auto motion_at = [&](const Vec<Dim>& place, int m) {
+      GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
+      for (int k = 0; k < static_cast<int>(shares.rows()); ++k)
+        if (shares(k, m) != 0.0) motion += shares(k, m) * rigid_motion(place, k, axes);
+      return motion;
+    };
+    Eigen::MatrixXd motions(kDofs<Dim> * n, shares.cols());
     for (int k = 0; k < n; ++k) {
-      row_of[part.grains[k]] = kDofs<Dim> * k;
       for (int m = 0; m < motions.cols(); ++m) {
-        motions.col(m).segment<kDofs<Dim>>(kDofs<Dim> * k) = rigid_motion(part.place[k], m, axes);
+        motions.col(m).segment<kDofs<Dim>>(kDofs<Dim> * k) = motion_at(part.place[k], m);
         motions.col(m).segment<kRotations<Dim>>(kDofs<Dim> * k + Dim) *= network_.grain_size[part.grains[k]];
       }
     }
@@ -266,9 +332,11 @@ class FreeMotionFinder {
       // A straight part that turns about its own axis may do no more than spin its grains.
       if (!(most > kDistinct * extent[m])) continue;
       free_.kept[first_unknown<Dim>(part.grains[row / kDofs<Dim>]) + row % kDofs<Dim>] = false;
-      if (m >= Dim) ++free_.n_free_rotations;
-      for (int k = 0; k < n; ++k) add_with_dead_ends(part.grains[k], rigid_motion(part.place[k], m, axes));
-      finish_mode(m < Dim ? FreeMotionKind::translation : FreeMotionKind::rotation);
+      const double turn = shares.col(m).tail(shares.rows() - Dim).norm() * reach;
+      const bool turns = turn > kDistinct * (turn + shares.col(m).template head<Dim>().norm());
+      if (turns) ++free_.n_free_rotations;
+      for (int k = 0; k < n; ++k) add_with_dead_ends(part.grains[k], motion_at(part.place[k], m));
+      finish_mode(turns ? FreeMotionKind::rotation : FreeMotionKind::translation);
       const Eigen::RowVectorXd pivot = motions.row(row) / motions(row, m);
       const Eigen::VectorXd column = motions.col(m);
       motions.noalias() -= column * pivot;

@@ -26,7 +26,7 @@ struct FreeMotions {
   int n_alone = 0;           ///< grains without contact, or left so once their dead ends are gone
   int n_free_rollers = 0;    ///< dead ends that roll on their contact or slide along it at no cost
   int n_free_spins = 0;      ///< groups of other grains that spin together at no cost
-  int n_components = 0;      ///< connected parts of what is left; each can translate
+  int n_components = 0;      ///< connected parts of what is left; each can translate where no wall holds it
   int n_free_rotations = 0;  ///< rigid rotations of parts that do not wrap around the cell
   /// Negative eigenvalues of K that left with the dead ends: grains held by one distant attraction.
   int n_unstable_ends = 0;
@@ -40,10 +40,11 @@ struct FreeMotions {
 };
 
 /// Removes dead ends (grain by grain from the tips), then pins rotations that nothing resists, and one unknown
-/// for each rigid motion of each connected component: Dim translations, and the rotations that the ways in
-/// which the component winds around the cell allow. The response to strain and the inertia of K, up to
-/// `n_unstable_ends`, are not changed: the tip's own block of K is eliminated exactly and leaves nothing on its
-/// neighbour. With prestress this holds as far as the tip is in equilibrium, that is, carries no force.
+/// for each rigid motion of each connected component: Dim translations, and the rotations that the ways in which
+/// the component winds around the cell allow; of one that touches walls, those that the walls do not resist. The
+/// response to strain and the inertia of K, up to `n_unstable_ends`, are not changed: the tip's own block of K is
+/// eliminated exactly and leaves nothing on its neighbour. With prestress this holds as far as the tip is in
+/// equilibrium, that is, carries no force.
 template <int Dim>
 FreeMotions find_free_motions(const ContactNetwork<Dim>& network);
 

@@ -39,6 +39,30 @@ using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
+/// The same rows on the displacement that the two walls of each axis share, a column an axis: zero but for the
+/// overlap with a wall of that axis, since walls move along their normal alone.
+template <int Dim>
+Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& contact);
+
+/// Unknowns of the boundary: the strains and, of each axis between walls, what both of its walls move by over
+/// wall_shift_unit().
+template <int Dim>
+int n_boundary_unknowns(const ContactNetwork<Dim>& network, StrainSet strains);
+
+/// Side of a cube (square) as large as the network: over it a displacement is like a strain (length).
+template <int Dim>
+double wall_shift_unit(const ContactNetwork<Dim>& network);
+
+/// The rows of a contact on the unknowns of the boundary.
+template <int Dim>
+using BoundaryRows =
+    Eigen::Matrix<double, kDofs<Dim>, Eigen::Dynamic, Eigen::ColMajor, kDofs<Dim>, kSymmetric<Dim> + Dim>;
+
+/// @param rows  those of the contact
+template <int Dim>
+BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact,
+                                const ContactRows<Dim>& rows, StrainSet strains);
+
 /// Axes of the rotations of `ContactRows`: columns, in the coordinates of space.
 inline Mat<1> rotation_axes(const Mat<2>&) {
   return Mat<1>::Identity();
@@ -55,7 +79,7 @@ RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& contact);
 template <int Dim>
 ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
 
-/// Geometric stiffness of those rows, -F_N/r along the tangents.
+/// Geometric stiffness of those rows, -F_N/r along the tangents; none to a wall, whose normal does not turn.
 template <int Dim>
 RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 

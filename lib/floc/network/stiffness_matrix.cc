@@ -9,10 +9,18 @@ namespace floc {
 
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options) {
-  const int n_boundary = n_strains<Dim>(options.strains);
+  const bool shifts = options.wall_shifts && !network.wall_axes.empty();
+  const int n_boundary =
+      shifts ? n_boundary_unknowns(network, options.strains) : n_strains<Dim>(options.strains);
   SymmetricSum<kDofs<Dim>> sum(network.n_grains, network.contacts, n_boundary);
   const auto add = [&](const NetworkContact<Dim>& c, const ContactRows<Dim>& rows, const RowStiffness<Dim>& k) {
-    add_contact(c.i, c.j, rows.on_i, rows.on_j, rows.on_strain.leftCols(n_boundary), k.asDiagonal(), sum);
+    const auto add_with = [&](const auto& boundary) {
+      add_contact(c.i, c.j, rows.on_i, rows.on_j, boundary, k.asDiagonal(), sum);
+    };
+    if (shifts)
+      add_with(boundary_rows(network, c, rows, options.strains));
+    else
+      add_with(rows.on_strain.leftCols(n_boundary));
   };
   for (const NetworkContact<Dim>& c : network.contacts) {
     const ContactRows<Dim> rows = contact_rows(c);

@@ -12,6 +12,8 @@ struct StiffnessOptions {
   /// Adds the geometric terms -(F_N/r)(1 - n n) on the relative translation. Terms in F_T are left out: the
   /// matrix is the exact derivative of the forces where F_T = 0.
   bool prestress = false;
+  /// Adds, after the strains, what the two walls of each axis move by together over wall_shift_unit().
+  bool wall_shifts = false;
 };
 
 /// Stiffness matrix K of a network in blocks: [grains, border; border^T, boundary]. Unknowns are the

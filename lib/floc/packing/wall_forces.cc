@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/packing/balance.h"
+
 namespace floc {
 
 template <int Dim>
@@ -57,6 +59,15 @@ Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
+Mat<Dim> load_stress(const Packing<Dim>& packing) {
+  Mat<Dim> stress = static_stress(packing);
+  const Vec<Dim> pressure = wall_pressure(packing);
+  for (int a = 0; a < Dim; ++a)
+    if (between_walls(packing.walls, a)) stress(a, a) = pressure[a];
+  return stress;
+}
+
+template <int Dim>
 double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
   double largest = 0.0;
   const std::vector<double> force = wall_forces(packing);
@@ -76,6 +87,7 @@ double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress
   template std::vector<double> wall_forces(const Packing<Dim>&);   \
   template Vec<Dim> wall_pressure(const Packing<Dim>&);            \
   template Vec<Dim> stress_borne_by_friction(const Packing<Dim>&); \
+  template Mat<Dim> load_stress(const Packing<Dim>&);              \
   template double wall_imbalance(const Packing<Dim>&, const Vec<Dim>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

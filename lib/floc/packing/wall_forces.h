@@ -29,6 +29,11 @@ std::vector<double> wall_forces(const Packing<Dim>& packing);
 template <int Dim>
 Vec<Dim> wall_pressure(const Packing<Dim>& packing);
 
+/// The stress that the boundary is loaded with: the static one and, along each axis between walls, the pressure
+/// on these, of which the friction of the others bears a part (force/length^(Dim-1)).
+template <int Dim>
+Mat<Dim> load_stress(const Packing<Dim>& packing);
+
 /// What the friction of the walls along each axis bears of the pressure on the walls across it: the sum of t_a
 /// x_a over their contacts, t the friction on a grain at x, over the volume (force/length^(Dim-1)). At rest the
 /// static stress is the pressure less this (docs/physics.md, "Boxes with walls").

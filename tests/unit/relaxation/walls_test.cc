@@ -5,7 +5,6 @@
 
 #include "floc/base/error.h"
 #include "floc/neighbors/find_contacts.h"
-#include "floc/network/contact_network.h"
 #include "floc/packing/balance.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/equilibrator.h"
@@ -329,7 +328,6 @@ TEST(Walls, AreRefusedWhereNothingKnowsThem) {
   Packing<2> box = box_around_one_disk(cohesive_law());
   find_contacts(box);
   const auto refuses = testing::ThrowsMessage<InputError>(testing::HasSubstr("has walls; "));
-  EXPECT_THAT([&] { (void)contact_network(box); }, refuses);
   EXPECT_THAT([&] { (void)solve_statics(box, pressure(1.0), StaticSolverOptions{}); }, refuses);
 }
 

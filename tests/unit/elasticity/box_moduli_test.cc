@@ -1,0 +1,258 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <utility>
+
+#include "floc/elasticity/force_increments.h"
+#include "floc/elasticity/moduli.h"
+#include "floc/elasticity/stability.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/network/rigidity_matrix.h"
+#include "floc/packing/wall_forces.h"
+
+namespace floc {
+namespace {
+
+/// Spheres (disks) of diameter 1 in a cubic (square) crystal of n along each axis between walls, all contacts
+/// `overlap` deep.
+template <int Dim>
+Packing<Dim> crystal(int n, const LawParameters& law, const LawParameters& wall_law, double overlap) {
+  Packing<Dim> packing;
+  packing.law = law;
+  packing.wall_law = wall_law;
+  const int count = Dim == 2 ? n * n : n * n * n;
+  packing.grains = Grains<Dim>::with_size(count);
+  const double spacing = 1.0 - overlap;
+  packing.cell.matrix *= n - (n + 1) * overlap;
+  for (int i = 0; i < count; ++i) {
+    int index = i;
+    for (int a = 0; a < Dim; ++a, index /= n)
+      packing.grains.position[i][a] = 0.5 - overlap + spacing * (index % n);
+    packing.grains.radius[i] = 0.5;
+    packing.grains.mass[i] = 1.0;
+  }
+  for (int a = 0; a < Dim; ++a) {
+    packing.walls.push_back({a, -1, 0.0, 0.0, 1.0});
+    packing.walls.push_back({a, +1, packing.cell.matrix(a, a), 0.0, 1.0});
+  }
+  find_contacts(packing);
+  return packing;
+}
+
+LawParameters linear(double kn, double kt) {
+  LawParameters law;
+  law.normal = LinearRepulsion{kn};
+  if (kt > 0.0) law.friction = CoulombFriction{0.5, kt};
+  return law;
+}
+
+/// Chains of n + 1 springs between the walls, n^(Dim-1) of them: C11 = K_N n^(Dim-1)/((n + 1) L^(Dim-2)).
+template <int Dim>
+void expect_moduli_of_chains(int n) {
+  const double kn = 1e4, overlap = 1e-3;
+  const Packing<Dim> packing = crystal<Dim>(n, linear(kn, 0.0), linear(kn, 0.0), overlap);
+  const Moduli m = elastic_moduli(packing, ModuliOptions{});
+  const double side = packing.cell.matrix(0, 0);
+  const double expected = kn * std::pow(n, Dim - 1) / ((n + 1) * std::pow(side, Dim - 2));
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) EXPECT_NEAR(m.C(a, b), a == b ? expected : 0.0, 1e-9 * expected);
+  // Springs are stretched alike: their forces are those of the load, and where springs differ in length (all
+  // but those of a single grain) the grains do not follow the strain.
+  EXPECT_GE(m.bounds.B_voigt, n == 1 ? m.B * (1.0 - 1e-9) : 1.01 * m.B);
+  EXPECT_NEAR(m.bounds.B_reuss, m.B, 1e-9 * m.B);
+  EXPECT_NEAR(m.pressure, wall_pressure(packing)[0], 1e-9 * m.pressure);
+  EXPECT_EQ(m.n_mechanisms, 0);
+  EXPECT_EQ(m.response.n_free_shifts,
+            Dim);  // smooth walls along an axis let all grains move with those across it
+  EXPECT_EQ(m.response.free.count(FreeMotionKind::translation), 0);
+}
+
+TEST(BoxModuli, OfACrystalAreThoseOfItsChains) {
+  for (const int n : {1, 2, 4}) {
+    SCOPED_TRACE(n);
+    expect_moduli_of_chains<2>(n);
+    expect_moduli_of_chains<3>(n);
+  }
+}
+
+/// A straight chain of n grains between two walls across the last axis; the others are periodic, twice as long
+/// as a grain.
+template <int Dim>
+Packing<Dim> chain_between_walls(int n, const LawParameters& law, const LawParameters& wall_law) {
+  const double overlap = 1e-3;
+  Packing<Dim> packing;
+  packing.law = law;
+  packing.wall_law = wall_law;
+  packing.grains = Grains<Dim>::with_size(n);
+  packing.cell.matrix *= 2.0;
+  packing.cell.matrix(Dim - 1, Dim - 1) = n - (n + 1) * overlap;
+  for (int i = 0; i < n; ++i) {
+    packing.grains.position[i] = Vec<Dim>::Ones();
+    packing.grains.position[i][Dim - 1] = 0.5 - overlap + (1.0 - overlap) * i;
+    packing.grains.radius[i] = 0.5;
+    packing.grains.mass[i] = 1.0;
+  }
+  packing.walls = {{Dim - 1, -1, 0.0, 0.0, 1.0},
+                   {Dim - 1, +1, packing.cell.matrix(Dim - 1, Dim - 1), 0.0, 1.0}};
+  find_contacts(packing);
+  return packing;
+}
+
+/// Springs in series, 1/k = 2/k_w + (n - 1)/k_n, on the area of the walls. The sides cost nothing.
+template <int Dim>
+void expect_moduli_of_a_chain(int n, double kt) {
+  const double kn = 1e4, kw = 3e4;
+  const Packing<Dim> packing = chain_between_walls<Dim>(n, linear(kn, kt), linear(kw, kt));
+  const Moduli m = elastic_moduli(packing, ModuliOptions{});
+  const double side = packing.cell.matrix(Dim - 1, Dim - 1);
+  const double expected = side / wall_area(packing, Dim - 1) / (2.0 / kw + (n - 1) / kn);
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b)
+      EXPECT_NEAR(m.C(a, b), a == Dim - 1 && b == Dim - 1 ? expected : 0.0, 1e-9 * expected) << a << b;
+  EXPECT_EQ(m.n_coupled_mechanisms, Dim - 1);
+  EXPECT_EQ(m.n_negative, 0);
+  if (n > 1) return;
+  // On smooth walls a sphere slides at no cost, which is no mechanism; rough ones hold it.
+  EXPECT_EQ(m.response.free.count(FreeMotionKind::translation), kt == 0.0 ? Dim - 1 : 0);
+  EXPECT_EQ(m.n_mechanisms, m.n_coupled_mechanisms);
+}
+
+TEST(BoxModuli, OfAChainBetweenTwoWallsAreThoseOfSpringsInSeries) {
+  for (const int n : {1, 2, 5})
+    for (const double kt : {0.0, 8e3}) {
+      SCOPED_TRACE(n);
+      SCOPED_TRACE(kt);
+      expect_moduli_of_a_chain<2>(n, kt);
+      expect_moduli_of_a_chain<3>(n, kt);
+    }
+}
+
+/// Under its own load a crystal of smooth disks buckles. With the walls held, the component of the displacement
+/// along an axis sees chains with fixed ends along it and, across it, -F/r between free ends.
+TEST(BoxModuli, CompressedCrystalBucklesInAsManyWaysAsItsChainsSay) {
+  const double kn = 1e4, pi = std::acos(-1.0);
+  for (const auto& [n, overlap] : {std::pair(4, 1e-3), {8, 0.03}, {8, 0.1}}) {
+    const Packing<2> packing = crystal<2>(n, linear(kn, 0.0), linear(kn, 0.0), overlap);
+    int expected = 0;
+    for (int p = 1; p <= n; ++p)
+      for (int q = 0; q < n; ++q)
+        expected +=
+            2 * (1.0 - std::cos(p * pi / (n + 1)) < overlap / (1.0 - overlap) * (1.0 - std::cos(q * pi / n)));
+    EXPECT_EQ(count_negative_eigenvalues(packing, true), expected) << n << " " << overlap;
+    EXPECT_EQ(count_negative_eigenvalues(packing), 0);
+    EXPECT_EQ(expected > 0, overlap > 0.05);
+  }
+}
+
+/// A disordered box: the crystal with grains pushed aside and contacts of all lengths.
+Packing<2> disordered() {
+  Packing<2> packing = crystal<2>(5, linear(1e4, 8e3), linear(1.3e4, 5e3), 2e-2);
+  for (int i = 0; i < packing.grains.size(); ++i)
+    packing.grains.position[i] += 5e-3 * Vec<2>(std::sin(3.0 * i), std::cos(7.0 * i));
+  find_contacts(packing);
+  return packing;
+}
+
+/// Strains that pressures on the walls make, all four walls being bodies of their own: K of grains and walls as
+/// a dense matrix, a column a pressure.
+Eigen::MatrixXd compliance_by_bodies(const Packing<2>& packing) {
+  const ContactNetwork<2> network = contact_network(packing);
+  const int n = network.n_unknowns(), n_walls = 4;
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + n_walls, n + n_walls);
+  for (const NetworkContact<2>& c : network.contacts) {
+    const ContactRows<2> g = contact_rows(c);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kDofs<2>, n + n_walls);
+    rows.middleCols<3>(3 * c.i) += g.on_i;
+    if (c.on_wall())
+      rows(0, n + c.wall) = -c.normal()[packing.walls[c.wall].axis];
+    else
+      rows.middleCols<3>(3 * c.j) += g.on_j;
+    K += rows.transpose() * row_stiffness(c).asDiagonal() * rows;
+  }
+  Eigen::MatrixXd strain(2, 2);
+  for (int b = 0; b < 2; ++b) {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(n + n_walls);
+    for (int w = 0; w < n_walls; ++w)
+      if (packing.walls[w].axis == b) load[n + w] = -packing.walls[w].side * wall_area(packing, b);
+    const Eigen::VectorXd u = K.completeOrthogonalDecomposition().solve(load);
+    for (int a = 0; a < 2; ++a) strain(a, b) = -(u[n + 2 * a + 1] - u[n + 2 * a]) / packing.cell.matrix(a, a);
+  }
+  return strain;
+}
+
+TEST(BoxModuli, AreTheInverseOfWhatPressuresOnFreeWallsDo) {
+  const Packing<2> packing = disordered();
+  const Moduli m = elastic_moduli(packing, ModuliOptions{});
+  const Eigen::MatrixXd C = compliance_by_bodies(packing).inverse();
+  EXPECT_LT((m.C - C).cwiseAbs().maxCoeff(), 1e-8 * C(0, 0)) << m.C << "\n\n" << C;
+  EXPECT_GE(m.bounds.B_voigt, m.B);
+  EXPECT_GT(m.response.wall_shift.cwiseAbs().maxCoeff(), 1e-6);  // walls of an axis move together, too
+  EXPECT_EQ(m.response.n_free_shifts, 0);
+}
+
+/// Moduli of disks are stiffnesses of contacts whatever the unit of length.
+TEST(BoxModuli, DoNotDependOnTheUnitOfLength) {
+  Packing<2> packing = crystal<2>(3, linear(1e4, 0.0), linear(1.3e4, 0.0), 1e-2);
+  const Moduli before = elastic_moduli(packing, ModuliOptions{});
+  constexpr double kUnit = 1e-6;
+  packing.cell.matrix *= kUnit;
+  for (Vec<2>& x : packing.grains.position) x *= kUnit;
+  for (double& radius : packing.grains.radius) radius *= kUnit;
+  for (Wall<2>& wall : packing.walls) wall.position *= kUnit;
+  find_contacts(packing);
+  const Moduli after = elastic_moduli(packing, ModuliOptions{});
+  EXPECT_LT((after.C - before.C).cwiseAbs().maxCoeff(), 1e-9 * before.C(0, 0));
+  EXPECT_EQ(after.response.n_free_shifts, 2);
+}
+
+/// Increments balance on every grain, and on walls they are the step of pressure.
+TEST(BoxModuli, IncrementsAreInBalanceWithTheStepOfPressure) {
+  const Packing<2> packing = disordered();
+  const ModuliOptions options;
+  const ContactNetwork<2> network = options.loaded_network(packing);
+  const Moduli m = elastic_moduli(packing, options);
+  const auto step = step_response(network, m.response, StressStep::isotropic);
+  ASSERT_TRUE(step.has_value());
+  std::vector<Vec<2>> net(packing.grains.size(), Vec<2>::Zero());
+  std::vector<double> on_wall(4, 0.0);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+    const NetworkContact<2>& c = network.contacts[k];
+    const ForceIncrement<2>& f = step->increments[k];
+    const Vec<2> on_i = f.shear[0] * c.frame.col(1) - f.normal * c.normal();
+    net[c.i] += on_i;
+    if (c.on_wall())
+      on_wall[c.wall] += f.normal;
+    else
+      net[c.j] -= on_i;
+    largest = std::max(largest, std::abs(f.normal));
+  }
+  for (const Vec<2>& force : net) EXPECT_LT(force.norm(), 1e-9 * largest);
+  for (int w = 0; w < 4; ++w)
+    EXPECT_NEAR(on_wall[w], wall_area(packing, packing.walls[w].axis), 1e-8 * largest) << w;
+}
+
+/// A disk stuck to a wall by one contact is no mechanism of the rest: it rolls there.
+TEST(BoxModuli, DiskOnAWallAloneIsADeadEnd) {
+  Packing<2> packing = crystal<2>(2, linear(1e4, 8e3), linear(1e4, 8e3), 1e-3);
+  const Moduli before = elastic_moduli(packing, ModuliOptions{});
+  packing.grains.position.push_back(Vec<2>(0.049, 0.999));
+  packing.grains.velocity.push_back(Vec<2>::Zero());
+  packing.grains.radius.push_back(0.05);
+  packing.grains.mass.push_back(1.0);
+  packing.grains.orientation.push_back(0.0);
+  packing.grains.angular_velocity.push_back(RotationVector<2>::Zero());
+  packing.law.adhesion = packing.wall_law.adhesion = ConstantAdhesion{1.0};  // rattlers are then those alone
+  find_contacts(packing);
+  const ContactNetwork<2> network = contact_network(packing);
+  const FreeMotions free = find_free_motions(network);
+  EXPECT_EQ(free.n_dead_ends(), 1);
+  EXPECT_EQ(free.n_free_rollers, 1);
+  const Moduli after = elastic_moduli(packing, ModuliOptions{});
+  EXPECT_EQ(after.n_mechanisms, 0);
+  EXPECT_NEAR(after.C(0, 0), before.C(0, 0), 1e-9 * before.C(0, 0));
+}
+
+}  // namespace
+}  // namespace floc

@@ -8,6 +8,7 @@
 #include "floc/network/components.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/require_periodic.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/particle_stress.h"
 
@@ -83,6 +84,7 @@ PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& given, double zero_fo
 
 template <int Dim>
 PackingPicture<Dim> pressure_phases_of(const Packing<Dim>& packing, double zero_force) {
+  require_periodic(packing, "phases are drawn");
   constexpr double kPale = 0.4;
   PackingPicture<Dim> picture = grains_of(packing);
   const UnitForce unit = unit_force_of(packing);

@@ -123,7 +123,7 @@ TEST(FrictionCap, IsMuF0WhereTheNetNormalForceIsZero) {
   for_each_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    if constexpr (Law::kHasFriction && Law::kHasAdhesion) {
+    if constexpr (Law::kHasFriction && testing::kAdheres<Law>) {
       const double f0 = pull_off_force(law);
       const double h0 = testing::free_overlap(law);
       testing::Remembered<Law, Dim> history;

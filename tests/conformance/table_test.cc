@@ -77,6 +77,31 @@ TEST(Table, TwistingAloneNeitherResistsRollingNorYieldsToIt) {
       compose_law(p));
 }
 
+TEST(Table, LiquidGoesWithLinearAndHertzContactsThatDoNotResistRolling) {
+  int n_linear = 0, n_hertz = 0;
+  for_each_law([&](const auto& law) {
+    using Law = std::decay_t<decltype(law)>;
+    if (!Law::kHoldsLiquid) return;
+    EXPECT_FALSE(Law::kHasRolling);
+    ++(Law::kDimension == 3 ? n_hertz : n_linear);
+  });
+  EXPECT_EQ(n_linear, 4);
+  EXPECT_EQ(n_hertz, 4);
+}
+
+TEST(Table, WithoutLiquidOrTensionThatPullsALawIsTheDryOne) {
+  LawParameters p;
+  p.normal = LinearRepulsion{1e5};
+  p.friction = CoulombFriction{0.5, 1e5};
+  const std::size_t dry = compose_law(p).index();
+  p.adhesion = CapillaryAdhesion{0.072, 0.0, 0.01, 2.6};
+  EXPECT_NE(compose_law(p).index(), dry);
+  p.adhesion = CapillaryAdhesion{0.072, 0.0, 0.0, 2.6};
+  EXPECT_EQ(compose_law(p).index(), dry);
+  p.adhesion = CapillaryAdhesion{0.072, 90.0, 0.01, 2.6};
+  EXPECT_EQ(compose_law(p).index(), dry);
+}
+
 TEST(Table, AdhesionOfNoForceIsNoAdhesion) {
   LawParameters p;
   p.normal = LinearRepulsion{1e5};
@@ -94,9 +119,9 @@ TEST(EmptySlots, CostNoByteOfTheContactRecord) {
   for_each_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    const std::size_t components = memory_size<typename Law::NormalModel>(Dim) +
-                                   memory_size<typename Law::TangentialModel>(Dim) +
-                                   (Law::kHasRolling ? kRotations<Dim> : 0) + (Law::kHasTwisting ? 1 : 0);
+    const std::size_t components =
+        memory_size<typename Law::NormalModel>(Dim) + memory_size<typename Law::TangentialModel>(Dim) +
+        (Law::kHasRolling ? kRotations<Dim> : 0) + (Law::kHasTwisting ? 1 : 0) + (Law::kHoldsLiquid ? 1 : 0);
     using History = testing::Remembered<Law, Dim>;
     // The language gives an object without members one byte.
     EXPECT_EQ(sizeof(History), components > 0 ? components * sizeof(double) : 1u);

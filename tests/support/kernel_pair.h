@@ -68,7 +68,9 @@ class KernelPair {
 
   /// What the pair remembers.
   ContactMemory<3> memory() const { return interaction_.memory(0, false); }
-  void set_memory(const ContactMemory<3>& memory) { interaction_.load_memory(0, memory, false); }
+  void set_memory(const ContactMemory<3>& memory) {
+    interaction_.load_memory(0, memory, false), interaction_.refresh_bridges();
+  }
 
  private:
   static Grains<3> start(double overlap) {

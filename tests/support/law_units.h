@@ -26,6 +26,8 @@ inline LawParameters in_units(LawParameters law, double length, double force) {
         break;
       case Unit::ratio:
       case Unit::angle:
+      case Unit::degrees:
+      case Unit::volume:
         break;
     }
   }

@@ -55,6 +55,12 @@ struct Sample<ConstantAdhesion> {
   static constexpr ConstantAdhesion value{1.25};
   static std::string name() { return " constant"; }
 };
+/// Of so little liquid that its bridges break a hundredth of a diameter from contact.
+template <>
+struct Sample<CapillaryAdhesion> {
+  static constexpr CapillaryAdhesion value{0.4, 20.0, 4e-7, 2.5};
+  static std::string name() { return " capillary"; }
+};
 template <>
 struct Sample<ViscousDamping> {
   static constexpr ViscousDamping value{0.3, DampingMass::effective};
@@ -115,12 +121,16 @@ void for_each_law_and_dimension(Check&& check) {
   });
 }
 
-/// F0 of a composed law, 0 without adhesion.
+/// F0 of a composed law, 0 without adhesion, and of contacts without a bridge under a law that holds liquid.
 template <class Law>
 double pull_off_force(const Law& law) {
-  if constexpr (Law::kHasAdhesion) return law.adhesion.pull_off_force;
+  if constexpr (requires { law.adhesion.pull_off_force; }) return law.adhesion.pull_off_force;
   return 0.0;
 }
+
+/// Whether a new contact attracts: where there is no liquid yet, that of a law that holds liquid does not.
+template <class Law>
+inline constexpr bool kAdheres = Law::kHasAdhesion && !Law::kHoldsLiquid;
 
 /// The parameters a scene would give to get this law: the inverse of compose_law().
 template <class Law>

@@ -56,6 +56,7 @@ struct Dual {
     const double power = std::exp(p.value);
     return chain(power, p, power);
   }
+  friend Dual atan(const Dual& p) { return chain(std::atan(p.value), p, 1.0 / (1.0 + p.value * p.value)); }
   friend Dual log(const Dual& p) { return chain(std::log(p.value), p, 1.0 / p.value); }
   friend Dual pow(const Dual& p, double exponent) {
     return chain(std::pow(p.value, exponent), p, exponent * std::pow(p.value, exponent - 1.0));

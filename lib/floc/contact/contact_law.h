@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "floc/base/lanes.h"
@@ -49,6 +50,20 @@ struct ContactStiffness {
   double twisting = 0.0;  ///< K_tw (force * length), 0 when they do not touch
 };
 
+/// What laws have of a pair beside its geometry, where they have nothing.
+struct NoPairParameters {};
+
+namespace detail {
+template <class Adhesion, class T>
+struct PairParametersOf {
+  using Type = NoPairParameters;
+};
+template <class Adhesion, class T>
+requires(requires { typename Adhesion::template PairParameters<T>; }) struct PairParametersOf<Adhesion, T> {
+  using Type = typename Adhesion::template PairParameters<T>;
+};
+}  // namespace detail
+
 /// A contact law composed of slots; an absent slot (contact/absent.h) has no member, no branch and no memory.
 /// Every function that dynamics calls is a template on its number type and free of branches on values.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
@@ -58,6 +73,7 @@ struct ContactLaw {
   static constexpr bool kHasFriction = !kIsAbsent<Tangential>;
   static constexpr bool kHasRolling = !kIsAbsent<Rolling>;
   static constexpr bool kHasTwisting = !kIsAbsent<Twisting>;
+  static constexpr bool kHoldsLiquid = floc::kHoldsLiquid<Adhesion>;
   /// Whether the damping coefficient has to be multiplied by the root of the stiffness.
   static constexpr bool kDampingFollowsStiffness = kFollowsNormalStiffness<Damping>;
   /// Dimensions that the law is for, 0: any.
@@ -70,13 +86,20 @@ struct ContactLaw {
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
   || requires { requires Adhesion::kNeedsReducedMass; };
 
-  /// Numbers a contact remembers: those of the normal, the tangential, the rolling and the twisting slot, in this
-  /// order.
+  /// Numbers of a pair that differ from pair to pair and hold while its memory does, none for most laws: they
+  /// are found once (pair_parameters()) and not for every force.
+  template <class T = double>
+  using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
+
+  /// Numbers a contact remembers: those of the normal, the tangential, the rolling, the twisting and the
+  /// adhesion slot, in this order.
   template <int Dim>
-  static constexpr int kMemorySize = memory_size<Normal>(Dim) + memory_size<Tangential>(Dim) +
-                                     memory_size<Rolling>(Dim) + memory_size<Twisting>(Dim);
+  static constexpr int kMemorySize =
+      memory_size<Normal>(Dim) + memory_size<Tangential>(Dim) + memory_size<Rolling>(Dim) +
+      memory_size<Twisting>(Dim) + memory_size<Adhesion>(Dim);
 
   using NormalModel = Normal;
+  using AdhesionModel = Adhesion;
   using TangentialModel = Tangential;
   using RollingModel = Rolling;
   using TwistingModel = Twisting;
@@ -96,10 +119,38 @@ struct ContactLaw {
 
   /// Whether surfaces at this gap belong to the contact list.
   bool interacts(double gap) const { return gap < 0.0 || gap < range(); }
+  /// The same of a contact, which stays as long as it holds liquid.
+  template <int Dim>
+  bool interacts(double gap, [[maybe_unused]] const PackedMemory<kMemorySize<Dim>>& memory) const {
+    if constexpr (kHoldsLiquid)
+      if (memory.value[kAdhesionBegin<Dim>] != 0.0) return true;
+    return interacts(gap);
+  }
+
+  /// The numbers of a pair of grains of these radii.
+  template <int Dim>
+  PairParameters<> pair_parameters([[maybe_unused]] double radius_i, [[maybe_unused]] double radius_j,
+                                   [[maybe_unused]] const PackedMemory<kMemorySize<Dim>>& memory) const {
+    if constexpr (kHoldsLiquid)
+      return adhesion.bridge(radius_i, radius_j, std::abs(memory.value[kAdhesionBegin<Dim>]));
+    else
+      return {};
+  }
+  /// The same as they act now, of a pair that has not moved since its memory was updated.
+  template <int Dim>
+  PairParameters<> acting(const PairParameters<>& parameters,
+                          [[maybe_unused]] const PackedMemory<kMemorySize<Dim>>& memory) const {
+    if constexpr (kHoldsLiquid)
+      return adhesion.acting(parameters, memory.value[kAdhesionBegin<Dim>]);
+    else
+      return parameters;
+  }
 
   /// Static normal response. @param memory  of the normal slot; null for a new contact
+  /// @param parameters  as they act
   template <class T>
-  NormalResponse<T> normal(const PairGeometry<T>& pair, const T* memory = nullptr) const {
+  NormalResponse<T> normal(const PairGeometry<T>& pair, const T* memory = nullptr,
+                           [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
     NormalResponse<T> response{T(0), T(0), T(0), T(0)};
     if constexpr (kRemembersOverlap) {
       const PackedMemory<memory_size<Normal>(2), T> fresh;
@@ -112,18 +163,24 @@ struct ContactLaw {
     }
     if constexpr (requires { repulsion.shear_stiffness(pair); })
       response.shear_stiffness = repulsion.shear_stiffness(pair);
-    if constexpr (kHasAdhesion) {
+    if constexpr (kHoldsLiquid) {
+      response.adhesive = adhesion.force(pair, parameters);
+      response.stiffness += adhesion.stiffness(pair, parameters);
+    } else if constexpr (kHasAdhesion) {
       response.adhesive = adhesion.force(pair);
       response.stiffness += adhesion.stiffness(pair);
     }
     return response;
   }
 
-  /// Potential energy of the static normal force, zero beyond the range.
+  /// Potential energy of the static normal force, zero beyond the range. @param parameters  as they act
   template <class T>
-  T energy(const PairGeometry<T>& pair) const {
+  T energy(const PairGeometry<T>& pair, [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
     T u = repulsion.energy(pair);
-    if constexpr (kHasAdhesion) u += adhesion.energy(pair);
+    if constexpr (kHoldsLiquid)
+      u += adhesion.energy(pair, parameters);
+    else if constexpr (kHasAdhesion)
+      u += adhesion.energy(pair);
     return u;
   }
 
@@ -137,11 +194,13 @@ struct ContactLaw {
   /// Updates the memory by one motion and returns the forces. Springs are cut back to their caps, and vanish
   /// when the surfaces part.
   template <int Dim, class T>
-  ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion,
-                                PackedMemory<kMemorySize<Dim>, T>& memory) const {
+  ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion, PackedMemory<kMemorySize<Dim>, T>& memory,
+                                const PairParameters<T>& parameters = {}) const {
     const PairGeometry<T>& pair = motion.pair;
     if constexpr (kRemembersOverlap) repulsion.remember(pair, memory.value);
-    ContactForces<Dim, T> forces{normal(pair, normal_memory(memory)), T(0), Shear<Dim, T>::Zero(),
+    PairParameters<T> acting = parameters;
+    if constexpr (kHoldsLiquid) acting = adhesion.hold(pair, parameters, memory.value + kAdhesionBegin<Dim>);
+    ContactForces<Dim, T> forces{normal(pair, normal_memory(memory), acting), T(0), Shear<Dim, T>::Zero(),
                                  RotationVector<Dim, T>::Zero()};
     if constexpr (kHasDamping)
       forces.viscous = lanes::select(pair.gap < T(0),
@@ -159,8 +218,10 @@ struct ContactLaw {
 
   /// Stiffnesses a contact has in the network (nothing sliding).
   template <int Dim>
-  ContactStiffness stiffness(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory) const {
-    const NormalResponse<double> response = normal(pair, normal_memory(memory));
+  ContactStiffness stiffness(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory,
+                             const PairParameters<>& parameters = {}) const {
+    const NormalResponse<double> response =
+        normal(pair, normal_memory(memory), acting<Dim>(parameters, memory));
     return pair.gap < 0.0 ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
   }
 
@@ -219,6 +280,8 @@ struct ContactLaw {
   static constexpr int kRollingBegin = kTangentialBegin<Dim> + memory_size<Tangential>(Dim);
   template <int Dim>
   static constexpr int kTwistingBegin = kRollingBegin<Dim> + memory_size<Rolling>(Dim);
+  template <int Dim>
+  static constexpr int kAdhesionBegin = kTwistingBegin<Dim> + memory_size<Twisting>(Dim);
 
   template <int Size, class T>
   static const T* normal_memory(const PackedMemory<Size, T>& memory) {

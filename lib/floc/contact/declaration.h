@@ -13,6 +13,8 @@ enum class Unit {
   stiffness,          ///< (force/length)
   rolling_stiffness,  ///< (force * length)
   angle,              ///< (radians)
+  degrees,            ///< an angle (degrees)
+  volume,             ///< (length^3)
   pressure,           ///< (force/length^2)
 };
 
@@ -22,6 +24,7 @@ enum class Requirement {
   not_negative,
   at_most_one,    ///< in (0, 1]
   poisson_ratio,  ///< in (-1, 0.5)
+  acute_angle,    ///< in [0, 90] (degrees)
 };
 
 constexpr bool holds(Requirement requirement, double x) {
@@ -34,6 +37,8 @@ constexpr bool holds(Requirement requirement, double x) {
       return x > 0 && x <= 1;
     case Requirement::poisson_ratio:
       return x > -1 && x < 0.5;
+    case Requirement::acute_angle:
+      return x >= 0 && x <= 90;
   }
   return false;
 }

@@ -32,13 +32,13 @@ DeclaredSlot describe(const char* key, const LawSlot<Models...>&) {
   DeclaredSlot slot{key, (kIsAbsent<Models> || ...), {}};
   const auto add = [&]<class Model>(std::type_identity<Model>) {
     if constexpr (!kIsAbsent<Model>) {
-      DeclaredModel model{
-          Model::kKeyword,
-          kIsDefault<Model>,
-          !kStiffnessVaries<Model> && !kFollowsNormalStiffness<Model> && kDimensionOf<Model> == 0,
-          {},
-          {},
-          &put<Model>};
+      DeclaredModel model{Model::kKeyword,
+                          kIsDefault<Model>,
+                          !kStiffnessVaries<Model> && !kFollowsNormalStiffness<Model> &&
+                              kDimensionOf<Model> == 0 && !kIsInItsOwnFilesOnly<Model>,
+                          {},
+                          {},
+                          &put<Model>};
       describe_fields<Model>(model);
       slot.models.push_back(std::move(model));
     }

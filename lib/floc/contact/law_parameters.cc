@@ -21,6 +21,8 @@ const char* requirement_text(Requirement requirement) {
       return "must be in (0, 1]";
     case Requirement::poisson_ratio:
       return "must be in (-1, 0.5)";
+    case Requirement::acute_angle:
+      return "must be in [0, 90] degrees";
   }
   return "";
 }
@@ -32,6 +34,17 @@ double LawParameters::pull_off_force() const {
     if constexpr (requires { model.pull_off_force; }) return model.pull_off_force;
     return 0.0;
   });
+}
+
+double LawParameters::pull_off_force(double radius) const {
+  if (const CapillaryAdhesion* bridges = liquid()) return bridges->strength(radius, radius);
+  return pull_off_force();
+}
+
+const CapillaryAdhesion* LawParameters::liquid() const {
+  if (!adhesion.holds<CapillaryAdhesion>()) return nullptr;
+  const CapillaryAdhesion& bridges = adhesion.get<CapillaryAdhesion>();
+  return bridges.acts() ? &bridges : nullptr;
 }
 
 double LawParameters::range() const {
@@ -91,10 +104,19 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
   refuse(rolling && !friction, "rolling", ": needs contact.friction; grains that slide freely need not roll");
   refuse(twisting && !friction, "twisting",
          ": needs contact.friction; grains that slide freely need not turn against each other");
+  if (adhesion.holds<CapillaryAdhesion>() && !normal.holds<HertzRepulsion>()) {
+    constexpr const char* kDoNotResist =
+        ": grains with liquid bridges, contact.adhesion.law = \"capillary\", do not resist it; expected no "
+        "such "
+        "table";
+    refuse(bool(rolling), "rolling", kDoNotResist);
+    refuse(bool(twisting), "twisting", kDoNotResist);
+  }
   if (normal.holds<HertzRepulsion>()) {
-    refuse(bool(adhesion), "adhesion",
-           ": spheres under contact.normal.law = \"hertz\" do not adhere; expected no such table, "
-           "or contact.normal = {law = \"linear\", stiffness}");
+    refuse(
+        bool(adhesion) && !adhesion.holds<CapillaryAdhesion>(), "adhesion",
+        ": spheres under contact.normal.law = \"hertz\" do not adhere but by liquid; expected no such table, "
+        "law = \"capillary\", or contact.normal = {law = \"linear\", stiffness}");
     refuse(damping.holds<ViscousDamping>(), "damping",
            ".restitution: under contact.normal.law = \"hertz\" damping follows the stiffness; "
            "expected contact.damping = {critical_fraction}");

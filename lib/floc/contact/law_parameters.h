@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/contact/adhesion/capillary_adhesion.h"
 #include "floc/contact/adhesion/constant_adhesion.h"
 #include "floc/contact/adhesion/tail_adhesion.h"
 #include "floc/contact/damping/critical_damping.h"
@@ -29,7 +30,7 @@ struct LawFault {
 /// law table (law_table.h), which turns a LawParameters into the composed type.
 struct LawParameters {
   LawSlot<LinearRepulsion, HertzRepulsion> normal;
-  LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion> adhesion;
+  LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion, CapillaryAdhesion> adhesion;
   LawSlot<NoDamping, ViscousDamping, CriticalDamping> damping;
   LawSlot<NoFriction, CoulombFriction, MindlinFriction> friction;
   LawSlot<NoRolling, RollingSpring> rolling;
@@ -48,10 +49,17 @@ struct LawParameters {
 
   bool operator==(const LawParameters&) const = default;
 
-  /// F0, or 0 without adhesion.
+  /// F0 of laws that have one for all pairs, 0 without adhesion and of liquid bridges.
   double pull_off_force() const;
-  /// Largest gap at which the law acts; adhesion of zero force acts nowhere.
+  /// F0 of two grains of a radius, 0 without adhesion.
+  double pull_off_force(double radius) const;
+  /// Whether anything attracts.
+  bool adheres() const { return pull_off_force(1.0) > 0.0; }
+  /// Largest gap at which the law acts; adhesion of zero force acts nowhere. 0 of liquid bridges, whose reach
+  /// is that of their volumes (packing/liquid.h).
   double range() const;
+  /// The adhesion of liquid bridges, null where there is none or it has no liquid.
+  const CapillaryAdhesion* liquid() const;
   /// Modulus that a pressure is measured against where nothing adheres: K_N/a^(Dim-2) of linear contacts of
   /// grains of diameter a, E/(1 - nu^2) of Hertz' (force/length^(Dim-1)).
   double contact_modulus(int dim, double diameter) const;

@@ -18,15 +18,17 @@ namespace floc {
 
 /// Which compositions are compiled. Grains that slide freely need not roll; a twisting spring goes with a rolling
 /// one, which can be given nothing to carry. Friction and damping that follow the stiffness along the normal go
-/// with a stiffness that varies, others with one that does not; elastic spheres of varying stiffness neither
-/// adhere nor resist rolling.
+/// with a stiffness that varies, others with one that does not; elastic spheres of varying stiffness adhere by
+/// liquid alone and do not resist rolling, nor do other grains with liquid bridges.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 inline constexpr bool kIsCompiled = (kIsAbsent<Twisting> || !kIsAbsent<Rolling>)&&(
     kStiffnessVaries<Normal>
-        ? kIsAbsent<Adhesion>&& kIsAbsent<Rolling> &&
+        ? (kIsAbsent<Adhesion> || kHoldsLiquid<Adhesion>)&&kIsAbsent<Rolling> &&
               (kIsAbsent<Damping> || kFollowsNormalStiffness<Damping>)&&(kIsAbsent<Tangential> ||
                                                                          kFollowsNormalStiffness<Tangential>)
-        : (!kIsAbsent<Tangential> || kIsAbsent<Rolling>)&&!kFollowsNormalStiffness<Damping> &&
+        : (!kIsAbsent<Tangential> ||
+           kIsAbsent<Rolling>)&&(!kHoldsLiquid<Adhesion> ||
+                                 kIsAbsent<Rolling>)&&!kFollowsNormalStiffness<Damping> &&
               !kFollowsNormalStiffness<Tangential>);
 
 namespace detail {

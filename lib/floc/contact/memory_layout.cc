@@ -21,6 +21,7 @@ std::vector<RememberedQuantity> quantities_of(const LawParameters& law) {
   add_quantities(law.friction, MemoryLayout<Dim>::kFriction, Dim, quantities);
   add_quantities(law.rolling, MemoryLayout<Dim>::kRolling, Dim, quantities);
   add_quantities(law.twisting, MemoryLayout<Dim>::kTwisting, Dim, quantities);
+  add_quantities(law.adhesion, MemoryLayout<Dim>::kAdhesion, Dim, quantities);
   return quantities;
 }
 

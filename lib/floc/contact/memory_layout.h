@@ -34,8 +34,10 @@ struct MemoryLayout {
       kFriction + widest_memory(static_cast<const decltype(LawParameters::friction)*>(nullptr), Dim);
   static constexpr int kTwisting =
       kRolling + widest_memory(static_cast<const decltype(LawParameters::rolling)*>(nullptr), Dim);
-  static constexpr int kSize =
+  static constexpr int kAdhesion =
       kTwisting + widest_memory(static_cast<const decltype(LawParameters::twisting)*>(nullptr), Dim);
+  static constexpr int kSize =
+      kAdhesion + widest_memory(static_cast<const decltype(LawParameters::adhesion)*>(nullptr), Dim);
 };
 
 /// Everything a contact remembers, at the places of the layout; zero where its law remembers nothing.
@@ -48,10 +50,13 @@ consteval int memory_place(int k) {
   constexpr int n_normal = memory_size<typename Law::NormalModel>(Dim);
   constexpr int n_friction = memory_size<typename Law::TangentialModel>(Dim);
   constexpr int n_rolling = memory_size<typename Law::RollingModel>(Dim);
+  constexpr int n_twisting = memory_size<typename Law::TwistingModel>(Dim);
   if (k < n_normal) return MemoryLayout<Dim>::kNormal + k;
   if (k < n_normal + n_friction) return MemoryLayout<Dim>::kFriction + k - n_normal;
   if (k < n_normal + n_friction + n_rolling) return MemoryLayout<Dim>::kRolling + k - n_normal - n_friction;
-  return MemoryLayout<Dim>::kTwisting + k - n_normal - n_friction - n_rolling;
+  if (k < n_normal + n_friction + n_rolling + n_twisting)
+    return MemoryLayout<Dim>::kTwisting + k - n_normal - n_friction - n_rolling;
+  return MemoryLayout<Dim>::kAdhesion + k - n_normal - n_friction - n_rolling - n_twisting;
 }
 
 /// Whether number k of a law's packed memory is the first of a vector in the tangent plane of a 3D contact.
@@ -70,6 +75,7 @@ consteval bool begins_tangent(int k) {
   look_at(std::type_identity<typename Law::TangentialModel>{});
   look_at(std::type_identity<typename Law::RollingModel>{});
   look_at(std::type_identity<typename Law::TwistingModel>{});
+  look_at(std::type_identity<typename Law::AdhesionModel>{});
   return Dim == 3 && begins;
 }
 

@@ -30,4 +30,16 @@ inline constexpr bool kFollowsNormalStiffness = requires {
   requires Model::kFollowsNormalStiffness;
 };
 
+/// Whether the adhesion is that of liquid bridges, of which contacts remember the volumes.
+template <class Model>
+inline constexpr bool kHoldsLiquid = requires {
+  requires Model::kHoldsLiquid;
+};
+
+/// Whether the numbers of a model are in the state files of laws that have it, and in no others.
+template <class Model>
+inline constexpr bool kIsInItsOwnFilesOnly = requires {
+  requires Model::kIsInItsOwnFilesOnly;
+};
+
 }  // namespace floc

@@ -7,6 +7,8 @@ std::string units_of(Quantity quantity, const std::string& system, int dim) {
   switch (quantity) {
     case Quantity::length:
       return si ? "m" : "length";
+    case Quantity::volume:
+      return si ? "m^3" : "length^3";
     case Quantity::velocity:
       return si ? "m/s" : "length/time";
     case Quantity::mass:

@@ -131,7 +131,10 @@ Quantity quantity_of(Unit unit) {
       return Quantity::angle;
     case Unit::pressure:
       return Quantity::stress;
+    case Unit::volume:
+      return Quantity::volume;
     case Unit::ratio:
+    case Unit::degrees:
       break;
   }
   return Quantity::ratio;

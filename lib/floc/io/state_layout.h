@@ -13,6 +13,7 @@ enum class Quantity {
   flag,
   direction,
   length,
+  volume,
   velocity,
   mass,
   angle,

@@ -33,6 +33,16 @@ PackedMemory<Law::template kMemorySize<Dim>, Dual<kDofs<Dim>>> dual_memory(const
   return memory;
 }
 
+/// Numbers of a pair as dual numbers, which no motion changes.
+template <class Law, class T>
+typename Law::template PairParameters<T> constant(
+    [[maybe_unused]] const typename Law::template PairParameters<>& parameters) {
+  if constexpr (Law::kHoldsLiquid)
+    return {T(parameters.strength), T(parameters.decay), T(parameters.reach)};
+  else
+    return {};
+}
+
 /// Axes that surfaces roll about, as columns in the order of `ContactRows`: those of its rotations, the twist
 /// about the normal left out.
 Mat<1> rolling_axes(const Mat<2>&) {
@@ -76,7 +86,8 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
     motion.twist.derivative[Dim] = -1.0;
   }
   auto memory = dual_memory<Law, Dim>(factor.cwiseProduct(start.memory));
-  const ContactForces<Dim, T> f = law.respond(motion, memory);
+  const auto parameters = pair_parameters(law, grains, start, packed_memory<Law, Dim>(start.memory));
+  const ContactForces<Dim, T> f = law.respond(motion, memory, constant<Law, T>(parameters));
 
   ContactTangent<Dim> k = ContactTangent<Dim>::Zero();
   const T normal = f.normal.force();

@@ -18,6 +18,22 @@ PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
   return {c.gap, reduced(grains.radius[c.i], grains.radius[c.j]), reduced(grains.mass[c.i], grains.mass[c.j])};
 }
 
+/// The numbers that the law has of the pair; a grain on a wall is dry.
+template <class Law, int Dim>
+typename Law::template PairParameters<> pair_parameters(
+    const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c,
+    const PackedMemory<Law::template kMemorySize<Dim>>& memory) {
+  if (c.j >= grains.size()) return {};
+  return law.template pair_parameters<Dim>(grains.radius[c.i], grains.radius[c.j], memory);
+}
+/// The same as they act at the contact as it is.
+template <class Law, int Dim>
+typename Law::template PairParameters<> acting_parameters(const Law& law, const Grains<Dim>& grains,
+                                                          const Contact<Dim>& c) {
+  const auto memory = packed_memory<Law, Dim>(c.memory);
+  return law.template acting<Dim>(pair_parameters(law, grains, c, memory), memory);
+}
+
 /// Flags of the springs that are at their caps; none of a distant attraction.
 template <class Law, int Dim>
 void set_mobilised(const Law& law, const PackedMemory<Law::template kMemorySize<Dim>>& memory, double tolerance,
@@ -37,13 +53,14 @@ void respond_to_motion(const Law& law, const Grains<Dim>& grains, const SurfaceM
   auto memory = packed_memory<Law, Dim>(c.memory);
   const ContactMotion<Dim> motion{pair_geometry(grains, c),  0.0,          0.0, surface.slip,
                                   surface.relative_rotation, surface.twist};
-  const ContactForces<Dim> f = law.respond(motion, memory);
+  const auto parameters = pair_parameters(law, grains, c, memory);
+  const ContactForces<Dim> f = law.respond(motion, memory, parameters);
   c.normal_force = f.normal.force();
   c.elastic_force = f.normal.elastic;
   c.shear_force = from_shear<double>(c.normal, f.shear);
   c.rolling_moment = -f.rolling;
   c.twisting_moment = -f.twisting;
-  const ContactStiffness k = law.template stiffness<Dim>(motion.pair, memory);
+  const ContactStiffness k = law.template stiffness<Dim>(motion.pair, memory, parameters);
   c.kn = k.normal;
   c.kt = k.tangential;
   c.kr = k.rolling;

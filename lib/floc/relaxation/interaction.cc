@@ -21,6 +21,7 @@ template <int Dim>
 void Interaction<Dim>::set_pairs(PairArrays<Dim> pairs) {
   pairs.inherit(pairs_);
   pairs_ = std::move(pairs);
+  pairs_.refresh_bridges(law_);
   arrays_ = pairs_.view();
 }
 

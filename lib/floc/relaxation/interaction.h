@@ -19,9 +19,14 @@ class Interaction {
 
   Partner partner() const { return partner_; }
   const AnyContactLaw& law() const { return law_; }
+  /// Gaps that its lists of pairs reach across: that of the law, or of the bridges that there are.
   double range() const { return range_; }
+  void set_range(double range) { range_ = range; }
   const StepKernels<Dim>& kernels() const { return kernels_; }
   const PairArrays<Dim>& pairs() const { return pairs_; }
+  /// Volumes of the liquid bridges; after a change, refresh_bridges().
+  typename PairArrays<Dim>::Component& bridge_volume() { return pairs_.bridge_volume(); }
+  void refresh_bridges() { pairs_.refresh_bridges(law_); }
   const PairView<Dim>& view() const { return arrays_; }
 
   /// Takes a new list of pairs, which inherits the memory of the one before.

@@ -40,6 +40,7 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
         if constexpr (Law::kHasDamping) viscous.assign(size(), 0.0);
         if constexpr (Law::kNeedsReducedRadius) reduced_radius_ = reduced(radius);
         if constexpr (Law::kNeedsReducedMass) reduced_mass_ = reduced(mass);
+        if constexpr (Law::kHoldsLiquid) keep_radii(radius);
         for_each_memory<Law, Dim>([&](auto, auto place) { memory[place].assign(size(), 0.0); });
       },
       any_law);
@@ -63,6 +64,36 @@ typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const dou
   for (int p = 0; p < size(); ++p)
     values[p] = partner_ == Partner::wall ? of_grain[i_[p]] : floc::reduced(of_grain[i_[p]], of_grain[j_[p]]);
   return values;
+}
+
+/// Of walls none: they stay dry.
+template <int Dim>
+void PairArrays<Dim>::keep_radii(std::span<const double> radius) {
+  for (Component* component : {&radius_i_, &radius_j_, &strength_, &decay_, &reach_})
+    component->assign(size(), 0.0);
+  if (partner_ == Partner::wall) return;
+  for (int p = 0; p < size(); ++p) {
+    if (padding(p)) continue;
+    radius_i_[p] = radius[i_[p]];
+    radius_j_[p] = radius[j_[p]];
+  }
+}
+
+template <int Dim>
+void PairArrays<Dim>::refresh_bridges(const AnyContactLaw& any_law) {
+  if (partner_ == Partner::wall) return;
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        if constexpr (Law::kHoldsLiquid)
+          for (int p = 0; p < size(); ++p) {
+            const Bridge<> bridge =
+                law.adhesion.bridge(radius_i_[p], radius_j_[p], std::abs(bridge_volume()[p]));
+            strength_[p] = bridge.strength;
+            decay_[p] = bridge.decay;
+            reach_[p] = bridge.reach;
+          }
+      },
+      any_law);
 }
 
 /// Completes the pack that was begun, if any.
@@ -124,6 +155,9 @@ PairView<Dim> PairArrays<Dim>::view() {
   out.damping = damping_.data();
   out.reduced_radius = reduced_radius_.data();
   out.reduced_mass = reduced_mass_.data();
+  out.strength = strength_.data();
+  out.decay = decay_.data();
+  out.reach = reach_.data();
   out.viscous = viscous.data();
   for (std::size_t k = 0; k < memory.size(); ++k) out.memory[k] = memory[k].data();
   out.row = nullptr;

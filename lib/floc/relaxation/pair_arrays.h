@@ -55,6 +55,12 @@ class PairArrays {
   int find(const NeighborPair<Dim>& key) const;
   /// Takes over the memory of an older list of the same grains.
   void inherit(const PairArrays& old);
+  /// Finds what a law that holds liquid has of each pair anew, from the volumes that are in the memory; nothing
+  /// of others.
+  void refresh_bridges(const AnyContactLaw& law);
+  /// Volumes of the liquid bridges, signed as the memory is; empty where the law holds no liquid.
+  Component& bridge_volume() { return memory[MemoryLayout<Dim>::kAdhesion]; }
+  const Component& bridge_volume() const { return memory[MemoryLayout<Dim>::kAdhesion]; }
 
   /// Without rows, which are of all lists together (row_sums.h).
   PairView<Dim> view();
@@ -62,6 +68,7 @@ class PairArrays {
  private:
   void add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping);
   Component reduced(std::span<const double> of_grain) const;
+  void keep_radii(std::span<const double> radius);
   void pad_block();
   void fill_pack();
 
@@ -69,7 +76,8 @@ class PairArrays {
   AlignedVector<int> i_, j_;
   std::array<Component, Dim> image_;
   Component radii_, share_i_, damping_;
-  Component reduced_radius_, reduced_mass_;  ///< empty where the law does not need them
+  Component reduced_radius_, reduced_mass_;                   ///< empty where the law does not need them
+  Component radius_i_, radius_j_, strength_, decay_, reach_;  ///< empty where the law holds no liquid
   std::vector<int> first_of_block_;
   std::vector<int> first_of_i_, end_of_i_;  ///< pairs of a grain
 };

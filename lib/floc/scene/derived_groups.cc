@@ -110,6 +110,7 @@ std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
   switch (n.declared->unit) {
     case Unit::ratio:
     case Unit::angle:
+    case Unit::degrees:
       return DerivedGroup{symbol, *n.value, n.declared->meaning};
     case Unit::length:
       return DerivedGroup{symbol + "/a", *n.value / a, n.declared->meaning};
@@ -119,6 +120,7 @@ std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
       return DerivedGroup{symbol + "/(K_N a^2)", *n.value / (K_N * a * a), n.declared->meaning};
     case Unit::force:
     case Unit::pressure:
+    case Unit::volume:
       break;
   }
   return std::nullopt;

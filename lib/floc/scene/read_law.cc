@@ -18,7 +18,8 @@ NumberRule rule_of(const DeclaredNumber& n) {
   static constexpr bool (*kHolds[])(double) = {[](double x) { return holds(Requirement::positive, x); },
                                                [](double x) { return holds(Requirement::not_negative, x); },
                                                [](double x) { return holds(Requirement::at_most_one, x); },
-                                               [](double x) { return holds(Requirement::poisson_ratio, x); }};
+                                               [](double x) { return holds(Requirement::poisson_ratio, x); },
+                                               [](double x) { return holds(Requirement::acute_angle, x); }};
   return {kHolds[static_cast<int>(n.at_first)], n.expectation.c_str()};
 }
 

@@ -22,7 +22,7 @@ double elastic_energy_of(const Packing<Dim>& packing) {
       [&](const auto& law) {
         double sum = 0.0;
         for (const Contact<Dim>& c : packing.contacts)
-          sum += law.energy(pair_geometry(packing.grains, c)) +
+          sum += law.energy(pair_geometry(packing.grains, c), acting_parameters(law, packing.grains, c)) +
                  spring_energy(c.shear_force.squaredNorm(), c.kt) +
                  spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
                  spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);

@@ -36,6 +36,17 @@ TEST(LawText, KnowsAModelByItsNumbersAndByWhatItGoesWith) {
   EXPECT_EQ(parse_law("", "friction.law=mindlin, " + law_text(law)), law);
 }
 
+TEST(LawText, GivesBackLiquidBridgesWithTheirChoices) {
+  LawParameters law;
+  law.normal = LinearRepulsion{1e5};
+  law.adhesion = CapillaryAdhesion{0.072, 10.0, 0.007, 2.6};
+  EXPECT_EQ(parse_law("", law_text(law)), law);
+  law.adhesion = CapillaryAdhesion{0.072, 10.0, 0.007, 2.6, BridgeForm::rational, BridgeFormation::contact};
+  EXPECT_EQ(parse_law("", law_text(law)), law);
+  law.normal = HertzRepulsion{7e10, 0.3};
+  EXPECT_EQ(parse_law("", law_text(law)), law);
+}
+
 TEST(LawText, NamesWhatIsWrongAndWhatWasExpected) {
   const auto refusal = [](const std::string& text) { return [text] { parse_law("--law", text); }; };
   EXPECT_THAT(refusal(""), ThrowsMessage<InputError>(HasSubstr("--law: normal.stiffness is missing")));

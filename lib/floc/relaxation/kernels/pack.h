@@ -88,6 +88,10 @@ struct Pack {
     for (int l = 0; l < kWidth; ++l) root.v[l] = __builtin_sqrt(a.v[l]);
     return root;
   }
+  /// p 2^n, where `shifted` is n plus 1.5 * 2^52 (lanes::exp_of_negative()).
+  friend Pack times_power_of_two(const Pack& p, const Pack& shifted) {
+    return Pack(Vector((Bits)p.v + ((Bits)shifted.v << 52)));
+  }
 };
 
 /// Reads numbers from scattered places, and writes records: neighbouring doubles that belong to one pair.

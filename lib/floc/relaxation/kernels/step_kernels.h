@@ -85,6 +85,7 @@ struct PairView {
   const double* damping;
   /// Ri Rj/(Ri + Rj) and mi mj/(mi + mj), null where the law does not need them.
   const double *reduced_radius, *reduced_mass;
+  const double *strength, *decay, *reach;    ///< of liquid bridges (Bridge), null where the law has none
   double* viscous;                           ///< dashpot forces of the step before, null where the law has none
   double* memory[MemoryLayout<Dim>::kSize];  ///< what the law remembers; null at places of which it does not
   double* row;                               ///< one more than there are pairs: the last stays zero

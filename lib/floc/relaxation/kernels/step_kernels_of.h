@@ -400,7 +400,10 @@ struct PairKernel {
     load(pairs, p, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
     if constexpr (kTurns)
       turn(a.turn, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
-    const ContactForces<Dim, P> f = law.respond(motion, memory);
+    typename Law::template PairParameters<P> parameters;
+    if constexpr (Law::kHoldsLiquid)
+      parameters = {P::load(pairs.strength + p), P::load(pairs.decay + p), P::load(pairs.reach + p)};
+    const ContactForces<Dim, P> f = law.respond(motion, memory, parameters);
     store(memory, pairs, p, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
 
     V on_j = f.normal.force() * a.n;

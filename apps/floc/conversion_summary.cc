@@ -64,7 +64,7 @@ ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
   if (imported.complete) return summary;
   const ContactCheck check = check_contacts(state.packing, kForceTolerance);
   if (imported.contacts_known) add_list(imported.listed_contacts, check.n_contacts, summary);
-  add_contacts(check, state.packing.law.pull_off_force() > 0.0, summary);
+  add_contacts(check, state.packing.law.adheres(), summary);
   summary.lines.back() +=
       fmt::format("; stress {:.6g}", fmt::join(state.stress.data(), state.stress.data() + Dim * Dim, " "));
   if (const std::string faults = equilibrium_faults(state); !faults.empty())

@@ -109,9 +109,7 @@ Made moduli(const PlotArguments& arguments) {
         for_each_state(states_of_inputs(arguments.inputs), [&](const std::string&, const AnyState& state) {
           points.push_back(moduli_of_state(state));
           unit = std::visit(
-              []<int Dim>(const State<Dim>& s) {
-                return stress_unit(s.units, Dim, s.packing.law.pull_off_force() > 0.0);
-              },
+              []<int Dim>(const State<Dim>& s) { return stress_unit(s.units, Dim, s.packing.law.adheres()); },
               state);
           return int{kDone};
         });

@@ -198,7 +198,7 @@ std::string plots_section(const FittedConsolidation& fitted, Run<Dim>& run) {
     out += html_figure(plot_as_svg(plot), caption);
   };
   add(consolidation_plot({run.path}, fitted), "Consolidation curve, its fit, unloading and elastic line.");
-  const bool cohesive = run.first->packing.law.pull_off_force() > 0.0;
+  const bool cohesive = run.first->packing.law.adheres();
   add(moduli_plot(run.moduli, stress_unit(run.first->units, Dim, cohesive)),
       "Bulk and shear moduli between their bounds.");
   add(coordination_plot(run.path.table), "Coordination by the sign of the normal force; open: unloading.");
@@ -252,7 +252,7 @@ std::string page_of(Run<Dim>& run) {
                                 solid_fraction(dense.packing)));
   body += warnings_section(run) + pictures_section(run) + plots + fit;
   body += "<h2>States</h2>\n" + html_table(run.packings);
-  const std::string unit = stress_unit(run.first->units, Dim, run.first->packing.law.pull_off_force() > 0.0);
+  const std::string unit = stress_unit(run.first->units, Dim, run.first->packing.law.adheres());
   body += "<h2>Moduli</h2>\n<p>In " +
           (unit == "F_0/a" || unit == "F_0/a^2" ? kPressureUnit<Dim> : html_text(unit)) +
           "; ± are bounds of what solving and rounding leave.</p>\n" + html_table(run.elasticity);

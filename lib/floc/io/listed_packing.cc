@@ -229,7 +229,7 @@ class ListedContacts {
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
     if (!given.normal && (row.kn || row.kt || row.kr))
       throw InputError(row.place, "a stiffness is given without the normal force that goes with it");
-    if (given.normal && *given.normal < -kNoForce * largest_force_ && packing_.law.pull_off_force() == 0.0) {
+    if (given.normal && *given.normal < -kNoForce * largest_force_ && !packing_.law.adheres()) {
       if (counts_.n_tensile++ == 0) first_tensile_ = {&row, *given.normal};
       return std::nullopt;
     }

@@ -30,7 +30,7 @@ void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibri
 
 /// Whether an equilibrium without adhesion has no stress that would hold it together.
 bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
-  if (e.law.pull_off_force() > 0.0) return false;
+  if (e.law.adheres()) return false;
   if (e.is_isotropic()) return e.pressure == 0.0;
   return std::any_of(e.axes.begin(), e.axes.end(), [](const AxisStep& s) {
     return s.load.kind == AxisLoad::stress && s.load.end == 0.0 && s.share == 1.0;

@@ -5,6 +5,7 @@
 
 #include "floc/base/error.h"
 #include "floc/neighbors/interacting_pairs.h"
+#include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
@@ -50,6 +51,7 @@ void find_contacts(Packing<Dim>& packing) {
     packing.contacts.push_back(contact);
   }
   refresh_contacts(packing);
+  spread_liquid(packing);
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j) && c.normal.dot(packing.wall(c.j).normal()) <= 0.0)
       throw InputError("grain " + std::to_string(c.i), "has its centre on or beyond a wall");

@@ -36,7 +36,7 @@ bool remove_unheld(const Packing<Dim>& packing, double smallest_force, std::vect
 
 template <int Dim>
 std::vector<bool> find_rattlers(const Packing<Dim>& packing, double smallest_force) {
-  const bool cohesive = packing.law.pull_off_force() > 0.0;
+  const bool cohesive = packing.law.adheres();
   if (cohesive || !carries_force(packing, smallest_force)) {
     std::vector<bool> alone(packing.grains.size(), true);
     for (const Contact<Dim>& c : packing.contacts) {

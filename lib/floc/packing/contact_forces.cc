@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "floc/packing/law_response.h"
+#include "floc/packing/liquid.h"
 
 namespace floc {
 namespace {
@@ -16,6 +17,11 @@ void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
   respond_to_motion<Law, Dim>(law, packing.grains, SurfaceMotion<Dim>{}, c);
 }
 
+template <class Law, int Dim>
+bool interacts_at(const Law& law, const Contact<Dim>& c) {
+  return law.template interacts<Dim>(c.gap, packed_memory<Law, Dim>(c.memory));
+}
+
 /// Of the contacts with walls, or of those between grains alone.
 template <int Dim>
 void refresh_kind(Packing<Dim>& packing, bool with_walls) {
@@ -24,7 +30,7 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
         for (Contact<Dim>& c : packing.contacts)
           if (packing.is_wall(c.j) == with_walls) refresh(law, packing, c);
         std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {
-          return packing.is_wall(c.j) == with_walls && !law.interacts(c.gap);
+          return packing.is_wall(c.j) == with_walls && !interacts_at(law, c);
         });
       },
       compose_law(with_walls ? packing.wall_law : packing.law));
@@ -35,7 +41,7 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
 template <class Law, int Dim>
 void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
                 std::optional<double> kt, double tolerance, Contact<Dim>& c) {
-  c.distant = c.gap >= 0.0 && law.interacts(c.gap);
+  c.distant = c.gap >= 0.0 && interacts_at(law, c);
   if (c.distant) return;
   c.elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
   const ContactStiffness k = law.stiffness_at_force(pair_geometry(grains, c), c.elastic_force);
@@ -80,7 +86,7 @@ void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std
                       double tolerance, Contact<Dim>& contact) {
   std::visit(
       [&](const auto& law) {
-        set_forces(law, packing.law.pull_off_force(), packing.grains, kn, kt, tolerance, contact);
+        set_forces(law, pull_off_force(packing, contact), packing.grains, kn, kt, tolerance, contact);
       },
       compose_law(packing.law));
 }

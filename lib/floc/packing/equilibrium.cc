@@ -6,6 +6,7 @@
 
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/liquid.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -32,14 +33,14 @@ double stress_residual(const Packing<Dim>& packing, const Vec<Dim>& target_stres
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
   const double a = largest_diameter(packing.grains);
-  return {std::max(packing.law.pull_off_force(), target_stress.mean() * std::pow(a, Dim - 1)), a};
+  return {std::max(pull_off_force(packing), target_stress.mean() * std::pow(a, Dim - 1)), a};
 }
 
 template <int Dim>
 GrainScales<Dim>::GrainScales(const Packing<Dim>& packing, const Vec<Dim>& target_stress)
     : radius_(packing.grains.radius),
       packing_(force_scale(packing, target_stress)),
-      pull_off_force_(packing.law.pull_off_force()),
+      law_(packing.law),
       pressure_(target_stress.mean()),
       shared_(similar_sizes(radius_) || !(packing_.force > 0.0)) {}
 
@@ -47,7 +48,7 @@ template <int Dim>
 ForceScale GrainScales<Dim>::of(int i) const {
   if (shared_) return packing_;
   const double d = 2.0 * radius_[i];
-  return {std::max(pull_off_force_, pressure_ * std::pow(d, Dim - 1)), d};
+  return {std::max(law_.pull_off_force(radius_[i]), pressure_ * std::pow(d, Dim - 1)), d};
 }
 
 template <int Dim>
@@ -63,7 +64,7 @@ double GrainScales<Dim>::work_share(int i) const {
 template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure) {
   const double a = force_scale(packing, Vec<Dim>(Vec<Dim>::Zero())).length;
-  const double F0 = packing.law.pull_off_force();
+  const double F0 = pull_off_force(packing);
   return F0 > 0.0 ? std::pow(a, Dim - 1) * pressure / F0 : pressure / packing.law.contact_modulus(Dim, a);
 }
 

@@ -60,7 +60,8 @@ class GrainScales {
  private:
   const std::vector<double>& radius_;
   ForceScale packing_;
-  double pull_off_force_, pressure_;
+  const LawParameters& law_;
+  double pressure_;
   bool shared_;
 };
 

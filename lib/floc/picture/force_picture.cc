@@ -8,6 +8,7 @@
 #include "floc/network/components.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/liquid.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/particle_stress.h"
@@ -23,7 +24,7 @@ struct UnitForce {
 
 template <int Dim>
 UnitForce unit_force_of(const Packing<Dim>& packing) {
-  if (packing.law.pull_off_force() > 0.0) return {packing.law.pull_off_force(), "F₀"};
+  if (const double F0 = pull_off_force(packing); F0 > 0.0) return {F0, "F₀"};
   double sum = 0.0;
   int n = 0;
   for (const Contact<Dim>& c : packing.contacts)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/liquid.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/structure/particle_stress.h"
 
@@ -30,7 +31,7 @@ PackingPicture<Dim> grain_pressures(const Packing<Dim>& packing, double pressure
   double unit = pressure;
   if (unit <= 0.0) {
     picture.shade.name = Dim == 2 ? "pressure of a grain over F₀/a," : "pressure of a grain over F₀/a²,";
-    unit = packing.law.pull_off_force() / std::pow(largest_diameter(picture.radius), Dim - 1);
+    unit = pull_off_force(packing) / std::pow(largest_diameter(picture.radius), Dim - 1);
   }
   if (unit > 0.0)
     for (double& value : picture.shade.value) value /= unit;

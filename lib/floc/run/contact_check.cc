@@ -9,6 +9,7 @@
 
 #include "floc/neighbors/interacting_pairs.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/liquid.h"
 
 namespace floc {
 namespace {
@@ -23,8 +24,8 @@ constexpr double kNoForce = 1e-9;
 /// was read as touching pulls across a gap.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  const LawParameters& law = law_of(packing, c);
-  if (!c.distant && !law.stiffness_varies()) return -c.kn * c.gap - (c.gap < 0.0 ? law.pull_off_force() : 0.0);
+  if (!c.distant && !law_of(packing, c).stiffness_varies())
+    return -c.kn * c.gap - (c.gap < 0.0 ? pull_off_force(packing, c) : 0.0);
   Contact<Dim> by_law = c;
   refresh_contact(packing, by_law);
   return by_law.normal_force;

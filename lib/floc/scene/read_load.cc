@@ -258,7 +258,7 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
     t.fault("inertial_number_cap",
             fmt::format("{}: at P = 0 it lets nothing move; expected cell.strain_rate_cap",
                         t.path_of("inertial_number_cap")));
-  if (t.has(key) && law.pull_off_force() == 0)
+  if (t.has(key) && !law.adheres())
     t.fault(key,
             fmt::format("{} = 0: expected a positive pressure; nothing holds grains without adhesion together",
                         t.path_of(key)));

@@ -6,6 +6,7 @@
 
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/liquid.h"
 
 namespace floc {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kMaxBins = 1e5;
 /// A unit that does not depend on the forces themselves.
 template <int Dim>
 double given_unit(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit) {
-  const double force = unit == ForceUnit::pull_off ? packing.law.pull_off_force() : pressure_force(packing);
+  const double force = unit == ForceUnit::pull_off ? pull_off_force(packing) : pressure_force(packing);
   return kind == ForceKind::rolling ? force * largest_diameter(packing.grains) : force;
 }
 

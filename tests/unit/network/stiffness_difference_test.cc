@@ -105,6 +105,28 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesIn3D) {
   }
 }
 
+/// Of liquid bridges, whose volumes are held.
+template <int Dim>
+void expect_derivative_of_bridges(BridgeForm form) {
+  LawParameters law = test::elastic_law(1.0, 0.7, 0.0);
+  law.adhesion = CapillaryAdhesion{0.01, 30.0, 5e-3, 2.5, form};
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const auto packing = test::random_packing<Dim>(Dim == 2 ? 14 : 10, seed, law, 1.2);
+    EXPECT_GT(std::count_if(packing.contacts.begin(), packing.contacts.end(),
+                            [](const auto& c) { return c.distant && c.kn < 0.0; }),
+              2);
+    // A bridge varies over a tenth of what a branch does, and its truncation is a hundred times larger.
+    EXPECT_LT(difference_error(packing, StrainSet::full), 100.0 * kDifferenceTolerance) << "seed " << seed;
+  }
+}
+
+TEST(Stiffness, OfLiquidBridgesIsTheDerivativeOfTheForces) {
+  for (const BridgeForm form : {BridgeForm::exponential, BridgeForm::rational}) {
+    expect_derivative_of_bridges<2>(form);
+    expect_derivative_of_bridges<3>(form);
+  }
+}
+
 TEST(Stiffness, HoldsForGrainsThatTouchTheirOwnImages) {
   const auto two = test::random_packing<2>(2, 1, cohesive_law(), 3.0);
   const auto three = test::random_packing<3>(2, 1, cohesive_law(), 3.0);

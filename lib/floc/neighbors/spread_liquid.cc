@@ -1,0 +1,108 @@
+#include "floc/neighbors/spread_liquid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "floc/geometry/separation.h"
+#include "floc/neighbors/pairs.h"
+#include "floc/packing/contact_forces.h"
+#include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
+
+namespace floc {
+namespace {
+
+template <int Dim>
+NeighborPair<Dim> pair_of(const Contact<Dim>& c) {
+  return {c.i, c.j, c.image};
+}
+
+/// The contacts between grains, and the pairs closer than `reach` that are none, as contacts without memory; all
+/// with their gaps, in order.
+template <int Dim>
+std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) {
+  std::vector<Contact<Dim>> found;
+  for (const Contact<Dim>& c : packing.contacts)
+    if (!packing.is_wall(c.j)) found.push_back(c);
+  const std::vector<Contact<Dim>> known = found;
+  auto next = known.begin();
+  const Cell<Dim> cell = search_cell(packing.cell, packing.walls, largest_diameter(packing.grains) + reach);
+  for (const NeighborPair<Dim>& pair : find_pairs(cell, packing.grains, reach)) {
+    while (next != known.end() && precedes(pair_of(*next), pair)) ++next;
+    if (next != known.end() && pair_of(*next) == pair) continue;
+    Contact<Dim>& c = found.emplace_back();
+    c.i = pair.i;
+    c.j = pair.j;
+    c.image = pair.image;
+  }
+  std::sort(found.begin(), found.end(), precedes<Contact<Dim>>);
+  for (Contact<Dim>& c : found)
+    c.gap = surface_gap<Dim>(exact_branch(packing, c), packing.grains.radius[c.i], packing.grains.radius[c.j]);
+  return found;
+}
+
+/// The liquid of all shared out over those of `found` that may take part. @return by contact
+template <int Dim>
+LiquidShares shares_over(const Packing<Dim>& packing, const BridgeSearch& search,
+                         const std::vector<Contact<Dim>>& found) {
+  const CapillaryAdhesion& bridges = *packing.law.liquid();
+  const std::vector<double>& radius = packing.grains.radius;
+  std::vector<BridgeablePair> pairs;
+  std::vector<std::size_t> taking_part;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Contact<Dim>& c = found[k];
+    if (bridges.formation == BridgeFormation::contact && c.gap > 0.0 && !(bridge_volume(packing, c) > 0.0))
+      continue;
+    pairs.push_back({c.gap, 2.0 * reduced(radius[c.i], radius[c.j])});
+    taking_part.push_back(k);
+  }
+  LiquidShares shares = share_liquid(bridges, search.liquid(), pairs);
+  std::vector<double> of_all(found.size(), 0.0);
+  for (std::size_t p = 0; p < pairs.size(); ++p) of_all[taking_part[p]] = shares.volume[p];
+  shares.volume = std::move(of_all);
+  return shares;
+}
+
+}  // namespace
+
+template <int Dim>
+LiquidChange spread_liquid(Packing<Dim>& packing) {
+  LiquidChange change;
+  if (!holds_liquid(packing)) return change;
+  const CapillaryAdhesion& bridges = *packing.law.liquid();
+  const BridgeSearch search(bridges, packing.grains.radius);
+  const bool on_contact = bridges.formation == BridgeFormation::contact;
+  double reach = on_contact ? 0.0 : search.first_reach();
+  std::vector<Contact<Dim>> found = candidates(packing, reach);
+  LiquidShares shares = shares_over(packing, search, found);
+  // Bridges that form on contact are contacts already, or touch.
+  for (double wider = search.wider(reach, shares); !on_contact && wider > reach;
+       wider = search.wider(reach, shares)) {
+    reach = wider;
+    found = candidates(packing, reach);
+    shares = shares_over(packing, search, found);
+  }
+  std::vector<Contact<Dim>> contacts;
+  for (const Contact<Dim>& c : packing.contacts)
+    if (packing.is_wall(c.j)) contacts.push_back(c);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    Contact<Dim>& c = found[k];
+    double& volume = c.memory[MemoryLayout<Dim>::kAdhesion];
+    change.n_formed += volume == 0.0 && shares.volume[k] > 0.0;
+    change.n_broken += volume != 0.0 && shares.volume[k] == 0.0;
+    if (volume != 0.0) change.largest = std::max(change.largest, std::abs(shares.volume[k] / volume - 1.0));
+    volume = shares.volume[k];
+    if (interacts(packing, c)) contacts.push_back(c);
+  }
+  packing.contacts = std::move(contacts);
+  std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);
+  refresh_contacts(packing);
+  return change;
+}
+
+template LiquidChange spread_liquid(Packing<2>&);
+template LiquidChange spread_liquid(Packing<3>&);
+
+}  // namespace floc

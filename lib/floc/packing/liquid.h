@@ -1,0 +1,99 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+/// The liquid of a packing whose law has capillary bridges: which pairs hold some, and how much.
+namespace floc {
+
+/// A pair that liquid may bridge.
+struct BridgeablePair {
+  double gap;     ///< h (length), negative or zero where the surfaces touch
+  double radius;  ///< R' = 2 Ri Rj/(Ri + Rj) (length)
+};
+
+/// How liquid is shared out.
+struct LiquidShares {
+  std::vector<double> volume;  ///< V_b of each pair, 0 of those without a bridge
+  int n_bonds = 0;             ///< pairs with a bridge
+  double radius_sum = 0.0;     ///< sum of R' over them (length)
+};
+
+/// Shares liquid out over pairs, V_b = V_l R'/sum R' over those that are bridged, which are those that touch or
+/// are within the reach of their bridge. That fixes both: with
+///
+///   q = R' (1 + th/2)^3/h^3 (without end where surfaces touch), sorted descending, S_k the running sum of R',
+///
+/// the first k pairs are bridged, k the largest with S_k <= V_l q_k: S rises and q falls. Every one of them is in
+/// reach at its own volume, and of no greater k is this so. (A set that leaves out a pair of larger q, which is
+/// reached more easily, may be larger where the R' differ.) Pairs of one q go by their order. The volumes add up
+/// to V_l but for rounding; where no pair is in reach, none holds any.
+///
+/// @param liquid  V_l (length^3), > 0
+LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
+                          std::span<const BridgeablePair> pairs);
+
+/// Where to look for the pairs that liquid may bridge, wider and wider, until none further off can be in reach.
+class BridgeSearch {
+ public:
+  /// @param radius  of the grains
+  BridgeSearch(const CapillaryAdhesion& bridges, std::span<const double> radius);
+
+  /// V_l, all the liquid there is.
+  double liquid() const { return liquid_; }
+  /// Gap to look across at first: what bridges reach that share the liquid with three others a grain.
+  double first_reach() const;
+  /// No bridge reaches further as long as those of `shares` hold.
+  double reach_bound(const LiquidShares& shares) const;
+  /// A wider gap to look across where shares over all pairs closer than `reach` are not final yet, `reach`
+  /// itself where they are.
+  double wider(double reach, const LiquidShares& shares) const;
+
+ private:
+  const CapillaryAdhesion& bridges_;
+  double liquid_, largest_radius_;
+  double radius_sum_;  ///< of three bridges a grain
+};
+
+/// Whether contacts remember bridge volumes under the law of a packing.
+template <int Dim>
+bool holds_liquid(const Packing<Dim>& packing) {
+  return packing.law.liquid() != nullptr;
+}
+
+/// Volume of the liquid at a contact, its sign that of the memory: negative of a bridge that has broken. 0
+/// under a law that holds none.
+template <int Dim>
+double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  return holds_liquid(packing) ? contact.memory[MemoryLayout<Dim>::kAdhesion] : 0.0;
+}
+
+/// Whether a contact, or a pair that might be one, acts or holds liquid at its gap.
+template <int Dim>
+bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  return contact.gap < 0.0 || contact.gap < packing.law.range() || bridge_volume(packing, contact) != 0.0;
+}
+
+/// Gap at which a contact ceases to act: the range of the law, or the reach of its bridge (length).
+template <int Dim>
+double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
+
+/// Largest gap at which any contact of a packing acts, or another under a law without liquid, and the widest
+/// that has liquid on it (length).
+template <int Dim>
+double interaction_range(const Packing<Dim>& packing);
+
+/// F0 of a packing: that of two of its largest grains. 0 without adhesion.
+template <int Dim>
+double pull_off_force(const Packing<Dim>& packing);
+
+/// F0 of a contact that touches; 0 where no adhesion acts between its surfaces.
+template <int Dim>
+double pull_off_force(const Packing<Dim>& packing, const Contact<Dim>& contact);
+
+/// Volume of the grains as spheres, which disks of a layer stand for.
+double volume_of_spheres(std::span<const double> radius);
+
+}  // namespace floc

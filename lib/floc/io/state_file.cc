@@ -44,6 +44,10 @@ constexpr Field kTolerances = {"equilibrium/tolerances", Quantity::ratio,
                                "what the residuals were asked to be below"};
 constexpr Field kNegative = {"equilibrium/n_negative", Quantity::count,
                              "negative eigenvalues of the stiffness matrix, -1: not determined"};
+constexpr Field kUnsettled = {
+    "equilibrium/n_bridges_unsettled", Quantity::count,
+    "liquid bridges that would form or break if the liquid were shared out once more, "
+    "-1: not determined"};
 constexpr Field kId = {"grains/id", Quantity::count, "index of the grain in all arrays"};
 
 template <int Dim>
@@ -55,6 +59,7 @@ void write_equilibrium(WritingArchive& archive, const State<Dim>& s) {
   archive.put(kResiduals, {4}, std::vector<double>{r.force, r.moment, r.stress, r.energy});
   archive.put(kTolerances, {4}, std::vector<double>{t.force, t.moment, t.stress, t.energy});
   archive.put(kNegative, {}, std::vector<std::int32_t>{s.n_negative});
+  if (s.packing.law.liquid()) archive.put(kUnsettled, {}, std::vector<std::int32_t>{s.n_bridges_unsettled});
 }
 
 /// Only of states that have such a load.
@@ -107,6 +112,7 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   const auto t = archive.take<double>(kTolerances, {4});
   s.tolerance = {t[0], t[1], t[2], t[3]};
   s.n_negative = archive.take<std::int32_t>(kNegative, {})[0];
+  if (file.has(kUnsettled.path)) s.n_bridges_unsettled = archive.take<std::int32_t>(kUnsettled, {})[0];
 }
 
 /// Groups that a state may have beside those that every one has, so that physics to come needs no new version:

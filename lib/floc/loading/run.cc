@@ -10,6 +10,7 @@
 #include "floc/base/error.h"
 #include "floc/base/version.h"
 #include "floc/neighbors/find_contacts.h"
+#include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/unslant.h"
@@ -182,6 +183,7 @@ void Run<Dim>::start_step() {
     packing_.law = target().law;
     if (options_.assembly.box) packing_.wall_law = wall_law(packing_.law, *options_.assembly.box);
     refresh_contacts(packing_);
+    spread_liquid(packing_);
   }
   equilibrator_ = make_equilibrator<Dim>(target().cell.applied_to(options_.relaxation), std::move(packing_),
                                          load(), point_.equilibration);
@@ -283,6 +285,7 @@ State<Dim> Run<Dim>::state_without_packing() const {
     state.stress = equilibrator_->stress();
     state.residuals = reached.residuals;
     state.n_negative = reached.stability.n_negative.value_or(-1);
+    state.n_bridges_unsettled = reached.n_bridges_unsettled;
   }
   state.path = path();
   state.scene = options_.text;

@@ -58,6 +58,9 @@ struct State {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing, when saved
   Residuals residuals;                 ///< reached when saved
   int n_negative = -1;                 ///< negative eigenvalues of the stiffness matrix; -1: not determined
+  /// Of a law with liquid: bridges that would form or break if the liquid were shared out once more, above 0
+  /// where it was held after many times; -1: not determined.
+  int n_bridges_unsettled = -1;
   PathPosition path;
   std::string scene;  ///< text of the scene, empty for converted packings
   Provenance provenance;

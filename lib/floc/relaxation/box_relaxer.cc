@@ -241,11 +241,22 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
   if (progress_.time - progress_.finishing_time > kLongestFinish * time_unit_) return stop_here();
   if (!residuals_.within(options_.tolerance)) return RelaxationStatus::running;
   Stability found = stability(packing_);
-  if (!found.may_be_stable()) return RelaxationStatus::running;
+  // Every chunk shares the liquid out anew.
+  if (!found.may_be_stable() || !share_liquid_once_more().nothing()) return RelaxationStatus::running;
   stability_ = std::move(found);
   n_mechanisms_ = least_mechanisms(packing_);
   ending_ = "dynamic";
   return RelaxationStatus::converged;
+}
+
+/// What that would change, counted where there is any.
+template <int Dim>
+LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
+  if (!holds_liquid(packing_)) return {};
+  Packing<Dim> shared = packing_;
+  const LiquidChange change = spread_liquid(shared);
+  n_bridges_unsettled_ = change.n_changed();
+  return change;
 }
 
 /// Records the state as it is.
@@ -253,6 +264,7 @@ template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::stop_here() {
   n_mechanisms_ = least_mechanisms(packing_);
   stability_ = {};
+  (void)share_liquid_once_more();
   ending_ = "stopped";
   return RelaxationStatus::converged;
 }
@@ -270,6 +282,7 @@ RelaxationReport BoxRelaxer<Dim>::report() const {
   report.residuals = residuals_;
   report.stability = stability_;
   report.n_mechanisms = n_mechanisms_;
+  report.n_bridges_unsettled = n_bridges_unsettled_;
   report.ending = ending_;
   report.phase = progress_.phase == CompactionProgress::finishing ? "finishing" : "moving";
   report.time = progress_.time;

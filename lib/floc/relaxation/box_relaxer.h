@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "floc/neighbors/spread_liquid.h"
 #include "floc/relaxation/equilibrator.h"
 
 namespace floc {
@@ -64,6 +65,7 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   RelaxationStatus check_motion();
   RelaxationStatus check_finish();
   RelaxationStatus stop_here();
+  LiquidChange share_liquid_once_more();
 
   RelaxationOptions options_;
   Packing<Dim> packing_;
@@ -73,7 +75,7 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   Residuals residuals_;
   double energy_ratio_ = 0.0;
   Stability stability_;  ///< of an equilibrium
-  int n_mechanisms_ = -1;
+  int n_mechanisms_ = -1, n_bridges_unsettled_ = -1;
   std::string ending_, words_;
   double time_step_;
   double time_unit_;  ///< T

@@ -18,6 +18,9 @@ struct DynamicsSettings {
   double skin;       ///< first guess of the Verlet skin (length); adapted to the motion
   int threads = 1;
   InstructionSet instructions = widest_instruction_set();
+  /// Liquid bridges keep their volumes; otherwise liquid is shared out anew at the beginning and with every list
+  /// of neighbours, of which the skin is a fixed part of the reach of the bridges then.
+  bool holds_liquid = false;
 };
 
 /// What happens to the kinetic energy.

@@ -19,6 +19,9 @@ enum class RelaxationStatus { running, converged, gave_up };
 struct RelaxationReport {
   Residuals residuals;
   Stability stability;  ///< of an equilibrium, not tested before
+  /// Bridges that would form or break if the liquid of an equilibrium were shared out once more; -1 before, and
+  /// without liquid.
+  int n_bridges_unsettled = -1;
   /// Mechanisms of what carries force between walls, -1: not counted. A state that has some is no equilibrium.
   int n_mechanisms = -1;
   /// "polished", "dynamic", "static", "stopped" (recorded as it is, between walls), "diverged",

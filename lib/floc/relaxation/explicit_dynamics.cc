@@ -21,6 +21,9 @@ constexpr double kListCost = 23.0;
 /// What grains at rest get of the skin of the fastest: they may be hit.
 constexpr double kMinSkinShare = 0.25;
 constexpr double kMinSkin = 1e-3;  // of the largest diameter, or the smallest where they differ much
+/// Skin of lists with which liquid is shared out, of the reach of the furthest bridge: two surfaces come nearer to
+/// each other by that at most before it is shared out again.
+constexpr double kSkinOfReach = 0.25;
 
 template <int Dim>
 LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control) {
@@ -42,6 +45,7 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
                                         const DynamicsSettings& settings)
     : law_(packing.law),
       wall_law_(packing.wall_law),
+      holds_liquid_(settings.holds_liquid),
       control_(control),
       walls_(packing.walls),
       dt_(settings.time_step),
@@ -58,8 +62,10 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
   strain_rate_ = right_quotient<Dim>(lattice_rate_, lattice_);
   add_interactions(packing, settings.instructions, shape_of(packing.cell, control));
   sums_.resize(n_blocks());
-  rebuild_list();
+  if (law_.liquid()) set_first_reach(packing);
+  build_lists();
   load_memory(packing);
+  if (shares_liquid()) spread_liquid();
   refresh_forces();
 }
 
@@ -86,6 +92,7 @@ void ExplicitDynamics<Dim>::load_memory(const Packing<Dim>& packing) {
     const int p = interaction.pairs().find(swap ? swapped(key) : key);
     if (p >= 0) interaction.load_memory(p, c.memory, swap);
   }
+  if (bridges_) interactions_[0].refresh_bridges();
 }
 
 template <int Dim>
@@ -214,12 +221,16 @@ Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const {
 /// The list holds too many pairs out of range, or a pair outside it might interact.
 template <int Dim>
 bool ExplicitDynamics<Dim>::list_is_stale() const {
-  if (list_cost_share() < 0.5 * out_of_range_share_ && skin_ > min_skin_) return true;
+  if (list_cost_share() < 0.5 * out_of_range_share_ && skin_ > min_skin_ && !shares_liquid()) return true;
   return consumed_skin() >= skin_;
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::adapt_skin() {
+  if (shares_liquid()) {  // its skin decides when that happens, and must not follow what lists cost
+    skin_ = std::clamp(kSkinOfReach * interactions_[0].range(), min_skin_, 0.5 * largest_diameter_);
+    return;
+  }
   if (interactions_[0].pairs().size() == 0 || steps_since_list_ == 0) return;
   on_first_list_ = false;
   const double cost = list_cost_share();
@@ -257,6 +268,14 @@ double ExplicitDynamics<Dim>::out_of_range_share(const std::vector<NeighborPair<
 template <int Dim>
 void ExplicitDynamics<Dim>::rebuild_list() {
   if (!finite()) return;  // the caller will ask; there are no neighbours to find
+  if (bridges_) interactions_[0].set_range(std::max(interactions_[0].range(), reach_of_liquid()));
+  build_lists();
+  if (shares_liquid()) spread_liquid();
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::build_lists() {
+  if (!finite()) return;
   adapt_skin();
   Grains<Dim> now = Grains<Dim>::with_size(grains_.size());
   grains_.copy_positions_to(now);
@@ -423,6 +442,7 @@ void ExplicitDynamics<Dim>::append_contacts(const Interaction<Dim>& interaction,
     if (pairs.padding(p)) continue;
     NeighborPair<Dim> key = pairs.key(p);
     const double reach = pairs.radii(p) + interaction.range();
+    const bool wet = !pairs.bridge_volume().empty() && pairs.bridge_volume()[p] != 0.0;
     if (with_walls) {
       const Wall<Dim>& wall = walls_.walls()[key.j];
       if (wall.side * (wall.position - grains_.x[wall.axis][key.i]) >= reach) continue;
@@ -431,7 +451,7 @@ void ExplicitDynamics<Dim>::append_contacts(const Interaction<Dim>& interaction,
       const Vec<Dim> shift = image_shift(key.image);
       Vec<Dim> r;
       for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][key.j] - grains_.x[a][key.i] + shift[a];
-      if (r.squaredNorm() >= reach * reach) continue;
+      if (r.squaredNorm() >= reach * reach && !wet) continue;
       key = {grains_.index[key.i], grains_.index[key.j], key.image + wrap[key.i] - wrap[key.j]};
     }
     const bool swap = key.j < key.i;
@@ -451,6 +471,11 @@ std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const 
   return std::make_unique<ExplicitDynamics<Dim>>(packing, control, settings);
 }
 
+// For liquid_in_motion.cc.
+template Vec<2> ExplicitDynamics<2>::image_shift(const Vec<2, int>&) const;
+template Vec<3> ExplicitDynamics<3>::image_shift(const Vec<3, int>&) const;
+template void ExplicitDynamics<2>::build_lists();
+template void ExplicitDynamics<3>::build_lists();
 template std::unique_ptr<Dynamics<2>> make_dynamics(const Packing<2>&, const BoundaryControl<2>&,
                                                     const DynamicsSettings&);
 template std::unique_ptr<Dynamics<3>> make_dynamics(const Packing<3>&, const BoundaryControl<3>&,

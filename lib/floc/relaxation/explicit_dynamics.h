@@ -2,8 +2,10 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 #include <vector>
 
+#include "floc/packing/liquid.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/interaction.h"
@@ -60,12 +62,20 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   bool list_is_stale() const;
   double out_of_range_share(const std::vector<NeighborPair<Dim>>& pairs) const;
   void rebuild_list();
+  void build_lists();
+  bool shares_liquid() const { return bridges_.has_value() && !holds_liquid_; }
+  void set_first_reach(const Packing<Dim>& packing);
+  double reach_of_liquid() const;
+  double gap_of(const NeighborPair<Dim>& pair) const;
+  LiquidShares share_liquid();
+  void spread_liquid();
   std::vector<NeighborPair<Dim>> close_pairs(const Interaction<Dim>& interaction, const Grains<Dim>& now) const;
   void append_contacts(const Interaction<Dim>& interaction, const std::vector<Vec<Dim, int>>& wrap,
                        Packing<Dim>& out) const;
   void adapt_skin();
 
   LawParameters law_, wall_law_;
+  bool holds_liquid_;
   std::deque<Interaction<Dim>> interactions_;  ///< between grains first, then with walls
   BoundaryControl<Dim> control_;
   WallMotion<Dim> walls_;
@@ -91,7 +101,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   std::array<AlignedVector<double>, Dim> x_list_;  ///< positions when the list was built
   AlignedVector<double> inverse_skin_squared_;     ///< of the distances that grains may move from there
   Mat<Dim> lattice_at_list_;
-  Mat<Dim> list_stretch_;  ///< deformation since the list was built
+  Mat<Dim> list_stretch_;                ///< deformation since the list was built
+  std::optional<BridgeSearch> bridges_;  ///< where the law has liquid
   int steps_since_list_ = 0;
   bool on_first_list_ = true;
   double out_of_range_share_ = 0.0;  ///< of a step, when the list was built

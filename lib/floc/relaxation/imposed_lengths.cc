@@ -56,7 +56,7 @@ void Relaxer<Dim>::begin_way() {
 template <int Dim>
 bool Relaxer<Dim>::carries_no_stress() const {
   if (!load_.any_strained()) return false;
-  if (packing_.law.pull_off_force() > 0.0) return packing_.contacts.empty();
+  if (packing_.law.adheres()) return packing_.contacts.empty();
   return !(reduced_pressure(packing_, target_.mean()) > kNoPressure);
 }
 

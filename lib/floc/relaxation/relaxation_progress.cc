@@ -26,15 +26,25 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("force_residual", p.force_residual);
 };
 
+/// There only once it counts something: progress without liquid is as it has always been.
+constexpr const char* kLiquidTrials = "liquid_trials";
+
 }  // namespace
 
 std::string as_text(const RelaxationProgress& progress) {
-  return members_as_json(progress, kMembers);
+  const std::string text = members_as_json(progress, kMembers);
+  if (progress.liquid_trials == 0) return text;
+  nlohmann::json json = nlohmann::json::parse(text);
+  json[kLiquidTrials] = progress.liquid_trials;
+  return json.dump();
 }
 
 RelaxationProgress relaxation_progress(const std::string& text) {
-  return members_from_json<RelaxationProgress>(text, "progress", "is not that of a relaxation of this version",
-                                               kMembers);
+  auto progress = members_from_json<RelaxationProgress>(
+      text, "progress", "is not that of a relaxation of this version", kMembers);
+  if (const nlohmann::json json = nlohmann::json::parse(text); json.contains(kLiquidTrials))
+    json[kLiquidTrials].get_to(progress.liquid_trials);
+  return progress;
 }
 
 }  // namespace floc

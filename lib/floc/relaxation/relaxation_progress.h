@@ -25,6 +25,7 @@ struct RelaxationProgress {
   int unchanged_chunks = 0;          ///< chunks since that last changed
   double finishing_since_phi = 0.0;  ///< solid fraction when finishing began
   int finishing_chunks = 0;
+  int liquid_trials = 0;               ///< equilibria given up because their liquid moved
   int next_refinement = 0;             ///< chunk of the finish at which Newton refinement is tried next
   std::vector<double> force_residual;  ///< at the end of each recent chunk, for the decay rate
 };

@@ -9,6 +9,7 @@
 
 #include "floc/elasticity/stability.h"
 #include "floc/neighbors/find_contacts.h"
+#include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/require_periodic.h"
@@ -43,6 +44,8 @@ constexpr double kSteadyStress = 1e-3;
 constexpr double kFinishStress = 1e-2;
 /// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
 constexpr double kDefaultInertialNumber = 1e-3;
+/// Times that an equilibrium is given up because its liquid moves.
+constexpr int kLiquidTrials = 20;
 /// Newton refinement is tried where it is known to succeed, and after a failure again a while later, each time
 /// a longer one.
 constexpr double kRefinementResidual = 5e-3;
@@ -106,7 +109,7 @@ bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to) {
     const Contact<Dim>&p = from.contacts[k], &q = to.contacts[k];
     if (p.i != q.i || p.j != q.j || p.image != q.image || p.distant != q.distant) return false;
     const double gap = extrapolated(p.gap, q.gap);
-    if ((gap >= 0.0) != q.distant || gap >= from.law.range()) return false;
+    if ((gap >= 0.0) != q.distant || (q.distant && gap >= range_of(from, p))) return false;
     if (!q.distant && !sticks(from.law, p, q)) return false;
   }
   return true;
@@ -138,9 +141,9 @@ double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& pac
                        const Vec<Dim>& target_stress) {
   const double a = force_scale(packing, target_stress).length;
   const double m = largest_mass(packing.grains);
-  if (options.strain_rate_cap && packing.law.pull_off_force() > 0.0)
-    return *options.strain_rate_cap * std::sqrt(packing.law.pull_off_force() / (a * m));
-  if (options.inertial_number_cap || packing.law.pull_off_force() == 0.0)
+  const double F0 = pull_off_force(packing);
+  if (options.strain_rate_cap && F0 > 0.0) return *options.strain_rate_cap * std::sqrt(F0 / (a * m));
+  if (options.inertial_number_cap || F0 == 0.0)
     return options.inertial_number_cap.value_or(kDefaultInertialNumber) *
            std::sqrt(std::max(target_stress.mean(), 0.0) * std::pow(a, Dim - 2) / m);
   return std::numeric_limits<double>::infinity();
@@ -191,9 +194,11 @@ RelaxationStatus Relaxer<Dim>::advance() {
       strain_rate_cap(options_, packing_, target_));
   control.way = way();
   time_step_ = time_step_of(packing_, options_.time_step, std::max(target_.mean(), 0.0));
-  auto dynamics = make_dynamics(packing_, control, {time_step_, progress_.skin, options_.threads});
-  packing_.contacts = {};  // dynamics has them now: a large packing is held once
   const bool finishing = progress_.phase == RelaxationProgress::finishing;
+  DynamicsSettings settings{time_step_, progress_.skin, options_.threads};
+  settings.holds_liquid = finishing;
+  auto dynamics = make_dynamics(packing_, control, settings);
+  packing_.contacts = {};  // dynamics has them now: a large packing is held once
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
@@ -335,7 +340,7 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
   }
   if (!within) return RelaxationStatus::running;
   Stability found = stability(packing_);
-  if (!found.may_be_stable()) return RelaxationStatus::running;
+  if (!found.may_be_stable() || !liquid_rests(packing_, true)) return RelaxationStatus::running;
   stability_ = std::move(found);
   ending_ = "dynamic";
   return RelaxationStatus::converged;
@@ -353,7 +358,7 @@ bool Relaxer<Dim>::newton_pays() const {
 
 template <int Dim>
 bool Relaxer<Dim>::refine_by_newton() {
-  return accept_if_equilibrium(solve_from(packing_, {}, StaticSolverOptions{}), "polished");
+  return accept_if_equilibrium(solve_from(packing_, {}, StaticSolverOptions{}), "polished", true);
 }
 
 /// @param way  from the lengths of `start` to others; of what is strained, nothing else moves
@@ -382,20 +387,37 @@ bool Relaxer<Dim>::solve_without_motion() {
     solution = solve_from(solution.packing, {}, StaticSolverOptions{});
     if (!is_elastic_step(packing_, solution.packing)) return false;
   }
-  return accept_if_equilibrium(std::move(solution), "static");
+  return accept_if_equilibrium(std::move(solution), "static", false);
+}
+
+/// Whether the liquid of an equilibrium stays where it is when it is shared out once more. Where it moves, and the
+/// relaxation may go on from there, it does so with the liquid in its new places; after kLiquidTrials times the
+/// liquid is held where it is.
+template <int Dim>
+bool Relaxer<Dim>::liquid_rests(const Packing<Dim>& equilibrium, bool go_on) {
+  if (!holds_liquid(equilibrium)) return true;
+  Packing<Dim> shared = equilibrium;
+  const LiquidChange change = spread_liquid(shared);
+  n_bridges_unsettled_ = change.n_changed();
+  if (change.nothing() || progress_.liquid_trials >= kLiquidTrials) return true;
+  if (!go_on) return false;
+  ++progress_.liquid_trials;
+  packing_ = std::move(shared);
+  measure();
+  return false;
 }
 
 /// An equilibrium is within tolerance and stable (docs/physics.md, "Equilibrium"). A static solution need not
 /// be stable: with a tail, a grain that could roll onto its neighbour has a saddle on the way.
 template <int Dim>
-bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending) {
+bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending, bool go_on) {
   if (!solution.converged) return false;
   const Mat<Dim> stress = static_stress(solution.packing);
   const Vec<Dim> target = load_.stress_with(stress);
   const Residuals reached = residuals(solution.packing, target, stress);
   if (!reached.within(options_.tolerance)) return false;
   Stability found = stability(solution.packing);
-  if (!found.may_be_stable()) return false;
+  if (!found.may_be_stable() || !liquid_rests(solution.packing, go_on)) return false;
   packing_ = std::move(solution.packing);
   stress_ = stress;
   target_ = target;
@@ -418,6 +440,7 @@ RelaxationReport Relaxer<Dim>::report() const {
   RelaxationReport report;
   report.residuals = residuals_;
   report.stability = stability_;
+  report.n_bridges_unsettled = n_bridges_unsettled_;
   report.ending = ending_;
   report.phase = progress_.phase == RelaxationProgress::finishing ? "finishing" : "moving";
   report.time = progress_.time;

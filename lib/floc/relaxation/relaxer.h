@@ -61,7 +61,8 @@ class Relaxer final : public Equilibrator<Dim> {
   StaticSolution<Dim> solve_from(const Packing<Dim>& start, const BoundaryWay<Dim>& way,
                                  const StaticSolverOptions& options) const;
   bool solve_without_motion();
-  bool accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending);
+  bool accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending, bool go_on);
+  bool liquid_rests(const Packing<Dim>& equilibrium, bool go_on);
   void measure();
 
   RelaxationOptions options_;
@@ -71,7 +72,8 @@ class Relaxer final : public Equilibrator<Dim> {
   RelaxationProgress progress_;
   Mat<Dim> stress_;  ///< of the packing, like the residuals
   Residuals residuals_;
-  Stability stability_;  ///< of an equilibrium
+  Stability stability_;           ///< of an equilibrium
+  int n_bridges_unsettled_ = -1;  ///< likewise, of liquid
   std::string ending_;
   double time_step_;
   double time_unit_;  ///< sqrt(a m/F1): T0 of a cohesive scene below P* = 1

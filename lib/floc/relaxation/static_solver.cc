@@ -17,6 +17,7 @@
 #include "floc/network/tangent_matrix.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_response.h"
+#include "floc/packing/liquid.h"
 #include "floc/packing/require_periodic.h"
 
 namespace floc {
@@ -207,7 +208,7 @@ class StaticProblem {
   int order() const { return kDofs<Dim> * n_grains() + n_strains(); }
   double radii(const Contact<Dim>& c) const { return start_.grains.radius[c.i] + start_.grains.radius[c.j]; }
   double share_i(const Contact<Dim>& c) const { return start_.grains.radius[c.i] / radii(c); }
-  bool interacts(const Contact<Dim>& c) const { return c.gap < start_.law.range(); }
+  bool interacts(const Contact<Dim>& c) const { return floc::interacts(start_, c); }
 
   Configuration<Dim> start_from(double margin) const {
     Configuration<Dim> c;
@@ -233,7 +234,8 @@ class StaticProblem {
     std::multimap<std::tuple<int, int, std::array<int, Dim>>, const Contact<Dim>*> remembered;
     for (const Contact<Dim>& c : start_.contacts) remembered.insert({{c.i, c.j, image(c.image)}, &c});
     std::vector<Contact<Dim>> all;
-    for (const NeighborPair<Dim>& p : find_pairs(start_.cell, start_.grains, start_.law.range() + margin)) {
+    for (const NeighborPair<Dim>& p :
+         find_pairs(start_.cell, start_.grains, interaction_range(start_) + margin)) {
       const auto [first, last] = remembered.equal_range({p.i, p.j, image(p.image)});
       for (auto known = first; known != last; ++known) all.push_back(*known->second);
       if (first != last) continue;

@@ -8,8 +8,10 @@
 #include <set>
 
 #include "floc/elasticity/stability.h"
+#include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/liquid.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/run/contact_check.h"
 
@@ -70,12 +72,33 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
   for (const Contact<Dim>& c : recomputed.contacts) {
     if (!listed.insert({identity(c), c.key}).second) wrong(name_of(recomputed, c) + " listed twice");
-    if (c.gap >= law_of(recomputed, c).range() + open)
+    if (c.gap >= law_of(recomputed, c).range() + open && bridge_volume(recomputed, c) == 0.0)
       wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(recomputed, c), c.gap));
   }
   for (const Contact<Dim>& c : missing_contacts(recomputed, open))
     wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(recomputed, c), c.gap));
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
+}
+
+/// The liquid of a state: it is all there, and stays where it is when it is shared out once more, but for the
+/// bridges that the state says would change.
+template <int Dim>
+Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) {
+  if (!holds_liquid(recomputed)) return {"liquid", 0.0, 0.0, true, ""};
+  constexpr double kRelative = 1e-12;
+  const double all = BridgeSearch(*recomputed.law.liquid(), recomputed.grains.radius).liquid();
+  double sum = 0.0;
+  for (const Contact<Dim>& c : recomputed.contacts) sum += std::abs(bridge_volume(recomputed, c));
+  Packing<Dim> shared = recomputed;
+  const int n_changed = spread_liquid(shared).n_changed();
+  const int recorded = std::max(state.n_bridges_unsettled, 0);
+  std::string where;
+  if (sum != 0.0 && !(std::abs(sum - all) <= kRelative * all))
+    where = fmt::format("bridges hold {:.6g}, the law says {:.6g}", sum, all);
+  if (n_changed != recorded)
+    where +=
+        fmt::format("{}{} bridges would change, {} recorded", where.empty() ? "" : ", ", n_changed, recorded);
+  return {"liquid", static_cast<double>(n_changed), static_cast<double>(recorded), where.empty(), where};
 }
 
 /// What positions leave open of a force.
@@ -105,7 +128,9 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
                   std::abs(c.twisting_moment - r.twisting_moment) / arm});
     result.value = std::max(*result.value, error);
     // A stiffness that grows with the overlap follows it to the rounding of the positions.
-    const double open = law_of(recomputed, c).stiffness_varies() ? 1e-12 + distance / std::abs(r.gap) : 0.0;
+    // So does that of a liquid bridge across a gap.
+    const bool varies = law_of(recomputed, c).stiffness_varies() || (r.distant && holds_liquid(recomputed));
+    const double open = varies ? 1e-12 + distance / std::abs(r.gap) : 0.0;
     const auto same = [open](double kept, double found) {
       return kept == found || std::abs(kept - found) <= open * std::abs(found);
     };
@@ -345,6 +370,7 @@ std::vector<Criterion> verify_equilibrium(const State<Dim>& state) {
   criteria.push_back(check_stability(found));
   criteria.push_back(check_boundary(state, recomputed, stress));
   criteria.push_back(check_record(state, recomputed, stress, found));
+  criteria.push_back(check_liquid(state, recomputed));
   return criteria;
 }
 

@@ -10,6 +10,8 @@
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
 #include "floc/io/sealed_bytes.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/packing/liquid.h"
 #include "support/scratch_directory.h"
 #include "support/springs.h"
 #include "support/states.h"
@@ -161,6 +163,27 @@ TEST(StateFile, OfDisksUnderALawOfSpheresIsRefused) {
   s.packing.law = LawParameters{};
   s.packing.law.normal = HertzRepulsion{70.0, 0.3};
   EXPECT_THAT(refusal_of(s), HasSubstr("contact.normal.law = \"hertz\": is for spheres"));
+}
+
+TYPED_TEST(StateFile, KeepsTheLiquidOfAWetPacking) {
+  constexpr int kDim = TypeParam::value;
+  const ScratchDirectory scratch;
+  State<kDim> s = busy_state<kDim>();
+  s.packing.law.rolling.reset();
+  s.packing.law.twisting.reset();
+  write_state(scratch.file("dry.h5"), s);
+  EXPECT_EQ(read_file(scratch.file("dry.h5")).find("surface_tension"), std::string::npos);
+  s.packing.law.adhesion =
+      CapillaryAdhesion{0.3, 20.0, 0.01, 2.6, BridgeForm::rational, BridgeFormation::contact};
+  find_contacts(s.packing);
+  s.n_bridges_unsettled = 3;
+  ASSERT_GT(bridge_volume(s.packing, s.packing.contacts[0]), 0.0);
+  write_state(scratch.file("s.h5"), s);
+  EXPECT_NE(read_file(scratch.file("s.h5")).find("surface_tension"), std::string::npos);
+  const auto back = std::get<State<kDim>>(read_state(scratch.file("s.h5")));
+  EXPECT_EQ(back.packing.law, s.packing.law);
+  expect_same_contacts(s.packing, back.packing);
+  EXPECT_EQ(back.n_bridges_unsettled, 3);
 }
 
 TEST(Checkpoint, CarriesItsProgressBesideTheState) {

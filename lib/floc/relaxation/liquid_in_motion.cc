@@ -1,0 +1,90 @@
+// The liquid bridges of ExplicitDynamics: how far its lists look for them, and how their liquid is shared out.
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "floc/relaxation/explicit_dynamics.h"
+
+namespace floc {
+namespace {
+
+/// How much further lists look than bridges reach now, so that one search is enough next time.
+constexpr double kReachMargin = 1.05;
+
+}  // namespace
+
+/// Lists hold every pair with liquid on it, and those that may get some.
+template <int Dim>
+void ExplicitDynamics<Dim>::set_first_reach(const Packing<Dim>& packing) {
+  bridges_.emplace(*law_.liquid(), std::span<const double>(grains_.radius.data(), grains_.size()));
+  const double reach = kReachMargin * interaction_range(packing);
+  interactions_[0].set_range(holds_liquid_ ? reach : std::max(reach, bridges_->first_reach()));
+}
+
+/// The widest gap with liquid on it.
+template <int Dim>
+double ExplicitDynamics<Dim>::reach_of_liquid() const {
+  const PairArrays<Dim>& pairs = interactions_[0].pairs();
+  double reach = 0.0;
+  for (int p = 0; p < pairs.size(); ++p)
+    if (pairs.bridge_volume()[p] != 0.0) reach = std::max(reach, kReachMargin * gap_of(pairs.key(p)));
+  return reach;
+}
+
+template <int Dim>
+double ExplicitDynamics<Dim>::gap_of(const NeighborPair<Dim>& pair) const {
+  const Vec<Dim> shift = image_shift(pair.image);
+  Vec<Dim> r;
+  for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][pair.j] - grains_.x[a][pair.i] + shift[a];
+  return r.norm() - (grains_.radius[pair.i] + grains_.radius[pair.j]);
+}
+
+/// The liquid of all shared out over the pairs of the list.
+template <int Dim>
+LiquidShares ExplicitDynamics<Dim>::share_liquid() {
+  const CapillaryAdhesion& law = *law_.liquid();
+  const PairArrays<Dim>& pairs = interactions_[0].pairs();
+  std::vector<BridgeablePair> taking_part;
+  std::vector<int> place;
+  for (int p = 0; p < pairs.size(); ++p) {
+    if (pairs.padding(p)) continue;
+    const double gap = gap_of(pairs.key(p));
+    if (law.formation == BridgeFormation::contact && gap > 0.0 && !(pairs.bridge_volume()[p] > 0.0)) continue;
+    taking_part.push_back({gap, 2.0 * reduced(grains_.radius[pairs.i(p)], grains_.radius[pairs.j(p)])});
+    place.push_back(p);
+  }
+  LiquidShares shares = floc::share_liquid(law, bridges_->liquid(), taking_part);
+  auto& volume = interactions_[0].bridge_volume();
+  std::fill(volume.begin(), volume.end(), 0.0);
+  for (std::size_t k = 0; k < place.size(); ++k) volume[place[k]] = shares.volume[k];
+  return shares;
+}
+
+/// Shares the liquid out, over a list that reaches far enough.
+template <int Dim>
+void ExplicitDynamics<Dim>::spread_liquid() {
+  Interaction<Dim>& grains = interactions_[0];
+  LiquidShares shares = share_liquid();
+  if (law_.liquid()->formation == BridgeFormation::gap) {
+    for (double wider = bridges_->wider(grains.range(), shares); wider > grains.range();
+         wider = bridges_->wider(grains.range(), shares)) {
+      grains.set_range(wider);
+      build_lists();
+      shares = share_liquid();
+    }
+    grains.set_range(std::min(grains.range(), kReachMargin * bridges_->reach_bound(shares)));
+  }
+  grains.refresh_bridges();
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                \
+  template void ExplicitDynamics<Dim>::set_first_reach(const Packing<Dim>&); \
+  template double ExplicitDynamics<Dim>::reach_of_liquid() const;            \
+  template void ExplicitDynamics<Dim>::spread_liquid();
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -14,6 +14,7 @@
 #include "floc/io/import.h"
 #include "floc/io/law_text.h"
 #include "floc/neighbors/find_contacts.h"
+#include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/overlaps.h"
 #include "output.h"
@@ -123,7 +124,15 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
               State<Dim>& state) {
   if (const auto faults = state.packing.law.faults_in_dimension(Dim); !faults.empty())
     throw InputError(arguments.law.empty() ? in : "--law", faults.front().words);
-  if (!imported.contacts_known) find_contacts(state.packing);
+  if (!imported.contacts_known)
+    find_contacts(state.packing);
+  else
+    spread_liquid(state.packing);
+  if (holds_liquid(state.packing))
+    spdlog::info(
+        "{}: volumes of the liquid bridges are not in the file; they follow from the law, and with them "
+        "the forces",
+        in);
   refuse_impossible_density(in, state.packing);
   require_small_overlaps(in, state.packing);
   if (!arguments.stress.empty()) {

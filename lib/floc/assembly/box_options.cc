@@ -11,7 +11,7 @@ LawParameters wall_law(const LawParameters& grains, const BoxOptions& box) {
   LawParameters law = grains;
   if (box.adhesion == 0.0)
     law.adhesion.reset();
-  else if (!law.adhesion)
+  else if (!law.adhesion || law.adhesion.holds<CapillaryAdhesion>())  // a wall is dry
     law.adhesion = ConstantAdhesion{box.adhesion};
   if (box.friction == 0.0) {
     law.friction.reset();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "floc/contact/law_description.h"
@@ -77,12 +78,23 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
 }
 
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
-  const double F0 = scene.law.pull_off_force();
+  const double F0 = scene.law.pull_off_force(0.5 * scene.grains.diameter.max);
   const double K_N = std::pow(a, scene.dimension - 1) * scene.law.contact_modulus(scene.dimension, a);
   groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact against adhesion"});
   add_pressures(scene, F0 / std::pow(a, scene.dimension - 1), "P_star",
                 scene.dimension == 2 ? "a P/F0" : "a^2 P/F0", groups);
   groups.push_back({"h0/a", F0 / K_N, "overlap of a free pair"});
+}
+
+/// Of the liquid, and of bridges between the largest grains where each has three.
+void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
+  const double share = law.liquid_volume(1.0);
+  const double grain = std::numbers::pi / 6.0 * a * a * a;
+  constexpr double kBridgesPerGrain = 3.0;
+  const Bridge<> bridge = law.bridge(0.5 * a, 0.5 * a, share * grain / kBridgesPerGrain);
+  groups.push_back({"V_l/V_s", share, "volume of the liquid over that of the grains"});
+  groups.push_back({"l/a", 1.0 / (bridge.decay * a), "decay length of a bridge, three to each grain"});
+  groups.push_back({"hm/a", bridge.reach / a, "gap at which it breaks"});
 }
 
 /// Of elastic spheres: overlaps go as 1/kappa, the pressure between surfaces as kappa^(-1/2).
@@ -152,9 +164,9 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
     groups.push_back({"V0/V_star", scene.assembly.agitation,
                       scene.law.range() > 0.0 ? "agitation at the start, V* = sqrt(F0 D0/m)"
                                               : "agitation at the start, V* = sqrt(P a^2/m)"});
-  if (scene.law.adhesion)
-    groups.push_back(
-        {"T0", std::sqrt(a * m / scene.law.pull_off_force()), "sqrt(a m/F0), unit of time of the scene"});
+  if (scene.law.adheres())
+    groups.push_back({"T0", std::sqrt(a * m / scene.law.pull_off_force(0.5 * scene.grains.diameter.max)),
+                      "sqrt(a m/F0), unit of time of the scene"});
 }
 
 /// T = sqrt(m/(p a^(D-2))), the unit of time of a box.
@@ -237,9 +249,10 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   Groups groups;
   groups.push_back({"N", static_cast<double>(scene.grains.count), "grains"});
   groups.push_back({"d_min/a", scene.grains.diameter.min / a, "smallest diameter over the largest, a"});
-  if (scene.law.adhesion) {
+  if (scene.law.adheres()) {
     add_cohesion(scene, a, groups);
     add_slot("adhesion", scene, a, groups);
+    if (const CapillaryAdhesion* law = scene.law.liquid()) add_liquid(*law, a, groups);
   } else if (scene.law.stiffness_varies()) {
     add_spheres(scene, groups);
   } else {

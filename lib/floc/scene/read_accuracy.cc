@@ -14,9 +14,10 @@ constexpr NumberRule kRelativeError{[](double x) { return x > 0; }, "a positive 
 
 /// a K_N/F0; nothing without adhesion.
 std::optional<double> stiffness_number(const Scene& scene) {
-  if (!scene.law.adhesion) return std::nullopt;
+  if (!scene.law.adheres()) return std::nullopt;
   const double a = scene.grains.diameter.max;
-  return a * scene.law.contact_modulus(scene.dimension, a) / scene.law.pull_off_force();
+  return a * scene.law.contact_modulus(scene.dimension, a) /
+         scene.law.pull_off_force(0.5 * scene.grains.diameter.max);
 }
 
 /// Settings that [accuracy] chooses: a scene says either the accuracy or these.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "floc/relaxation/static_solver.h"
 #include "floc/scene/derived_groups.h"
@@ -50,10 +51,34 @@ void warn_of_range(const Scene& scene, Warnings& warnings) {
                     scene.law.range(), radius));
 }
 
+/// What liquid bridges do that the scene does not say.
+void warn_of_liquid(const Scene& scene, Warnings& warnings) {
+  if (!scene.law.adhesion.holds<CapillaryAdhesion>()) return;
+  const CapillaryAdhesion& law = scene.law.adhesion.get<CapillaryAdhesion>();
+  if (law.water_content == 0.0)
+    warnings.push_back(
+        "contact.adhesion.water_content = 0: the grains are dry; with however little liquid they attract with "
+        "all of gamma's force, which does not depend on the volume of a bridge");
+  else if (!law.acts())
+    warnings.push_back("contact.adhesion.contact_angle = 90: the liquid does not pull; the grains are as dry");
+  // Of three bridges to each of equal grains, V_b over R'^3.
+  constexpr double kBridgesPerGrain = 3.0, kMerging = 0.1;
+  const double filled = law.liquid_volume(4.0 / 3.0 * std::numbers::pi) / kBridgesPerGrain;
+  if (filled > kMerging)
+    warnings.push_back(fmt::format(
+        "contact.adhesion.water_content = {}: with three bridges to each grain they hold {:.2g} R^3, "
+        "and from {} R^3 on bridges merge, which this law does not know",
+        law.water_content, filled, kMerging));
+  if (scene.assembly.box)
+    warnings.push_back(
+        "contact.adhesion.law = \"capillary\": contacts with walls are dry, liquid bridges are between grains");
+}
+
 /// sqrt(a m/F1) at a pressure.
 double time_unit(const Scene& scene, double pressure) {
   const double a = scene.grains.diameter.max, m = mass_of(scene, a);
-  const double F1 = std::max(scene.law.pull_off_force(), pressure * std::pow(a, scene.dimension - 1));
+  const double F1 = std::max(scene.law.pull_off_force(0.5 * scene.grains.diameter.max),
+                             pressure * std::pow(a, scene.dimension - 1));
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
@@ -67,7 +92,8 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   const double unit = time_unit(scene, pressure);
   const RelaxationOptions r = scene.assembly.cell.applied_to(scene.relaxation);
   // The inertial number is the rate times sqrt(m/P), of spheres sqrt(m/(P a)): sqrt(a m/F1) where F1 is of P.
-  const double free_unit = scene.law.pull_off_force() > 0.0 ? time_unit(scene, 0.0) : unit;
+  const double free_unit =
+      scene.law.pull_off_force(0.5 * scene.grains.diameter.max) > 0.0 ? time_unit(scene, 0.0) : unit;
   const double rate = r.strain_rate_cap       ? *r.strain_rate_cap / free_unit
                       : r.inertial_number_cap ? *r.inertial_number_cap / unit
                                               : 0.0;
@@ -102,6 +128,7 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
   Warnings warnings;
   warn_of_tolerances(scene, warnings);
   warn_of_range(scene, warnings);
+  warn_of_liquid(scene, warnings);
   warn_of_slow_compression(scene, warnings);
   warn_of_no_sticking(scene, warnings);
   warn_of_cost(scene, warnings);

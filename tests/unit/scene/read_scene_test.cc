@@ -248,6 +248,47 @@ TEST(ReadScene, AggregationNeedsAnAdhesionWithATail) {
               HasSubstr("a constant adhesion has no range"));
 }
 
+/// The scene with liquid bridges in place of its tail, compressed at once.
+std::string wet_scene(const std::string& adhesion) {
+  std::string text =
+      with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}", "adhesion = {" + adhesion + "}");
+  text.replace(text.find("protocol = \"aggregation\"\nagitation = 9.5"), 40, "protocol = \"direct\"       \n");
+  const std::size_t rolling = text.find("rolling = ");
+  text.erase(rolling, text.find('\n', rolling) - rolling);
+  return text;
+}
+
+TEST(ReadScene, LiquidBridgesAreRead) {
+  const std::string numbers =
+      "law = \"capillary\", surface_tension = 0.072, contact_angle = 10, water_content = 0.007, density_ratio "
+      "= 2.6";
+  EXPECT_EQ(faults(wet_scene(numbers)), "");
+  EXPECT_EQ(read(wet_scene(numbers)).law.adhesion.get<CapillaryAdhesion>(),
+            (CapillaryAdhesion{0.072, 10.0, 0.007, 2.6}));
+  EXPECT_EQ(read(wet_scene(numbers + ", form = \"rational\", formation = \"contact\""))
+                .law.adhesion.get<CapillaryAdhesion>(),
+            (CapillaryAdhesion{0.072, 10.0, 0.007, 2.6, BridgeForm::rational, BridgeFormation::contact}));
+}
+
+TEST(ReadScene, LiquidThatCannotBeIsRefusedInWords) {
+  const auto faults_of = [](const std::string& tension, const std::string& angle, const std::string& water) {
+    return faults(wet_scene("law = \"capillary\", surface_tension = " + tension + ", contact_angle = " + angle +
+                            ", water_content = " + water + ", density_ratio = 2.6"));
+  };
+  EXPECT_THAT(faults_of("0", "10", "0.007"),
+              HasSubstr("contact.adhesion.surface_tension = 0: expected a positive"));
+  EXPECT_THAT(faults_of("0.072", "91", "0.007"),
+              HasSubstr("contact.adhesion.contact_angle = 91: expected an angle in degrees, in [0, 90]"));
+  EXPECT_THAT(faults_of("0.072", "-1", "0.007"), HasSubstr("contact.adhesion.contact_angle = -1: expected"));
+  EXPECT_THAT(faults_of("0.072", "10", "-1"),
+              HasSubstr("contact.adhesion.water_content = -1: expected a number >= 0"));
+  EXPECT_THAT(faults(wet_scene("law = \"tail\", force = 1.0, range = 1e-3, water_content = 0.1")),
+              HasSubstr("a tail adhesion has no water_content; expected law = \"capillary\""));
+  EXPECT_THAT(faults(wet_scene("law = \"capillary\", surface_tension = 0.072, contact_angle = 10, "
+                               "water_content = 0.007, density_ratio = 2.6, form = \"linear\"")),
+              HasSubstr("form = \"linear\""));
+}
+
 TEST(ReadScene, ChangesOfATurnAreFlattenedHoweverTheyAreWritten) {
   for (const char* set :
        {"set = {adhesion = {force = 0}}", "set = {adhesion.force = 0}", "set = {\"adhesion.force\" = 0}"}) {

@@ -87,7 +87,7 @@ Measured limits_of(const std::string& quantity, const std::string& unit, double 
 template <int Dim>
 std::vector<Measured> measured(const Packing<Dim>& packing, const std::vector<double>& pressure,
                                double unit_pressure, const BondArguments& arguments) {
-  const double F0 = packing.law.pull_off_force();
+  const double F0 = packing.law.pull_off_force(0.5 * mean_diameter(packing));
   const std::vector<double> forces = contact_forces(packing, ForceKind::normal);
   std::vector<Measured> all;
   const auto add = [&](const std::string& quantity, const std::string& unit, double size,
@@ -195,8 +195,8 @@ BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std
                  double zero_force, const BondArguments& arguments, BondTables& tables) {
   BondRow row;
   if (arguments.asks_nothing() || packing.grains.size() == 0) return row;
-  const double F0 = packing.law.pull_off_force();
   const double d = mean_diameter(packing), phi = solid_fraction(packing);
+  const double F0 = packing.law.pull_off_force(0.5 * d);
   row.bonds = bond_signs(packing, arguments.near * F0);
   row.virial_strength = virial_strength(Dim, row.bonds.z, phi, F0, d);
   row.rumpf_strength = rumpf_strength(Dim, phi, F0, d);

@@ -225,7 +225,7 @@ Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceU
 template <int Dim>
 PressureSample pressure_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
                                double zero_force) {
-  PressureSample sample{name, {}, packing.law.pull_off_force() > 0.0};
+  PressureSample sample{name, {}, packing.law.adheres()};
   const std::vector<bool> rattler = find_rattlers(packing, zero_force);
   const std::vector<double> pressure = particle_pressure(packing);
   double diameter = 0.0;
@@ -233,8 +233,9 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
     diameter += 2.0 * packing.grains.radius[i] / static_cast<double>(pressure.size());
     if (!rattler[i]) sample.pressures.push_back(pressure[i]);
   }
-  const double unit = sample.over_adhesion ? packing.law.pull_off_force() / std::pow(diameter, Dim - 1)
-                                           : static_stress(packing).trace() / Dim;
+  const double unit = sample.over_adhesion
+                          ? packing.law.pull_off_force(0.5 * diameter) / std::pow(diameter, Dim - 1)
+                          : static_stress(packing).trace() / Dim;
   if (sample.pressures.empty() || !(unit > 0.0))
     throw InputError(place,
                      "has no particle pressures to plot: no grain is held, or there is neither adhesion nor "

@@ -90,6 +90,7 @@ double pull_off_force(const Packing<Dim>& packing) {
 
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  if (packing.is_wall(contact.j)) return packing.wall_law.pull_off_force();
   const CapillaryAdhesion* bridges = packing.law.liquid();
   if (!bridges) return packing.law.pull_off_force();
   if (!(bridge_volume(packing, contact) > 0.0)) return 0.0;

@@ -237,7 +237,7 @@ void check_volume(TableReader& t, const LoadStage& stage) {
 /// An axis cannot keep a stress of zero, known from the stage before, once there is no adhesion.
 void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage,
                        const LawParameters& law) {
-  if (law.pull_off_force() > 0.0) return;
+  if (law.adheres()) return;
   for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a)
     if (stage.axes[a].kind == AxisLoad::kept_stress && from[a] == 0.0)
       return t.fault("control",

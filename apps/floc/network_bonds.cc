@@ -11,6 +11,7 @@
 #include "floc/network/contact_network.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/liquid.h"
 #include "floc/structure/force_distribution.h"
 #include "floc/structure/particle_stress.h"
 #include "output.h"
@@ -87,7 +88,7 @@ Measured limits_of(const std::string& quantity, const std::string& unit, double 
 template <int Dim>
 std::vector<Measured> measured(const Packing<Dim>& packing, const std::vector<double>& pressure,
                                double unit_pressure, const BondArguments& arguments) {
-  const double F0 = packing.law.pull_off_force(0.5 * mean_diameter(packing));
+  const double F0 = pull_off_force(packing);
   const std::vector<double> forces = contact_forces(packing, ForceKind::normal);
   std::vector<Measured> all;
   const auto add = [&](const std::string& quantity, const std::string& unit, double size,
@@ -196,7 +197,7 @@ BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std
   BondRow row;
   if (arguments.asks_nothing() || packing.grains.size() == 0) return row;
   const double d = mean_diameter(packing), phi = solid_fraction(packing);
-  const double F0 = packing.law.pull_off_force(0.5 * d);
+  const double F0 = pull_off_force(packing);
   row.bonds = bond_signs(packing, arguments.near * F0);
   row.virial_strength = virial_strength(Dim, row.bonds.z, phi, F0, d);
   row.rumpf_strength = rumpf_strength(Dim, phi, F0, d);

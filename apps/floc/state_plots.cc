@@ -15,6 +15,7 @@
 #include "floc/network/rattlers.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/liquid.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/structure/particle_stress.h"
 #include "floc/structure/scattering.h"
@@ -233,9 +234,8 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
     diameter += 2.0 * packing.grains.radius[i] / static_cast<double>(pressure.size());
     if (!rattler[i]) sample.pressures.push_back(pressure[i]);
   }
-  const double unit = sample.over_adhesion
-                          ? packing.law.pull_off_force(0.5 * diameter) / std::pow(diameter, Dim - 1)
-                          : static_stress(packing).trace() / Dim;
+  const double unit = sample.over_adhesion ? pull_off_force(packing) / std::pow(diameter, Dim - 1)
+                                           : static_stress(packing).trace() / Dim;
   if (sample.pressures.empty() || !(unit > 0.0))
     throw InputError(place,
                      "has no particle pressures to plot: no grain is held, or there is neither adhesion nor "

@@ -191,7 +191,7 @@ void check_offset(const State<Dim>& state, double limit, Criterion& result) {
   const auto [axis, imposed] = *state.target_offset;
   const Mat<Dim>& lattice = state.packing.cell.matrix;
   const double error = std::abs(lattice(axis, 0) - imposed) / lattice(axis, axis);
-  result.value = std::max(result.value, error);
+  result.value = std::max(*result.value, error);
   if (!(error <= limit))
     result.where += fmt::format("{}offset of L{} = {:.17g} against {:.17g}", result.where.empty() ? "" : ", ",
                                 axis + 1, lattice(axis, 0), imposed);

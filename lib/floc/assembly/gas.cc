@@ -333,7 +333,7 @@ Packing<Dim> make_boxed_gas(const GrainOptions& options, const LawParameters& la
 template <int Dim>
 void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   Grains<Dim>& g = packing.grains;
-  const double heaviest = *std::max_element(g.mass.begin(), g.mass.end());
+  const double heaviest = largest_mass(g);
   Vec<Dim> momentum = Vec<Dim>::Zero();
   double mass = 0.0;
   for (int i = 0; i < g.size(); ++i) {

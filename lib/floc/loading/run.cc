@@ -105,7 +105,7 @@ RunPoint point_after(const State<Dim>& state, const std::string& sha256) {
 template <int Dim>
 double Run<Dim>::agitation_speed() const {
   const Grains<Dim>& g = packing().grains;
-  const double m = *std::max_element(g.mass.begin(), g.mass.end());
+  const double m = largest_mass(g);
   const double a = largest_diameter(g);
   const double adhesive = options_.law.pull_off_force() * options_.law.range();
   const double energy = adhesive > 0.0 ? adhesive : options_.assembly.pressure * std::pow(a, Dim);

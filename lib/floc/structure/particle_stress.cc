@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "floc/packing/grain_sizes.h"
+
 namespace floc {
 
 template <int Dim>

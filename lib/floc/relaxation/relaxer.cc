@@ -382,7 +382,7 @@ bool Relaxer<Dim>::solve_without_motion() {
   trial.max_iterations = kTrialIterations;
   StaticSolution<Dim> solution = solve_from(packing_, way(), any ? StaticSolverOptions{} : trial);
   if (!any) {
-    if (!is_elastic_step(packing_, solution.packing)) return false;
+    if (!solution.has_lengths || !is_elastic_step(packing_, solution.packing)) return false;
     // No spring has reached a cap, so it makes no difference where the rest starts.
     solution = solve_from(solution.packing, {}, StaticSolverOptions{});
     if (!is_elastic_step(packing_, solution.packing)) return false;

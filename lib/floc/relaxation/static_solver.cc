@@ -397,6 +397,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   double travelled = control.way.any() ? control.way.largest_strain() : 0.0;
   if (travelled > options.largest_displacement) {
     solution.reason = "the lengths imposed lie too far away";
+    solution.has_lengths = false;
     solution.residual = now.worst;
     solution.packing = problem.packing(now);
     return solution;

@@ -28,6 +28,8 @@ template <int Dim>
 struct StaticSolution {
   bool converged = false;  ///< the target was reached; `packing` is then the equilibrium, at rest
   std::string reason;      ///< why not, in words
+  bool has_lengths =
+      true;  ///< the axes of `packing` are at the ends of their way; else they were too far to go
   int iterations = 0;
   double residual = 0.0;  ///< largest of the three residuals reached
   Packing<Dim> packing;   ///< best configuration found

@@ -119,6 +119,14 @@ steps = 2
   EXPECT_TRUE(states[7].target_side.isZero(0.0));
 }
 
+/// Beyond what Newton steps go at once, also where the packing before was one that they take.
+TEST(DirectedPath, LargeStrainsOfOneStepAreImposed) {
+  const auto states = states_of("[[load]]\ncontrol = \"triaxial\"\nstrain = 0.08\nsteps = 1\n");
+  ASSERT_EQ(states.size(), 2u);
+  EXPECT_NEAR(sides(states[1])[1] / sides(states[0])[1], std::exp(-0.08), 1e-13);
+  EXPECT_GT(states[1].path.n_steps, states[0].path.n_steps);
+}
+
 /// Twelve steps of a shear so large that the lattice is reduced on the way.
 TEST(DirectedPath, ASimpleShearGoesOnWhileItsLatticeIsReduced) {
   const auto states = states_of("[[load]]\ncontrol = \"simple_shear\"\nstrain = 1.2\nsteps = 12\n");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -50,6 +51,28 @@ AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int
   return measure_axial_test<Dim>(axis, stress, strain, nullptr);
 }
 
+constexpr const char* kTestPanel =
+    R"(set xlabel 'axial strain (of simple shear: shear strain) since the start of the test'
+set ylabel 'q/p (of simple shear: tau/sigma)'
+set ytics nomirror
+set y2label 'volumetric strain (compression positive)'
+set y2tics
+set key outside top center horizontal
+plot data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.4 linecolor rgb '#d55e00' title 'q/p', \
+     data index 0 using 1:3 axes x1y2 with lines linewidth 2 linecolor rgb '#0072b2' title 'volumetric strain'
+)";
+
+/// Simple shear has none: no axis is driven by a stress of its own.
+constexpr const char* kLateralPanel = R"(unset y2tics
+unset y2label
+set ytics mirror
+set xlabel 'driven stress'
+set ylabel 'K_0 = lateral/driven stress'
+unset key
+set format x '%g'
+plot data index 1 using 1:2 with linespoints pointtype 7 pointsize 0.5 linecolor rgb '#202020'
+)";
+
 }  // namespace
 
 Plot axial_test_plot(const CsvTable& path) {
@@ -91,30 +114,16 @@ Plot axial_test_plot(const CsvTable& path) {
       add(i, axis, first);
   }
   if (test.empty()) throw InputError("--show test", "no row of the path belongs to a test with a driven axis");
+  const bool any_lateral = std::any_of(lateral.begin(), lateral.end(),
+                                       [](const std::vector<double>& row) { return std::isfinite(row[0]); });
   Plot plot;
-  plot.width = 1000;
+  plot.width = any_lateral ? 1000 : 560;
   plot.height = 420;
   plot.add("test: axial_strain q/p volumetric_strain", std::move(test));
   plot.add("lateral: driven_stress K0", std::move(lateral));
-  plot.script = R"(set multiplot layout 1,2
-set xlabel 'axial strain (of simple shear: shear strain) since the start of the test'
-set ylabel 'q/p (of simple shear: tau/sigma)'
-set ytics nomirror
-set y2label 'volumetric strain (compression positive)'
-set y2tics
-set key outside top center horizontal
-plot data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.4 linecolor rgb '#d55e00' title 'q/p', \
-     data index 0 using 1:3 axes x1y2 with lines linewidth 2 linecolor rgb '#0072b2' title 'volumetric strain'
-unset y2tics
-unset y2label
-set ytics mirror
-set xlabel 'driven stress'
-set ylabel 'K_0 = lateral/driven stress'
-unset key
-set format x '%g'
-plot data index 1 using 1:2 with linespoints pointtype 7 pointsize 0.5 linecolor rgb '#202020'
-unset multiplot
-)";
+  plot.script = any_lateral
+                    ? fmt::format("set multiplot layout 1,2\n{}{}unset multiplot\n", kTestPanel, kLateralPanel)
+                    : std::string(kTestPanel);
   return plot;
 }
 

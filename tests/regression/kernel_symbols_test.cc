@@ -15,7 +15,7 @@ namespace {
 TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
   const ScratchDirectory scratch;
   const std::string symbols = scratch.file("symbols");
-  const std::string command = "nm --demangle --defined-only '" + relaxation_library() + "' >'" + symbols + "'";
+  const std::string command = "nm --defined-only '" + relaxation_library() + "' >'" + symbols + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   std::ifstream lines(symbols);
   int n_own = 0;
@@ -25,7 +25,7 @@ TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
     if (!of_wide_kernels || line.size() < 20) continue;
     const char kind = line[17];  // address, blank, kind, blank, name
     if (kind != 'W' && kind != 'V' && kind != 'u') continue;
-    EXPECT_NE(line.find("floc::Avx"), std::string::npos) << line;
+    EXPECT_TRUE(line.find("4Avx2E") != std::string::npos || line.find("6Avx512E") != std::string::npos) << line;
     ++n_own;
   }
   EXPECT_GT(n_own, 0);

@@ -211,7 +211,7 @@ Grains<2> parted(const Packing<2>& pair) {
   const auto fixed = BoundaryControl<2>::fixed();
   const double time_step = time_step_of(pair, RelaxationOptions{}.time_step);
   const auto dynamics = make_dynamics(pair, fixed, {time_step, 0.1});
-  dynamics->advance(static_cast<int>(0.03 / time_step), Motion::free);
+  dynamics->advance(static_cast<int>(0.1 / time_step), Motion::free);
   const Packing<2> end = dynamics->packing();
   EXPECT_TRUE(end.contacts.empty());
   return end.grains;

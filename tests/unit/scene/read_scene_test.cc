@@ -286,7 +286,7 @@ TEST(ReadScene, LiquidThatCannotBeIsRefusedInWords) {
               HasSubstr("a tail adhesion has no water_content; expected law = \"capillary\""));
   EXPECT_THAT(faults(wet_scene("law = \"capillary\", surface_tension = 0.072, contact_angle = 10, "
                                "water_content = 0.007, density_ratio = 2.6, form = \"linear\"")),
-              HasSubstr("form = \"linear\""));
+              HasSubstr("form = 'linear'"));
 }
 
 TEST(ReadScene, ChangesOfATurnAreFlattenedHoweverTheyAreWritten) {

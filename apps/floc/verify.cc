@@ -86,12 +86,9 @@ Command add_verify(CommandLine program) {
   add_states_argument(app, arguments->files);
   add_format_option(app, arguments->format);
   app.footer(
-      "Prints for each state what was found: geometry and law (largest disagreement of the contacts stored),\n"
-      "list (contacts missing or too many), force, moment, stress, energy (residuals, see the README),\n"
-      "mean_stress (the stress recorded, relative), stability (negative eigenvalues), boundary_balance\n"
-      "(forces across the cell's faces against the stress), recorded (residuals, counts and flags of the file\n"
-      "that are not those found), mass (against radius and the scene's density, relative). Exit 5 if one "
-      "fails.");
+      "Prints what was found of each state; floc help columns verify explains the columns. The exit code is 5 "
+      "if\n"
+      "a criterion does not hold.");
   return {app, [arguments] { return verify(*arguments); }};
 }
 

@@ -104,7 +104,7 @@ TEST(ShippedPaths, UnloadingIsElastic) {
   const json fit = json::parse(o.out).at(0);
   EXPECT_EQ(fit["n_points"], 14);
   EXPECT_TRUE(fit["state"].is_null());
-  // floc moduli gives 24 000 to 28 000 for such states (README).
+  // floc moduli gives 24 000 to 28 000 for such states (docs/tutorials/powder2d.md).
   EXPECT_NEAR(fit["parameters"]["B"]["value"], 26000, 6000);
 }
 

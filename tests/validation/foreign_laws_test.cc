@@ -11,7 +11,7 @@
 #include "support/hand_network.h"
 #include "support/places.h"
 
-/// Packings stepped by LAMMPS and YADE under laws that floc has (data/packings), converted as the README says:
+/// Packings stepped by LAMMPS and YADE under laws that floc has (data/packings), converted as docs/commands/convert.md says:
 /// their normal forces follow from their positions, and their moduli are those of a network that is entered by hand
 /// from the rows of their files.
 namespace floc::test {

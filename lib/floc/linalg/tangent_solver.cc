@@ -102,7 +102,7 @@ class Preconditioner {
 
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout) {
   /// Operations a second of one core, and steps, measured at 500 and 4000 spheres under 10 kPa to 100 MPa
-  /// (README, "Speed"). A solution takes some four matrices.
+  /// (docs/numerics.md, "Linear systems in 3D"). A solution takes some four matrices.
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
   constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsAStep = 2.0;

@@ -81,7 +81,7 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
 }
 
 /// Motion settles from one equilibrium to the next in some thousand steps, each of which takes so long a
-/// contact on one core (README, "Speed").
+/// contact on one core (docs/performance.md, "Steps").
 constexpr double kSettlingSteps = 5000.0;
 constexpr double kSecondsAContact = 8e-8;
 

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Reads a scene file (TOML; keys in the README, "Scenes").
+/// Reads a scene file (TOML; keys in docs/scenes.md).
 ///
 /// Physical parameters have no defaults; numerical settings have those of the options structs.
 /// @param path       the file; files it names are looked for beside it

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Runs every command that README.md shows, and compares every number it prints with what they give.
+"""Runs every command that README and the pages of docs/ show, and compares every number they print with what comes out.
 
-    readme_test.py --floc PROGRAM --source DIRECTORY [--long]
+    numbers_test.py --floc PROGRAM --source DIRECTORY [--long]
 
 Without --long what takes seconds: the commands on the demo and the tables that are shipped. With --long what takes
 minutes to an hour. A block of commands runs as a shell runs it, in a directory that holds data/ as the repository
-does. Every output block and every table of README is claimed by a check below or by a reason why none is possible
-(UNCHECKED_TABLES, NOT_RUN): new ones fail until they are. A number agrees if it rounds to the digits that are printed.
+does; a command that stands on several pages runs once. A block of "text" right after it is what its commands print, line
+by line, left out lines apart. Every other output block and every table is claimed by a check below or by a reason
+why none is possible (UNCHECKED_TABLES, NOT_RUN): new ones fail until they are. A number agrees if it rounds to the
+digits that are printed.
 """
 import argparse
 import csv
@@ -21,13 +23,17 @@ import sys
 import tempfile
 import time
 
+import pages
+
 # Blocks of commands by a part of their text.
 NOT_RUN = {
     ".ci/demo    # installs": "installs packages and builds; .ci/demo is a script of its own",
     "floc_mutate csv 1000000": "a million mutations take hours; the fuzz tests run 5000 of each",
-    "cmake --preset release\n": "builds and installs; install.find_package does that",
+    "cmake --install build/release --prefix": "builds and installs; install.find_package does that",
     "cmake -S . -B build -DCMAKE_PREFIX_PATH": "a project of the user; install.find_package builds one",
     "export PATH=": "where the program is",
+    ".ci/deps     # installs": "installs packages and builds",
+    "ninja -C build/release floc unit_network_tests": "builds; the tests are those that run here",
     "snakemake --jobs 50": "a cluster; tests/slurm/run has one of its own",
     "floc fit dynamic-compaction TABLE": None,  # line by line, see LINES_NOT_RUN
 }
@@ -68,6 +74,11 @@ UNCHECKED_TABLES = {
     "| what | range tested |": "ctest -L extremes holds them",
     "| module | holds |": "a test holds the layers",
     "| file | holds |": "words",
+    "| page | what you find there |": "words",
+    "| command | does |": "words",
+    "| column | unit | meaning |": "docs/generate writes it, and pages_test.py holds it",
+    "| `grains.diameter.distribution` |": "words",
+    "| P | B, dP > 0 |": "floc_pressure_response takes an hour",
 }
 
 DEMO = re.compile(r"floc run data/scenes/demo\.toml -o demo( |$)")
@@ -86,55 +97,17 @@ def rounds_to(shown, value):
     return abs(float(shown) - value) <= 0.5000001 * unit + 1e-12 * abs(value)
 
 
-class Readme:
-    def __init__(self, source):
-        self.lines = open(os.path.join(source, "README.md"), encoding="utf-8").read().split("\n")
-        self.blocks = []  # (language, text, line)
-        self.tables = []  # (header, rows of cells, line)
-        inside = None
-        for number, line in enumerate(self.lines, 1):
-            if line.startswith("```"):
-                if inside is None:
-                    inside = (line[3:], [], number)
-                else:
-                    self.blocks.append((inside[0], "\n".join(inside[1]) + "\n", inside[2]))
-                    inside = None
-            elif inside is not None:
-                inside[1].append(line)
-            elif line.startswith("|") and re.fullmatch(r"[|\- :]+", self.lines[number]):
-                rows = []
-                for row in self.lines[number + 1:]:
-                    if not row.startswith("|"):
-                        break
-                    rows.append([cell.strip() for cell in row.strip().strip("|").split("|")])
-                self.tables.append((line, rows, number))
-
-    def text(self):
-        return "\n".join(self.lines)
-
-    def block(self, part):
-        found = [text for language, text, _ in self.blocks if part in text]
-        if len(found) != 1:
-            raise AssertionError(f"README has {len(found)} blocks with {part!r}, expected one")
-        return found[0]
-
-    def table(self, part):
-        found = [rows for header, rows, _ in self.tables if part in header]
-        if len(found) != 1:
-            raise AssertionError(f"README has {len(found)} tables with {part!r}, expected one")
-        return found[0]
-
-
 class Test:
     def __init__(self, floc, source, long):
         self.source = source
         self.long = long
-        self.readme = Readme(source)
+        self.docs = pages.Documentation(source)
+        self.ran = set()
         self.faults = []
         self.progress_of_demo = ""
         self.claimed_blocks = set()
         self.claimed_tables = set()
-        self.directory = tempfile.mkdtemp(prefix="floc-readme-")
+        self.directory = tempfile.mkdtemp(prefix="floc-docs-")
         shutil.copytree(os.path.join(source, "data"), os.path.join(self.directory, "data"))
         self.environment = dict(os.environ, PATH=os.path.dirname(floc) + os.pathsep + os.environ["PATH"])
 
@@ -158,49 +131,75 @@ class Test:
 
     def number(self, shown, value, what):
         if not rounds_to(shown, float(value)):
-            self.fault(f"{what}: README says {shown}, the program {value}")
+            self.fault(f"{what}: the page says {shown}, the program {value}")
 
     def claim_block(self, part):
-        text = self.readme.block(part)
+        text = self.docs.block(part)
         self.claimed_blocks.add(text)
         return text
 
     def claim_table(self, part):
         self.claimed_tables.add(part)
-        return self.readme.table(part)
+        return self.docs.table(part)
 
     # Commands.
 
     def commands(self):
-        for language, text, line in self.readme.blocks:
-            if language != "sh" or any(part in text and why for part, why in NOT_RUN.items()):
+        for page in self.docs.pages:
+            for k, (language, text, line) in enumerate(page.blocks):
+                if language != "sh" or any(part in text and why for part, why in NOT_RUN.items()):
+                    continue
+                said = self.run_block(text)
+                following = page.blocks[k + 1] if k + 1 < len(page.blocks) else ("", "", 0)
+                if said is not None and following[0] == "text":
+                    self.claimed_blocks.add(following[1])
+                    self.compare_lines(following[1], said, f"{page.name}:{following[2]}")
+
+    def run_block(self, text):
+        """Runs what is to be run of a block. @return what it printed; None where something was left out"""
+        printed, left_out = [], False
+        for command in text.replace("\\\n", " ").split("\n"):
+            command = re.sub(r"\s+# .*", "", command).strip()
+            if not command:
                 continue
-            joined = text.replace("\\\n", " ")
-            for command in joined.split("\n"):
-                if not command.strip() or any(part in command for part in LINES_NOT_RUN):
-                    continue
-                if any(part in command for part in LONG) != self.long or self.is_made(command):
-                    continue
-                self.prepare(command)
-                done = self.shell(command)
-                if DEMO.match(command) and "--resume" not in command:
-                    self.progress_of_demo = done.stderr
+            if (any(part in command for part in LINES_NOT_RUN) or command in self.ran or
+                    any(part in command for part in LONG) != self.long):
+                left_out = True
+                continue
+            self.ran.add(command)
+            self.prepare(command)
+            done = self.shell(command)
+            printed.append(done.stdout + done.stderr)
+            if DEMO.match(command) and "--resume" not in command:
+                self.progress_of_demo = done.stderr
+        return None if left_out else "".join(printed)
+
+    def compare_lines(self, shown, said, where):
+        """Whether every line that is shown was printed, spaces apart and numbers rounded as they are shown."""
+        def parts(line):
+            line = " ".join(line.split())
+            return NUMBER.sub("#", line), NUMBER.findall(line)
+
+        printed = [parts(line) for line in said.split("\n")]
+        for line in shown.strip().split("\n"):
+            words, numbers = parts(line)
+            if not any(words == other and all(map(rounds_to, numbers, map(float, values)))
+                       for other, values in printed):
+                self.fault(f"{where}: the program does not print {line!r}, but\n{said[-3000:]}")
 
     def prepare(self, command):
-        """Inputs that README describes in words."""
+        """Inputs that the pages describe in words."""
+        if re.search(r" demo([/ ]|$)", command) and not DEMO.match(command) and not self.exists("demo"):
+            self.shell("floc run data/scenes/demo.toml -o demo")
         if "floc draw" in command and "spheres.h5" in command and not self.exists("spheres.h5"):
             self.shell("floc run data/scenes/spheres_demo.toml -o spheres --set grains.count=60 --until 1 && "
                        "cp spheres/state-0001.h5 spheres.h5")
         if "grains.csv crystal.h5" in command:
-            open(os.path.join(self.directory, "grains.csv"), "w").write(self.readme.block("x,y,r\n"))
+            open(os.path.join(self.directory, "grains.csv"), "w").write(self.docs.block("x,y,r\n"))
         if "cd friction && snakemake" in command:
             self.shell("floc campaign new friction && floc campaign plan friction.toml -o friction")
         if "demo again" in command:
             self.shell("cp -r demo again")
-
-    def is_made(self, command):
-        """README runs the demo twice, to begin with and as an example: once is enough."""
-        return DEMO.match(command) and "--resume" not in command and self.exists("demo")
 
     def exists(self, name):
         return os.path.exists(os.path.join(self.directory, name))
@@ -247,7 +246,7 @@ class Test:
         lines = said.strip().split("\n")
         fitted = {line.split()[0]: line.split() for line in lines[-7:-1]}
         names = {"P1*": "P1_star", "P0*": "P0_star"}
-        for name, value, error, _ in self.readme.table("| parameter | value "):
+        for name, value, error, _ in self.docs.table("| parameter | value "):
             cells = fitted.get(names.get(name, name))
             if not cells or len(cells) != 4:
                 self.fault(f".ci/demo: no line of {name} in\n{said[-1000:]}")
@@ -270,7 +269,7 @@ class Test:
             start, phi, contacts, residual, ending = found.groups()
             now = re.search(re.escape(start) + r"phi ([\d.]+), (\d+) contacts, residual ([\d.e-]+) (\(\w+\))", said)
             if not now or now.groups() != (phi, contacts, residual, ending):
-                self.fault(f"progress: README says {line!r}, the program {now and now.group(0)!r}")
+                self.fault(f"progress: the page says {line!r}, the program {now and now.group(0)!r}")
 
     def scene_check(self):
         shown = self.claim_block("group                value  meaning")
@@ -288,14 +287,14 @@ class Test:
         open(os.path.join(self.directory, "misspelt.toml"), "w").write(text.replace("restitution =", "restituton =", 1))
         said = self.shell("floc scene check misspelt.toml", expected=4).stderr.replace("misspelt", "powder")
         if said.strip() != shown.strip():
-            self.fault(f"faults of a scene: README says\n{shown}the program\n{said}")
+            self.fault(f"faults of a scene: the page says\n{shown}the program\n{said}")
 
     def rolling_stiffness(self):
         found = re.search(r"With `--rolling-stiffness` B = ([\d, ]+) and G = ([\d, ]+): the network of a loose",
-                          self.readme.text().replace("\n", " "))
+                          self.docs.text().replace("\n", " "))
         rows = self.rows("floc moduli demo/state-0001.h5 --rolling-stiffness 10,100,1000")
         if not found:
-            return self.fault("README no longer says what --rolling-stiffness gives")
+            return self.fault("no page says any more what --rolling-stiffness gives")
         for name, numbers in zip("BG", found.groups()):
             for shown, row in zip(numbers.split(", "), rows):
                 self.number(shown, row[name], f"--rolling-stiffness {row['rolling_stiffness']}, {name}")
@@ -319,20 +318,20 @@ class Test:
                 self.number(shown, rows[cells[0]][name], f"floc compare {cells[0]}, {name}")
 
     def crystal(self):
-        found = re.search(r"gives B = ([\d.]+) and G = ([\d.]+), the closed forms", self.readme.text())
+        found = re.search(r"gives B = ([\d.]+) and G = ([\d.]+), the closed forms", self.docs.text())
         row = self.rows("floc moduli crystal.h5")[0]
         for name, shown in zip("BG", found.groups()):
             self.number(shown, row[name], f"crystal, {name}")
 
     def preconsolidation(self):
-        found = re.search(r"here ([\d.]+) and ([\d.]+), loaded to 1", self.readme.text())
+        found = re.search(r"here ([\d.]+) and ([\d.]+), loaded to 1", self.docs.text())
         rows = [r for r in self.rows("floc fit preconsolidation data/tables/reload") if r["parameter"] == "P_c"]
         for shown, row in zip(found.groups(), rows):
             self.number(shown, row["value"], "P_c of " + row["sample"])
 
     def lammps(self):
         shown = self.claim_block("lammps.h5: 60 grains in 2D")
-        command = self.readme.block("floc convert data/packings/lammps/disks.dump")
+        command = self.docs.block("floc convert data/packings/lammps/disks.dump")
         done = self.shell(command.replace("lammps.h5 \\", "lammps.h5 --overwrite \\"))
         said = done.stderr + done.stdout
         for line in shown.strip().split("\n"):
@@ -349,7 +348,7 @@ class Test:
                 all(abs(float(p) - float(q)) <= tolerance * abs(float(p)) for p, q in zip(x, y)))
 
     def python(self):
-        code = self.readme.block("import h5py, numpy as np")
+        code = self.docs.block("import h5py, numpy as np")
         shown = self.claim_block("solid fraction   0.7")
         open(os.path.join(self.directory, "read.py"), "w").write(code)
         said = self.shell(f"'{sys.executable}' read.py").stdout
@@ -357,7 +356,7 @@ class Test:
             # Forces that cancel are rounding, which depends on numpy.
             tolerance = 1.0 if line.startswith("largest net force") else 1e-9
             if not self.same_numbers(line, other, tolerance):
-                self.fault(f"h5py: README says {line!r}, the script {other!r}")
+                self.fault(f"h5py: the page says {line!r}, the script {other!r}")
 
     def spheres(self):
         states = list(csv.DictReader(open(os.path.join(self.source, "data/tables/spheres/states_4000.csv"))))
@@ -457,7 +456,7 @@ class Test:
     def agrees(self, shown, error, value, what):
         """Whether two means of four samples differ by no more than three standard errors of their difference."""
         if abs(float(shown) - float(value)) > 3.0 * math.sqrt(2.0) * error:
-            self.fault(f"{what}: README says {shown}, with a standard error of {error:.2g}, the program {value}")
+            self.fault(f"{what}: the page says {shown}, with a standard error of {error:.2g}, the program {value}")
 
     def ensembles(self):
         """Four samples of 1400 disks of each scene, and the fits of two of them."""
@@ -465,7 +464,7 @@ class Test:
         for scene in sorted(scenes):
             self.shell(f"floc run data/scenes/{scene}.toml --seeds 1..4 --jobs 2 -o {scene} "
                        f"{'' if scene.startswith('type2') else '--until 1'}")
-        for cells in self.readme.table("| scene                          | P*"):
+        for cells in self.docs.table("| scene                          | P*"):
             scene = cells[0].strip("`")
             phi, z = [], []
             for seed in range(1, 5):
@@ -476,7 +475,7 @@ class Test:
             mean, deviation = cells[2].split(" +- ")
             self.agrees(mean, float(deviation) / 2.0, statistics.mean(phi), f"{scene}, P* = {cells[1]}, Phi")
             self.agrees(cells[4], statistics.stdev(z) / 2.0, statistics.mean(z), f"{scene}, P* = {cells[1]}, z")
-        text = self.readme.text().replace("\n", " ")
+        text = self.docs.text().replace("\n", " ")
         for name, pattern in (("lambda", r"lambda = ([\d.]+) \+- ([\d.]+) without rolling resistance \(published [\d.]+\) "
                                          r"and ([\d.]+) \+- ([\d.]+) with it"),
                               ("Phi_max", r"Phi_max = ([\d.]+) \+- ([\d.]+) and ([\d.]+) \+- ([\d.]+)")):
@@ -503,14 +502,15 @@ class Test:
     # All of it.
 
     def nothing_is_unclaimed(self):
-        for language, text, line in self.readme.blocks:
-            if language == "" and text not in self.claimed_blocks and not text.startswith("x,y,r"):
-                self.fault(f"README:{line}: no check reads this block")
         checked = self.claimed_tables | set(UNCHECKED_TABLES)
         checked |= {"| scene                          | P*", "| scene                 | P*"}  # of the long part
-        for header, _, line in self.readme.tables:
-            if not any(part in header for part in checked):
-                self.fault(f"README:{line}: no check reads this table: {header}")
+        for page in self.docs.pages:
+            for language, text, line in page.blocks:
+                if language in ("", "text") and text not in self.claimed_blocks:
+                    self.fault(f"{page.name}:{line}: no check reads this block")
+            for header, _, line in page.tables:
+                if not any(part in header for part in checked):
+                    self.fault(f"{page.name}:{line}: no check reads this table: {header}")
 
     def run(self):
         try:

@@ -75,6 +75,7 @@ UNCHECKED_TABLES = {
     "| module | holds |": "a test holds the layers",
     "| file | holds |": "words",
     "| page | what you find there |": "words",
+    "| slot | `law` | its keys |": "words",
     "| command | does |": "words",
     "| column | unit | meaning |": "docs/generate writes it, and pages_test.py holds it",
     "| `grains.diameter.distribution` |": "words",

@@ -5,11 +5,11 @@
 #include <fstream>
 
 #include "floc/base/read_file.h"
-#include "floc/io/hdf5_image.h"
-#include "floc/io/sealed_bytes.h"
+#include "floc/io/hdf5_file.h"
 #include "floc/io/state_file.h"
 #include "support/places.h"
 #include "support/run_arguments.h"
+#include "support/sealed.h"
 #include "support/states.h"
 
 namespace floc::test {
@@ -64,14 +64,16 @@ template <class Change>
 Outcome info_of_header(const std::string& format, std::int64_t version, std::int64_t dimension,
                        const Change& change) {
   const ScratchDirectory scratch;
-  Hdf5Writer file;
+  const std::string bare = scratch.file("bare.h5");
+  Hdf5Writer file(bare);
   file.attribute("/", "format", format);
   file.attribute("/", "version", version);
   file.attribute("/", "dimension", dimension);
   file.attribute("/", "units", std::string("reduced"));
   file.attribute("/", "sign_convention", std::string("compression_positive"));
   change(file);
-  std::ofstream(scratch.file("s.h5"), std::ios::binary) << seal(file.bytes());
+  file.close();
+  std::ofstream(scratch.file("s.h5"), std::ios::binary) << test::sealed(read_file(bare));
   return floc_arguments({"info", scratch.file("s.h5")});
 }
 

@@ -21,13 +21,13 @@
 #include "floc/io/lammps_data.h"
 #include "floc/io/lammps_dump.h"
 #include "floc/io/law_text.h"
-#include "floc/io/sealed_bytes.h"
 #include "floc/io/state_file.h"
 #include "floc/io/vtu.h"
 #include "floc/io/yade_text.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
+#include "support/sealed.h"
 #include "support/states.h"
 
 namespace floc::fuzz {
@@ -196,7 +196,7 @@ const std::vector<StateImage>& state_images() {
     std::vector<StateImage> made;
     for (const std::string& bytes : written_states(".h5")) {
       StateImage& image = made.emplace_back();
-      image.content = std::string(unseal("seed", bytes));
+      image.content = test::without_seal(bytes);
       image.places = dataset_bytes(image.content);
     }
     return made;
@@ -216,7 +216,7 @@ void read_edited_state(const std::string& edits) {
     for (std::size_t k = 0; k < 8; ++k)
       content[image.places[(where + k) % image.places.size()]] = edits[at + 2 + k];
   }
-  read_unsealed_bytes(seal(content));
+  read_unsealed_bytes(test::sealed(content));
 }
 
 template <class... Path>

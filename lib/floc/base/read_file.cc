@@ -4,30 +4,37 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <vector>
 
 #include "floc/base/error.h"
 
 namespace floc {
 namespace {
 
-std::string read_all(const std::string& place, std::FILE* file) {
-  std::string bytes;
-  char buffer[1 << 16];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file)) bytes.append(buffer, n);
+constexpr std::size_t kPiece = 1 << 16;
+
+void read_all(const std::string& place, std::FILE* file, const std::function<void(std::string_view)>& take) {
+  std::vector<char> buffer(kPiece);
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file)) take({buffer.data(), n});
   // A directory opens, and fails only when it is read.
   if (std::ferror(file))
     throw InputError(place, errno == EISDIR ? "is a directory, expected a file" : std::strerror(errno));
-  return bytes;
 }
 
 }  // namespace
 
 std::string read_file(const std::string& path) {
+  std::string bytes;
+  read_pieces(path, [&](std::string_view piece) { bytes.append(piece); });
+  return bytes;
+}
+
+void read_pieces(const std::string& path, const std::function<void(std::string_view)>& take) {
   errno = 0;
-  if (path == "-") return read_all("stdin", stdin);
+  if (path == "-") return read_all("stdin", stdin, take);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) throw InputError(path, std::strerror(errno));
-  return read_all(path, file.get());
+  read_all(path, file.get(), take);
 }
 
 }  // namespace floc

@@ -1,8 +1,7 @@
 #include "floc/base/sha256.h"
 
-#include <array>
+#include <algorithm>
 #include <bit>
-#include <cstdint>
 #include <cstring>
 
 #include "floc/base/read_file.h"
@@ -22,10 +21,6 @@ constexpr std::array<std::uint32_t, 64> kRound = {
     0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
-
-/// The same of the square roots of the first 8 primes (5.3.3).
-constexpr Words kStart = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                          0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
 
 /// One block of 64 bytes (6.2.2).
 void absorb(Words& hash, const unsigned char* block) {
@@ -52,31 +47,48 @@ void absorb(Words& hash, const unsigned char* block) {
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-  Words hash = kStart;
-  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-  const std::size_t n_whole = bytes.size() / 64;
-  for (std::size_t b = 0; b < n_whole; ++b) absorb(hash, data + 64 * b);
+/// The first value is 5.3.3's: 32 bits of the fractional parts of the square roots of the first 8 primes.
+void Sha256::update(std::string_view bytes) {
+  std::size_t held = n_bytes_ % rest_.size();
+  n_bytes_ += bytes.size();
+  while (!bytes.empty()) {
+    if (held == 0 && bytes.size() >= rest_.size()) {
+      absorb(hash_, reinterpret_cast<const unsigned char*>(bytes.data()));
+      bytes.remove_prefix(rest_.size());
+      continue;
+    }
+    const std::size_t taken = std::min(bytes.size(), rest_.size() - held);
+    std::memcpy(rest_.data() + held, bytes.data(), taken);
+    bytes.remove_prefix(taken);
+    held = (held + taken) % rest_.size();
+    if (held == 0) absorb(hash_, rest_.data());
+  }
+}
 
-  // The rest, a one bit, zeros, and the length in bits, in one or two blocks (5.1.1).
-  std::array<unsigned char, 128> last{};
-  const std::size_t rest = bytes.size() - 64 * n_whole;
-  if (rest > 0) std::memcpy(last.data(), data + 64 * n_whole, rest);
-  last[rest] = 0x80;
-  const std::size_t padded = rest < 56 ? 64 : 128;
-  const std::uint64_t n_bits = std::uint64_t{bytes.size()} * 8;
-  for (int k = 0; k < 8; ++k) last[padded - 1 - k] = static_cast<unsigned char>(n_bits >> (8 * k));
-  absorb(hash, last.data());
-  if (padded == 128) absorb(hash, last.data() + 64);
+/// A one bit, zeros, and the length in bits complete the last block (5.1.1).
+std::string Sha256::digits() {
+  const std::uint64_t n_bits = n_bytes_ * 8;
+  std::string padding(1, '\x80');
+  while ((n_bytes_ + padding.size() + sizeof n_bits) % rest_.size() != 0) padding += '\0';
+  for (int shift = 56; shift >= 0; shift -= 8) padding += static_cast<char>(n_bits >> shift);
+  update(padding);
 
   std::string digits;
-  for (const std::uint32_t word : hash)
+  for (const std::uint32_t word : hash_)
     for (int shift = 28; shift >= 0; shift -= 4) digits += "0123456789abcdef"[(word >> shift) & 15];
   return digits;
 }
 
+std::string sha256(std::string_view bytes) {
+  Sha256 hash;
+  hash.update(bytes);
+  return hash.digits();
+}
+
 std::string sha256_of_file(const std::string& path) {
-  return sha256(read_file(path));
+  Sha256 hash;
+  read_pieces(path, [&](std::string_view piece) { hash.update(piece); });
+  return hash.digits();
 }
 
 }  // namespace floc

@@ -1,11 +1,28 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace floc {
 
-/// SHA-256 of some bytes (FIPS 180-4), 64 lower-case hexadecimal digits.
+/// SHA-256 of bytes that come piece by piece (FIPS 180-4).
+class Sha256 {
+ public:
+  void update(std::string_view bytes);
+  /// 64 lower-case hexadecimal digits of all bytes so far. Nothing can be added afterwards.
+  std::string digits();
+
+ private:
+  std::array<std::uint32_t, 8> hash_ = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                                        0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+  std::array<unsigned char, 64> rest_{};  ///< bytes that do not fill a block yet
+  std::uint64_t n_bytes_ = 0;
+};
+
+/// SHA-256 of some bytes, as Sha256::digits().
 std::string sha256(std::string_view bytes);
 
 /// SHA-256 of a file's content. @throws InputError if it cannot be read.

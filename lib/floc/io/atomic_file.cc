@@ -1,52 +1,20 @@
 #include "floc/io/atomic_file.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <system_error>
+#include <utility>
 
-#include "floc/base/error.h"
+#include "floc/base/read_file.h"
 
 namespace floc {
 namespace {
-
-/// Owns a file descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  bool valid() const { return fd_ >= 0; }
-  int get() const { return fd_; }
-  /// Closes now, to learn of errors that only show then.
-  bool close() {
-    const int fd = fd_;
-    fd_ = -1;
-    return ::close(fd) == 0;
-  }
-
- private:
-  int fd_;
-};
-
-bool write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
 
 /// Makes the rename itself durable. Some file systems cannot sync a directory; they order renames themselves.
 bool sync_directory_of(const std::string& path) {
@@ -57,10 +25,6 @@ bool sync_directory_of(const std::string& path) {
   return ::fsync(fd.get()) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
-IoError cannot_be_written(const std::string& path, int error) {
-  return {path, std::string("cannot be written: ") + std::strerror(error != 0 ? error : EIO)};
-}
-
 /// What cannot be replaced by a file of its name: stdout, a device, a pipe.
 bool is_stream(const std::string& path) {
   std::error_code unknown;
@@ -69,31 +33,63 @@ bool is_stream(const std::string& path) {
           !std::filesystem::is_directory(path, unknown));
 }
 
-void write_to_stream(const std::string& path, std::string_view bytes) {
-  if (path == "-") {
-    std::fflush(stdout);  // what the program has said before comes first
-    if (!write_all(STDOUT_FILENO, bytes)) throw cannot_be_written("standard output", errno);
-    return;
-  }
-  Descriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!fd.valid() || !write_all(fd.get(), bytes) || !fd.close()) throw cannot_be_written(path, errno);
+IoError refused(const std::string& path, int error) {
+  return {path == "-" ? "standard output" : path,
+          std::string("cannot be written: ") + std::strerror(error != 0 ? error : EIO)};
+}
+
+/// Passes what `content` gives, piece by piece, to a stream.
+void write_to_stream(const std::string& path,
+                     const std::function<void(const std::function<void(std::string_view)>&)>& content) {
+  std::fflush(stdout);  // what the program has said before comes first
+  Descriptor stream(path == "-" ? ::dup(STDOUT_FILENO) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!stream.valid()) throw refused(path, errno);
+  content([&](std::string_view piece) {
+    if (!write_all(stream.get(), piece)) throw refused(path, errno);
+  });
+  if (!stream.close()) throw refused(path, errno);
 }
 
 }  // namespace
 
-void write_bytes_atomically(const std::string& path, std::string_view bytes) {
-  if (path.empty()) throw InputError("\"\"", "expected the name of a file to write, and it is empty");
-  if (is_stream(path)) return write_to_stream(path, bytes);
-  const std::string part = path + ".part";
-  Descriptor fd(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (!fd.valid()) throw cannot_be_written(path, errno);
-  const bool written = write_all(fd.get(), bytes) && ::fsync(fd.get()) == 0 && fd.close();
-  if (!written || std::rename(part.c_str(), path.c_str()) != 0) {
-    const int error = errno;
-    ::unlink(part.c_str());
-    throw cannot_be_written(path, error);
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), opened_(-1) {
+  if (path_.empty()) throw InputError("\"\"", "expected the name of a file to write, and it is empty");
+  if (is_stream(path_)) {
+    temporary_ = std::make_unique<TemporaryFile>();
+    return;
   }
-  if (!sync_directory_of(path)) throw IoError(path, std::string("cannot be synced: ") + std::strerror(errno));
+  const std::string part = path_ + ".part";
+  opened_ = Descriptor(::open(part.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (!opened_.valid()) throw cannot_be_written(errno);
+  part_ = part;
+}
+
+AtomicFile::~AtomicFile() {
+  if (!part_.empty()) ::unlink(part_.c_str());
+}
+
+IoError AtomicFile::cannot_be_written(int error) const {
+  return refused(path_, error);
+}
+
+void AtomicFile::append(std::string_view bytes) {
+  if (::lseek(descriptor(), 0, SEEK_END) < 0 || !write_all(descriptor(), bytes)) throw cannot_be_written(errno);
+}
+
+void AtomicFile::commit() {
+  if (temporary_)
+    return write_to_stream(path_, [&](const auto& write) { read_pieces(temporary_->path(), write); });
+  if (::fsync(descriptor()) != 0 || !opened_.close() || std::rename(part_.c_str(), path_.c_str()) != 0)
+    throw cannot_be_written(errno);
+  part_.clear();
+  if (!sync_directory_of(path_)) throw IoError(path_, std::string("cannot be synced: ") + std::strerror(errno));
+}
+
+void write_bytes_atomically(const std::string& path, std::string_view bytes) {
+  if (is_stream(path)) return write_to_stream(path, [&](const auto& write) { write(bytes); });
+  AtomicFile file(path);
+  file.append(bytes);
+  file.commit();
 }
 
 }  // namespace floc

@@ -1,15 +1,51 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
+#include "floc/base/error.h"
+#include "floc/io/descriptor.h"
+
 namespace floc {
 
-/// Replaces the content of a file: written to `path` + ".part", synced, renamed over `path`, and the directory
-/// synced. Whatever happens meanwhile, even a power cut, `path` holds all of the old content or all of the new.
-/// A device or a pipe is written to, and - is standard output.
-/// @throws InputError for an empty path
-/// @throws IoError with the system's words if that fails; `path` is then as it was and the part is removed.
+/// Replaces the content of a file: it is written to `path` + ".part", which commit() syncs, renames over `path`,
+/// and syncs the directory. Whatever happens meanwhile, even a power cut, `path` holds all of the old content or
+/// all of the new. What goes to a device, to a pipe or, for "-", to standard output is collected in a temporary
+/// file first.
+class AtomicFile {
+ public:
+  /// @throws InputError for an empty path
+  /// @throws IoError with the system's words if nothing can be written there
+  explicit AtomicFile(std::string path);
+  /// Removes the part if it has not been committed: `path` is as it was.
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Of the file that holds the content before commit(). Others may write it, too.
+  const std::string& working_path() const { return temporary_ ? temporary_->path() : part_; }
+  /// Of the same file, open for reading and writing.
+  int descriptor() const { return temporary_ ? temporary_->descriptor() : opened_.get(); }
+
+  /// Adds to the end. @throws IoError
+  void append(std::string_view bytes);
+
+  /// @throws IoError with the system's words if that fails
+  void commit();
+
+  /// @param error  errno of what failed
+  IoError cannot_be_written(int error) const;
+
+ private:
+  std::string path_;
+  std::unique_ptr<TemporaryFile> temporary_;
+  std::string part_;  ///< to be renamed or removed
+  Descriptor opened_;
+};
+
+/// The same with bytes that are there as a whole; what goes to a stream is written at once.
+/// @throws InputError, IoError as AtomicFile does
 void write_bytes_atomically(const std::string& path, std::string_view bytes);
 
 }  // namespace floc

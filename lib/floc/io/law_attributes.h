@@ -3,7 +3,7 @@
 #include <string>
 
 #include "floc/contact/law_parameters.h"
-#include "floc/io/hdf5_image.h"
+#include "floc/io/hdf5_file.h"
 
 namespace floc {
 

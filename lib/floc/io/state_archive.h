@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "floc/base/error.h"
-#include "floc/io/hdf5_image.h"
+#include "floc/io/hdf5_file.h"
 #include "floc/io/state_layout.h"
 
 namespace floc {

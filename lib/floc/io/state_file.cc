@@ -10,12 +10,11 @@
 #include <sstream>
 
 #include "floc/base/error.h"
-#include "floc/base/read_file.h"
 #include "floc/base/sha256.h"
 #include "floc/io/atomic_file.h"
-#include "floc/io/hdf5_image.h"
+#include "floc/io/hdf5_file.h"
 #include "floc/io/law_attributes.h"
-#include "floc/io/sealed_bytes.h"
+#include "floc/io/sealed_file.h"
 #include "floc/io/state_archive.h"
 #include "floc/io/state_layout.h"
 #include "floc/packing/overlaps.h"
@@ -306,8 +305,8 @@ std::string boundary_of(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-std::string encode(const State<Dim>& s, const std::string& progress) {
-  Hdf5Writer file;
+void encode(const State<Dim>& s, const std::string& progress, const std::string& path) {
+  Hdf5Writer file(path);
   file.attribute("/", "format", kFormat);
   file.attribute("/", "version", std::int64_t{kStateVersion});
   file.attribute("/", "dimension", std::int64_t{Dim});
@@ -339,7 +338,7 @@ std::string encode(const State<Dim>& s, const std::string& progress) {
   file.text("scene", s.scene);
   file.attribute("provenance", "scene_sha256", sha256(s.scene));
   if (!progress.empty()) file.text("progress", progress);
-  return file.bytes();
+  file.close();
 }
 
 [[noreturn]] void refuse(const Hdf5Reader& file, const std::string& path, std::size_t entry,
@@ -459,10 +458,9 @@ Header read_header(const Hdf5Reader& file) {
 /// What `read` makes of the content of a file and of its header.
 template <class Read>
 auto read_sealed(const std::string& path, const Read& read) {
-  const std::string bytes = read_file(path);
-  const std::string_view content = unseal(path, bytes);
+  const SealedFile sealed(path);
   try {
-    const Hdf5Reader file(path, content);
+    const Hdf5Reader file(path, sealed.content_path());
     return read(file, read_header(file));
   } catch (const Hdf5Failure& e) {
     throw InputError(path, fmt::format("is damaged under its seal: {}", e.what()));
@@ -473,7 +471,14 @@ auto read_sealed(const std::string& path, const Read& read) {
 
 template <int Dim>
 void write_state(const std::string& path, const State<Dim>& state, const std::string& progress) {
-  write_bytes_atomically(path, seal(encode(state, progress)));
+  AtomicFile file(path);
+  try {
+    encode(state, progress, file.working_path());
+  } catch (const Hdf5Failure& e) {
+    throw file.cannot_be_written(e.error());
+  }
+  append_seal(file);
+  file.commit();
 }
 
 AnyState read_state(const std::string& path) {

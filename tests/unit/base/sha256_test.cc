@@ -20,6 +20,20 @@ TEST(Sha256, GivesThePublishedExamples) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+/// Around the ends of blocks of 64 bytes and of the 56 that leave room for the length.
+TEST(Sha256, DoesNotDependOnThePiecesThatBytesComeIn) {
+  std::string bytes;
+  for (int k = 0; k < 300; ++k) bytes += static_cast<char>(37 * k);
+  for (const std::size_t size : {0, 1, 55, 56, 63, 64, 65, 119, 128, 300}) {
+    const std::string_view whole = std::string_view(bytes).substr(0, size);
+    for (const std::size_t piece : {1, 7, 64, 100}) {
+      Sha256 hash;
+      for (std::size_t at = 0; at < size; at += piece) hash.update(whole.substr(at, piece));
+      EXPECT_EQ(hash.digits(), sha256(whole)) << size << " bytes in pieces of " << piece;
+    }
+  }
+}
+
 TEST(Sha256, OfAFileIsThatOfItsBytes) {
   const std::string path = testing::TempDir() + "floc_sha256_test";
   std::ofstream(path) << "abc";

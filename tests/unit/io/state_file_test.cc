@@ -2,17 +2,21 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <thread>
 
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
-#include "floc/io/sealed_bytes.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/liquid.h"
 #include "support/scratch_directory.h"
+#include "support/sealed.h"
 #include "support/springs.h"
 #include "support/states.h"
 
@@ -218,6 +222,47 @@ TEST(StateFileRefuses, AFileCutShortAnywhere) {
   }
 }
 
+TEST(StateFile, ComesThroughAPipeAsFromADisk) {
+  const ScratchDirectory scratch;
+  const std::string pipe = scratch.file("pipe"), saved = scratch.file("s.h5");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  write_state(saved, busy_state<3>());
+  std::thread writer([&] { write_state(pipe, busy_state<3>()); });
+  const std::string bytes = read_file(pipe);
+  writer.join();
+  EXPECT_EQ(bytes, read_file(saved));
+  std::thread second([&] { write_state(pipe, busy_state<3>()); });
+  EXPECT_EQ(std::get<State<3>>(read_state(pipe)).packing.grains.position,
+            busy_state<3>().packing.grains.position);
+  second.join();
+}
+
+/// However far the file may grow before the system refuses more of it, the old state stays and nothing else does.
+TEST(StateFile, ThatDoesNotFitTheDiskLeavesTheOldOne) {
+  const ScratchDirectory scratch;
+  write_state(scratch.file("s.h5"), busy_state<2>());
+  const std::string old = read_file(scratch.file("s.h5"));
+  State<2> other = busy_state<2>();
+  other.scene = "another";
+  write_state(scratch.file("other.h5"), other);
+  const rlim_t whole = std::filesystem::file_size(scratch.file("other.h5"));
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  ::signal(SIGXFSZ, SIG_IGN);
+  for (rlim_t size = 0; size < whole; size += whole / 97) {
+    const rlimit limit{size, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+    EXPECT_THAT([&] { write_state(scratch.file("s.h5"), other); },
+                ThrowsMessage<IoError>(HasSubstr("s.h5: cannot be written: File too large")))
+        << size;
+  }
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_EQ(read_file(scratch.file("s.h5")), old);
+  write_state(scratch.file("s.h5"), other);
+  EXPECT_EQ(read_file(scratch.file("s.h5")), read_file(scratch.file("other.h5")));
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("s.h5.part")));
+}
+
 TEST(StateFileRefuses, AFileWithOneBitTurned) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>());
@@ -232,7 +277,7 @@ TEST(StateFileRefuses, AFileWithOneBitTurned) {
 
 TEST(StateFileRefuses, SealedBytesThatAreNoHdf5Inside) {
   const ScratchDirectory scratch;
-  std::ofstream(scratch.file("s.h5"), std::ios::binary) << seal("\x89HDF\r\n\x1a\n and nothing more");
+  std::ofstream(scratch.file("s.h5"), std::ios::binary) << test::sealed("\x89HDF\r\n\x1a\n and nothing more");
   EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("HDF5 library cannot open"));
 }
 
@@ -241,11 +286,11 @@ TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>(), "progress");
   const std::string whole = read_file(scratch.file("s.h5"));
-  std::string content(unseal("s.h5", whole));
+  std::string content = test::without_seal(whole);
   const std::size_t at = content.find("GCOL");
   ASSERT_NE(at, std::string::npos);
   content[at] = 'X';
-  std::ofstream(scratch.file("s.h5"), std::ios::binary) << seal(content);
+  std::ofstream(scratch.file("s.h5"), std::ios::binary) << test::sealed(content);
   EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("s.h5: is damaged under its seal"));
   EXPECT_THAT([&] { read_progress(scratch.file("s.h5")); },
               ThrowsMessage<InputError>(HasSubstr("s.h5: is damaged under its seal")));
@@ -309,11 +354,11 @@ std::string refusal_of_index(const std::vector<std::int32_t>& good, std::int32_t
   }
   write_state(scratch.file("s.h5"), s);
   const std::string whole = read_file(scratch.file("s.h5"));
-  std::string content(unseal("s.h5", whole));
+  std::string content = test::without_seal(whole);
   const std::size_t at = find_integers(content, good);
   EXPECT_NE(at, std::string::npos);
   content.replace(at + 8, 4, reinterpret_cast<const char*>(&bad), 4);
-  std::ofstream(scratch.file("s.h5"), std::ios::binary) << seal(content);
+  std::ofstream(scratch.file("s.h5"), std::ios::binary) << test::sealed(content);
   return refusal(scratch.file("s.h5"));
 }
 

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "floc/base/error.h"
-#include "floc/base/read_file.h"
-#include "floc/io/hdf5_image.h"
-#include "floc/io/sealed_bytes.h"
+#include "floc/io/hdf5_file.h"
 #include "floc/io/state_file.h"
 #include "floc/packing/wall_forces.h"
 #include "support/scratch_directory.h"
@@ -53,8 +51,7 @@ TEST(StateWithWalls, SaysWhatItHasInItsAttributes) {
   const test::ScratchDirectory scratch;
   const std::string path = scratch.file("box.h5");
   write_state(path, state);
-  const std::string bytes = read_file(path);
-  const Hdf5Reader file(path, unseal(path, bytes));
+  const Hdf5Reader file(path, path);
   std::string features, boundary;
   file.attribute("/", "features", features);
   file.attribute("cell", "boundary", boundary);

@@ -1,9 +1,12 @@
-#include "floc/io/hdf5_image.h"
+#include "floc/io/hdf5_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "floc/base/error.h"
+#include "support/scratch_directory.h"
 
 namespace floc {
 namespace {
@@ -14,11 +17,12 @@ using testing::ThrowsMessage;
 /// A dataset of 8e9 bytes of which none was ever written takes no place in its file, but would in memory.
 TEST(Hdf5Reader, TakesNoMemoryForWhatIsLongerThanItsFile) {
   constexpr std::uint64_t kRows = 1'000'000'000;
-  Hdf5Writer writer;
+  const test::ScratchDirectory scratch;
+  Hdf5Writer writer(scratch.file("s.h5"));
   writer.array("rows", {kRows}, std::vector<double>{});
-  const std::string bytes = writer.bytes();
-  ASSERT_LT(bytes.size(), 10'000u);
-  const Hdf5Reader reader("s.h5", bytes);
+  writer.close();
+  ASSERT_LT(std::filesystem::file_size(scratch.file("s.h5")), 10'000u);
+  const Hdf5Reader reader("s.h5", scratch.file("s.h5"));
   EXPECT_THAT([&] { reader.n_rows("rows"); },
               ThrowsMessage<InputError>(HasSubstr("s.h5:/rows: claims 1e+09 bytes in a file of ")));
   std::vector<double> values;
@@ -28,9 +32,11 @@ TEST(Hdf5Reader, TakesNoMemoryForWhatIsLongerThanItsFile) {
 }
 
 TEST(Hdf5Reader, RefusesNumbersWhereATextIsExpected) {
-  Hdf5Writer writer;
+  const test::ScratchDirectory scratch;
+  Hdf5Writer writer(scratch.file("s.h5"));
   writer.array("scene", {1}, std::vector<double>{1.0});
-  const Hdf5Reader reader("s.h5", writer.bytes());
+  writer.close();
+  const Hdf5Reader reader("s.h5", scratch.file("s.h5"));
   EXPECT_THAT([&] { (void)reader.text("scene"); },
               ThrowsMessage<InputError>(HasSubstr("s.h5:/scene: is not a text")));
 }

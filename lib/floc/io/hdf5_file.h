@@ -3,25 +3,31 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace floc {
 
-/// The library refused what it was asked for: memory or, in reading, a file that is damaged inside.
+/// The library failed: the disk is full or, in reading, the file is damaged inside.
 class Hdf5Failure : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  Hdf5Failure(const std::string& what, int error) : std::runtime_error(what), error_(error) {}
+
+  /// errno, where a call of the system failed.
+  int error() const { return error_; }
+
+ private:
+  int error_;
 };
 
 /// Shape of an array, slowest index first.
 using Shape = std::vector<std::uint64_t>;
 
-/// Builds an HDF5 file in memory. Nothing in it depends on the clock: the same calls give the same bytes.
-/// Members throw std::runtime_error if the HDF5 library fails, which only lack of memory can cause.
+/// Writes an HDF5 file. Nothing in it depends on the clock: the same calls give the same bytes.
+/// Members throw Hdf5Failure if the HDF5 library fails.
 class Hdf5Writer {
  public:
-  Hdf5Writer();
+  /// @param path  of the file, which begins anew
+  explicit Hdf5Writer(const std::string& path);
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
@@ -42,19 +48,20 @@ class Hdf5Writer {
   /// A second name for an array that is there; it takes no room.
   void link(const std::string& path, const std::string& second_path);
 
-  /// The whole file. Nothing can be added afterwards.
-  std::string bytes();
+  /// Completes the file. Nothing can be added afterwards.
+  void close();
 
  private:
-  std::int64_t file_;
+  std::int64_t file_;  ///< -1: closed
 };
 
-/// Reads an HDF5 file held in memory. Every fault of its content is an InputError that names file and dataset.
-/// The bytes have to be known to be whole: the HDF5 library can crash on damaged ones.
+/// Reads an HDF5 file. Every fault of its content is an InputError that names file and dataset. The file has to be
+/// known to be whole: the HDF5 library can crash on a damaged one.
 class Hdf5Reader {
  public:
   /// @param place  name of the file in messages
-  Hdf5Reader(std::string place, std::string_view bytes);
+  /// @param path   by which it is opened
+  Hdf5Reader(std::string place, const std::string& path);
   ~Hdf5Reader();
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;

@@ -1,10 +1,11 @@
-#include "floc/io/hdf5_image.h"
+#include "floc/io/hdf5_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
@@ -17,7 +18,7 @@ namespace {
 
 template <class T>
 T checked(T result) {
-  if (result < 0) throw Hdf5Failure("the HDF5 library failed");
+  if (result < 0) throw Hdf5Failure("the HDF5 library failed", errno);
   return result;
 }
 
@@ -39,19 +40,19 @@ class Handle {
   Close close_;
 };
 
-/// The name of a file in memory. The HDF5 library refuses an image whose name exists on disk; below a device
-/// none can.
-constexpr const char* kNoFile = "/dev/null/memory";
-
-/// HDF5 prints nothing of its own: failures are reported by exceptions.
-void silence_library() {
+/// HDF5 prints nothing of its own: failures are reported by exceptions. Nor does it clean up when the program ends:
+/// it would write what a full disk has refused once more, and crash.
+void begin_library() {
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-Handle memory_file_access() {
-  constexpr std::size_t kIncrement = 1 << 20;
+/// Nothing waits in buffers of small arrays, whose write would fail unseen when they are closed. Files are locked by
+/// their program, if at all.
+Handle file_access() {
   const hid_t access = checked(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_fapl_core(access, kIncrement, /*backing_store=*/false);
+  checked(H5Pset_sieve_buf_size(access, 0));
+  checked(H5Pset_file_locking(access, /*use_file_locking=*/false, /*ignore_when_disabled=*/true));
   return {access, H5Pclose};
 }
 
@@ -216,15 +217,16 @@ std::string read_text(hid_t type, const Read& read) {
 
 }  // namespace
 
-Hdf5Writer::Hdf5Writer() {
-  silence_library();
-  const Handle access = memory_file_access();
+Hdf5Writer::Hdf5Writer(const std::string& path) {
+  begin_library();
+  errno = 0;
+  const Handle access = file_access();
   const Handle creation = untimed(H5P_FILE_CREATE);
-  file_ = checked(H5Fcreate(kNoFile, H5F_ACC_TRUNC, creation, access));
+  file_ = checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access));
 }
 
 Hdf5Writer::~Hdf5Writer() {
-  H5Fclose(file_);
+  if (file_ >= 0) H5Fclose(file_);
 }
 
 void Hdf5Writer::group(const std::string& path) {
@@ -271,20 +273,14 @@ void Hdf5Writer::attribute(const std::string& path, const std::string& name, std
                   &value);
 }
 
-std::string Hdf5Writer::bytes() {
+void Hdf5Writer::close() {
   checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
-  const ssize_t size = checked(H5Fget_file_image(file_, nullptr, 0));
-  std::string image(static_cast<std::size_t>(size), '\0');
-  checked(H5Fget_file_image(file_, image.data(), image.size()));
-  return image;
+  checked(H5Fclose(std::exchange(file_, -1)));
 }
 
-Hdf5Reader::Hdf5Reader(std::string place, std::string_view bytes) : place_(std::move(place)) {
-  silence_library();
-  const Handle access = memory_file_access();
-  // The library copies the bytes; its interface only forgot the const.
-  checked(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()));
-  file_ = H5Fopen(kNoFile, H5F_ACC_RDONLY, access);
+Hdf5Reader::Hdf5Reader(std::string place, const std::string& path) : place_(std::move(place)) {
+  begin_library();
+  file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, file_access());
   if (file_ < 0) throw InputError(place_, "is not a floc state: the HDF5 library cannot open it");
 }
 

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace floc {
+
+/// Owns a file descriptor.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor();
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+
+  bool valid() const { return fd_ >= 0; }
+  int get() const { return fd_; }
+  /// Closes now, to learn of errors that only show then.
+  bool close();
+
+ private:
+  int fd_;
+};
+
+/// An empty file of its own in the directory of temporary files, removed at the end.
+class TemporaryFile {
+ public:
+  /// @throws IoError with the system's words if there can be none
+  TemporaryFile();
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  int descriptor() const { return descriptor_.get(); }
+
+ private:
+  std::string path_;
+  Descriptor descriptor_;
+};
+
+/// Writes at the present place. @return false with errno where the system refuses
+bool write_all(int fd, std::string_view bytes);
+
+}  // namespace floc

@@ -246,7 +246,9 @@ void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage&
                                  t.path_of("control"), stage.control, a + 1));
 }
 
-void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const LawParameters& law) {
+/// @param cell_cap  whether the scene caps rates by the inertial number, which is zero without a pressure
+void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const LawParameters& law,
+                       bool cell_cap) {
   const bool zero = stage.is_isotropic()
                         ? has_end && stage.to == 0.0
                         : std::any_of(stage.axes.begin(), stage.axes.end(), [](const AxisLoad& a) {
@@ -258,10 +260,15 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
     t.fault("inertial_number_cap",
             fmt::format("{}: at P = 0 it lets nothing move; expected cell.strain_rate_cap",
                         t.path_of("inertial_number_cap")));
-  if (t.has(key) && !law.adheres())
+  if (!t.has(key)) return;
+  if (!law.adheres())
     t.fault(key,
             fmt::format("{} = 0: expected a positive pressure; nothing holds grains without adhesion together",
                         t.path_of(key)));
+  else if (stage.is_isotropic() && cell_cap && !stage.cell.inertial_number_cap)
+    t.fault(key, fmt::format("{} = 0: cell.inertial_number_cap lets nothing move there; expected "
+                             "cell.strain_rate_cap in its place",
+                             t.path_of(key)));
 }
 
 /// Between walls an axis is under a stress where its walls move, and keeps its length elsewhere.
@@ -280,10 +287,10 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
   }
 }
 
-/// @param from  stresses before the stage
-/// @param box   that the grains stand in, if they do
-LoadStage read_stage(TableReader t, const KnownStress& from, const std::optional<BoxOptions>& box,
-                     LawParameters& law) {
+/// @param scene  all but its stages
+/// @param from   stresses before the stage
+LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from, LawParameters& law) {
+  const std::optional<BoxOptions>& box = scene.assembly.box;
   LoadStage stage;
   const int dimension = static_cast<int>(from.size());
   stage.axis = dimension - 1;
@@ -322,7 +329,7 @@ LoadStage read_stage(TableReader t, const KnownStress& from, const std::optional
   stage.cell = read_cell_response(t, box.has_value());
   if (box) check_walls(t, *box, stage);
   apply_changes(t, stage, law);
-  check_zero_stress(t, stage, has_end, law);
+  check_zero_stress(t, stage, has_end, law, scene.relaxation.inertial_number_cap.has_value());
   check_kept_stress(t, from, stage, law);
   check_volume(t, stage);
   t.refuse_other_keys();
@@ -353,7 +360,7 @@ void read_load(TableReader& root, Scene& scene) {
   LawParameters law = scene.law;
   KnownStress from(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
   for (TableReader& t : root.tables("load", "tables [[load]]")) {
-    scene.load.push_back(read_stage(t, from, scene.assembly.box, law));
+    scene.load.push_back(read_stage(t, scene, from, law));
     from = after_stage(from, scene.load.back());
   }
 }

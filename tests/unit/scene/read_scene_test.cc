@@ -289,6 +289,20 @@ TEST(ReadScene, LiquidThatCannotBeIsRefusedInWords) {
               HasSubstr("form = 'linear'"));
 }
 
+/// A cap in units of the pressure is none that grains could follow without pressure, however they came to adhere.
+TEST(ReadScene, ZeroPressureIsRefusedWhereTheCapOnRatesVanishes) {
+  std::string text = wet_scene(
+      "law = \"capillary\", surface_tension = 0.072, contact_angle = 10, water_content = 0, density_ratio = "
+      "2.6");
+  const std::vector<std::string> unload = {"load.0.to=0", "load.0.set={adhesion.water_content = 0.01}"};
+  EXPECT_EQ(faults(text, unload), "");
+  const std::size_t cap = text.find("strain_rate_cap");
+  text.replace(cap, text.find('=', cap) - cap, "inertial_number_cap ");
+  EXPECT_EQ(faults(text), "");
+  EXPECT_THAT(faults(text, unload), HasSubstr("to = 0: cell.inertial_number_cap lets nothing move there; "
+                                              "expected cell.strain_rate_cap in its place"));
+}
+
 TEST(ReadScene, ChangesOfATurnAreFlattenedHoweverTheyAreWritten) {
   for (const char* set :
        {"set = {adhesion = {force = 0}}", "set = {adhesion.force = 0}", "set = {\"adhesion.force\" = 0}"}) {
@@ -387,8 +401,8 @@ TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
     EXPECT_EQ(s.load.back().to, s.assembly.pressure);
     ++n_cycles;
   }
-  EXPECT_EQ(n, 24);
-  EXPECT_EQ(n_cycles, 15);
+  EXPECT_EQ(n, 27);
+  EXPECT_EQ(n_cycles, 17);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-# cmake --install: the program, the libraries, their headers, the shipped scenes, and find_package(floc).
+# cmake --install: the program, the libraries, their headers, the shipped scenes, man pages, and find_package(floc).
 include(CMakePackageConfigHelpers)
 
 get_property(floc_libraries GLOBAL PROPERTY FLOC_LIBRARIES)
@@ -19,3 +19,12 @@ install(EXPORT flocTargets NAMESPACE floc:: DESTINATION "${floc_cmake_dir}")
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/flocConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/flocConfigVersion.cmake"
               lib/cmake/FindSparseSolvers.cmake lib/cmake/FindVoro.cmake
   DESTINATION "${floc_cmake_dir}")
+# Man pages and completion for bash and zsh, from the program's own help.
+install(CODE "
+  set(share \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\")
+  message(STATUS \"Writing man pages and completion below \${share}\")
+  execute_process(COMMAND python3 \"${PROJECT_SOURCE_DIR}/docs/write-help\" --floc \"$<TARGET_FILE:floc>\" \"\${share}\"
+                  RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(WARNING \"no man pages and no completion: docs/write-help failed (\${status})\")
+  endif()")

@@ -32,6 +32,7 @@ NOT_RUN = {
     "cmake --install build/release --prefix": "builds and installs; install.find_package does that",
     "cmake -S . -B build -DCMAKE_PREFIX_PATH": "a project of the user; install.find_package builds one",
     "export PATH=": "where the program is",
+    "docs/write-help --floc": "writes into the reader's home; help_test.py tries it",
     ".ci/deps     # installs": "installs packages and builds",
     "ninja -C build/release floc unit_network_tests": "builds; the tests are those that run here",
     "snakemake --jobs 50": "a cluster; tests/slurm/run has one of its own",

@@ -408,15 +408,16 @@ class Test:
     def lattice(self):
         study = list(csv.DictReader(open(os.path.join(self.source, "data/tables/lattice/study.csv"))))
         columns = ["E", "other_share_nodes", "beta1_nodes", "beta2_nodes", "beta1_forces", "pearson_bonded"]
-        for cells in self.claim_table("| grains | load | rho_m"):
-            grains, load, content, ratio = cells[:4]
+        for cells in self.claim_table("| grains | nodes | load | rho_m"):
+            grains, nodes, load, content, ratio = cells[:5]
             found = [r for r in study if r["grains"] == grains and r["load"] == load and r["ratio"] == ratio + ".0" and
-                     abs(float(r["rho_m"]) - float(content)) < 1e-3]
-            what = f"lattice of {grains} grains, {load}, rho_m = {content}, k_p/k_m = {ratio}"
+                     abs(float(r["rho_m"]) - float(content)) < 1e-3 and
+                     abs(float(r["nodes_a_diameter"]) - float(nodes)) < 0.06]
+            what = f"lattice of {grains} grains, {nodes} nodes a diameter, {load}, rho_m = {content}, k_p/k_m = {ratio}"
             if len(found) != 1:
                 self.fault(f"{what}: {len(found)} rows of data/tables/lattice/study.csv")
                 continue
-            for name, shown in zip(columns, cells[4:]):
+            for name, shown in zip(columns, cells[5:]):
                 percent = shown.endswith("%")
                 self.number(shown.rstrip(" %"), float(found[0][name]) * (100.0 if percent else 1.0), f"{what}, {name}")
 

@@ -68,7 +68,7 @@ ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
   summary.lines.back() +=
       fmt::format("; stress {:.6g}", fmt::join(state.stress.data(), state.stress.data() + Dim * Dim, " "));
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    summary.doubts.push_back("this is no equilibrium: " + faults);
+    summary.doubts.push_back("this state is not in equilibrium: " + faults);
   return summary;
 }
 

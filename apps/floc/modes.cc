@@ -115,7 +115,7 @@ void add_state(const std::string& file, const State<Dim>& state, const ModesComm
                std::vector<ModeRow>& rows) {
   const Packing<Dim>& packing = state.packing;
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    warn(file, "this is no equilibrium: " + faults, equilibrium_excess(state));
+    warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
   ModuliOptions options;
   options.prestress = true;
   const ContactNetwork<Dim> network = options.loaded_network(packing);

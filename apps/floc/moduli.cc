@@ -419,10 +419,10 @@ bool check_equilibrium(const std::string& file, const AnyState& any, bool force)
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
   if (faults.empty()) return true;
   if (force)
-    warn(file, "this is no equilibrium: " + faults,
+    warn(file, "this state is not in equilibrium: " + faults,
          std::visit([](const auto& s) { return equilibrium_excess(s); }, any));
   else
-    std::cerr << "floc: " << file << ": this is no equilibrium: " << faults
+    std::cerr << "floc: " << file << ": this state is not in equilibrium: " << faults
               << "; --force computes moduli all the same\n";
   return false;
 }
@@ -499,7 +499,7 @@ Command add_moduli(CommandLine program) {
       "file for a row a contact: what a unit of isotropic and of deviatoric stress adds to its forces, "
       "energy and rank, dead end, backbones");
   app.add_flag("--force", command->force,
-               "also of states that are no equilibrium, which are refused otherwise");
+               "also of states that are not in equilibrium, which are refused otherwise");
   add_format_option(app, command->format);
   return {app, [command] { return run_moduli(*command); }};
 }

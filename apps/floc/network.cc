@@ -171,7 +171,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   if (!packing.walls.empty())
     throw InputError(file, "has walls; the force network is measured only with periodic boundaries");
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    warn(file, "this is no equilibrium: " + faults, equilibrium_excess(state));
+    warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
   NetworkRow row;
   row.file = file;
   row.units = state.units;

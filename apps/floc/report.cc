@@ -84,7 +84,7 @@ void add_state(const State<Dim>& state, Run<Dim>& run) {
                                  m.G_error, m.bounds.G_voigt, m.isotropy_defect, std::int64_t{m.n_negative}});
   for (const std::string& warning : m.warnings) run.state_warnings[warning].push_back(state.path.step);
   if (const std::string message = equilibrium_faults(state); !message.empty())
-    run.state_warnings["no equilibrium: " + message].push_back(state.path.step);
+    run.state_warnings["not in equilibrium: " + message].push_back(state.path.step);
 }
 
 /// Unit of pressures and moduli in reduced units.

@@ -147,17 +147,19 @@ TEST_F(ForeignPacking, ThatIsNoEquilibriumIsSaidToBeAndRefusedUnlessForced) {
       {"convert", file("g.csv", kGrains), state, "--law", "normal.stiffness=2", "--cell", "4,0;0,4"});
   EXPECT_EQ(converted.code, 0);
   // One contact of force 0.2 pushes both grains; P = 0.2 * 0.9 / 16 / 2 and F1 = P a give 0.2/F1 = 35.6.
-  EXPECT_THAT(converted.err,
-              HasSubstr("warning: this is no equilibrium: net force of grain 0 / F1 = 35.6, limit 0.001"));
+  EXPECT_THAT(
+      converted.err,
+      HasSubstr("warning: this state is not in equilibrium: net force of grain 0 / F1 = 35.6, limit 0.001"));
   const Outcome refused = floc_arguments({"moduli", state, "--format", "csv"});
   EXPECT_EQ(refused.code, 5);
-  EXPECT_THAT(refused.err,
-              AllOf(HasSubstr("s.h5: this is no equilibrium: net force of grain 0 / F1 = 35.6, limit 0.001"),
-                    HasSubstr("--force")));
+  EXPECT_THAT(
+      refused.err,
+      AllOf(HasSubstr("s.h5: this state is not in equilibrium: net force of grain 0 / F1 = 35.6, limit 0.001"),
+            HasSubstr("--force")));
   EXPECT_EQ(std::count(refused.out.begin(), refused.out.end(), '\n'), 1);
   const Outcome forced = floc_arguments({"moduli", state, "--force", "--format", "csv"});
   EXPECT_EQ(forced.code, 0);
-  EXPECT_THAT(forced.err, HasSubstr("warning: this is no equilibrium"));
+  EXPECT_THAT(forced.err, HasSubstr("warning: this state is not in equilibrium"));
   EXPECT_EQ(std::count(forced.out.begin(), forced.out.end(), '\n'), 2);
   ASSERT_EQ(floc_arguments({"convert", file("g.csv", kGrains), scratch_.file("loose.h5"), "--law",
                             "normal.stiffness=2", "--cell", "4,0;0,4", "--tolerance", "40"})

@@ -96,7 +96,7 @@ TEST_F(LatticeCommand, GivesForcesThatEveryNetworkCommandReads) {
   EXPECT_LT(state.residuals.moment, 1e-8);
   const Outcome network = run_floc("network forces.h5 --format json", scratch_.path());
   ASSERT_EQ(network.code, 0) << network.err;
-  EXPECT_THAT(network.err, Not(HasSubstr("no equilibrium")));
+  EXPECT_THAT(network.err, Not(HasSubstr("not in equilibrium")));
   for (const char* command :
        {"draw lattice.h5 -o a.svg", "draw forces.h5 -o b.png", "network lattice.h5", "info lattice.h5"})
     EXPECT_EQ(run_floc(command, scratch_.path()).code, 0) << command;

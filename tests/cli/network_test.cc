@@ -72,7 +72,7 @@ TEST_F(Network, OfManyStatesIsARowEachAndABadOneIsNamed) {
   EXPECT_EQ(o.code, 4);
   EXPECT_THAT(o.err, HasSubstr("bad.h5"));
   EXPECT_THAT(o.err, HasSubstr("none.h5"));
-  EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: this is no equilibrium"));
+  EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: this state is not in equilibrium"));
   EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: moduli that vanish"));
   write_text(scratch_.file("out.csv"), o.out);
   const CsvTable rows = table("out.csv");

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
@@ -23,8 +22,16 @@ struct DumpLines {
   std::vector<std::string> lines;
 
   explicit DumpLines(const std::string& file) : path(file) {
-    std::istringstream in(read_file(file));
-    for (std::string line; std::getline(in, line);) lines.emplace_back(trimmed(line));
+    std::string begun;  // a line of which the rest is in the next piece
+    read_pieces(file, [&](std::string_view piece) {
+      for (std::size_t end; (end = piece.find('\n')) != std::string_view::npos; piece.remove_prefix(end + 1)) {
+        begun.append(piece.substr(0, end));
+        lines.emplace_back(trimmed(begun));
+        begun.clear();
+      }
+      begun.append(piece);
+    });
+    if (!begun.empty()) lines.emplace_back(trimmed(begun));
   }
 
   std::string place(std::size_t at) const { return fmt::format("{}:{}", path, at + 1); }
@@ -212,8 +219,9 @@ Imported read_lammps_dump(const std::string& path, const ImportOptions& options)
   listed.units = options.units;
   listed.drop_tensile = options.drop_tensile;
   std::vector<std::string> remarks;
-  const Frame frame = read_grain_frame(path, options, remarks);
+  Frame frame = read_grain_frame(path, options, remarks);
   listed.grains = grains_of(frame, options);
+  frame.table = {};  // which takes more room than all that follows from it
   const int dimension = dimension_of(listed.grains, options);
   listed.cell_place = options.cell.empty() ? frame.box_place : "--cell";
   listed.cell = options.cell.empty() ? cell_of(frame, dimension) : options.cell;

@@ -46,12 +46,15 @@ function(floc_precompile target)
   endif()
 endfunction()
 
-# floc_add_library(NAME [LIBS target...] [PRIVATE_LIBS target...])
-# One library from all sources of the calling folder, named floc_NAME and exported as floc::NAME. Those that use OpenMP
+# floc_add_library(NAME [EXCLUDE source...] [LIBS target...] [PRIVATE_LIBS target...])
+# One library from all sources of the calling folder but those left out, named floc_NAME and exported as floc::NAME. Those that use OpenMP
 # share one precompiled header, of the first of them; the others that of floc_base.
 function(floc_add_library name)
-  cmake_parse_arguments(ARG "" "" "LIBS;PRIVATE_LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "EXCLUDE;LIBS;PRIVATE_LIBS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cc")
+  foreach(excluded IN LISTS ARG_EXCLUDE)
+    list(REMOVE_ITEM sources "${CMAKE_CURRENT_SOURCE_DIR}/${excluded}")
+  endforeach()
   if(sources)
     add_library(floc_${name} STATIC ${sources})
     set(scope PUBLIC)

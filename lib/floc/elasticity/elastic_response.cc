@@ -1,53 +1,20 @@
 #include "floc/elasticity/elastic_response.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "floc/base/dense_solvers.h"
 #include "floc/elasticity/reduced_unknowns.h"
+#include "floc/elasticity/wall_shifts.h"
 #include "floc/linalg/condensation.h"
 #include "floc/linalg/single_factor.h"
 #include "floc/linalg/spring_inverse.h"
 
 namespace floc {
 namespace {
-
-/// A stiffness of shifts of walls below this share of that of the strains is what rounding leaves of zero: nothing
-/// but the walls themselves holds the grains then, and they move with them.
-constexpr double kFreeShift = 1e-11;
-
-/// Lets the walls of each axis move together until both bear the same, with the grains: the last columns of
-/// what was solved for are eliminated.
-template <int Dim>
-void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out) {
-  const auto n = static_cast<Eigen::Index>(network.wall_axes.size());
-  const Eigen::Index n_strains = out.relaxed.rows() - n;
-  const SymmetricEigen eigen = symmetric_eigen(out.relaxed.bottomRightCorner(n, n));
-  const double least = kFreeShift * out.relaxed.trace();
-  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    if (std::abs(eigen.values[k]) > least)
-      inverse[k] = 1.0 / eigen.values[k];
-    else
-      ++out.n_free_shifts;
-    if (eigen.values[k] < -least) ++out.n_negative;
-  }
-  Eigen::MatrixXd with_strain = Eigen::MatrixXd::Identity(out.relaxed.rows(), n_strains);
-  with_strain.bottomRows(n) = -eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose() *
-                              out.relaxed.bottomLeftCorner(n, n_strains);
-  out.wall_shift = Eigen::MatrixXd::Zero(Dim, n_strains);
-  for (Eigen::Index k = 0; k < n; ++k)
-    out.wall_shift.row(network.wall_axes[static_cast<std::size_t>(k)]) =
-        wall_shift_unit(network) * with_strain.row(n_strains + k);
-  const Eigen::MatrixXd magnitude = with_strain.cwiseAbs();
-  out.relaxed = (with_strain.transpose() * out.relaxed * with_strain).eval();
-  const bool bounded = out.error.allFinite();
-  out.error = (magnitude.transpose() * out.error * magnitude).eval();
-  if (!bounded) out.error.setConstant(std::numeric_limits<double>::infinity());
-  out.fluctuation = (out.fluctuation * with_strain).eval();
-}
 
 /// The springs of a network in those unknowns, over `unit`, with the strains as boundary.
 template <int Dim>
@@ -138,6 +105,14 @@ struct Problem {
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
 
+  /// No response, for a factor that would be too large.
+  ElasticResponse refuse(double bytes) {
+    answer.factor_bytes = bytes;
+    answer.failure = fmt::format("a factor of {} unknowns takes {:.1f} GB, more than the {:.1f} GB it may take",
+                                 unknowns.unknown.size(), bytes / 1e9, options.largest_factor / 1e9);
+    return std::move(answer);
+  }
+
   /// @param norm  of K, or a number below it
   ElasticResponse take(const Condensation& condensed, double norm) {
     ElasticResponse& out = answer;
@@ -158,6 +133,8 @@ struct Problem {
 template <int Dim>
 ElasticResponse solve_by_factor(Problem<Dim>& problem, SymmetricFactor& factor) {
   factor.set_matrix(problem.stiffness(), grain_of_rows<Dim>(problem.unknowns));
+  if (const double bytes = factor.predicted_cost().bytes; bytes > problem.options.largest_factor)
+    return problem.refuse(bytes);
   std::optional<SpringInverse> inverse = invert_positive(factor);
   problem.positive = inverse.has_value();
   const SpringSystem springs = problem.springs();

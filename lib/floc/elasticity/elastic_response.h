@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct ResponseOptions {
   /// Rounding of K moves an eigenvalue by some 1e-15; near-mechanisms of real packings have been seen down to
   /// 6e-13 and carry 3 % of B, so they must stay above.
   double mechanism_bound = 1e-13;
+  /// Bytes that a factor in double precision may take; one that is predicted to be larger is not made.
+  double largest_factor = std::numeric_limits<double>::infinity();
 };
 
 /// Linear response of a network to strains of its cell, nothing sliding.
@@ -57,6 +60,10 @@ struct ElasticResponse {
   /// False where the solver finds neither negative eigenvalues nor mechanisms, and `error` is an estimate.
   bool counted = true;
   int steps = 0;  ///< of refinement
+  /// Why there is no response, in words; empty where there is one.
+  std::string failure;
+  /// Predicted size of the factor (bytes), where that is why; else 0.
+  double factor_bytes = 0.0;
 };
 
 /// Solves for the response. A singular or indefinite K is a result, not an error; without prestress and distant

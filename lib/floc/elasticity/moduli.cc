@@ -10,6 +10,7 @@
 #include "floc/base/dense_solvers.h"
 #include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/isotropic_moduli.h"
+#include "floc/elasticity/parallel_response.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/wall_forces.h"
@@ -167,6 +168,13 @@ ContactNetwork<Dim> loaded(const Packing<Dim>& packing, const ModuliOptions& opt
 }  // namespace
 
 template <int Dim>
+NetworkLoad<Dim> network_load(const Packing<Dim>& packing, bool unloaded) {
+  const auto n_mobilised =
+      std::count_if(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.yields(); });
+  return {load_stress(packing), unloaded, mean_field(packing), static_cast<int>(n_mobilised)};
+}
+
+template <int Dim>
 ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) const {
   return loaded(packing, *this, load_stress(packing));
 }
@@ -206,8 +214,15 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
       .ordering = options.ordering,
       .tolerance =
           (options.method == ModuliMethod::factor ? kToleranceOfSolution : kToleranceOfIterativeSolution) *
-          options.tolerance};
+          options.tolerance,
+      .largest_factor = options.largest_factor};
   ElasticResponse response = respond(network, response_options);
+  if (!response.failure.empty()) {
+    m.method = options.method;
+    m.failure = response.failure;
+    m.factor_bytes = response.factor_bytes;
+    return m;
+  }
   m.C = response.relaxed / network.volume;
   if (options.prestress) m.C += convected_stress<Dim>(load.stress, static_cast<int>(m.C.rows()));
   m.C_error = response.error / network.volume + kCellRounding * m.C.cwiseAbs();
@@ -225,6 +240,7 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
     ModuliOptions plain = options;
     plain.prestress = false;
     Moduli without = moduli_with(network, load, plain, respond);
+    if (!without.failure.empty()) return without;
     m.B_without_prestress = without.B;
     m.G_without_prestress = without.G;
     response = std::move(without.response);
@@ -236,10 +252,7 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
 
 template <int Dim>
 Moduli moduli_with(const Packing<Dim>& packing, const ModuliOptions& options, const auto& respond) {
-  const auto n_mobilised =
-      std::count_if(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.yields(); });
-  const NetworkLoad<Dim> load{load_stress(packing), options.unloaded, mean_field(packing),
-                              static_cast<int>(n_mobilised)};
+  const NetworkLoad<Dim> load = network_load(packing, options.unloaded);
   return moduli_with(loaded(packing, options, load.stress), load, options, respond);
 }
 
@@ -251,6 +264,16 @@ Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>
   SymmetricFactor factor(options.ordering);
   return moduli_with(network, load, options, [&](const auto& contacts, const ResponseOptions& response) {
     return elastic_response(contacts, response, factor);
+  });
+}
+
+template <int Dim>
+Moduli elastic_moduli(const ContactNetwork<Dim>& network, const std::vector<Vec<Dim>>& centres,
+                      const NetworkLoad<Dim>& load, const ModuliOptions& options, ParallelSolver& solver) {
+  ModuliOptions by_petsc = options;
+  by_petsc.method = ModuliMethod::petsc;
+  return moduli_with(network, load, by_petsc, [&](const auto& contacts, const ResponseOptions& response) {
+    return elastic_response(contacts, centres, response, solver);
   });
 }
 
@@ -293,6 +316,12 @@ template ContactNetwork<2> ModuliOptions::loaded_network(const Packing<2>&) cons
 template ContactNetwork<3> ModuliOptions::loaded_network(const Packing<3>&) const;
 template Moduli elastic_moduli(const ContactNetwork<2>&, const NetworkLoad<2>&, const ModuliOptions&);
 template Moduli elastic_moduli(const ContactNetwork<3>&, const NetworkLoad<3>&, const ModuliOptions&);
+template NetworkLoad<2> network_load(const Packing<2>&, bool);
+template NetworkLoad<3> network_load(const Packing<3>&, bool);
+template Moduli elastic_moduli(const ContactNetwork<2>&, const std::vector<Vec<2>>&, const NetworkLoad<2>&,
+                               const ModuliOptions&, ParallelSolver&);
+template Moduli elastic_moduli(const ContactNetwork<3>&, const std::vector<Vec<3>>&, const NetworkLoad<3>&,
+                               const ModuliOptions&, ParallelSolver&);
 template Moduli elastic_moduli(const Packing<2>&, const ModuliOptions&);
 template Moduli elastic_moduli(const Packing<3>&, const ModuliOptions&);
 template class ModuliSequence<2>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,12 +11,15 @@
 
 namespace floc {
 
+class ParallelSolver;
+
 /// How much is spent on moduli.
 enum class ModuliMethod {
   factor,         ///< Cholesky factor in double precision, error bounds
   single_factor,  ///< in single precision, refined in double: half the memory, error estimates
   iterative,      ///< conjugate gradients from the last state's solution, with its factor: error estimates
   bounds,         ///< the middle between the bounds of the network: nothing is solved, the error is a bound
+  petsc,          ///< conjugate gradients of PETSc's, on one process or many: error estimates
 };
 
 struct ModuliOptions {
@@ -36,6 +40,8 @@ struct ModuliOptions {
   bool unloaded = false;
   /// Relative error wanted of B and G. A warning says where their error bounds stay above it.
   double tolerance = 1e-10;
+  /// Bytes that a factor may take; see Moduli::failure.
+  double largest_factor = std::numeric_limits<double>::infinity();
 
   /// The contacts that moduli are those of: rattlers removed, the rolling stiffness asked for.
   template <int Dim>
@@ -53,6 +59,10 @@ struct NetworkLoad {
   MeanField mean_field{};              ///< for the bounds in their printed forms
   int n_mobilised = 0;                 ///< contacts that slide or yield, which the network takes as elastic
 };
+
+/// What a packing says of it. @param unloaded  see ModuliOptions
+template <int Dim>
+NetworkLoad<Dim> network_load(const Packing<Dim>& packing, bool unloaded);
 
 /// Elastic moduli of one state, as stress (force/length^(Dim-1)), and what they rest on.
 struct Moduli {
@@ -89,6 +99,10 @@ struct Moduli {
   ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< of refinement
   std::vector<std::string> warnings;
+  /// Why there are no moduli, in words, and then all but the bounds is without meaning; empty where there are.
+  std::string failure;
+  /// Predicted size of the factor (bytes), where that is why; else 0.
+  double factor_bytes = 0.0;
 };
 
 /// Moduli of a state in which nothing slides or yields. Without prestress C = relaxed K/V. With it, the
@@ -107,6 +121,14 @@ template <int Dim>
 /// The same of options.loaded_network(packing) under the stress that the packing carries.
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
+
+/// By ModuliMethod::petsc, whatever the options name: all processes of the solver call it, with the same
+/// arguments, and get the same moduli.
+/// @param centres  of the grains, which divide them among the processes (length)
+template <int Dim>
+[[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const std::vector<Vec<Dim>>& centres,
+                                    const NetworkLoad<Dim>& load, const ModuliOptions& options,
+                                    ParallelSolver& solver);
 
 /// The same for each of several rolling stiffnesses (>= 0, force * length) in place of the one of the options,
 /// with one symbolic factorisation for all.

@@ -1,0 +1,49 @@
+#include "floc/elasticity/wall_shifts.h"
+
+#include <cmath>
+#include <limits>
+
+#include "floc/base/dense_solvers.h"
+
+namespace floc {
+namespace {
+
+/// A stiffness of shifts of walls below this share of that of the strains is what rounding leaves of zero: nothing
+/// but the walls themselves holds the grains then, and they move with them.
+constexpr double kFreeShift = 1e-11;
+
+}  // namespace
+
+template <int Dim>
+void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out) {
+  const auto n = static_cast<Eigen::Index>(network.wall_axes.size());
+  const Eigen::Index n_strains = out.relaxed.rows() - n;
+  const SymmetricEigen eigen = symmetric_eigen(out.relaxed.bottomRightCorner(n, n));
+  const double least = kFreeShift * out.relaxed.trace();
+  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (std::abs(eigen.values[k]) > least)
+      inverse[k] = 1.0 / eigen.values[k];
+    else
+      ++out.n_free_shifts;
+    if (eigen.values[k] < -least) ++out.n_negative;
+  }
+  Eigen::MatrixXd with_strain = Eigen::MatrixXd::Identity(out.relaxed.rows(), n_strains);
+  with_strain.bottomRows(n) = -eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose() *
+                              out.relaxed.bottomLeftCorner(n, n_strains);
+  out.wall_shift = Eigen::MatrixXd::Zero(Dim, n_strains);
+  for (Eigen::Index k = 0; k < n; ++k)
+    out.wall_shift.row(network.wall_axes[static_cast<std::size_t>(k)]) =
+        wall_shift_unit(network) * with_strain.row(n_strains + k);
+  const Eigen::MatrixXd magnitude = with_strain.cwiseAbs();
+  out.relaxed = (with_strain.transpose() * out.relaxed * with_strain).eval();
+  const bool bounded = out.error.allFinite();
+  out.error = (magnitude.transpose() * out.error * magnitude).eval();
+  if (!bounded) out.error.setConstant(std::numeric_limits<double>::infinity());
+  out.fluctuation = (out.fluctuation * with_strain).eval();
+}
+
+template void relax_wall_shifts(const ContactNetwork<2>&, ElasticResponse&);
+template void relax_wall_shifts(const ContactNetwork<3>&, ElasticResponse&);
+
+}  // namespace floc

@@ -1,0 +1,49 @@
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "floc/petsc/parallel_solver.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the module may lie, seen from the program: beside it as built, or where it is installed.
+constexpr const char* kPlaces[] = {".", FLOC_PETSC_MODULE_FROM_PROGRAM};
+
+/// The module; its bare name, which the loader looks up, where it lies in no such place.
+fs::path module_path() {
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
+  for (const char* place : kPlaces) {
+    const fs::path path = program / place / FLOC_PETSC_MODULE;
+    if (fs::exists(path, none)) return path;
+  }
+  return FLOC_PETSC_MODULE;
+}
+
+}  // namespace
+
+bool has_parallel_solver() {
+  return FLOC_PETSC_BUILT != 0;
+}
+
+std::unique_ptr<ParallelSolver> load_parallel_solver() {
+  if (!has_parallel_solver())
+    throw std::runtime_error(
+        "this floc was built without PETSc: expected a build with -DFLOC_PETSC=ON, for which Debian's package "
+        "is "
+        "libpetsc-real-dev");
+  // PETSc brings along some eighty libraries, which take longer to load than most commands take.
+  void* module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (module == nullptr)
+    throw std::runtime_error(std::string("the PETSc module cannot be loaded: ") + dlerror());
+  using Make = ParallelSolver* (*)();
+  const auto make = reinterpret_cast<Make>(dlsym(module, "floc_make_petsc_solver"));
+  if (make == nullptr) throw std::runtime_error(std::string("not floc's PETSc module: ") + dlerror());
+  return std::unique_ptr<ParallelSolver>(make());
+}
+
+}  // namespace floc

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "command.h"
+#include "fault.h"
 #include "finish_output.h"
 #include "floc/base/error.h"
 #include "floc/io/atomic_file.h"
@@ -73,21 +74,10 @@ int for_each_file(const std::vector<std::string>& files,
   check_chosen_columns();
   const RepeatedWarnings once;
   int code = kDone;
-  const auto report = [&code](int failure, const std::string& message) {
-    std::cerr << "floc: " << message << '\n';
-    code = worse(code, failure);
-  };
   for (const std::string& file : files) {
-    try {
-      code = worse(code, work(file));
-    } catch (const InputError& error) {
-      const std::string message = error.what();  // what finds a fault in a packing may not know its file
-      report(kBadInput, message.find(file) == std::string::npos ? file + ": " + message : message);
-    } catch (const IoError& error) {
-      report(kFailure, error.what());
-    } catch (const std::exception& error) {
-      report(kFailure, file + ": " + error.what());
-    }
+    const Fault fault = fault_of(file, [&] { return work(file); });
+    if (!fault.message.empty()) std::cerr << "floc: " << fault.message << '\n';
+    code = worse(code, fault.code);
   }
   return code;
 }

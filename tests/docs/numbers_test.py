@@ -36,6 +36,7 @@ NOT_RUN = {
     ".ci/deps     # installs": "installs packages and builds",
     "ninja -C build/release floc unit_network_tests": "builds; the tests are those that run here",
     "snakemake --jobs 50": "a cluster; tests/slurm/run has one of its own",
+    "mpirun -n 4 floc moduli": "needs MPI; tests/cli/petsc_test.cc runs it",
     "floc fit dynamic-compaction TABLE": None,  # line by line, see LINES_NOT_RUN
 }
 LINES_NOT_RUN = {
@@ -79,6 +80,8 @@ UNCHECKED_TABLES = {
     "| slot | `law` | its keys |": "words",
     "| option | takes | meaning |": "docs/generate writes it, and pages_test.py holds it",
     "| command | does |": "words",
+    "| option of `floc moduli` | meaning |": "words",
+    "| packing, z | strains, preconditioner |": "processor time",
     "| column | unit | meaning |": "docs/generate writes it, and pages_test.py holds it",
     "| `grains.diameter.distribution` |": "words",
     "| P | B, dP > 0 |": "floc_pressure_response takes an hour",

@@ -12,6 +12,7 @@
 #include "floc/base/error.h"
 #include "floc/base/sha256.h"
 #include "floc/io/atomic_file.h"
+#include "floc/io/checked_state.h"
 #include "floc/io/hdf5_file.h"
 #include "floc/io/law_attributes.h"
 #include "floc/io/sealed_file.h"
@@ -455,16 +456,26 @@ Header read_header(const Hdf5Reader& file) {
   return header;
 }
 
-/// What `read` makes of the content of a file and of its header.
+/// What `read` makes of the content of a file and of its header. @param path  its name in messages
 template <class Read>
-auto read_sealed(const std::string& path, const Read& read) {
-  const SealedFile sealed(path);
+auto read_content(const std::string& path, const std::string& content_path, const Read& read) {
   try {
-    const Hdf5Reader file(path, sealed.content_path());
+    const Hdf5Reader file(path, content_path);
     return read(file, read_header(file));
   } catch (const Hdf5Failure& e) {
     throw InputError(path, fmt::format("is damaged under its seal: {}", e.what()));
   }
+}
+
+template <class Read>
+auto read_sealed(const std::string& path, const Read& read) {
+  const SealedFile sealed(path);
+  return read_content(path, sealed.content_path(), read);
+}
+
+AnyState decode_any(const Hdf5Reader& file, const Header& header) {
+  if (header.dimension == 2) return decode<2>(file, header.version);
+  return decode<3>(file, header.version);
 }
 
 }  // namespace
@@ -482,10 +493,11 @@ void write_state(const std::string& path, const State<Dim>& state, const std::st
 }
 
 AnyState read_state(const std::string& path) {
-  return read_sealed(path, [](const Hdf5Reader& file, const Header& header) -> AnyState {
-    if (header.dimension == 2) return decode<2>(file, header.version);
-    return decode<3>(file, header.version);
-  });
+  return read_sealed(path, decode_any);
+}
+
+AnyState read_checked_state(const std::string& path) {
+  return read_content(path, path, decode_any);
 }
 
 std::string read_progress(const std::string& path) {

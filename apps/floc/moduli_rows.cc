@@ -1,0 +1,208 @@
+#include "moduli_rows.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "fault.h"
+#include "floc/elasticity/mechanisms.h"
+#include "floc/elasticity/modes.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/structure/coordination.h"
+#include "repeated_warnings.h"
+
+namespace floc {
+namespace {
+
+/// Near-mechanisms are counted up to this number of grains: it takes a factor that is slow for large packings.
+constexpr int kLargestCounted = 20000;
+
+/// What a state is, beside its moduli.
+template <int Dim>
+ModuliRow described(const std::string& file, const State<Dim>& state) {
+  const Packing<Dim>& packing = state.packing;
+  ModuliRow row;
+  row.file = file;
+  row.units = state.units;
+  row.dimension = Dim;
+  row.n_grains = packing.grains.size();
+  const Coordination counted = coordination(packing, 0.0);
+  row.n_contacts = counted.n_contacts;
+  row.n_distant = counted.n_distant;
+  row.z = counted.z;
+  row.solid_fraction = solid_fraction(packing);
+  return row;
+}
+
+/// A state may have been asked for an equilibrium that its numbers cannot hold.
+template <int Dim>
+void warn_of_rounding(const std::string& file, const State<Dim>& state) {
+  const RoundingFloor floor = rounding_floor(state.packing, state.target_stress);
+  if (floor.force >= state.tolerance.force || floor.stress >= state.tolerance.stress)
+    warn(
+        file,
+        fmt::format("rounding of its positions leaves net forces of {:.1e} F1 and a stress of {:.1e} F1/a, not "
+                    "below the tolerances of {:.1e} and {:.1e}",
+                    floor.force, floor.stress, state.tolerance.force, state.tolerance.stress),
+        std::max(floor.force / state.tolerance.force, floor.stress / state.tolerance.stress));
+}
+
+/// What the contact network says beside the moduli of a row; increments of its contacts where they are asked
+/// for.
+template <int Dim>
+void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row, Table* increments) {
+  const Packing<Dim>& packing = state.packing;
+  if (row.rolling_stiffness) options.rolling_stiffness = row.rolling_stiffness;
+  const ContactNetwork<Dim> network = options.loaded_network(packing);
+  const ContactMechanics<Dim> contacts = contact_mechanics(network, row.moduli);
+  row.network = network_mechanics(packing, network, row.moduli, contacts);
+  row.budget = error_budget(state, network, row.moduli, contacts.isotropic ? &*contacts.isotropic : nullptr);
+  if (increments != nullptr) add_increments(row.file, packing, network, contacts, *increments);
+  const ElasticResponse response = std::move(row.moduli.response);
+  const auto vanishing = strain_mechanisms<Dim>(response, affine_stiffness(network, options.strains)).vanishing;
+  if (!vanishing.empty()) warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
+  if (network.n_grains > kLargestCounted) return;
+  row.n_near_mechanisms = count_near_mechanisms(network, response);
+  if (*row.n_near_mechanisms == 0 && !options.prestress) return;
+  options.prestress = true;
+  const Moduli with = row.moduli.B_without_prestress ? row.moduli : elastic_moduli(packing, options);
+  row.B_prestress = with.B;
+  row.G_prestress = with.G;
+}
+
+/// The options with one of the rolling stiffnesses asked for, or with none.
+ModuliOptions with_rolling(ModuliOptions options, std::optional<double> rolling_stiffness) {
+  if (rolling_stiffness) options.rolling_stiffness = rolling_stiffness;
+  return options;
+}
+
+std::vector<std::optional<double>> rolling_of(const ModuliRequest& request) {
+  if (request.rolling_stiffness.empty()) return {std::nullopt};
+  return {request.rolling_stiffness.begin(), request.rolling_stiffness.end()};
+}
+
+/// @throws NoResult where there are none
+void require_moduli(const Moduli& moduli) {
+  if (!moduli.failure.empty()) throw NoResult("no moduli: " + moduli.failure);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Moduli of a packing by PETSc.
+template <int Dim>
+Moduli by_petsc(const Packing<Dim>& packing, const ModuliOptions& options, ParallelSolver& solver) {
+  return elastic_moduli(options.loaded_network(packing), packing.grains.position,
+                        network_load(packing, options.unloaded), options, solver);
+}
+
+}  // namespace
+
+ModuliRows::ModuliRows(const ModuliRequest& request)
+    : request_(request), plane_(request.options), space_(request.options) {}
+
+/// Where the factor is predicted to be too large.
+template <int Dim>
+std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Packing<Dim>& packing,
+                                               double bytes, const ModuliOptions& options) {
+  const std::string size = fmt::format("a factor would take {:.3g} GB, more than the {:.3g} GB it may take",
+                                       bytes / 1e9, options.largest_factor / 1e9);
+  std::vector<Moduli> all;
+  if (!has_parallel_solver()) {
+    warn(file, size + ", and this floc was built without PETSc, which needs none: trying all the same", bytes);
+    ModuliOptions unlimited = options;
+    unlimited.largest_factor = std::numeric_limits<double>::infinity();
+    for (const auto& rolling : rolling_of(request_))
+      all.push_back(elastic_moduli(packing, with_rolling(unlimited, rolling)));
+    return all;
+  }
+  remark(file, size + ": solved without one (--solver petsc)", bytes);
+  if (!solver_) solver_ = load_parallel_solver();
+  for (const auto& rolling : rolling_of(request_))
+    all.push_back(by_petsc(packing, with_rolling(options, rolling), *solver_));
+  return all;
+}
+
+template <int Dim>
+std::vector<Moduli> ModuliRows::compute(const std::string& file, const State<Dim>& state,
+                                        ModuliOptions& options) {
+  options.unloaded = state.target_stress.isZero(0.0);
+  std::vector<Moduli> all;
+  if (request_.accuracy)
+    all = {moduli_within(state.packing, options, *request_.accuracy)};
+  else if (!request_.rolling_stiffness.empty())
+    all = elastic_moduli(state.packing, options, request_.rolling_stiffness);
+  else if constexpr (Dim == 2)
+    all = {plane_.next(state.packing, options.unloaded)};
+  else
+    all = {space_.next(state.packing, options.unloaded)};
+  if (all.front().factor_bytes > 0.0)
+    all = without_factor(file, state.packing, all.front().factor_bytes, options);
+  std::ranges::for_each(all, require_moduli);
+  return all;
+}
+
+template <int Dim>
+std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>& state, Table* increments) {
+  const ModuliRow description = described(file, state);
+  warn_of_rounding(file, state);
+  ModuliOptions options = request_.options;
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Moduli> moduli = compute(file, state, options);
+  const double seconds = seconds_since(start);
+  std::vector<ModuliRow> rows(moduli.size(), description);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].moduli = moduli[k];
+    rows[k].reduced_pressure = reduced_pressure<Dim>(state.packing, moduli[k].pressure);
+    rows[k].rolling_stiffness = rolling_of(request_)[k];
+    rows[k].mean_field =
+        mean_field_estimates(with_rolling(options, rows[k].rolling_stiffness).loaded_network(state.packing),
+                             description.z, description.solid_fraction);
+    rows[k].seconds = seconds / static_cast<double>(rows.size());
+    if (options.method == ModuliMethod::factor && !request_.accuracy && moduli[k].method != ModuliMethod::petsc)
+      add_network(state, options, rows[k], increments);
+    for (const std::string& warning : moduli[k].warnings) warn(file, warning, first_number(warning));
+  }
+  return rows;
+}
+
+template <int Dim>
+std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> state,
+                                            const ModuliRequest& request, ParallelSolver& solver) {
+  ModuliOptions options = request.options;
+  options.unloaded = state.target_stress.isZero(0.0);
+  const bool speaks = solver.rank() == 0;
+  if (speaks) warn_of_rounding(file, state);
+  Packing<Dim>& packing = state.packing;
+  const ModuliRow description = described(file, state);
+  const NetworkLoad<Dim> load = network_load(packing, options.unloaded);
+  std::vector<ModuliRow> rows;
+  for (const auto& rolling : rolling_of(request)) {
+    const ModuliOptions chosen = with_rolling(options, rolling);
+    const ContactNetwork<Dim> network = chosen.loaded_network(packing);
+    if (rows.size() + 1 == rolling_of(request).size()) packing.contacts = {};
+    const auto start = std::chrono::steady_clock::now();
+    ModuliRow& row = rows.emplace_back(description);
+    row.moduli = elastic_moduli(network, packing.grains.position, load, chosen, solver);
+    require_moduli(row.moduli);
+    row.seconds = seconds_since(start);
+    row.rolling_stiffness = rolling;
+    row.reduced_pressure = reduced_pressure<Dim>(packing, row.moduli.pressure);
+    row.mean_field = mean_field_estimates(network, description.z, description.solid_fraction);
+    if (speaks)
+      for (const std::string& warning : row.moduli.warnings) warn(file, warning, first_number(warning));
+  }
+  return rows;
+}
+
+template std::vector<ModuliRow> ModuliRows::of(const std::string&, const State<2>&, Table*);
+template std::vector<ModuliRow> ModuliRows::of(const std::string&, const State<3>&, Table*);
+template std::vector<ModuliRow> parallel_moduli_rows(const std::string&, State<2>, const ModuliRequest&,
+                                                     ParallelSolver&);
+template std::vector<ModuliRow> parallel_moduli_rows(const std::string&, State<3>, const ModuliRequest&,
+                                                     ParallelSolver&);
+
+}  // namespace floc

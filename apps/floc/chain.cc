@@ -57,8 +57,7 @@ int run_chain(const ChainCommand& c) {
 
 Command add_chain(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "chain",
-      "Compliances of a chain of equal disks: closed forms beside the solved network, with its error bound");
+      "chain", "Compute the compliances of a chain of equal disks: closed forms beside the solved network");
   const auto command = std::make_shared<ChainCommand>();
   app.add_option("--n", command->n, "number of disks").required();
   app.add_option("--R", command->R, "radius of the disks").required();

@@ -192,7 +192,8 @@ int run_compare(const CompareCommand& command) {
 
 Command add_compare(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "compare", "What happened between states of the same grains: contacts kept, lost, gained; displacements");
+      "compare",
+      "Tell what changed between states of the same grains: contacts kept, lost, gained; displacements");
   const auto command = std::make_shared<CompareCommand>();
   app.add_option("STATE", command->files,
                  "state files or a directory of floc run, each state compared with the one before it; or two "

@@ -253,7 +253,7 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
 
 Command add_convert(CommandLine program) {
   CommandLine app =
-      program.add_subcommand("convert", "make a state file of a packing of another program, or the reverse");
+      program.add_subcommand("convert", "Make a state file of another program's packing, or the reverse");
   const auto arguments = std::make_shared<ConvertArguments>();
   app.add_option(
          "IN... OUT", arguments->files,

@@ -257,7 +257,7 @@ int draw(DrawArguments arguments) {
 }  // namespace
 
 Command add_draw(CommandLine program) {
-  CommandLine app = program.add_subcommand("draw", "pictures of packings and their forces: svg, pdf or png");
+  CommandLine app = program.add_subcommand("draw", "Draw packings and their forces as svg, pdf or png");
   const auto arguments = std::make_shared<DrawArguments>();
   app.add_option(
          "STATE", arguments->inputs,

@@ -114,7 +114,7 @@ int run_export(const ExportArguments& arguments) {
 
 Command add_export(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "export", "grains and contacts of a state as csv tables, which floc convert reads again");
+      "export", "Write grains and contacts of a state as csv tables, which floc convert reads again");
   auto arguments = std::make_shared<ExportArguments>();
   app.add_option("STATE", arguments->state, "state file, - for one on stdin").required();
   app.add_option("--grains", arguments->grains, "file for a row a grain");

@@ -21,7 +21,7 @@ struct HelpArguments {
 
 Command add_help(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "help", "help of a command (floc help moduli), or what the columns of tables hold (floc help columns)");
+      "help", "Explain a command (floc help moduli) or the columns of tables (floc help columns)");
   CommandLine columns =
       app.add_subcommand("columns", "name, unit and meaning of the columns of all tables, or of TABLE");
   app.require_one_subcommand();

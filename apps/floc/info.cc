@@ -135,7 +135,7 @@ int info(const InfoArguments& arguments) {
 }  // namespace
 
 Command add_info(CommandLine program) {
-  CommandLine app = program.add_subcommand("info", "what a state file holds, its history and provenance");
+  CommandLine app = program.add_subcommand("info", "Print what a state file holds, its history and provenance");
   const auto arguments = std::make_shared<InfoArguments>();
   add_states_argument(app, arguments->files);
   add_format_option(app, arguments->format);

@@ -361,7 +361,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
 
 Command add_lattice(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "lattice", "Cemented grains: a saved packing and a solid matrix as a lattice of elastic elements");
+      "lattice", "Solve cemented grains, a saved packing and a solid matrix, as a lattice of elastic elements");
   const auto arguments = std::make_shared<LatticeArguments>();
   add_lattice_options(app, *arguments);
   return {app, [arguments] {

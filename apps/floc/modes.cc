@@ -182,7 +182,8 @@ int run_modes(const ModesCommand& command) {
 
 Command add_modes(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "modes", "Softest modes and mechanisms of saved states: eigenvalue, participation, coupling to strain");
+      "modes",
+      "Find the softest modes and mechanisms of saved states: eigenvalue, participation, coupling to strain");
   const auto command = std::make_shared<ModesCommand>();
   add_states_argument(app, command->files);
   app.add_option("--count", command->count,

@@ -207,7 +207,8 @@ int run_moduli(const ModuliCommand& command) {
 }  // namespace
 
 Command add_moduli(CommandLine program) {
-  CommandLine app = program.add_subcommand("moduli", "Elastic moduli, bounds and stability of saved states");
+  CommandLine app =
+      program.add_subcommand("moduli", "Compute elastic moduli, bounds and stability of saved states");
   const auto command = std::make_shared<ModuliCommand>();
   add_states_argument(app, command->files);
   app.add_option("--strains", command->strains,

@@ -314,9 +314,9 @@ int run_network(const NetworkCommand& command) {
 }  // namespace
 
 Command add_network(CommandLine program) {
-  CommandLine app = program.add_subcommand(
-      "network",
-      "Contact networks of saved states: coordination, forces, particle pressures, who carries a load");
+  CommandLine app = program.add_subcommand("network",
+                                           "Describe the contact networks of saved states: coordination, "
+                                           "forces, particle pressures, what carries the load");
   const auto command = std::make_shared<NetworkCommand>();
   add_states_argument(app, command->files);
   app.add_option("--zero-force", command->zero_force,

@@ -278,7 +278,7 @@ int plot(const PlotArguments& arguments) {
 
 Command add_plot(CommandLine program) {
   CommandLine app =
-      program.add_subcommand("plot", "plots of paths and states by gnuplot, data and script beside them");
+      program.add_subcommand("plot", "Plot paths and states by gnuplot, with data and script beside the plot");
   const auto arguments = std::make_shared<PlotArguments>();
   app.add_option("INPUT", arguments->inputs,
                  "directories of floc run, tables, or state files; - is a table on stdin")

@@ -284,7 +284,7 @@ int report(const ReportArguments& arguments) {
 
 Command add_report(CommandLine program) {
   CommandLine app =
-      program.add_subcommand("report", "one self-contained page of a run: pictures, plots, tables, scene");
+      program.add_subcommand("report", "Put a run on one self-contained page: pictures, plots, tables, scene");
   const auto arguments = std::make_shared<ReportArguments>();
   app.add_option("DIR", arguments->directory, "directory of floc run").required();
   app.add_option("-o,--output", arguments->output, "F.html").required();

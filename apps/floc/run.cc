@@ -177,21 +177,22 @@ int run_seeds(const RunArguments& arguments) {
 }  // namespace
 
 Command add_run(CommandLine program) {
-  CommandLine app = program.add_subcommand("run", "Assemble, equilibrate and load a packing as a scene says");
+  CommandLine app =
+      program.add_subcommand("run", "Assemble a packing, bring it to equilibrium and load it as a scene says");
   auto arguments = std::make_shared<RunArguments>();
-  app.add_option("scene", arguments->scene, "Scene file (TOML)").required();
-  app.add_option("-o,--output", arguments->directory, "Directory for states, path.csv and checkpoints")
+  app.add_option("SCENE", arguments->scene, "scene file (TOML)").required();
+  app.add_option("-o,--output", arguments->directory, "directory for states, path.csv and checkpoints")
       .required();
   const Option resume = app.add_flag("--resume", arguments->resume,
-                                     "Continue the run in the directory (harmless on a first run)");
-  app.add_flag("--overwrite", arguments->overwrite, "Replace the run in the directory").excludes(resume);
+                                     "continue the run in the directory (harmless on a first run)");
+  app.add_flag("--overwrite", arguments->overwrite, "replace the run in the directory").excludes(resume);
   const Option seed =
-      app.add_option("--seed", arguments->seed, "Seed of the random numbers, instead of run.seed");
+      app.add_option("--seed", arguments->seed, "seed of the random numbers, instead of run.seed");
   const Option seeds = app.add_option("--seeds", arguments->seeds,
                                       "A..B: an ensemble, one sample a seed in a directory seed-N of its own")
                            .excludes(seed);
-  app.add_option("--jobs", arguments->jobs, "Samples that run at the same time").needs(seeds).between(1, 1024);
-  app.add_option("--threads", arguments->threads, "Threads; results are the same for any number")
+  app.add_option("--jobs", arguments->jobs, "samples that run at the same time").needs(seeds).between(1, 1024);
+  app.add_option("--threads", arguments->threads, "threads; results are the same for any number")
       .between(1, 1024);
   app.add_option("--set", arguments->overrides,
                  "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
@@ -207,8 +208,8 @@ Command add_run(CommandLine program) {
                "in what; needs equilibrium.finish = \"dynamic\", and some 20 times the time")
       .excludes(track_contacts);
   app.add_flag("--no-timing", arguments->no_timing,
-               "Leave the column seconds of path.csv empty, so that equal runs are equal files");
-  app.add_option("--until", arguments->until, "Stop after the equilibrium of this number").non_negative();
+               "leave the column seconds of path.csv empty, so that equal runs are equal files");
+  app.add_option("--until", arguments->until, "stop after the equilibrium of this number").non_negative();
   return {app,
           [arguments] { return arguments->seeds.empty() ? run_scene(*arguments) : run_seeds(*arguments); }};
 }

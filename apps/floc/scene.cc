@@ -65,7 +65,7 @@ int start_scene(const std::string& name) {
 
 Command add_scene(CommandLine program) {
   auto arguments = std::make_shared<SceneArguments>();
-  CommandLine app = program.add_subcommand("scene", "check a scene file, or start a new one");
+  CommandLine app = program.add_subcommand("scene", "Check a scene file, or start a new one");
   app.require_one_subcommand();
   CommandLine check =
       app.add_subcommand("check", "list every fault; print the dimensionless groups and the cost");

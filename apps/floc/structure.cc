@@ -91,10 +91,10 @@ int run_structure(const StructureCommand& command) {
 }  // namespace
 
 Command add_structure(CommandLine program) {
-  CommandLine app =
-      program.add_subcommand("structure",
-                             "Structure of saved states: I(k) with xi and dF, pores, g(r), z(h), local "
-                             "solid fraction");
+  CommandLine app = program.add_subcommand(
+      "structure",
+      "Describe the structure of saved states: I(k) with xi and dF, pores, g(r), z(h), local "
+      "solid fraction");
   const auto command = std::make_shared<StructureCommand>();
   add_states_argument(app, command->files);
   app.add_flag("--average", command->average, "a last row for all states together, as samples of one");

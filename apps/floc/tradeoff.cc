@@ -159,7 +159,7 @@ int run_tradeoff(TradeoffCommand& command) {
 
 Command add_tradeoff(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "tradeoff", "run a scene at several accuracies: error of what is quoted against its cost");
+      "tradeoff", "Run a scene at several accuracies: the error of its results against their cost");
   const auto command = std::make_shared<TradeoffCommand>();
   app.add_option("SCENE", command->scene, "scene file (TOML)").required();
   app.add_option("--budget", command->options.budget, "seconds it may take, of one core")

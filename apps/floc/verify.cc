@@ -81,7 +81,7 @@ int verify(const VerifyArguments& arguments) {
 
 Command add_verify(CommandLine program) {
   CommandLine app =
-      program.add_subcommand("verify", "recompute from the file alone whether a state is an equilibrium");
+      program.add_subcommand("verify", "Recompute from the file alone whether a state is an equilibrium");
   const auto arguments = std::make_shared<VerifyArguments>();
   add_states_argument(app, arguments->files);
   add_format_option(app, arguments->format);

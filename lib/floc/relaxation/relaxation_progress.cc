@@ -26,24 +26,30 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("force_residual", p.force_residual);
 };
 
-/// There only once it counts something: progress without liquid is as it has always been.
-constexpr const char* kLiquidTrials = "liquid_trials";
+/// There only once they count something: progress without them is as it has always been.
+constexpr auto kLaterMembers = [](auto& p, const auto& visit) {
+  visit("liquid_trials", p.liquid_trials);
+  visit("steady_stretches", p.steady_chunks);
+  visit("steady_since_phi", p.steady_since_phi);
+};
 
 }  // namespace
 
 std::string as_text(const RelaxationProgress& progress) {
-  const std::string text = members_as_json(progress, kMembers);
-  if (progress.liquid_trials == 0) return text;
-  nlohmann::json json = nlohmann::json::parse(text);
-  json[kLiquidTrials] = progress.liquid_trials;
+  nlohmann::json json = nlohmann::json::parse(members_as_json(progress, kMembers));
+  kLaterMembers(progress, [&json](const char* name, const auto& value) {
+    if (value != 0) json[name] = value;
+  });
   return json.dump();
 }
 
 RelaxationProgress relaxation_progress(const std::string& text) {
   auto progress = members_from_json<RelaxationProgress>(
       text, "progress", "is not that of a relaxation of this version", kMembers);
-  if (const nlohmann::json json = nlohmann::json::parse(text); json.contains(kLiquidTrials))
-    json[kLiquidTrials].get_to(progress.liquid_trials);
+  const nlohmann::json json = nlohmann::json::parse(text);
+  kLaterMembers(progress, [&json](const char* name, auto& value) {
+    if (json.contains(name)) json[name].get_to(value);
+  });
   return progress;
 }
 

@@ -23,6 +23,8 @@ struct RelaxationProgress {
   double finishing_since_stress = 0.0;
   std::uint64_t contact_set = 0;     ///< fingerprint of the contact list
   int unchanged_chunks = 0;          ///< chunks since that last changed
+  int steady_chunks = 0;             ///< chunks since the density was last unsteady
+  double steady_since_phi = 0.0;     ///< solid fraction then
   double finishing_since_phi = 0.0;  ///< solid fraction when finishing began
   int finishing_chunks = 0;
   int liquid_trials = 0;               ///< equilibria given up because their liquid moved

@@ -32,6 +32,10 @@ constexpr double kSteadyContactsWindow = 20.0;
 /// under load two windows.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
+/// Chains of grains that roll freely swing between their ends for ever, with nothing to damp them and more energy
+/// than the tolerance. Where the density has been steady so many time units long, twice as long as any step under
+/// load of the shipped scenes takes as a whole, nothing else moves. Over that time it may drift by kFinishPhi.
+constexpr double kCoastingWindow = 200.0;
 /// A load that is put on at once, undamped, carries a spring this many times as far as the equilibrium lies.
 constexpr double kOvershoot = 2.0;
 /// Newton iterations after which it shows whether a step is elastic: the first is the elastic response.
@@ -284,6 +288,18 @@ bool Relaxer<Dim>::vibrates(double energy) const {
          progress_.unchanged_chunks >= static_cast<int>(chunks_in(kVibrationWindows * kSteadyContactsWindow));
 }
 
+/// Whether a packing under load has kept its density for so long that what moves are mechanisms.
+template <int Dim>
+bool Relaxer<Dim>::coasts(bool steady_density) {
+  const double phi = progress_.solid_fraction.back();
+  if (!steady_density || std::abs(phi - progress_.steady_since_phi) > kFinishPhi) {
+    progress_.steady_chunks = 0;
+    progress_.steady_since_phi = phi;
+    return false;
+  }
+  return ++progress_.steady_chunks >= static_cast<int>(chunks_in(kCoastingWindow));
+}
+
 template <int Dim>
 std::size_t Relaxer<Dim>::chunks_in(double time_units) const {
   return static_cast<std::size_t>(
@@ -303,11 +319,13 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   const bool steady_density = density_is_steady();
   const bool steady_contacts = contacts_are_steady();
   const bool unloaded = load_.unloaded();
+  const bool coasting = !unloaded && coasts(steady_density);
   const bool steady = (responded && steady_density) || ((responded || unloaded) && steady_contacts);
   if (!steady) return RelaxationStatus::running;
   const GrainScales<Dim> scales(packing_, target_);
   const ForceScale& scale = scales.of_packing();
-  const double limit = (unloaded && steady_contacts ? kCoastingEnergy : 1.0) * options_.tolerance.energy;
+  const double limit =
+      (coasting || (unloaded && steady_contacts) ? kCoastingEnergy : 1.0) * options_.tolerance.energy;
   const double energy = energy_of_connected_grains(packing_, scales);
   if (energy < limit * scale.force * scale.length || vibrates(energy)) {
     progress_.phase = RelaxationProgress::finishing;

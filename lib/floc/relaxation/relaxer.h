@@ -53,6 +53,7 @@ class Relaxer final : public Equilibrator<Dim> {
   double stress_scale() const;
   bool contacts_are_steady();
   bool vibrates(double energy) const;
+  bool coasts(bool steady_density);
   std::size_t chunks_in(double time_units) const;
   RelaxationStatus check_motion();
   RelaxationStatus check_finish();

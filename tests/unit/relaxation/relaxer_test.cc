@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "floc/neighbors/find_contacts.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/balance.h"
 #include "floc/relaxation/static_solver.h"
@@ -189,6 +190,71 @@ TEST(StrainRateCap, FollowsTheUnitTheSceneNames) {
   inertial.inertial_number_cap = 1e-3;
   EXPECT_NEAR(strain_rate_cap(inertial, test::gas_of(10, law, 0.3), Vec<2>(Vec<2>::Constant(4e-4))), 2e-5,
               1e-18);
+}
+
+/// A triangular crystal of smooth, sticky disks with a hole, across which three larger ones make a chain that is
+/// longer than the hole is wide. The chain swings.
+Packing<2> swinging_chain(double speed) {
+  Packing<2> packing;
+  packing.law = test::cohesive_law();
+  packing.law.normal = LinearRepulsion{1e4};
+  packing.law.friction.reset();
+  packing.law.rolling.reset();
+  constexpr double kOverlap = 1e-4, kDistance = 1.0 - kOverlap, kRow = 0.8660254037844386 * kDistance;
+  constexpr int kColumns = 8, kRows = 8, kMiddle = 4;
+  packing.cell.matrix << kColumns * kDistance, 0.0, 0.0, kRows * kRow;
+  std::vector<Vec<2>> places, velocities;
+  std::vector<double> radii;
+  const auto add = [&](const Vec<2>& place, const Vec<2>& velocity, double radius) {
+    places.push_back(place);
+    velocities.push_back(velocity);
+    radii.push_back(radius);
+  };
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < kColumns; ++column) {
+      const double x = column + 0.5 * (row % 2);
+      if (std::abs(row - kMiddle) <= 2 && x > 1.0 && x < 5.0) continue;
+      add({x * kDistance, row * kRow}, Vec<2>::Zero(), 0.5);
+    }
+  constexpr double kLarger = 0.515, kRise = 0.25;
+  const double outer = 0.5 + kLarger - kOverlap, inner = 2.0 * kLarger - kOverlap;
+  const double x = std::sqrt(outer * outer - kRise * kRise), half = 2.0 * kDistance - x;
+  const double rise = std::sqrt(inner * inner - half * half);
+  const Vec<2> end(kDistance, kMiddle * kRow);
+  // Lengths stay: outer disks turn about the ends, the middle one goes up and down.
+  const double turn = speed / outer;
+  const double up = turn * (x - kRise * half / rise);
+  add(end + Vec<2>(x, kRise), turn * Vec<2>(-kRise, x), kLarger);
+  add(end + Vec<2>(x + half, kRise + rise), {0.0, up}, kLarger);
+  add(end + Vec<2>(x + 2.0 * half, kRise), turn * Vec<2>(kRise, x), kLarger);
+  packing.grains = Grains<2>::with_size(static_cast<int>(places.size()));
+  packing.grains.position = places;
+  packing.grains.velocity = velocities;
+  packing.grains.radius = radii;
+  for (std::size_t k = 0; k < radii.size(); ++k) packing.grains.mass[k] = 4.0 * radii[k] * radii[k];
+  find_contacts(packing);
+  return packing;
+}
+
+/// Nothing damps it, so that its energy alone would keep the packing from being at rest.
+TEST(Relaxer, EndsWhereChainsSwingForEver) {
+  const Packing<2> start = swinging_chain(0.01);
+  const double energy = residuals(start, Vec<2>(Vec<2>::Constant(0.1))).energy;
+  ASSERT_GT(energy, 10 * EquilibriumTolerance{}.energy);
+  LoadTarget<2> load;
+  load.side = start.cell.matrix.diagonal();
+  RelaxationOptions with = options();
+  with.max_time = 300.0;
+  Relaxer<2> relaxer(with, start, load);
+  RelaxationStatus status = RelaxationStatus::running;
+  double energy_at_200 = 0.0;
+  while (status == RelaxationStatus::running) {
+    status = relaxer.advance();
+    if (relaxer.report().time < 200.0) energy_at_200 = relaxer.report().residuals.energy;
+  }
+  EXPECT_GT(energy_at_200, 2 * EquilibriumTolerance{}.energy);
+  EXPECT_EQ(status, RelaxationStatus::converged) << relaxer.report().blocking;
+  EXPECT_TRUE(relaxer.report().residuals.within(EquilibriumTolerance{}));
 }
 
 }  // namespace

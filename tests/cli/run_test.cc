@@ -76,6 +76,24 @@ TEST_F(RunCommand, SurvivesTwentyKillsWithoutATrace) {
   kill_and_resume(20, 5);
 }
 
+/// The small scene, pressed and then shortened along its last axis.
+std::string triaxial_scene() {
+  const std::string scene = small_scene();
+  const auto load = scene.find("[[load]]"), run = scene.find("[run]");
+  return scene.substr(0, load) + R"([[load]]
+to = 0.1
+steps = 1
+[[load]]
+control = "triaxial"
+strain = 0.05
+strain_step = 0.01
+)" + scene.substr(run);
+}
+
+TEST_F(RunCommand, SurvivesKillsOnATriaxialTurn) {
+  kill_and_resume(10, 12, triaxial_scene(), 8);
+}
+
 TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
   for (const int signal : {SIGINT, SIGTERM}) {
     fs::remove_all(file("stopped"));

@@ -35,6 +35,7 @@ NOT_RUN = {
     "docs/write-help --floc": "writes into the reader's home; help_test.py tries it",
     ".ci/deps     # installs": "installs packages and builds",
     "ninja -C build/release floc unit_network_tests": "builds; the tests are those that run here",
+    "quasistatic/study.py": "two hours",
     "snakemake --jobs 50": "a cluster; tests/slurm/run has one of its own",
     "mpirun -n 4 floc moduli": "needs MPI; tests/cli/petsc_test.cc runs it",
     "floc fit dynamic-compaction TABLE": None,  # line by line, see LINES_NOT_RUN
@@ -84,6 +85,8 @@ UNCHECKED_TABLES = {
     "| packing, z | strains, preconditioner |": "processor time",
     "| column | unit | meaning |": "docs/generate writes it, and pages_test.py holds it",
     "| `grains.diameter.distribution` |": "words",
+    "| part of a run |": "defaults, which the tests of scenes hold",
+    "| cell.mass | samples |": "an hour; study.py makes samples of the kind",
     "| P | B, dP > 0 |": "floc_pressure_response takes an hour",
 }
 

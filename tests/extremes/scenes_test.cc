@@ -62,6 +62,30 @@ to = 1e-5
 steps = 1
 )";
 
+/// 40 grains of the shipped scenes' kind, pressed at once and shortened along one axis.
+const char* const kTriaxial = R"([scene]
+dimension = 2
+units = "reduced"
+[grains]
+count = 40
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e5}
+adhesion = {law = "tail", force = 1.0, range = 1e-3}
+damping = {restitution = 0.015, mass = "effective"}
+friction = {coefficient = 0.5, stiffness = 1e5}
+rolling = {coefficient = 0.005, stiffness = 10.0}
+[cell]
+solid_fraction = 0.4
+[assembly]
+protocol = "direct"
+pressure = 0.01
+[[load]]
+control = "triaxial"
+strain = 5e-3
+strain_step = 1e-3
+)";
+
 struct Extreme {
   const char* name;
   std::vector<const char*> set;
@@ -133,6 +157,10 @@ const Extreme kExtremes[] = {
     {"spheres_1_to_5",
      {"grains.diameter={distribution=\"bidisperse\",small=0.2,large=1.0,share_of_large=0.3}"},
      kSpheres},
+    {"triaxial_steps_of_1e_minus_5", {"load.0.strain=5e-5", "load.0.strain_step=1e-5"}, kTriaxial},
+    {"triaxial_P_1e_minus_4", {"assembly.pressure=1e-4"}, kTriaxial},
+    {"triaxial_P_10", {"assembly.pressure=10"}, kTriaxial},
+    {"constant_volume_P_10", {"assembly.pressure=10", "load.0.control=constant_volume"}, kTriaxial},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Scene, ::testing::ValuesIn(kExtremes),
                          [](const auto& test) { return std::string(test.param.name); });

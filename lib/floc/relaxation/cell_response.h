@@ -12,11 +12,26 @@ struct CellResponse {
   std::optional<double> inertial_number_cap;
   std::optional<double> cell_mass;
   std::optional<double> wall_speed = {};
+  std::optional<double> strain_rate_cap = {};  ///< one of the two caps at most
+
+  bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
+
+  /// Where this says nothing, what another says. A cap of either kind takes the place of both.
+  CellResponse or_else(const CellResponse& other) const {
+    CellResponse out = *this;
+    if (!has_cap()) {
+      out.inertial_number_cap = other.inertial_number_cap;
+      out.strain_rate_cap = other.strain_rate_cap;
+    }
+    if (!cell_mass) out.cell_mass = other.cell_mass;
+    if (!wall_speed) out.wall_speed = other.wall_speed;
+    return out;
+  }
 
   RelaxationOptions applied_to(RelaxationOptions options) const {
-    if (inertial_number_cap) {
+    if (has_cap()) {
       options.inertial_number_cap = inertial_number_cap;
-      options.strain_rate_cap.reset();
+      options.strain_rate_cap = strain_rate_cap;
     }
     if (cell_mass) options.cell_mass = *cell_mass;
     if (wall_speed) options.compaction.wall_speed = wall_speed;

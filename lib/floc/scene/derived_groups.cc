@@ -154,12 +154,30 @@ void add_law(const Scene& scene, double a, Groups& groups) {
                       "fraction of critical damping"});
 }
 
+/// How the cell answers in a part of a run, in what it differs from another part.
+/// @param where  the part, in words
+void add_cell(const RelaxationOptions& r, const RelaxationOptions& other, const std::string& where,
+              Groups& groups) {
+  if (r.strain_rate_cap && r.strain_rate_cap != other.strain_rate_cap)
+    groups.push_back({"Ia", *r.strain_rate_cap, "cap on the strain rate in 1/T0" + where});
+  if (r.inertial_number_cap && r.inertial_number_cap != other.inertial_number_cap)
+    groups.push_back({"I", *r.inertial_number_cap, "cap on the inertial number of the strain rate" + where});
+  if (r.cell_mass != other.cell_mass)
+    groups.push_back({"cell_mass", r.cell_mass, "mass of the cell's sides over that of the grains" + where});
+}
+
 void add_rates(const Scene& scene, double a, double m, Groups& groups) {
-  const RelaxationOptions& r = scene.relaxation;
-  if (r.strain_rate_cap) groups.push_back({"Ia", *r.strain_rate_cap, "cap on the strain rate in 1/T0"});
-  if (r.inertial_number_cap)
-    groups.push_back({"I", *r.inertial_number_cap, "cap on the inertial number of the strain rate"});
-  groups.push_back({"cell_mass", r.cell_mass, "mass of the cell's sides over that of the grains"});
+  RelaxationOptions nothing;
+  nothing.cell_mass = 0.0;
+  add_cell(scene.relaxation, nothing, "", groups);
+  RelaxationOptions before = scene.relaxation;
+  const auto add_part = [&](const CellResponse& cell, const std::string& where) {
+    const RelaxationOptions here = cell.applied_to(scene.relaxation);
+    add_cell(here, before, where, groups);
+    before = here;
+  };
+  add_part(scene.assembly.cell, " at assembly");
+  for (const LoadStage& stage : scene.load) add_part(stage.cell, fmt::format(" during '{}'", stage.name));
   if (scene.assembly.agitation > 0.0)
     groups.push_back({"V0/V_star", scene.assembly.agitation,
                       scene.law.range() > 0.0 ? "agitation at the start, V* = sqrt(F0 D0/m)"

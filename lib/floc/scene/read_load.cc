@@ -265,7 +265,7 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
     t.fault(key,
             fmt::format("{} = 0: expected a positive pressure; nothing holds grains without adhesion together",
                         t.path_of(key)));
-  else if (stage.is_isotropic() && cell_cap && !stage.cell.inertial_number_cap)
+  else if (stage.is_isotropic() && cell_cap && !stage.cell.has_cap())
     t.fault(key, fmt::format("{} = 0: cell.inertial_number_cap lets nothing move there; expected "
                              "cell.strain_rate_cap in its place",
                              t.path_of(key)));
@@ -329,6 +329,10 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
   stage.cell = read_cell_response(t, box.has_value());
   if (box) check_walls(t, *box, stage);
   apply_changes(t, stage, law);
+  if (stage.cell.strain_rate_cap && !law.adheres())
+    t.fault("strain_rate_cap", fmt::format("{}: counts in T0 = sqrt(a m/F0), and the grains do not adhere; "
+                                           "expected inertial_number_cap",
+                                           t.path_of("strain_rate_cap")));
   check_zero_stress(t, stage, has_end, law, scene.relaxation.inertial_number_cap.has_value());
   check_kept_stress(t, from, stage, law);
   check_volume(t, stage);
@@ -340,7 +344,7 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
 
 CellResponse read_cell_response(TableReader& t, bool boxed) {
   if (boxed) {
-    for (const char* key : {"inertial_number_cap", "cell_mass"})
+    for (const char* key : {"inertial_number_cap", "strain_rate_cap", "cell_mass"})
       t.refuse(key, fmt::format("{}: a [box] has walls, no cell; expected no such key", t.path_of(key)));
     CellResponse response;
     response.wall_speed = t.number("speed",
@@ -352,15 +356,27 @@ CellResponse read_cell_response(TableReader& t, bool boxed) {
   }
   t.refuse("speed", fmt::format("{}: the scene has no [box] whose walls could move at it; expected no such key",
                                 t.path_of("speed")));
-  return {t.number("inertial_number_cap", kInertialNumberCap, Need::optional),
-          t.number("cell_mass", kCellMass, Need::optional)};
+  CellResponse response = read_rate_caps(t);
+  response.cell_mass = t.number("cell_mass", kCellMass, Need::optional);
+  return response;
 }
 
-void read_load(TableReader& root, Scene& scene) {
+CellResponse read_rate_caps(TableReader& t) {
+  CellResponse response;
+  response.strain_rate_cap = t.number("strain_rate_cap", kStrainRateCapRule, Need::optional);
+  response.inertial_number_cap = t.number("inertial_number_cap", kInertialNumberCap, Need::optional);
+  if (t.has("strain_rate_cap") && t.has("inertial_number_cap"))
+    t.fault("inertial_number_cap", fmt::format("{}: expected either this or strain_rate_cap, not both",
+                                               t.path_of("inertial_number_cap")));
+  return response;
+}
+
+void read_load(TableReader& root, const CellResponse& unsaid, Scene& scene) {
   LawParameters law = scene.law;
   KnownStress from(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
   for (TableReader& t : root.tables("load", "tables [[load]]")) {
     scene.load.push_back(read_stage(t, scene, from, law));
+    scene.load.back().cell = scene.load.back().cell.or_else(unsaid);
     from = after_stage(from, scene.load.back());
   }
 }

@@ -15,6 +15,7 @@
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
 #include "floc/contact/law_description.h"
+#include "floc/scene/cell_defaults.h"
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/numerical_settings.h"
 #include "floc/scene/read_accuracy.h"
@@ -77,9 +78,11 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
   t.refuse_other_keys();
 }
 
-void read_cell(TableReader& root, Scene& scene) {
-  TableReader t = root.table("cell", "a table [cell]");
-  if (scene.starts_from_state())
+/// @return  how the cell answers on the load path where the stages do not say it: nothing that the scene says
+CellResponse read_cell(TableReader& root, Scene& scene) {
+  const bool from_state = scene.starts_from_state();
+  TableReader t = root.table("cell", "a table [cell]", from_state ? Need::optional : Need::required);
+  if (from_state)
     t.refuse("solid_fraction", "cell.solid_fraction: the cell is that of assembly.state; expected no such key");
   else
     scene.assembly.solid_fraction =
@@ -92,21 +95,18 @@ void read_cell(TableReader& root, Scene& scene) {
                                   "a solid fraction in (0, 0.49], at which spheres can be placed at random "
                                   "without overlap"})
             .value_or(0);
-  scene.relaxation.cell_mass = t.number("mass", kCellMass).value_or(1);
-  scene.relaxation.strain_rate_cap =
-      t.number("strain_rate_cap", {positive, "a positive number (|L'/L| in units of 1/T0, T0 = sqrt(a m/F0))"},
-               Need::optional);
-  scene.relaxation.inertial_number_cap = t.number("inertial_number_cap", kInertialNumberCap, Need::optional);
-  const bool by_time = t.has("strain_rate_cap");
-  const bool by_inertia = t.has("inertial_number_cap");
-  if (by_time && by_inertia)
-    t.fault("inertial_number_cap",
-            "cell.inertial_number_cap: expected either this or strain_rate_cap, not both");
-  if (t && !by_time && !by_inertia)
-    t.fault("strain_rate_cap",
-            "cell.strain_rate_cap is missing: expected it (cohesive grains) or inertial_number_cap "
-            "(cohesionless)");
+  CellResponse said = read_rate_caps(t);
+  said.cell_mass = t.number("mass", kCellMass, Need::optional);
   t.refuse_other_keys();
+  CellResponse assembling = default_cap(scene.law);
+  assembling.cell_mass = kAssemblyCellMass;
+  scene.relaxation = said.or_else(assembling).applied_to(scene.relaxation);
+  CellResponse unsaid = default_load_response(scene.law);
+  if (said.has_cap()) unsaid.strain_rate_cap = unsaid.inertial_number_cap = std::nullopt;
+  if (said.cell_mass) unsaid.cell_mass.reset();
+  // A saved packing that is not shaken is only taken to its first pressure.
+  if (from_state && !scene.assembly.vibration) scene.assembly.cell = scene.assembly.cell.or_else(unsaid);
+  return unsaid;
 }
 
 /// Whether the grains stand between walls: a scene has either a [box] or a [cell].
@@ -234,10 +234,11 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
   TableReader cell = root.table("cell", "", Need::optional);
   TableReader assembly = root.table("assembly", "", Need::optional);
   if (!contact) return;
-  if (cell.has("strain_rate_cap") && !cell.has("inertial_number_cap") && !cohesive)
-    cell.fault("strain_rate_cap",
-               "cell.strain_rate_cap: counts in T0 = sqrt(a m/F0), and the scene has no adhesion; "
-               "expected inertial_number_cap");
+  for (TableReader* t : {&cell, &assembly})
+    if (t->has("strain_rate_cap") && !t->has("inertial_number_cap") && !cohesive)
+      t->fault("strain_rate_cap", fmt::format("{}: counts in T0 = sqrt(a m/F0), and the scene has no adhesion; "
+                                              "expected inertial_number_cap",
+                                              t->path_of("strain_rate_cap")));
   if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation) return;
   if (!cohesive || (scene.law.adhesion && scene.law.range() == 0))
     assembly.fault("protocol",
@@ -288,13 +289,14 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   scene.law = read_law(root, scene.dimension);
   read_assembly(root, directory, scene);
   read_grains(root, source, directory, scene);
+  CellResponse unsaid;
   if (has_box(root)) {
     read_box(root, scene);
     root.refuse("cell", "[cell]: the grains stand in a [box]; expected one of the two");
   } else {
-    read_cell(root, scene);
+    unsaid = read_cell(root, scene);
   }
-  read_load(root, scene);
+  read_load(root, unsaid, scene);
   read_equilibrium(root, scene);
   read_run(root, scene);
   check_consistency(root, source, scene);

@@ -28,6 +28,13 @@ void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path)
   }
 }
 
+/// @param capped  a response of the cell, or the options of a relaxation
+template <class Capped>
+void scale_caps(double factor, Capped& capped) {
+  if (capped.strain_rate_cap) *capped.strain_rate_cap *= factor;
+  if (capped.inertial_number_cap) *capped.inertial_number_cap *= factor;
+}
+
 }  // namespace
 
 RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::uint64_t seed) {
@@ -37,9 +44,12 @@ RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::u
   setting.numerical.apply(options.relaxation);
   options.relaxation.threads = 1;
   if (setting.n_grains > 0) options.grains.count = setting.n_grains;
-  if (options.relaxation.strain_rate_cap) *options.relaxation.strain_rate_cap *= setting.rate_cap_factor;
-  if (options.relaxation.inertial_number_cap)
-    *options.relaxation.inertial_number_cap *= setting.rate_cap_factor;
+  for (LoadStage& stage : options.load) {
+    stage.cell.cell_mass = setting.cell_mass_factor * stage.cell.applied_to(options.relaxation).cell_mass;
+    scale_caps(setting.rate_cap_factor, stage.cell);
+  }
+  scale_caps(setting.rate_cap_factor, options.assembly.cell);
+  scale_caps(setting.rate_cap_factor, options.relaxation);
   return options;
 }
 

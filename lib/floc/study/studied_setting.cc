@@ -83,6 +83,8 @@ std::vector<StudiedSetting> studied_settings(const Scene& scene) {
   for (const double factor : {5.0, 0.2})
     list.add("strain_rate_cap", fmt::format("{} times", factor),
              [&](Setting& s) { s.rate_cap_factor = factor; });
+  for (const double factor : {10.0, 0.1})
+    list.add("cell_mass", fmt::format("{} times", factor), [&](Setting& s) { s.cell_mass_factor = factor; });
   for (const int share : {4, 2})
     if (const int n = scene.grains.count / share; n >= 20)
       list.add("count", fmt::format("{}", n), [&](Setting& s) { s.n_grains = n; });

@@ -14,8 +14,9 @@ struct StudiedSetting {
   std::string parameter;  ///< "tolerance", "time_step", ...; "together" where several are changed
   std::string value;      ///< as a user would write it
   NumericalSettings numerical;
-  double rate_cap_factor = 1.0;  ///< on the cap of the strain rate
-  int n_grains = 0;              ///< 0: those of the scene
+  double rate_cap_factor = 1.0;   ///< on every cap of the strain rate
+  double cell_mass_factor = 1.0;  ///< on the mass of the cell, on the load path alone
+  int n_grains = 0;               ///< 0: those of the scene
   ModuliOptions moduli;
 
   bool is_reference() const { return parameter == "strict"; }

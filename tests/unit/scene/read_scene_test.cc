@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "floc/base/error.h"
+#include "floc/scene/cell_defaults.h"
 #include "support/places.h"
 
 namespace floc {
@@ -182,7 +183,7 @@ TEST_P(RefusedScene, SaysWhereWhatAndWhatWasExpected) {
 INSTANTIATE_TEST_SUITE_P(
     ReadScene, RefusedScene,
     testing::Values(
-        BadScene{"mass = 1\n", "", "cell.mass is missing: expected a positive number"},
+        BadScene{"mass = 1\n", "mass = 0\n", "cell.mass = 0: expected a positive number"},
         BadScene{", stiffness = 10}", "}", "contact.rolling.stiffness is missing"},
         BadScene{"force = 1.0, ", "", "contact.adhesion.force is missing"},
         BadScene{"pressure = 0.01", "pressure = \"low\"",
@@ -207,7 +208,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"dimension = 2", "dimension = 4", "scene.dimension = 4: expected 2 or 3"},
         BadScene{"units = \"reduced\"\n", "", "scene.units is missing: expected \"reduced\" or \"SI\""},
         BadScene{"strain_rate_cap = 0.05", "strain_rate_cap = 0.05\ninertial_number_cap = 1e-3", "not both"},
-        BadScene{"strain_rate_cap = 0.05\n", "", "cell.strain_rate_cap is missing"},
+        BadScene{"pressure = 0.01", "pressure = 0.01\nstrain_rate_cap = 0",
+                 "assembly.strain_rate_cap = 0: expected a positive number"},
+        BadScene{"[[load]]", "[[load]]\ninertial_number_cap = 1e-3\nstrain_rate_cap = 0.05",
+                 "load.0.inertial_number_cap: expected either this or strain_rate_cap, not both"},
+        BadScene{"[[load]]", "[[load]]\nset = {adhesion.force = 0}\nstrain_rate_cap = 0.05",
+                 "load.0.strain_rate_cap: counts in T0"},
         BadScene{"protocol = \"aggregation\"", "protocol = \"direct\"",
                  "assembly.agitation: grains start at rest"},
         BadScene{"agitation = 9.5\n", "", "assembly.agitation is missing"},
@@ -231,6 +237,59 @@ INSTANTIATE_TEST_SUITE_P(
                  "grains.diameter.values = []: expected an array of positive numbers"},
         BadScene{"[[load]]", "[load]", "load = a table: expected tables [[load]]"},
         BadScene{"[cell]", "[cell", "s.toml:13"}));
+
+/// What the relaxations of a stage of the load path are given, and those of the assembly.
+RelaxationOptions of_load(const Scene& scene, std::size_t stage = 0) {
+  return scene.load.at(stage).cell.applied_to(scene.relaxation);
+}
+RelaxationOptions of_assembly(const Scene& scene) {
+  return scene.assembly.cell.applied_to(scene.relaxation);
+}
+
+TEST(ReadScene, WhatTheCellDoesIsSaidByTheStageElseByTheCellElseBuiltIn) {
+  const std::string silent = with("mass = 1\nstrain_rate_cap = 0.05\n", "");
+  const Scene built_in = read(silent);
+  EXPECT_EQ(of_assembly(built_in).cell_mass, kAssemblyCellMass);
+  EXPECT_EQ(of_load(built_in).cell_mass, kLoadCellMass);
+  EXPECT_NE(kAssemblyCellMass, kLoadCellMass);
+  EXPECT_EQ(of_assembly(built_in).strain_rate_cap, kStrainRateCap);
+  EXPECT_EQ(of_load(built_in).strain_rate_cap, kStrainRateCap);
+
+  const Scene of_cell =
+      read(with("mass = 1\nstrain_rate_cap = 0.05\n", "mass = 0.3\nstrain_rate_cap = 0.07\n"));
+  for (const RelaxationOptions& options : {of_assembly(of_cell), of_load(of_cell)}) {
+    EXPECT_EQ(options.cell_mass, 0.3);
+    EXPECT_EQ(options.strain_rate_cap, 0.07);
+  }
+
+  const std::string stages = "[[load]]\nto = 2.0\nsteps = 1\n";
+  for (const std::string& text : {silent, std::string(kScene)}) {
+    const Scene s = read(text + stages, {"load.0.cell_mass=0.02", "load.0.strain_rate_cap=0.03",
+                                         "assembly.cell_mass=2", "assembly.strain_rate_cap=0.04"});
+    EXPECT_EQ(of_assembly(s).cell_mass, 2.0);
+    EXPECT_EQ(of_assembly(s).strain_rate_cap, 0.04);
+    EXPECT_EQ(of_load(s).cell_mass, 0.02);
+    EXPECT_EQ(of_load(s).strain_rate_cap, 0.03);
+    EXPECT_EQ(of_load(s, 1).cell_mass, text == silent ? kLoadCellMass : 1.0);  // said of the first stage alone
+  }
+}
+
+TEST(ReadScene, ACapOfAStageTakesThePlaceOfTheOtherKind) {
+  const RelaxationOptions options = of_load(read(kScene, {"load.0.inertial_number_cap=1e-4"}));
+  EXPECT_EQ(options.inertial_number_cap, 1e-4);
+  EXPECT_FALSE(options.strain_rate_cap);
+}
+
+TEST(ReadScene, WithoutAdhesionTheBuiltInCapIsAnInertialNumber) {
+  std::string text = with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}\n", "");
+  text.replace(text.find("protocol = \"aggregation\"\nagitation = 9.5"), 40, "protocol = \"direct\"       \n");
+  text.replace(text.find("strain_rate_cap = 0.05\n"), 23, "");
+  const Scene s = read(text);
+  for (const RelaxationOptions& options : {of_assembly(s), of_load(s)}) {
+    EXPECT_EQ(options.inertial_number_cap, kLargestInertialNumber);
+    EXPECT_FALSE(options.strain_rate_cap);
+  }
+}
 
 TEST(ReadScene, CohesionlessScenesNeedACapThatDoesNotCountInAdhesionTimes) {
   std::string text = with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}\n", "");

@@ -4,6 +4,7 @@
 #include "floc/base/error.h"
 #include "floc/base/sha256.h"
 #include "floc/io/state_file.h"
+#include "floc/scene/cell_defaults.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "support/dynamics.h"
@@ -65,6 +66,21 @@ class SceneOfAState : public testing::Test {
   State<2> saved_;
   test::ScratchDirectory scratch_;
 };
+
+/// Its first pressure is a load like those that follow; what is shaken is put together anew.
+TEST_F(SceneOfAState, TakesTheResponseOfLoadsWhereNoneIsSaid) {
+  const std::string cell = "[cell]\nmass = 1\nstrain_rate_cap = 0.05\n";
+  std::string text = kScene;
+  text.erase(text.find(cell), cell.size());
+  const auto mass_of_first = [&](const std::string& scene) {
+    const Scene s = read({}, scene);
+    return s.assembly.cell.applied_to(s.relaxation).cell_mass;
+  };
+  EXPECT_EQ(mass_of_first(text), kLoadCellMass);
+  EXPECT_EQ(mass_of_first(kScene), 1.0);
+  text.insert(text.find("pressure"), "vibration = {dilation = 1.01, collisions = 5}\n");
+  EXPECT_EQ(mass_of_first(text), kAssemblyCellMass);
+}
 
 TEST_F(SceneOfAState, HasTheGrainsThatTheRunWillHave) {
   const Scene s = read();

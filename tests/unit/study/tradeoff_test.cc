@@ -54,6 +54,23 @@ TEST(Tradeoff, ComparesOnlySettingsThatLeaveThePhysicsAlone) {
   }
 }
 
+TEST(Tradeoff, ScalesTheCapsOfEveryPartAndTheMassOfTheLoadAlone) {
+  const Scene scene =
+      read_scene(test::source_directory() + "/data/scenes/type1_rolling_small.toml",
+                 {"assembly.strain_rate_cap=0.04", "load.0.cell_mass=0.2", "load.1.inertial_number_cap=1e-3"});
+  StudiedSetting setting;
+  setting.rate_cap_factor = 5.0;
+  setting.cell_mass_factor = 0.1;
+  const RunOptions options = run_options(scene, setting, 1);
+  const auto of = [&](const CellResponse& cell) { return cell.applied_to(options.relaxation); };
+  EXPECT_DOUBLE_EQ(of(options.assembly.cell).strain_rate_cap.value(), 0.2);
+  EXPECT_DOUBLE_EQ(of(options.assembly.cell).cell_mass, 1.0);
+  EXPECT_DOUBLE_EQ(of(options.load[0].cell).strain_rate_cap.value(), 0.25);
+  EXPECT_DOUBLE_EQ(of(options.load[0].cell).cell_mass, 0.02);
+  EXPECT_DOUBLE_EQ(of(options.load[1].cell).inertial_number_cap.value(), 5e-3);
+  EXPECT_DOUBLE_EQ(of(options.load[1].cell).cell_mass, 0.1);
+}
+
 TEST(Tradeoff, PairedPathsStartFromTheSameStatesAndTheReferenceEqualsItself) {
   const Scene scene = small_scene(40);
   const auto settings = studied_settings(scene);

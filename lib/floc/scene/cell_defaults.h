@@ -1,0 +1,36 @@
+#pragma once
+
+#include "floc/contact/law_parameters.h"
+#include "floc/relaxation/cell_response.h"
+
+namespace floc {
+
+/// Masses and rate caps of the cell in scenes that give none (docs/quasistatic.md has the measurements).
+
+/// While grains are put together. A lighter cell makes packings of a gas looser than the published ones.
+inline constexpr double kAssemblyCellMass = 1.0;
+/// On load paths: a heavier cell overshoots and compacts, a lighter one makes the same densities.
+inline constexpr double kLoadCellMass = 0.1;
+/// Of cohesive grains, in 1/T0, T0 = sqrt(a m/F0).
+inline constexpr double kStrainRateCap = 0.05;
+/// Of grains without adhesion, |L'/L| sqrt(m/P).
+inline constexpr double kLargestInertialNumber = 1e-3;
+
+/// The cap on the strain rate, of the kind that the contact law has a scale for.
+inline CellResponse default_cap(const LawParameters& law) {
+  CellResponse response;
+  if (law.adheres())
+    response.strain_rate_cap = kStrainRateCap;
+  else
+    response.inertial_number_cap = kLargestInertialNumber;
+  return response;
+}
+
+/// What stages of a load path take where neither they nor the scene say anything.
+inline CellResponse default_load_response(const LawParameters& law) {
+  CellResponse response = default_cap(law);
+  response.cell_mass = kLoadCellMass;
+  return response;
+}
+
+}  // namespace floc

@@ -1,13 +1,16 @@
 // Contact updates per second of spheres: elastic ones (Hertz, Mindlin friction, damping) and linear ones, size by
-// size and for each instruction set. Time is that of the processor:
-//   floc_bench --benchmark_filter=spheres
+// size and for each instruction set; and sticky ones between walls beside the same without walls. Time is that of
+// the processor:
+//   floc_bench --benchmark_filter='spheres|box'
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 
+#include "floc/assembly/box_options.h"
 #include "floc/assembly/gas.h"
 #include "floc/packing/tile.h"
 #include "floc/relaxation/relaxer.h"
@@ -74,6 +77,55 @@ BENCHMARK(spheres)
                    {kHertz},
                    {static_cast<int>(InstructionSet::portable), static_cast<int>(InstructionSet::avx2)}})
     ->Unit(benchmark::kMillisecond);
+
+/// Sticky spheres that six walls have pressed together from a gas, at eta* = 0.05 [SVI2024] in units of their
+/// diameter, their mass and the pressure.
+Packing<3> compacted(int n) {
+  constexpr double kPressure = 1.0, kStiffness = 1e4, kAdhesion = 5.0;
+  LawParameters law;
+  law.normal = LinearRepulsion{kStiffness};
+  law.adhesion = ConstantAdhesion{kAdhesion};
+  law.damping = ViscousDamping{0.1, DampingMass::effective};
+  law.friction = CoulombFriction{0.4, 0.8 * kStiffness};
+  GrainOptions grains;
+  grains.count = n;
+  grains.diameter.min = grains.diameter.max = 1.0;
+  RandomStream random(1, 1);
+  BoxOptions box;
+  box.mass = 1000.0;
+  Packing<3> packing = make_boxed_gas<3>(grains, law, box, 0.3, random);
+  const DynamicsSettings settings{time_step_of(packing, RelaxationOptions{}.time_step, kPressure), 0.05, 1};
+  auto control = BoundaryControl<3>::fixed();
+  for (int a = 0; a < 3; ++a) control.imposed[a] = Imposed::stress, control.target[a] = kPressure;
+  const auto dynamics = make_dynamics(packing, control, settings);
+  dynamics->advance(static_cast<int>(5.0 / settings.time_step), Motion::free);
+  if (!dynamics->finite()) throw std::runtime_error("the walls went through the spheres");
+  return dynamics->packing();
+}
+
+/// The same grains and contacts in a periodic cell: opposite walls have kept them apart.
+Packing<3> without_walls(Packing<3> packing) {
+  for (const Wall<3>& wall : packing.walls)
+    if (wall.side < 0)
+      for (Vec<3>& x : packing.grains.position) x[wall.axis] -= wall.position;
+  std::erase_if(packing.contacts, [&](const Contact<3>& c) { return packing.is_wall(c.j); });
+  packing.walls.clear();
+  return packing;
+}
+
+void box(benchmark::State& state) {
+  static const Packing<3> boxed = compacted(17657);
+  static const Packing<3> periodic = without_walls(boxed);
+  const Packing<3>& packing = state.range(0) != 0 ? boxed : periodic;
+  DynamicsSettings settings{time_step_of(packing, RelaxationOptions{}.time_step, 1.0), 0.05, 1};
+  settings.instructions = widest_instruction_set();
+  const auto dynamics = make_dynamics(packing, BoundaryControl<3>::fixed(), settings);
+  constexpr int kSteps = 100;
+  for (auto _ : state) dynamics->advance(kSteps, Motion::free);
+  state.SetItemsProcessed(state.iterations() * kSteps * static_cast<std::int64_t>(packing.contacts.size()));
+  state.counters["contacts"] = static_cast<double>(packing.contacts.size());
+}
+BENCHMARK(box)->ArgName("walls")->Arg(0)->Arg(1)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace floc

@@ -51,10 +51,20 @@ void warn_of_range(const Scene& scene, Warnings& warnings) {
                     scene.law.range(), radius));
 }
 
+/// The largest water content that the scene begins with or sets in a stage.
+double most_water(const Scene& scene, double at_first) {
+  double most = at_first;
+  for (const LoadStage& stage : scene.load)
+    for (const auto& [key, value] : stage.set)
+      if (key == "adhesion.water_content") most = std::max(most, value);
+  return most;
+}
+
 /// What liquid bridges do that the scene does not say.
 void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   if (!scene.law.adhesion.holds<CapillaryAdhesion>()) return;
-  const CapillaryAdhesion& law = scene.law.adhesion.get<CapillaryAdhesion>();
+  CapillaryAdhesion law = scene.law.adhesion.get<CapillaryAdhesion>();
+  law.water_content = most_water(scene, law.water_content);
   if (law.water_content == 0.0)
     warnings.push_back(
         "contact.adhesion.water_content = 0: the grains are dry; with however little liquid they attract with "

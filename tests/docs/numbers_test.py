@@ -411,6 +411,42 @@ class Test:
             self.number(mean, statistics.mean(values), what)
             self.number(deviation, statistics.stdev(values), what + ", scatter")
 
+    def powder2d(self):
+        means = list(csv.DictReader(open(os.path.join(self.source, "data/campaigns/powder2d/means.csv"))))
+        for case, pressure, shown, published in self.claim_table("| case | P* | Phi | published |"):
+            found = [r for r in means if r["case"] == case and r["quantity"] == "phi" and r["branch"] in ("assembly", "load") and
+                     abs(float(r["P_star"]) - float(pressure)) < 1e-9]
+            if len(found) != 1:
+                self.fault(f"powder2d: {len(found)} rows of {case} at P* = {pressure}")
+                continue
+            mean, deviation = shown.split(" +- ")
+            self.number(mean, float(found[0]["mean"]), f"powder2d {case} at P* = {pressure}")
+            self.number(deviation, float(found[0]["deviation"]), f"powder2d {case} at P* = {pressure}, scatter")
+            if published:
+                self.number(published.split(" +- ")[0], float(found[0]["reference"]), f"powder2d {case}, published")
+
+    def wet(self):
+        rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/wet/states.csv"))))
+        columns = [("phi", 1.0), ("z_bonds", 1.0), ("minus_share", 100.0), ("force_exponent_plus_from_0", 1.0),
+                   ("force_exponent_minus_from_0", 1.0), ("pressure_exponent_plus_from_0", 1.0),
+                   ("pressure_exponent_minus_from_0", 1.0), ("like_share", 100.0), ("like_share_shuffled", 100.0)]
+        for cells in self.claim_table("| mu | water | state | samples | Phi"):
+            friction, water, state, count = cells[:4]
+            found = [r for r in rows if float(r["friction"]) == float(friction) and r["state"] == state and
+                     abs(100.0 * float(r["water"]) - float(water.rstrip(" %"))) < 1e-9]
+            what = f"wet spheres put together with mu = {friction}, water {water}, {state}"
+            if len(found) != int(count):
+                self.fault(f"{what}: {len(found)} rows of data/tables/wet/states.csv, the page says {count}")
+                continue
+            for (name, scale), shown in zip(columns, cells[4:]):
+                if not shown:
+                    continue
+                values = [scale * float(r[name]) for r in found]
+                mean, *deviation = shown.rstrip(" %").split(" +- ")
+                self.number(mean, statistics.mean(values), f"{what}, {name}")
+                for scatter in deviation:
+                    self.number(scatter, statistics.stdev(values), f"{what}, scatter of {name}")
+
     def lattice(self):
         study = list(csv.DictReader(open(os.path.join(self.source, "data/tables/lattice/study.csv"))))
         columns = ["E", "other_share_nodes", "beta1_nodes", "beta2_nodes", "beta1_forces", "pearson_bonded"]
@@ -531,7 +567,7 @@ class Test:
             else:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
-                              self.preconsolidation, self.lammps, self.python, self.spheres, self.compaction, self.lattice,
+                              self.preconsolidation, self.lammps, self.python, self.spheres, self.compaction, self.powder2d, self.wet, self.lattice,
                               self.tradeoff):
                     try:
                         check()

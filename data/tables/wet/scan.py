@@ -22,7 +22,7 @@ COLUMNS = ["n_grains", "phi", "z", "z_bonds", "z_bonds_plus", "z_bonds_minus", "
            "like_share_shuffled_stddev", "positive_directions", "negative_directions", "positive_directions_shuffled",
            "negative_directions_shuffled", "positive_largest_cluster", "negative_largest_cluster", "positive_clusters",
            "negative_clusters", "pressed_share", "stress_spread"]
-# Exponents of forces over F0, or over their mean where there is no F0, from 0 and from a tenth; of pressures likewise.
+# Exponents of forces over f0 and of particle pressures over p0, on either side, from zero and from a tenth.
 EXPONENTS = [(quantity, side, start) for quantity in ("force", "pressure") for start in ("0", "0.1") for side in "+-"]
 
 
@@ -36,9 +36,11 @@ def seeds(text):
 
 
 def run(command):
+    """Whether the run made all its states; what stopped it is said."""
     done = subprocess.run(command, stderr=subprocess.PIPE, text=True)
     if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}: exit code {done.returncode}: {done.stderr.strip().splitlines()[-1]}")
+        print(f"{' '.join(command)}: exit code {done.returncode}: {done.stderr.strip().splitlines()[-1]}", file=sys.stderr)
+    return done.returncode == 0
 
 
 def wet_scene(dry, state):
@@ -46,26 +48,38 @@ def wet_scene(dry, state):
     scene = re.sub(r'protocol = "direct".*', f'protocol = "state"\nstate = "{state}"', dry)
     # What the grains were put together with is over: they are under the law of the stages.
     scene = re.sub(r"(?m)^(?:solid_fraction|friction|inertial_number_cap) = [\d.].*\n", "", scene)
+    # Those that are to come to rest do so in a fraction of this.
+    scene = scene.replace("[equilibrium]\n", "[equilibrium]\nmax_time = 60\n")
     return re.sub(r"(?ms)^\[grains\].*?(?=^\[)", "", scene)
 
 
-def exponents(file, of_largest):
-    """Of one state, by quantity, side and start, with standard errors; units F0 and p0, or the means without adhesion."""
-    units = ("F0", "p0") if of_largest else ("mean", "mean")
+def exponents(file, units, with_liquid):
+    """Of one state, by quantity, side and start, with standard errors.
+
+    units: f0 and p0 by quantity; filled from a state with liquid. Without liquid, exponents from zero are converted from
+    those over the mean, and there are no others.
+    """
     found = {}
     for row in csv.DictReader(open(file)):
-        if row["unit"] == units[row["quantity"] == "pressure"]:
-            # Of the windows of a start the widest comes first.
-            found.setdefault((row["quantity"], row["side"], row["from"]), (row["exponent"], row["stderr"]))
+        key = row["quantity"], row["side"], row["from"]
+        if not row["exponent"]:
+            continue
+        # Of the windows of a start the widest comes first.
+        if with_liquid and row["unit"] in ("F0", "p0"):
+            units[row["quantity"]] = float(row["unit_size"])
+            found.setdefault(key, (row["exponent"], row["stderr"]))
+        elif not with_liquid and row["unit"] == "mean" and row["from"] == "0":
+            ratio = units[row["quantity"]] / float(row["unit_size"])
+            found.setdefault(key, [f"{float(row[name]) * ratio:.6g}" for name in ("exponent", "stderr")])
     return [part for key in EXPONENTS for part in found.get(key, ("", ""))]
 
 
-def measure(floc, state, with_liquid):
+def measure(floc, state, units, with_liquid):
     table = os.path.join(os.path.dirname(state), "exponents.csv")
     out = subprocess.run([floc, "network", state, "--with", "bonds", "phases", "--exponents", table, "--format", "csv"],
                          capture_output=True, text=True, check=True).stdout
     row = next(csv.DictReader(io.StringIO(out)))
-    return [row[c] for c in COLUMNS] + exponents(table, with_liquid)
+    return [row[c] for c in COLUMNS] + exponents(table, units, with_liquid)
 
 
 def seconds_of(directory, steps):
@@ -94,9 +108,11 @@ def main():
         table.writerow(["friction", "water", "state", "seed"] + COLUMNS
                        + [part for name in names for part in (name, name + "_stderr")] + ["seconds"])
 
+        units = {}
+
         def add(friction, water, name, seed, directory, step):
             state = os.path.join(directory, f"state-{step:04d}.h5")
-            table.writerow([friction, water, name, seed] + measure(floc, state, water > 0)
+            table.writerow([friction, water, name, seed] + measure(floc, state, units, water > 0)
                            + [f"{seconds_of(directory, [step]):.1f}"])
             file.flush()
             print(f"mu {friction:g}, w {water:g}, seed {seed}: {name}", flush=True)
@@ -106,7 +122,6 @@ def main():
                 dry = os.path.join(top, f"mu{friction:g}-{seed}", "dry")
                 run([floc, "run", options.scene, "-o", dry, "--seed", str(seed), "--threads", "1", "--resume", "--until", "0",
                      "--set", f"grains.count={options.count}", "--set", f"assembly.friction={friction:g}"] + changes)
-                add(friction, 0.0, "dry", seed, dry, 0)
                 for water in options.water:
                     wet = os.path.join(top, f"mu{friction:g}-{seed}", f"w{water:g}")
                     scene = wet + ".toml"
@@ -115,9 +130,11 @@ def main():
                     if not os.path.exists(scene) or open(scene).read() != text:
                         os.makedirs(os.path.dirname(scene), exist_ok=True)
                         open(scene, "w").write(text)
-                    run([floc, "run", scene, "-o", wet, "--seed", str(seed), "--threads", "1", "--resume"] + changes)
+                    if not run([floc, "run", scene, "-o", wet, "--seed", str(seed), "--threads", "1", "--resume"] + changes):
+                        continue
                     for step, name in ((1, "P = 0"), (2, "loaded")):
                         add(friction, water, name, seed, wet, step)
+                add(friction, 0.0, "dry", seed, dry, 0)
 
 
 if __name__ == "__main__":

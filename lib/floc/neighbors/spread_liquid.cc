@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -49,20 +50,12 @@ LiquidShares shares_over(const Packing<Dim>& packing, const BridgeSearch& search
                          const std::vector<Contact<Dim>>& found) {
   const CapillaryAdhesion& bridges = *packing.law.liquid();
   const std::vector<double>& radius = packing.grains.radius;
-  std::vector<BridgeablePair> pairs;
-  std::vector<std::size_t> taking_part;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const Contact<Dim>& c = found[k];
-    if (bridges.formation == BridgeFormation::contact && c.gap > 0.0 && !(bridge_volume(packing, c) > 0.0))
-      continue;
-    pairs.push_back({c.gap, 2.0 * reduced(radius[c.i], radius[c.j])});
-    taking_part.push_back(k);
-  }
-  LiquidShares shares = share_liquid(bridges, search.liquid(), pairs);
-  std::vector<double> of_all(found.size(), 0.0);
-  for (std::size_t p = 0; p < pairs.size(); ++p) of_all[taking_part[p]] = shares.volume[p];
-  shares.volume = std::move(of_all);
-  return shares;
+  return share_liquid_among(bridges, search.liquid(), static_cast<int>(found.size()),
+                            [&](int k) -> std::optional<BridgeablePair> {
+                              const Contact<Dim>& c = found[k];
+                              if (!may_hold_liquid(bridges, c.gap, bridge_volume(packing, c))) return {};
+                              return BridgeablePair{c.gap, 2.0 * reduced(radius[c.i], radius[c.j])};
+                            });
 }
 
 }  // namespace

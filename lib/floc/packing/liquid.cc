@@ -9,12 +9,7 @@
 #include "floc/packing/grain_sizes.h"
 
 namespace floc {
-namespace {
-
-/// Bridges a grain of a dense packing has, half of them counted with it.
-constexpr double kBridgesPerGrain = 3.0;
-
-}  // namespace
+namespace {}  // namespace
 
 LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
                           std::span<const BridgeablePair> pairs) {

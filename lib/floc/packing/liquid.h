@@ -1,12 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "floc/packing/packing.h"
 
 /// The liquid of a packing whose law has capillary bridges: which pairs hold some, and how much.
 namespace floc {
+
+/// Bridges a grain of a dense packing has, half of them counted with it: to begin a search with, and for what is
+/// said of a scene before there are any.
+inline constexpr double kBridgesPerGrain = 3.0;
 
 /// A pair that liquid may bridge.
 struct BridgeablePair {
@@ -34,6 +40,32 @@ struct LiquidShares {
 /// @param liquid  V_l (length^3), > 0
 LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
                           std::span<const BridgeablePair> pairs);
+
+/// Whether liquid may flow to a pair with that gap (length) that holds a volume (length^3): where bridges form on
+/// contact alone, it has to touch or to have a bridge.
+inline bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume) {
+  return bridges.formation == BridgeFormation::gap || gap <= 0.0 || volume > 0.0;
+}
+
+/// Shares liquid out over those of n pairs that may take part.
+///
+/// @param pair  the k-th, nothing where it takes no part
+/// @return      volumes of all n pairs
+template <class PairAt>
+LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid, int n, const PairAt& pair) {
+  std::vector<BridgeablePair> taking_part;
+  std::vector<int> place;
+  for (int k = 0; k < n; ++k)
+    if (const std::optional<BridgeablePair> found = pair(k)) {
+      taking_part.push_back(*found);
+      place.push_back(k);
+    }
+  LiquidShares shares = share_liquid(bridges, liquid, taking_part);
+  std::vector<double> volume(n, 0.0);
+  for (std::size_t p = 0; p < place.size(); ++p) volume[place[p]] = shares.volume[p];
+  shares.volume = std::move(volume);
+  return shares;
+}
 
 /// Where to look for the pairs that liquid may bridge, wider and wider, until none further off can be in reach.
 class BridgeSearch {

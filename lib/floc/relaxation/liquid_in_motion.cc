@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,19 +47,14 @@ template <int Dim>
 LiquidShares ExplicitDynamics<Dim>::share_liquid() {
   const CapillaryAdhesion& law = *law_.liquid();
   const PairArrays<Dim>& pairs = interactions_[0].pairs();
-  std::vector<BridgeablePair> taking_part;
-  std::vector<int> place;
-  for (int p = 0; p < pairs.size(); ++p) {
-    if (pairs.padding(p)) continue;
-    const double gap = gap_of(pairs.key(p));
-    if (law.formation == BridgeFormation::contact && gap > 0.0 && !(pairs.bridge_volume()[p] > 0.0)) continue;
-    taking_part.push_back({gap, 2.0 * reduced(grains_.radius[pairs.i(p)], grains_.radius[pairs.j(p)])});
-    place.push_back(p);
-  }
-  LiquidShares shares = floc::share_liquid(law, bridges_->liquid(), taking_part);
-  auto& volume = interactions_[0].bridge_volume();
-  std::fill(volume.begin(), volume.end(), 0.0);
-  for (std::size_t k = 0; k < place.size(); ++k) volume[place[k]] = shares.volume[k];
+  LiquidShares shares =
+      share_liquid_among(law, bridges_->liquid(), pairs.size(), [&](int p) -> std::optional<BridgeablePair> {
+        if (pairs.padding(p)) return {};
+        const double gap = gap_of(pairs.key(p));
+        if (!may_hold_liquid(law, gap, pairs.bridge_volume()[p])) return {};
+        return BridgeablePair{gap, 2.0 * reduced(grains_.radius[pairs.i(p)], grains_.radius[pairs.j(p)])};
+      });
+  std::copy(shares.volume.begin(), shares.volume.end(), interactions_[0].bridge_volume().begin());
   return shares;
 }
 

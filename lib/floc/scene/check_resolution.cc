@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "floc/scene/derived_groups.h"
+#include "floc/scene/scene_scales.h"
 
 namespace floc {
 namespace {
@@ -39,8 +40,7 @@ void for_each_pressure(TableReader& root, const Scene& scene, const Check& check
 void check_pressures(TableReader& root, const Scene& scene) {
   if (!scene.law.adheres() || scene.assembly.box || !(scene.grains.diameter.max > 0)) return;
   const double area = std::pow(scene.grains.diameter.max, scene.dimension - 1);  // a length in 2D
-  const double least =
-      scene.relaxation.tolerance.stress * scene.law.pull_off_force(0.5 * scene.grains.diameter.max) / area;
+  const double least = scene.relaxation.tolerance.stress * pull_off_force(scene) / area;
   const auto check = [&](TableReader& t, const char* key, double pressure) {
     if (pressure > 0 && pressure <= least)
       t.fault(
@@ -62,8 +62,7 @@ void check_stiffness(TableReader& root, const Scene& scene) {
   constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
   const double a = scene.grains.diameter.max;
   const double area = std::pow(a, scene.dimension - 1);  // a length in 2D
-  const double F1 =
-      std::max(scene.law.pull_off_force(0.5 * scene.grains.diameter.max), scene.assembly.pressure * area);
+  const double F1 = std::max(pull_off_force(scene), scene.assembly.pressure * area);
   TableReader equilibrium = root.table("equilibrium", "", Need::optional);
   TableReader contact = root.table("contact", "", Need::optional);
   if (!contact || !(a > 0) || !(F1 > 0)) return;

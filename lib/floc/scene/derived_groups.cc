@@ -8,8 +8,9 @@
 #include <optional>
 
 #include "floc/contact/law_description.h"
+#include "floc/packing/liquid.h"
 #include "floc/relaxation/dynamics.h"
-#include "floc/scene/grain_mass.h"
+#include "floc/scene/scene_scales.h"
 
 namespace floc {
 namespace {
@@ -78,7 +79,7 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
 }
 
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
-  const double F0 = scene.law.pull_off_force(0.5 * scene.grains.diameter.max);
+  const double F0 = pull_off_force(scene);
   const double K_N = std::pow(a, scene.dimension - 1) * scene.law.contact_modulus(scene.dimension, a);
   groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact against adhesion"});
   add_pressures(scene, F0 / std::pow(a, scene.dimension - 1), "P_star",
@@ -90,7 +91,6 @@ void add_cohesion(const Scene& scene, double a, Groups& groups) {
 void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   const double share = law.liquid_volume(1.0);
   const double grain = std::numbers::pi / 6.0 * a * a * a;
-  constexpr double kBridgesPerGrain = 3.0;
   const Bridge<> bridge = law.bridge(0.5 * a, 0.5 * a, share * grain / kBridgesPerGrain);
   groups.push_back({"V_l/V_s", share, "volume of the liquid over that of the grains"});
   groups.push_back({"l/a", 1.0 / (bridge.decay * a), "decay length of a bridge, three to each grain"});
@@ -183,8 +183,8 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
                       scene.law.range() > 0.0 ? "agitation at the start, V* = sqrt(F0 D0/m)"
                                               : "agitation at the start, V* = sqrt(P a^2/m)"});
   if (scene.law.adheres())
-    groups.push_back({"T0", std::sqrt(a * m / scene.law.pull_off_force(0.5 * scene.grains.diameter.max)),
-                      "sqrt(a m/F0), unit of time of the scene"});
+    groups.push_back(
+        {"T0", std::sqrt(a * m / pull_off_force(scene)), "sqrt(a m/F0), unit of time of the scene"});
 }
 
 /// T = sqrt(m/(p a^(D-2))), the unit of time of a box.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "floc/scene/accuracy.h"
+#include "floc/scene/scene_scales.h"
 
 namespace floc {
 namespace {
@@ -16,8 +17,7 @@ constexpr NumberRule kRelativeError{[](double x) { return x > 0; }, "a positive 
 std::optional<double> stiffness_number(const Scene& scene) {
   if (!scene.law.adheres()) return std::nullopt;
   const double a = scene.grains.diameter.max;
-  return a * scene.law.contact_modulus(scene.dimension, a) /
-         scene.law.pull_off_force(0.5 * scene.grains.diameter.max);
+  return a * scene.law.contact_modulus(scene.dimension, a) / pull_off_force(scene);
 }
 
 /// Settings that [accuracy] chooses: a scene says either the accuracy or these.

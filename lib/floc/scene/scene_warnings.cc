@@ -6,9 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/packing/liquid.h"
 #include "floc/relaxation/static_solver.h"
 #include "floc/scene/derived_groups.h"
-#include "floc/scene/grain_mass.h"
+#include "floc/scene/scene_scales.h"
 
 namespace floc {
 namespace {
@@ -72,7 +73,7 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   else if (!law.acts())
     warnings.push_back("contact.adhesion.contact_angle = 90: the liquid does not pull; the grains are as dry");
   // Of three bridges to each of equal grains, V_b over R'^3.
-  constexpr double kBridgesPerGrain = 3.0, kMerging = 0.1;
+  constexpr double kMerging = 0.1;
   const double filled = law.liquid_volume(4.0 / 3.0 * std::numbers::pi) / kBridgesPerGrain;
   if (filled > kMerging)
     warnings.push_back(fmt::format(
@@ -87,8 +88,7 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
 /// sqrt(a m/F1) at a pressure.
 double time_unit(const Scene& scene, double pressure) {
   const double a = scene.grains.diameter.max, m = mass_of(scene, a);
-  const double F1 = std::max(scene.law.pull_off_force(0.5 * scene.grains.diameter.max),
-                             pressure * std::pow(a, scene.dimension - 1));
+  const double F1 = std::max(pull_off_force(scene), pressure * std::pow(a, scene.dimension - 1));
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
@@ -102,8 +102,7 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   const double unit = time_unit(scene, pressure);
   const RelaxationOptions r = scene.assembly.cell.applied_to(scene.relaxation);
   // The inertial number is the rate times sqrt(m/P), of spheres sqrt(m/(P a)): sqrt(a m/F1) where F1 is of P.
-  const double free_unit =
-      scene.law.pull_off_force(0.5 * scene.grains.diameter.max) > 0.0 ? time_unit(scene, 0.0) : unit;
+  const double free_unit = scene.law.adheres() ? time_unit(scene, 0.0) : unit;
   const double rate = r.strain_rate_cap       ? *r.strain_rate_cap / free_unit
                       : r.inertial_number_cap ? *r.inertial_number_cap / unit
                                               : 0.0;

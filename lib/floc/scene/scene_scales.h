@@ -13,4 +13,9 @@ inline double mass_of(const Scene& scene, double diameter) {
   return scene.grains.density.value_or(1.0 / unit_volume) * unit_volume * cube;
 }
 
+/// F0 of a scene: that of two of its largest grains. 0 without adhesion.
+inline double pull_off_force(const Scene& scene) {
+  return scene.law.pull_off_force(0.5 * scene.grains.diameter.max);
+}
+
 }  // namespace floc

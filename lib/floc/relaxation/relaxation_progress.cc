@@ -31,6 +31,7 @@ constexpr auto kLaterMembers = [](auto& p, const auto& visit) {
   visit("liquid_trials", p.liquid_trials);
   visit("steady_stretches", p.steady_chunks);
   visit("steady_since_phi", p.steady_since_phi);
+  visit("refused_within", p.refused_within);
 };
 
 }  // namespace

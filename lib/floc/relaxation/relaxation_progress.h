@@ -29,6 +29,7 @@ struct RelaxationProgress {
   int finishing_chunks = 0;
   int liquid_trials = 0;               ///< equilibria given up because their liquid moved
   int next_refinement = 0;             ///< chunk of the finish at which Newton refinement is tried next
+  int refused_within = 0;              ///< whether the last attempt at it failed within tolerance
   std::vector<double> force_residual;  ///< at the end of each recent chunk, for the decay rate
 };
 

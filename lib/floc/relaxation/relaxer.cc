@@ -15,6 +15,7 @@
 #include "floc/packing/require_periodic.h"
 #include "floc/relaxation/box_relaxer.h"
 #include "floc/relaxation/dynamics.h"
+#include "floc/relaxation/elastic_step.h"
 #include "floc/relaxation/static_solver.h"
 
 namespace floc {
@@ -36,8 +37,6 @@ constexpr double kVibrationWindows = 5.0;
 /// than the tolerance. Where the density has been steady so many time units long, twice as long as any step under
 /// load of the shipped scenes takes as a whole, nothing else moves. Over that time it may drift by kFinishPhi.
 constexpr double kCoastingWindow = 200.0;
-/// A load that is put on at once, undamped, carries a spring this many times as far as the equilibrium lies.
-constexpr double kOvershoot = 2.0;
 /// Newton iterations after which it shows whether a step is elastic: the first is the elastic response.
 constexpr int kTrialIterations = 2;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
@@ -88,36 +87,6 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
 /// contact on one core (docs/performance.md, "Steps").
 constexpr double kSettlingSteps = 5000.0;
 constexpr double kSecondsAContact = 8e-8;
-
-template <class T>
-T extrapolated(const T& start, const T& end) {
-  return start + kOvershoot * (end - start);
-}
-
-/// Whether a contact that touches stays below its caps.
-template <int Dim>
-bool sticks(const LawParameters& law, const Contact<Dim>& from, const Contact<Dim>& to) {
-  Contact<Dim> beyond = to;
-  beyond.elastic_force = extrapolated(from.elastic_force, to.elastic_force);
-  beyond.memory = extrapolated(from.memory, to.memory);
-  return !mobilised(law, beyond, 0.0).any() && !to.yields();
-}
-
-/// Whether the step from one equilibrium to another is elastic: the way between them, and as far again beyond,
-/// opens and closes no contact and mobilises none. The vibrations of a load put on at once then leave no trace
-/// either.
-template <int Dim>
-bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to) {
-  if (from.contacts.size() != to.contacts.size()) return false;
-  for (std::size_t k = 0; k < to.contacts.size(); ++k) {
-    const Contact<Dim>&p = from.contacts[k], &q = to.contacts[k];
-    if (p.i != q.i || p.j != q.j || p.image != q.image || p.distant != q.distant) return false;
-    const double gap = extrapolated(p.gap, q.gap);
-    if ((gap >= 0.0) != q.distant || (q.distant && gap >= range_of(from, p))) return false;
-    if (!q.distant && !sticks(from.law, p, q)) return false;
-  }
-  return true;
-}
 
 /// Fingerprint of which grains touch (FNV-1a over the pairs).
 template <int Dim>
@@ -333,6 +302,7 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
     if (load_.any_strained()) progress_.finishing_since_stress = mean_carried_stress();
     progress_.finishing_chunks = 0;
     progress_.next_refinement = 1;
+    progress_.refused_within = 0;
   }
   return RelaxationStatus::running;
 }
@@ -351,8 +321,10 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
   }
   const bool within = residuals_.within(options_.tolerance);
   const bool may_refine = options_.finish != Finish::dynamic && residuals_.force < kRefinementResidual;
-  if (may_refine && (within || progress_.finishing_chunks >= progress_.next_refinement)) {
+  const bool due = progress_.finishing_chunks >= progress_.next_refinement;
+  if (may_refine && (due || (within && may_repeat_refinement()))) {
     if (newton_pays() && refine_by_newton()) return RelaxationStatus::converged;
+    progress_.refused_within = within;
     progress_.next_refinement =
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
@@ -372,6 +344,13 @@ bool Relaxer<Dim>::newton_pays() const {
   const double steps = std::max(static_cast<double>(progress_.n_steps), kSettlingSteps);
   const double motion = steps * static_cast<double>(packing_.contacts.size()) * kSecondsAContact;
   return plan_statics(packing_, BoundaryControl<Dim>::imposing(load_, target_, 0.0)).seconds <= motion;
+}
+
+/// Whether a packing within tolerance is refined before the next attempt is due. In space, where an attempt may take
+/// minutes, one that failed there already is not made again at once: at rest on a saddle all would fail.
+template <int Dim>
+bool Relaxer<Dim>::may_repeat_refinement() const {
+  return Dim == 2 || !progress_.refused_within;
 }
 
 template <int Dim>

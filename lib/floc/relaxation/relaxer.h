@@ -58,6 +58,7 @@ class Relaxer final : public Equilibrator<Dim> {
   RelaxationStatus check_motion();
   RelaxationStatus check_finish();
   bool newton_pays() const;
+  bool may_repeat_refinement() const;
   bool refine_by_newton();
   StaticSolution<Dim> solve_from(const Packing<Dim>& start, const BoundaryWay<Dim>& way,
                                  const StaticSolverOptions& options) const;

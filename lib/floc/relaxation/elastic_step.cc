@@ -1,0 +1,46 @@
+#include "floc/relaxation/elastic_step.h"
+
+#include <cstddef>
+
+#include "floc/packing/contact_forces.h"
+#include "floc/packing/liquid.h"
+
+namespace floc {
+namespace {
+
+/// A load that is put on at once, undamped, carries a spring this many times as far as the equilibrium lies.
+constexpr double kOvershoot = 2.0;
+
+template <class T>
+T extrapolated(const T& start, const T& end) {
+  return start + kOvershoot * (end - start);
+}
+
+/// Whether a contact that touches stays below its caps.
+template <int Dim>
+bool sticks(const LawParameters& law, const Contact<Dim>& from, const Contact<Dim>& to) {
+  Contact<Dim> beyond = to;
+  beyond.elastic_force = extrapolated(from.elastic_force, to.elastic_force);
+  beyond.memory = extrapolated(from.memory, to.memory);
+  return !mobilised(law, beyond, 0.0).any() && !to.yields();
+}
+
+}  // namespace
+
+template <int Dim>
+bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to) {
+  if (from.contacts.size() != to.contacts.size()) return false;
+  for (std::size_t k = 0; k < to.contacts.size(); ++k) {
+    const Contact<Dim>&p = from.contacts[k], &q = to.contacts[k];
+    if (p.i != q.i || p.j != q.j || p.image != q.image || p.distant != q.distant) return false;
+    const double gap = extrapolated(p.gap, q.gap);
+    if ((gap >= 0.0) != q.distant || (q.distant && gap >= range_of(from, p))) return false;
+    if (!q.distant && !sticks(from.law, p, q)) return false;
+  }
+  return true;
+}
+
+template bool is_elastic_step(const Packing<2>&, const Packing<2>&);
+template bool is_elastic_step(const Packing<3>&, const Packing<3>&);
+
+}  // namespace floc

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Whether the step from one equilibrium to another is elastic: the way between them, and as far again beyond,
+/// opens and closes no contact and mobilises none. The vibrations of a load put on at once then leave no trace
+/// either.
+template <int Dim>
+bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to);
+
+}  // namespace floc

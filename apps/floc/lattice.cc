@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "floc/base/error.h"
+#include "floc/base/seconds_since.h"
 #include "floc/base/sha256.h"
 #include "floc/base/version.h"
 #include "floc/elasticity/elastic_response.h"
@@ -26,10 +27,6 @@ namespace floc {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void say(const std::string& line) {
   std::cerr << line << '\n';

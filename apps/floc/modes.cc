@@ -14,6 +14,7 @@
 #include "equilibrium_check.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/moduli.h"
+#include "floc/packing/require_periodic.h"
 #include "output.h"
 #include "repeated_warnings.h"
 
@@ -165,12 +166,7 @@ std::vector<Column<ModeRow>> columns_for(const std::vector<ModeRow>& rows) {
 int run_modes(const ModesCommand& command) {
   std::vector<ModeRow> rows;
   const int code = for_each_state(command.files, [&](const std::string& file, const AnyState& any) {
-    std::visit(
-        [&](const auto& state) {
-          if (!state.packing.walls.empty())
-            throw InputError(file, "has walls; modes are those of a periodic cell");
-        },
-        any);
+    std::visit([&](const auto& state) { require_periodic(state.packing, "modes are found", file); }, any);
     std::visit([&](const auto& state) { add_state(file, state, command, rows); }, any);
     return int{kDone};
   });

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "fault.h"
+#include "floc/base/seconds_since.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/modes.h"
 #include "floc/packing/equilibrium.h"
@@ -86,10 +87,6 @@ std::vector<std::optional<double>> rolling_of(const ModuliRequest& request) {
 /// @throws NoResult where there are none
 void require_moduli(const Moduli& moduli) {
   if (!moduli.failure.empty()) throw NoResult("no moduli: " + moduli.failure);
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// Moduli of a packing by PETSc.

@@ -8,12 +8,14 @@
 #include "command.h"
 #include "equilibrium_check.h"
 #include "floc/base/error.h"
+#include "floc/base/seconds_since.h"
 #include "floc/elasticity/force_correlation.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/network_mechanics.h"
 #include "floc/network/carrying_structure.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/require_periodic.h"
 #include "floc/structure/carrying_forces.h"
 #include "floc/structure/coordination.h"
 #include "floc/structure/elastic_energy.h"
@@ -168,8 +170,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
                        SideTables& side) {
   const auto start = std::chrono::steady_clock::now();
   const Packing<Dim>& packing = state.packing;
-  if (!packing.walls.empty())
-    throw InputError(file, "has walls; the force network is measured only with periodic boundaries");
+  require_periodic(packing, "the force network is measured", file);
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
     warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
   NetworkRow row;
@@ -193,7 +194,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
                        command.bonds, side.bonds);
   if (!command.distributions.empty()) add_distributions(file, packing, command, side);
   if (!command.pressures.empty()) add_pressures(file, packing, stress, side.pressures);
-  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  row.seconds = seconds_since(start);
   return row;
 }
 

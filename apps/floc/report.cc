@@ -14,6 +14,7 @@
 #include "floc/io/atomic_file.h"
 #include "floc/io/law_text.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/require_periodic.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/picture/sheet.h"
 #include "floc/scene/derived_groups.h"
@@ -111,8 +112,7 @@ Run<Dim> read_run(const std::string& directory) {
       throw InputError(run.files[k], fmt::format("is not {}D as {} is: expected the states of one run", Dim,
                                                  run.files.front()));
     const State<Dim>& state = *found;
-    if (!state.packing.walls.empty())
-      throw InputError(run.files[k], "has walls; reports are made only of periodic cells");
+    require_periodic(state.packing, "a report is made", run.files[k]);
     add_state(state, run);
     if (k == 0) run.first = state;
     if (shown.contains(k)) run.shown.push_back(state), run.shown_files.push_back(run.files[k]);

@@ -9,6 +9,7 @@
 
 #include "columns.h"
 #include "floc/base/error.h"
+#include "floc/base/seconds_since.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
@@ -289,7 +290,7 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
   if (!command.prediction.empty()) add_prediction(file, state, series);
   if (!command.porosity.empty()) add_porosity(file, packing, command, series.porosity);
   if (!command.profile.empty()) add_profile(file, packing, command, series.profile);
-  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  row.seconds = seconds_since(start);
   return row;
 }
 

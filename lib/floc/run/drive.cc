@@ -6,16 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "floc/base/seconds_since.h"
 #include "floc/packing/overlaps.h"
 
 namespace floc {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point since) {
-  return std::chrono::duration<double>(Clock::now() - since).count();
-}
 
 template <int Dim>
 class Driver {

@@ -12,7 +12,7 @@ using AnyState = std::variant<State<2>, State<3>>;
 /// Version of the layout of state files that is written, and the newest that is read.
 inline constexpr int kStateVersion = 2;
 
-/// Writes a state by the layout of the README ("State files"), HDF5, to `path`: first under a temporary name in
+/// Writes a state by the layout of docs/states.md, HDF5, to `path`: first under a temporary name in
 /// the same directory, synced, then renamed, so the file is whole or absent. Identical states give identical
 /// bytes.
 /// @pre contacts name grains of the state.

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "floc/io/hdf5_file.h"
+#include "floc/io/state_archive.h"
+#include "floc/packing/state.h"
+
+/// The walls in a state file: group `walls` (docs/states.md).
+namespace floc {
+
+/// Walls, the law of their contacts, and what they are under; nothing where there are none.
+template <int Dim>
+void write_walls(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& state);
+
+/// Into the packing of a state whose cell has been read.
+/// @throws InputError unless they come in pairs of an axis of a rectangular cell, a side apart
+template <int Dim>
+void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);
+
+}  // namespace floc

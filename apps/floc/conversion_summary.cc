@@ -62,8 +62,11 @@ template <int Dim>
 ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
   ConversionSummary summary;
   if (imported.complete) return summary;
-  const ContactCheck check = check_contacts(state.packing, kForceTolerance);
-  if (imported.contacts_known) add_list(imported.listed_contacts, check.n_contacts, summary);
+  ContactCheck check = check_contacts(state.packing, kForceTolerance);
+  if (imported.contacts_known) {
+    add_missing_contacts(state.packing, check);
+    add_list(imported.listed_contacts, check.n_contacts, summary);
+  }
   add_contacts(check, state.packing.law.adheres(), summary);
   summary.lines.back() +=
       fmt::format("; stress {:.6g}", fmt::join(state.stress.data(), state.stress.data() + Dim * Dim, " "));

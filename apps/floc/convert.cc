@@ -8,6 +8,7 @@
 #include "conversion_summary.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/base/return_freed_memory.h"
 #include "floc/base/sha256.h"
 #include "floc/base/version.h"
 #include "floc/io/export.h"
@@ -181,6 +182,7 @@ int convert(const std::string& in, const std::string& out, const ExportFormat& t
     spdlog::error("{}: not converted: --strict accepts none of this", in);
     return kVerificationFailed;
   }
+  return_freed_memory();
   to.write(out, imported.state);
   for (const std::string& remark : imported.remarks) spdlog::info("{}: {}", out, remark);
   for (const std::string& line : summary.lines) spdlog::info("{}: {}", out, line);

@@ -51,11 +51,21 @@ char separator_of(std::string_view header) {
 CsvTable::CsvTable(std::string place, std::vector<std::string> columns)
     : place_(std::move(place)), columns_(std::move(columns)) {}
 
-void CsvTable::add_row(int line, std::vector<std::string> cells) {
+void CsvTable::add_row(int line, const std::vector<std::string>& cells) {
   if (cells.size() != columns_.size())
     throw InputError(fmt::format("{}:{}", place_, line),
                      fmt::format("has {} cells, expected {} as the header has", cells.size(), columns_.size()));
-  rows_.push_back({line, std::move(cells)});
+  lines_.push_back(line);
+  for (const std::string& cell : cells) {
+    characters_ += cell;
+    ends_.push_back(characters_.size());
+  }
+}
+
+std::string_view CsvTable::cell(int row, int column) const {
+  const std::size_t k = row * columns_.size() + column;
+  const std::size_t begin = k == 0 ? 0 : ends_[k - 1];
+  return std::string_view(characters_).substr(begin, ends_[k] - begin);
 }
 
 CsvTable CsvTable::read(const std::string& path) {
@@ -98,23 +108,23 @@ int CsvTable::column(const std::string& name) const {
 }
 
 double CsvTable::number(int row, int column) const {
-  if (const auto value = parse_number<double>(text(row, column))) return *value;
+  if (const auto value = parse_number<double>(cell(row, column))) return *value;
   throw InputError(place(row),
-                   fmt::format("{} = \"{}\", expected a finite number", columns_[column], text(row, column)));
+                   fmt::format("{} = \"{}\", expected a finite number", columns_[column], cell(row, column)));
 }
 
 DoubleDouble CsvTable::double_double_number(int row, int column) const {
-  return decimal(text(row, column), number(row, column));
+  return decimal(cell(row, column), number(row, column));
 }
 
 std::int64_t CsvTable::integer(int row, int column) const {
-  if (const auto value = parse_number<std::int64_t>(text(row, column))) return *value;
+  if (const auto value = parse_number<std::int64_t>(cell(row, column))) return *value;
   throw InputError(place(row),
-                   fmt::format("{} = \"{}\", expected an integer", columns_[column], text(row, column)));
+                   fmt::format("{} = \"{}\", expected an integer", columns_[column], cell(row, column)));
 }
 
 std::string CsvTable::place(int row) const {
-  return fmt::format("{}:{}", place_, rows_[row].line);
+  return fmt::format("{}:{}", place_, lines_[row]);
 }
 
 }  // namespace floc

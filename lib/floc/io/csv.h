@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "floc/base/double_double.h"
@@ -21,7 +22,7 @@ class CsvTable {
   CsvTable(std::string place, std::vector<std::string> columns);
 
   /// @param line  number of the line in the file. @throws InputError if it has too many or few cells.
-  void add_row(int line, std::vector<std::string> cells);
+  void add_row(int line, const std::vector<std::string>& cells);
 
   /// @param path  "-" reads stdin
   /// @throws InputError naming file and line if it cannot be read, has no header, or a line has too many or few
@@ -32,14 +33,14 @@ class CsvTable {
   static CsvTable parse(const std::string& place, std::istream& in);
 
   const std::vector<std::string>& columns() const { return columns_; }
-  int n_rows() const { return static_cast<int>(rows_.size()); }
+  int n_rows() const { return static_cast<int>(lines_.size()); }
   bool has(const std::string& name) const;
 
   /// Index of a column. @throws InputError listing the columns there are.
   int column(const std::string& name) const;
 
-  const std::string& text(int row, int column) const { return rows_[row].cells[column]; }
-  bool is_empty(int row, int column) const { return text(row, column).empty(); }
+  std::string text(int row, int column) const { return std::string(cell(row, column)); }
+  bool is_empty(int row, int column) const { return cell(row, column).empty(); }
 
   /// @throws InputError naming file, line, column and value if it is not a finite number, or no integer.
   double number(int row, int column) const;
@@ -49,18 +50,19 @@ class CsvTable {
 
   /// "file:line" of a row, for messages.
   std::string place(int row) const;
+  /// Line of a row in the file, from 1.
+  int line(int row) const { return lines_[row]; }
   /// The table itself, for messages.
   const std::string& place() const { return place_; }
 
  private:
-  struct Row {
-    int line;
-    std::vector<std::string> cells;
-  };
+  std::string_view cell(int row, int column) const;
 
   std::string place_;
   std::vector<std::string> columns_;
-  std::vector<Row> rows_;
+  std::vector<int> lines_;         ///< of each row
+  std::string characters_;         ///< of all cells, one after the other: a table may have millions
+  std::vector<std::size_t> ends_;  ///< of each cell in them
 };
 
 }  // namespace floc

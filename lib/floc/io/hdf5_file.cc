@@ -117,14 +117,39 @@ Handle create_dataset(hid_t file, const std::string& path, hid_t type, hid_t spa
   return {checked(H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT)), H5Dclose};
 }
 
+Handle space_of(const std::vector<hsize_t>& extent) {
+  return {checked(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr)), H5Sclose};
+}
+
+template <class T>
+Handle create_array(hid_t file, const std::string& path, const Shape& shape) {
+  return create_dataset(file, path, NativeType<T>::file(), space_of({shape.begin(), shape.end()}));
+}
+
 template <class T>
 void write_array(hid_t file, const std::string& path, const Shape& shape, const std::vector<T>& values) {
-  const std::vector<hsize_t> extent(shape.begin(), shape.end());
-  const Handle space(checked(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr)),
-                     H5Sclose);
-  const Handle dataset = create_dataset(file, path, NativeType<T>::file(), space);
+  const Handle dataset = create_array<T>(file, path, shape);
   if (!values.empty())
     checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+}
+
+/// Rows of an array that are written or read at a time.
+constexpr hsize_t kRowsAtATime = 1 << 16;
+
+/// Calls visit(number of the first row, number of values, space in memory, space in the file) for each block.
+template <class Visit>
+void for_each_block(const Shape& shape, const Visit& visit) {
+  const std::vector<hsize_t> extent(shape.begin(), shape.end());
+  const Handle file = space_of(extent);
+  std::vector<hsize_t> start(extent.size(), 0), count = extent;
+  for (hsize_t first = 0; first < extent[0]; first += kRowsAtATime) {
+    start[0] = first;
+    count[0] = std::min(kRowsAtATime, extent[0] - first);
+    checked(H5Sselect_hyperslab(file, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
+    const Handle memory = space_of(count);
+    visit(first, std::accumulate(count.begin(), count.end(), hsize_t{1}, std::multiplies<>()), hid_t{memory},
+          hid_t{file});
+  }
 }
 
 void write_attribute(hid_t file, const std::string& path, const std::string& name, hid_t file_type,
@@ -157,10 +182,10 @@ void check_length(hid_t file, const std::string& place, double bytes) {
     throw InputError(place, fmt::format("claims {:.3g} bytes in a file of {}", bytes, size));
 }
 
+/// @throws InputError unless the array is there whole, with that shape and numbers of that kind
 template <class T>
-void read_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape,
-                std::vector<T>& values) {
-  const Handle dataset = open_dataset(file, place, path);
+Handle open_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape) {
+  Handle dataset = open_dataset(file, place, path);
   const std::vector<hsize_t> extent = extent_of(dataset);
   if (!std::equal(extent.begin(), extent.end(), shape.begin(), shape.end()))
     throw InputError(place, fmt::format("its shape is ({}), expected ({})", fmt::join(extent, ", "),
@@ -171,6 +196,13 @@ void read_array(hid_t file, const std::string& place, const std::string& path, c
   check_length(
       file, place,
       std::accumulate(shape.begin(), shape.end(), static_cast<double>(H5Tget_size(type)), std::multiplies<>()));
+  return dataset;
+}
+
+template <class T>
+void read_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape,
+                std::vector<T>& values) {
+  const Handle dataset = open_array<T>(file, place, path, shape);
   std::size_t n = 1;
   for (const std::uint64_t size : shape) n *= size;
   values.resize(n);
@@ -248,6 +280,25 @@ void Hdf5Writer::array(const std::string& path, const Shape& shape, const std::v
   write_array(file_, path, shape, values);
 }
 
+template <class T>
+void Hdf5Writer::rows(const std::string& path, const Shape& shape,
+                      const std::function<void(std::uint64_t, std::span<T>)>& fill) {
+  const Handle dataset = create_array<T>(file_, path, shape);
+  std::vector<T> values;
+  for_each_block(shape, [&](hsize_t first, hsize_t n, hid_t memory, hid_t file) {
+    values.resize(n);
+    fill(first, values);
+    checked(H5Dwrite(dataset, NativeType<T>::memory(), memory, file, H5P_DEFAULT, values.data()));
+  });
+}
+
+template void Hdf5Writer::rows(const std::string&, const Shape&,
+                               const std::function<void(std::uint64_t, std::span<double>)>&);
+template void Hdf5Writer::rows(const std::string&, const Shape&,
+                               const std::function<void(std::uint64_t, std::span<std::int32_t>)>&);
+template void Hdf5Writer::rows(const std::string&, const Shape&,
+                               const std::function<void(std::uint64_t, std::span<std::uint8_t>)>&);
+
 void Hdf5Writer::text(const std::string& path, const std::string& value) {
   const Handle type = text_type();
   const Handle space = scalar();
@@ -309,6 +360,26 @@ void Hdf5Reader::array(const std::string& path, const Shape& shape, std::vector<
 void Hdf5Reader::array(const std::string& path, const Shape& shape, std::vector<std::uint8_t>& values) const {
   read_array(file_, place(path), path, shape, values);
 }
+
+template <class T>
+void Hdf5Reader::rows(const std::string& path, const Shape& shape,
+                      const std::function<void(std::uint64_t, std::span<const T>)>& take) const {
+  const Handle dataset = open_array<T>(file_, place(path), path, shape);
+  std::vector<T> values;
+  for_each_block(shape, [&](hsize_t first, hsize_t n, hid_t memory, hid_t file) {
+    values.resize(n);
+    if (H5Dread(dataset, NativeType<T>::memory(), memory, file, H5P_DEFAULT, values.data()) < 0)
+      throw InputError(place(path), "cannot be read");
+    take(first, values);
+  });
+}
+
+template void Hdf5Reader::rows(const std::string&, const Shape&,
+                               const std::function<void(std::uint64_t, std::span<const double>)>&) const;
+template void Hdf5Reader::rows(const std::string&, const Shape&,
+                               const std::function<void(std::uint64_t, std::span<const std::int32_t>)>&) const;
+template void Hdf5Reader::rows(const std::string&, const Shape&,
+                               const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>&) const;
 
 std::string Hdf5Reader::text(const std::string& path) const {
   const Handle dataset = open_dataset(file_, place(path), path);

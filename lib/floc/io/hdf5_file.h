@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,6 +39,11 @@ class Hdf5Writer {
   void array(const std::string& path, const Shape& shape, const std::vector<double>& values);
   void array(const std::string& path, const Shape& shape, const std::vector<std::int32_t>& values);
   void array(const std::string& path, const Shape& shape, const std::vector<std::uint8_t>& values);
+  /// An array by blocks of rows, so that there is no second copy of all that it holds.
+  /// @param fill  is given the number of the first row of a block, and its values to set
+  template <class T>
+  void rows(const std::string& path, const Shape& shape,
+            const std::function<void(std::uint64_t, std::span<T>)>& fill);
   void text(const std::string& path, const std::string& value);
 
   /// Attributes of the group or dataset `path`, which exists ("/" is the root).
@@ -77,6 +84,11 @@ class Hdf5Reader {
   void array(const std::string& path, const Shape& shape, std::vector<double>& values) const;
   void array(const std::string& path, const Shape& shape, std::vector<std::int32_t>& values) const;
   void array(const std::string& path, const Shape& shape, std::vector<std::uint8_t>& values) const;
+  /// The same by blocks of rows.
+  /// @param take  is given the number of the first row of a block, and its values
+  template <class T>
+  void rows(const std::string& path, const Shape& shape,
+            const std::function<void(std::uint64_t, std::span<const T>)>& take) const;
   std::string text(const std::string& path) const;
 
   void attribute(const std::string& path, const std::string& name, std::string& value) const;

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
@@ -16,36 +20,99 @@
 namespace floc {
 namespace {
 
-/// Lines of a dump, numbered from 1.
-struct DumpLines {
-  std::string path;
-  std::vector<std::string> lines;
+constexpr std::string_view kFrameBegins = "ITEM: TIMESTEP";
 
-  explicit DumpLines(const std::string& file) : path(file) {
-    std::string begun;  // a line of which the rest is in the next piece
-    read_pieces(file, [&](std::string_view piece) {
-      for (std::size_t end; (end = piece.find('\n')) != std::string_view::npos; piece.remove_prefix(end + 1)) {
-        begun.append(piece.substr(0, end));
-        lines.emplace_back(trimmed(begun));
-        begun.clear();
-      }
-      begun.append(piece);
-    });
-    if (!begun.empty()) lines.emplace_back(trimmed(begun));
+/// The lines of one frame, and the first of the next.
+class FrameText {
+ public:
+  /// @param first  line of the file that it begins on, from 1
+  FrameText(std::string path, int first) : path_(std::move(path)), first_(first) {}
+
+  void add(std::string_view line) {
+    characters_.append(line);
+    ends_.push_back(characters_.size());
   }
 
-  std::string place(std::size_t at) const { return fmt::format("{}:{}", path, at + 1); }
+  const std::string& path() const { return path_; }
+  int number(std::size_t at) const { return first_ + static_cast<int>(at); }
+  std::string place(std::size_t at) const { return fmt::format("{}:{}", path_, number(at)); }
 
   /// The line, which has to be there. @param what  what is expected in it
-  const std::string& line(std::size_t at, const std::string& what) const {
-    if (at < lines.size()) return lines[at];
-    throw InputError(path, fmt::format("ends at line {}, expected {}", lines.size(), what));
+  std::string_view line(std::size_t at, const std::string& what) const {
+    if (at < ends_.size()) return (*this)[at];
+    throw InputError(path_, fmt::format("ends at line {}, expected {}", number(ends_.size()) - 1, what));
+  }
+
+  std::string_view operator[](std::size_t at) const {
+    const std::size_t begin = at == 0 ? 0 : ends_[at - 1];
+    return std::string_view(characters_).substr(begin, ends_[at] - begin);
   }
 
   std::int64_t integer(std::size_t at, const std::string& what) const {
     if (const auto value = parse_number<std::int64_t>(line(at, what))) return *value;
-    throw InputError(place(at), fmt::format("\"{}\", expected {}", lines[at], what));
+    throw InputError(place(at), fmt::format("\"{}\", expected {}", (*this)[at], what));
   }
+
+ private:
+  std::string path_;
+  int first_;
+  std::string characters_;         ///< of all lines, one after the other
+  std::vector<std::size_t> ends_;  ///< of each line in them
+};
+
+/// Goes through the frames of a dump, which may be longer than fits the memory, and keeps the last that is wanted.
+class FrameSearch {
+ public:
+  /// @param wanted  by number of the frame, from 0, and its time step as it stands there
+  FrameSearch(const std::string& path, std::function<bool(int, std::string_view)> wanted)
+      : path_(path), wanted_(std::move(wanted)) {
+    std::string begun;  // a line of which the rest is in the next piece
+    read_pieces(path, [&](std::string_view piece) {
+      for (std::size_t end; (end = piece.find('\n')) != std::string_view::npos; piece.remove_prefix(end + 1)) {
+        begun.append(piece.substr(0, end));
+        pass(trimmed(begun));
+        begun.clear();
+      }
+      begun.append(piece);
+    });
+    if (!begun.empty()) pass(trimmed(begun));
+    if (begins_) pass_timestep("");
+    if (timesteps_.empty())
+      throw InputError(path, "no frame of a LAMMPS dump in it: no line \"ITEM: TIMESTEP\"");
+  }
+
+  int n_frames() const { return static_cast<int>(timesteps_.size()); }
+  const std::vector<std::string>& timesteps() const { return timesteps_; }
+  /// Nothing where none was wanted.
+  const std::optional<FrameText>& found() const { return found_; }
+
+ private:
+  void pass(std::string_view line) {
+    ++n_lines_;
+    if (begins_) pass_timestep(line);
+    if (keeps_) found_->add(line);
+    if (line != kFrameBegins) return;
+    begins_ = true;
+    keeps_ = false;
+  }
+
+  /// The line after the first of a frame.
+  void pass_timestep(std::string_view line) {
+    begins_ = false;
+    timesteps_.emplace_back(line);
+    keeps_ = wanted_(n_frames() - 1, line);
+    if (!keeps_) return;
+    found_.emplace(path_, n_lines_ - 1);
+    found_->add(kFrameBegins);
+  }
+
+  std::string path_;
+  std::function<bool(int, std::string_view)> wanted_;
+  std::vector<std::string> timesteps_;
+  std::optional<FrameText> found_;
+  int n_lines_ = 0;
+  bool begins_ = false;  ///< the line before was the first of a frame
+  bool keeps_ = false;   ///< the frame that passes
 };
 
 /// One frame: its time step, box and rows.
@@ -57,24 +124,14 @@ struct Frame {
   CsvTable table;
 };
 
-/// Lines on which frames begin.
-std::vector<std::size_t> frame_starts(const DumpLines& dump) {
-  std::vector<std::size_t> starts;
-  for (std::size_t at = 0; at < dump.lines.size(); ++at)
-    if (dump.lines[at] == "ITEM: TIMESTEP") starts.push_back(at);
-  if (starts.empty())
-    throw InputError(dump.path, "no frame of a LAMMPS dump in it: no line \"ITEM: TIMESTEP\"");
-  return starts;
-}
-
 /// Reads the three lines of a box whose header begins at `at`: bounds of what it occupies, then its tilts.
-void read_box(const DumpLines& dump, std::size_t at, Frame& frame) {
-  std::vector<std::string> tokens = tokenize(dump.lines[at].substr(std::string("ITEM: BOX BOUNDS").size()));
+void read_box(const FrameText& dump, std::size_t at, Frame& frame) {
+  std::vector<std::string> tokens = tokenize(dump[at].substr(std::string("ITEM: BOX BOUNDS").size()));
   const bool tilted = !tokens.empty() && tokens[0] == "xy";
   if (tokens.size() != (tilted ? 6u : 3u) || (tilted && (tokens[1] != "xz" || tokens[2] != "yz")))
     throw InputError(
         dump.place(at),
-        fmt::format("\"{}\", expected BOX BOUNDS [xy xz yz] and three periodicities as pp", dump.lines[at]));
+        fmt::format("\"{}\", expected BOX BOUNDS [xy xz yz] and three periodicities as pp", dump[at]));
   frame.flags = fmt::format("{}", fmt::join(tokens.end() - 3, tokens.end(), " "));
   frame.box_place = dump.place(at);
   std::array<std::vector<double>, 3> rows;
@@ -102,13 +159,14 @@ void read_box(const DumpLines& dump, std::size_t at, Frame& frame) {
   frame.box.xy = xy, frame.box.xz = xz, frame.box.yz = yz;
 }
 
-/// Reads the frame that begins at line `at`. @param items  "ATOMS" or "ENTRIES"
-Frame read_frame(const DumpLines& dump, std::size_t at, const std::string& items) {
+/// @param items  "ATOMS" or "ENTRIES"
+Frame read_frame(const FrameText& dump, const std::string& items) {
   Frame frame;
-  frame.timestep = dump.integer(at + 1, "the time step");
+  frame.timestep = dump.integer(1, "the time step");
   std::int64_t n = -1;
-  for (at += 2;;) {
-    const std::string& line = dump.line(at, "ITEM: " + items);
+  std::size_t at = 2;
+  for (;;) {
+    const std::string_view line = dump.line(at, "ITEM: " + items);
     if (line.starts_with("ITEM: NUMBER OF ")) {
       n = dump.integer(at + 1, "how many rows follow");
       at += 2;
@@ -125,39 +183,39 @@ Frame read_frame(const DumpLines& dump, std::size_t at, const std::string& items
   }
   if (n < 0 || frame.box_place.empty())
     throw InputError(dump.place(at), "the frame does not say its number of rows and its box");
-  frame.table = CsvTable(dump.path, tokenize(dump.lines[at].substr(6 + items.size())));
+  frame.table = CsvTable(dump.path(), tokenize(dump[at].substr(6 + items.size())));
   for (std::size_t row = at + 1; row <= at + static_cast<std::size_t>(n); ++row) {
     const std::string what = fmt::format("row {} of {}", row - at, n);
-    if (dump.line(row, what).starts_with("ITEM:"))
-      throw InputError(dump.place(row), fmt::format("\"{}\", expected {}", dump.lines[row], what));
-    frame.table.add_row(static_cast<int>(row + 1), tokenize(dump.lines[row]));
+    const std::string_view line = dump.line(row, what);
+    if (line.starts_with("ITEM:"))
+      throw InputError(dump.place(row), fmt::format("\"{}\", expected {}", line, what));
+    frame.table.add_row(dump.number(row), tokenize(line));
   }
   return frame;
 }
 
+/// The frame with the index asked for, or the last.
 Frame read_grain_frame(const std::string& path, const ImportOptions& options,
                        std::vector<std::string>& remarks) {
-  const DumpLines dump(path);
-  const std::vector<std::size_t> starts = frame_starts(dump);
-  const int n = static_cast<int>(starts.size());
-  const int index = options.index.value_or(n - 1);
-  if (index >= n) throw InputError(path, fmt::format("index = {}, but it holds frames 0 to {}", index, n - 1));
-  Frame frame = read_frame(dump, starts[static_cast<std::size_t>(index)], "ATOMS");
-  remarks.push_back(fmt::format("frame {} of 0 to {}, time step {}", index, n - 1, frame.timestep));
+  const FrameSearch search(
+      path, [&](int index, std::string_view) { return !options.index || index == *options.index; });
+  const int n = search.n_frames();
+  if (!search.found())
+    throw InputError(path, fmt::format("index = {}, but it holds frames 0 to {}", *options.index, n - 1));
+  Frame frame = read_frame(*search.found(), "ATOMS");
+  remarks.push_back(
+      fmt::format("frame {} of 0 to {}, time step {}", options.index.value_or(n - 1), n - 1, frame.timestep));
   return frame;
 }
 
 /// The frame of a `dump local` with a given time step, or without one any; of several the last.
 CsvTable read_contact_frame(const std::string& path, std::optional<std::int64_t> timestep) {
-  const DumpLines dump(path);
-  const std::vector<std::size_t> starts = frame_starts(dump);
-  std::vector<std::int64_t> timesteps;
-  for (auto start = starts.rbegin(); start != starts.rend(); ++start) {
-    timesteps.push_back(dump.integer(*start + 1, "the time step"));
-    if (!timestep || timesteps.back() == *timestep) return read_frame(dump, *start, "ENTRIES").table;
-  }
+  const FrameSearch search(path, [&](int, std::string_view line) {
+    return !timestep || parse_number<std::int64_t>(line) == timestep;
+  });
+  if (search.found()) return read_frame(*search.found(), "ENTRIES").table;
   throw InputError(path, fmt::format("has no frame of time step {}, that of the grains; it has {}", *timestep,
-                                     fmt::join(timesteps.rbegin(), timesteps.rend(), ", ")));
+                                     fmt::join(search.timesteps(), ", ")));
 }
 
 /// Names of the columns of positions: x, or what this dump has in its place. @return whether they are scaled

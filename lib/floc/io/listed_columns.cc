@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
@@ -72,7 +73,6 @@ struct ContactColumns {
 
 ListedContact read_contact(const CsvTable& table, int row, const ContactColumns& columns) {
   ListedContact c;
-  c.place = table.place(row);
   c.id1 = table.integer(row, columns.id1);
   c.id2 = table.integer(row, columns.id2);
   if (!columns.image.empty()) {
@@ -120,9 +120,11 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
   const int mass = column_if(columns, "mass");
   const int id = column_if(columns, "id");
   std::vector<ListedGrain> grains;
+  grains.reserve(table.n_rows());
+  const auto file = std::make_shared<const std::string>(table.place() + ":");
   for (int row = 0; row < table.n_rows(); ++row) {
     ListedGrain grain;
-    grain.place = table.place(row);
+    grain.place = {file, table.line(row)};
     grain.id = id >= 0 ? table.integer(row, id) : row;
     for (std::size_t k = 0; k < axis.size(); ++k) {
       const DoubleDouble x = table.double_double_number(row, axis[k]);
@@ -138,9 +140,14 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
 
 std::vector<ListedContact> read_contacts(const NamedColumns& names, int dimension) {
   const ContactColumns columns(names, dimension);
+  const CsvTable& table = names.table();
   std::vector<ListedContact> contacts;
-  for (int row = 0; row < names.table().n_rows(); ++row)
-    contacts.push_back(read_contact(names.table(), row, columns));
+  contacts.reserve(table.n_rows());
+  const auto file = std::make_shared<const std::string>(table.place() + ":");
+  for (int row = 0; row < table.n_rows(); ++row) {
+    contacts.push_back(read_contact(table, row, columns));
+    contacts.back().place = {file, table.line(row)};
+  }
   return contacts;
 }
 

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
-#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "floc/base/error.h"
 #include "floc/packing/contact_forces.h"
@@ -51,26 +52,28 @@ Cell<Dim> make_cell(const std::string& place, const std::vector<std::vector<doub
 class Identifiers {
  public:
   explicit Identifiers(const std::vector<ListedGrain>& grains) {
-    for (const ListedGrain& grain : grains) {
-      if (!index_.emplace(grain.id, static_cast<int>(index_.size())).second)
-        throw InputError(grain.place, fmt::format("id = {} is given twice", grain.id));
-      lowest_ = std::min(lowest_, grain.id);
-      highest_ = std::max(highest_, grain.id);
-    }
+    index_.reserve(grains.size());
+    for (const ListedGrain& grain : grains) index_.emplace_back(grain.id, static_cast<int>(index_.size()));
+    std::sort(index_.begin(), index_.end());
+    // Of identifiers given twice, the one that a reader of the file meets first.
+    int twice = static_cast<int>(grains.size());
+    for (std::size_t k = 1; k < index_.size(); ++k)
+      if (index_[k].first == index_[k - 1].first) twice = std::min(twice, index_[k].second);
+    if (twice < static_cast<int>(grains.size()))
+      throw InputError(grains[twice].place.text(), fmt::format("id = {} is given twice", grains[twice].id));
   }
 
-  int index(const std::string& place, const char* name, std::int64_t id) const {
-    if (const auto found = index_.find(id); found != index_.end()) return found->second;
-    throw InputError(place,
+  int index(const NumberedPlace& place, const char* name, std::int64_t id) const {
+    const auto found = std::lower_bound(index_.begin(), index_.end(), std::pair(id, 0));
+    if (found != index_.end() && found->first == id) return found->second;
+    throw InputError(place.text(),
                      fmt::format("{} = {}: no grain has this id; they are from {} to {} (contacts with walls "
                                  "and other bodies are not read: packings have to be periodic)",
-                                 name, id, lowest_, highest_));
+                                 name, id, index_.front().first, index_.back().first));
   }
 
  private:
-  std::unordered_map<std::int64_t, int> index_;
-  std::int64_t lowest_ = std::numeric_limits<std::int64_t>::max();
-  std::int64_t highest_ = std::numeric_limits<std::int64_t>::min();
+  std::vector<std::pair<std::int64_t, int>> index_;  // sorted by identifier
 };
 
 template <int Dim>
@@ -90,9 +93,9 @@ Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
 
 /// A number of cells along each lattice vector, as integers.
 template <int Dim>
-Vec<Dim, int> whole_cells(const std::string& place, const Vec<Dim>& cells) {
+Vec<Dim, int> whole_cells(const NumberedPlace& place, const Vec<Dim>& cells) {
   if (!(cells.cwiseAbs().maxCoeff() < kFarthest))
-    throw InputError(place,
+    throw InputError(place.text(),
                      "lies more than 1e9 cells away from the cell: --cell is too small, or a coordinate wrong");
   return cells.template cast<int>();
 }
@@ -107,7 +110,7 @@ double smallest_width(const Cell<Dim>& cell) {
 /// The image of j nearest to i. Searched around the one that is nearest in reduced coordinates: in a skewed
 /// cell they can differ, by one step a direction unless the cell is so slanted that it should be reduced first.
 template <int Dim>
-Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const std::string& place, int i, int j) {
+Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const NumberedPlace& place, int i, int j) {
   const Vec<Dim> apart = packing.grains.position[j] - packing.grains.position[i];
   const Vec<Dim, int> guess = whole_cells<Dim>(place, (-packing.cell.reduced(apart)).array().round().matrix());
   Vec<Dim, int> best = guess;
@@ -173,18 +176,19 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
   if (given.normal) c.normal_force = *given.normal;
   if (given.shear && law.friction) c.shear_force = *given.shear;
   if (given.shear && !law.friction && given.shear->norm() > kNoShear * std::abs(c.normal_force))
-    throw InputError(listed.place, fmt::format("the tangential force is {:.6g}, but the law has no friction",
-                                               given.shear->norm()));
+    throw InputError(
+        listed.place.text(),
+        fmt::format("the tangential force is {:.6g}, but the law has no friction", given.shear->norm()));
   if (given.rolling && !law.rolling)
-    throw InputError(listed.place, "a rolling moment is given, but the law has no rolling");
+    throw InputError(listed.place.text(), "a rolling moment is given, but the law has no rolling");
   if (given.rolling) c.rolling_moment = *given.rolling;
   if (given.twisting && !law.twisting)
-    throw InputError(listed.place, "a twisting moment is given, but the law has no twisting");
+    throw InputError(listed.place.text(), "a twisting moment is given, but the law has no twisting");
   if (given.twisting) c.twisting_moment = *given.twisting;
   if (given.normal || given.shear || given.rolling || given.twisting)
     set_given_forces(packing, listed.kn, listed.kt, kCapTolerance, c);
   if (listed.kr && *listed.kr != 0.0 && !law.rolling)
-    throw InputError(listed.place, "a rolling stiffness is given, but the law has no rolling");
+    throw InputError(listed.place.text(), "a rolling stiffness is given, but the law has no rolling");
   if (listed.kr && law.rolling && !c.distant) c.kr = *listed.kr;
 }
 
@@ -210,7 +214,7 @@ class ListedContacts {
     const double gap = gap_of(c);
     if (gap >= 0.0 && gap >= packing_.law.range() && force_of(row) <= kNoForce * largest_force_) {
       if (!row.force && !row.normal_force)
-        throw InputError(row.place,
+        throw InputError(row.place.text(),
                          fmt::format("the gap is {}, where the law does not act, and no normal_force says "
                                      "otherwise",
                                      gap));
@@ -225,10 +229,10 @@ class ListedContacts {
     }
     refresh_contact(packing_, c);
     if (c.normal.isZero(0.0))
-      throw InputError(row.place, "the grains have the same centre: their contact has no direction");
+      throw InputError(row.place.text(), "the grains have the same centre: their contact has no direction");
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
     if (!given.normal && (row.kn || row.kt || row.kr))
-      throw InputError(row.place, "a stiffness is given without the normal force that goes with it");
+      throw InputError(row.place.text(), "a stiffness is given without the normal force that goes with it");
     if (given.normal && *given.normal < -kNoForce * largest_force_ && !packing_.law.adheres()) {
       if (counts_.n_tensile++ == 0) first_tensile_ = {&row, *given.normal};
       return std::nullopt;
@@ -244,7 +248,7 @@ class ListedContacts {
     if (counts_.n_tensile == 0) return;
     const bool adhesive_law_exists = !packing_.law.stiffness_varies();
     throw InputError(
-        first_tensile_.row->place,
+        first_tensile_.row->place.text(),
         fmt::format("the contact of grains {} and {} pulls with {:.6g}, as {} of the {} listed do, but the law "
                     "has no adhesion: {}, or leave out the contacts that pull with --drop-tensile",
                     first_tensile_.row->id1, first_tensile_.row->id2, -first_tensile_.normal_force,
@@ -280,7 +284,7 @@ class ListedContacts {
   void set_image(const ListedContact& row, Contact<Dim>& c) {
     if (row.image) c.image = row.image->template head<Dim>();
     if (row.image && c.i == c.j && c.image.isZero())
-      throw InputError(row.place, "the grain would touch itself");
+      throw InputError(row.place.text(), "the grain would touch itself");
     if (row.image && can_touch(c)) return;
     if (row.image) require_within_reach(c);
     c.image = nearest_image(packing_, row.place, c.i, c.j);
@@ -291,10 +295,10 @@ class ListedContacts {
   void require_within_reach(const Contact<Dim>& c) const {
     const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
     if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthest) return;
-    throw InputError(listed_.grains[c.i].place,
+    throw InputError(listed_.grains[c.i].place.text(),
                      fmt::format("is more than 1e9 cells away from {}, which it is said to "
                                  "touch",
-                                 listed_.grains[c.j].place));
+                                 listed_.grains[c.j].place.text()));
   }
 
   /// @throws InputError if no contact can be there, or another image may be as near
@@ -303,12 +307,12 @@ class ListedContacts {
     const bool chosen = !row.image || c.image != row.image->template head<Dim>();
     if (chosen && distance >= half_width_)
       throw InputError(
-          row.place,
+          row.place.text(),
           fmt::format("the contact is {:.6g} long, not below half the cell ({:.6g}): the list has to "
                       "say which image of the grain it is with",
                       distance, half_width_));
     if (!can_touch(c))
-      throw InputError(row.place,
+      throw InputError(row.place.text(),
                        fmt::format("grains {} and {} carry a force of {:.6g}, but even their nearest images "
                                    "have a gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or "
                                    "cell are not those of this contact",
@@ -345,8 +349,9 @@ ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers&
   });
   if (twice != placed.end()) {
     const ListedContact& second = *(twice + 1)->second;
-    throw InputError(second.place, fmt::format("the contact of grains {} and {} is listed twice, first at {}",
-                                               second.id1, second.id2, twice->second->place));
+    throw InputError(second.place.text(),
+                     fmt::format("the contact of grains {} and {} is listed twice, first at {}", second.id1,
+                                 second.id2, twice->second->place.text()));
   }
   for (const auto& [contact, from] : placed) packing.contacts.push_back(contact);
   return contacts.counts();
@@ -368,9 +373,9 @@ void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
     const Wide image = c.image.template cast<std::int64_t>() + moved[c.i].template cast<std::int64_t>() -
                        moved[c.j].template cast<std::int64_t>();
     if (static_cast<double>(image.cwiseAbs().maxCoeff()) > kFarthest)
-      throw InputError(listed.grains[c.i].place,
+      throw InputError(listed.grains[c.i].place.text(),
                        fmt::format("is more than 1e9 cells away from {}, which it is said to touch",
-                                   listed.grains[c.j].place));
+                                   listed.grains[c.j].place.text()));
     c.image = image.template cast<int>();
   }
 }

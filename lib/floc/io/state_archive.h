@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -75,11 +76,13 @@ class WritingArchive {
   template <class Items, class Get>
   void rows(const Field& field, const Items& items, const Get& get) {
     using Layout = ArchiveItem<std::remove_cvref_t<decltype(get(items.front()))>>;
-    std::vector<typename Layout::Stored> values;
-    values.reserve(items.size() * Layout::kComponents);
-    for (const auto& item : items)
-      for (int k = 0; k < Layout::kComponents; ++k) values.push_back(Layout::get(get(item), k));
-    put(field, shape_of(items.size(), Layout::kComponents), values);
+    using Stored = typename Layout::Stored;
+    const auto fill = [&](std::uint64_t first, std::span<Stored> values) {
+      for (std::size_t next = 0; next < values.size(); ++first)
+        for (int k = 0; k < Layout::kComponents; ++k) values[next++] = Layout::get(get(items[first]), k);
+    };
+    file_.template rows<Stored>(field.path, shape_of(items.size(), Layout::kComponents), fill);
+    describe(field);
   }
 
   template <class Items>
@@ -102,8 +105,7 @@ class WritingArchive {
   template <class T>
   void put(const Field& field, const Shape& shape, const std::vector<T>& values) {
     file_.array(field.path, shape, values);
-    file_.attribute(field.path, "units", units_of(field.quantity, units_, dim_));
-    if (*field.meaning != '\0') file_.attribute(field.path, "meaning", std::string(field.meaning));
+    describe(field);
   }
 
   void value(const char* group, const char* name, int v) { file_.attribute(group, name, std::int64_t{v}); }
@@ -118,6 +120,11 @@ class WritingArchive {
   }
 
  private:
+  void describe(const Field& field) {
+    file_.attribute(field.path, "units", units_of(field.quantity, units_, dim_));
+    if (*field.meaning != '\0') file_.attribute(field.path, "meaning", std::string(field.meaning));
+  }
+
   Hdf5Writer& file_;
   std::string units_;
   int dim_;
@@ -132,10 +139,13 @@ class ReadingArchive {
   template <class Items, class Get>
   void rows(const Field& field, Items& items, const Get& get) {
     using Layout = ArchiveItem<std::remove_cvref_t<decltype(get(items.front()))>>;
-    const auto values = take<typename Layout::Stored>(field, shape_of(items.size(), Layout::kComponents));
-    std::size_t next = 0;
-    for (auto& item : items)
-      for (int k = 0; k < Layout::kComponents; ++k) Layout::set(get(item), k, values[next++]);
+    using Stored = typename Layout::Stored;
+    const auto take = [&](std::uint64_t first, std::span<const Stored> values) {
+      check_finite(field, first, Layout::kComponents, values);
+      for (std::size_t next = 0; next < values.size(); ++first)
+        for (int k = 0; k < Layout::kComponents; ++k) Layout::set(get(items[first]), k, values[next++]);
+    };
+    file_.template rows<Stored>(field.path, shape_of(items.size(), Layout::kComponents), take);
   }
 
   template <class Items>
@@ -160,12 +170,7 @@ class ReadingArchive {
   std::vector<T> take(const Field& field, const Shape& shape) {
     std::vector<T> values;
     file_.array(field.path, shape, values);
-    if constexpr (std::is_same_v<T, double>) {
-      for (std::size_t k = 0; k < values.size(); ++k)
-        if (!std::isfinite(values[k]))
-          throw InputError(file_.place(field.path), fmt::format("entry {} is {}, expected a finite number",
-                                                                k / (values.size() / shape[0]), values[k]));
-    }
+    if (!values.empty()) check_finite(field, 0, values.size() / shape[0], std::span<const T>(values));
     return values;
   }
 
@@ -184,6 +189,18 @@ class ReadingArchive {
   }
 
  private:
+  /// @param first  number of the first of the rows, each of so many components
+  template <class T>
+  void check_finite(const Field& field, std::uint64_t first, std::size_t components,
+                    std::span<const T> values) const {
+    if constexpr (std::is_same_v<T, double>) {
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (!std::isfinite(values[k]))
+          throw InputError(file_.place(field.path), fmt::format("entry {} is {}, expected a finite number",
+                                                                first + k / components, values[k]));
+    }
+  }
+
   const Hdf5Reader& file_;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <pugixml.hpp>
 #include <sstream>
 
@@ -47,13 +48,16 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
 class PointArray {
  public:
   PointArray(const VtkArrays& arrays, std::string name, std::size_t n_points)
-      : place_(arrays.place("PointData", name)), values_(arrays.read("PointData", name)) {
+      : place_(arrays.place("PointData", name)),
+        before_number_(std::make_shared<const std::string>(place_ + ", point ")),
+        values_(arrays.read("PointData", name)) {
     if (values_.size() != n_points)
       throw InputError(
           place_, fmt::format("has {} numbers, expected one for each of {} points", values_.size(), n_points));
   }
 
-  std::string place(std::size_t point) const { return fmt::format("{}, point {}", place_, point); }
+  std::string place(std::size_t point) const { return numbered_place(point).text(); }
+  NumberedPlace numbered_place(std::size_t point) const { return {before_number_, static_cast<int>(point)}; }
   double operator[](std::size_t point) const { return values_[point]; }
   std::int64_t whole(std::size_t point) const {
     if (const auto number = whole_number(values_[point])) return *number;
@@ -66,6 +70,7 @@ class PointArray {
 
  private:
   std::string place_;
+  std::shared_ptr<const std::string> before_number_;
   std::vector<double> values_;
 };
 
@@ -100,7 +105,7 @@ std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arr
   std::vector<ListedGrain> grains;
   for (const std::size_t point : grain_points(arrays, n_points)) {
     ListedGrain grain;
-    grain.place = size.place(point);
+    grain.place = size.numbered_place(point);
     grain.id = id ? id->whole(point) : static_cast<std::int64_t>(point);
     grain.position = {x[3 * point], x[3 * point + 1], x[3 * point + 2]};
     grain.radius = size.positive(point) * (radius.empty() ? 0.5 : 1.0);

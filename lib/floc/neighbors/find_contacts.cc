@@ -43,6 +43,7 @@ void find_contacts(Packing<Dim>& packing) {
                                  std::to_string(pairs.size()) + " contacts of " +
                                  std::to_string(packing.grains.size()) +
                                  " grains: a radius or the cell is wrong");
+  packing.contacts.reserve(pairs.size());
   for (const NeighborPair<Dim>& pair : pairs) {
     Contact<Dim> contact;
     contact.i = pair.i;

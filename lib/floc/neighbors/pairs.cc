@@ -310,7 +310,9 @@ template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap) {
   check_finite(cell, grains);
   if (grains.size() == 0) return {};
-  return sorted(PairSearch<Dim>(cell, grains, gap).all(), grains.size());
+  // What the search holds of the grains goes before its pairs are sorted.
+  const std::vector<NeighborPair<Dim>> pairs = PairSearch<Dim>(cell, grains, gap).all();
+  return sorted(pairs, grains.size());
 }
 
 template <int Dim>

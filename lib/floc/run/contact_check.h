@@ -56,4 +56,8 @@ struct ContactCheck {
 template <int Dim>
 ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance);
 
+/// Looks for pairs that touch and are not among the contacts, where these do not come of the geometry.
+template <int Dim>
+void add_missing_contacts(const Packing<Dim>& packing, ContactCheck& check);
+
 }  // namespace floc

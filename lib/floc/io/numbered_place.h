@@ -1,0 +1,27 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace floc {
+
+/// Where one of many things of a file is, for messages: what is before its number, which all share, and that
+/// number. A file may hold millions.
+class NumberedPlace {
+ public:
+  NumberedPlace() = default;
+  /// @param before  "file:" of a line, "array, point " of an entry
+  NumberedPlace(std::shared_ptr<const std::string> before, int number)
+      : before_(std::move(before)), number_(number) {}
+
+  std::string text() const { return before_ ? fmt::format("{}{}", *before_, number_) : std::string(); }
+
+ private:
+  std::shared_ptr<const std::string> before_;
+  int number_ = 0;
+};
+
+}  // namespace floc

@@ -16,6 +16,7 @@
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
 #include "floc/io/atomic_file.h"
+#include "floc/io/transient_file.h"
 
 extern char** environ;
 
@@ -132,22 +133,13 @@ void write_plot(const std::string& file, const Plot& plot) {
     throw InputError(file, "expected a name that ends in .svg, .pdf or .png");
   const fs::path data = fs::path(picture).replace_extension(".dat");
   const fs::path script = fs::path(picture).replace_extension(".gp");
-  const fs::path drawn = file + ".drawn", words = file + ".words";
   write_bytes_atomically(data.string(), data_of(plot));
   write_bytes_atomically(script.string(), script_of(plot, picture, data));
-  try {
-    run_gnuplot(script, drawn, words);
-    std::string bytes = read_file(drawn.string());
-    blank_creation_date(bytes);
-    write_bytes_atomically(file, bytes);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(drawn, ignored);
-    fs::remove(words, ignored);
-    throw;
-  }
-  fs::remove(drawn);
-  fs::remove(words);
+  const TransientFile drawn(file + ".drawn"), words(file + ".words");
+  run_gnuplot(script, drawn.path(), words.path());
+  std::string bytes = read_file(drawn.path());
+  blank_creation_date(bytes);
+  write_bytes_atomically(file, bytes);
 }
 
 std::string plot_as_svg(const Plot& plot) {

@@ -15,6 +15,7 @@
 #include "finish_output.h"
 #include "floc/base/error.h"
 #include "floc/base/version.h"
+#include "floc/io/transient_file.h"
 #include "help.h"
 #include "lattice_command.h"
 
@@ -43,6 +44,7 @@ int report(int code, const std::exception& error) {
 int main(int argc, char** argv) {
   // "| head -1" ends the program without a word, also where the caller had the signal ignored.
   std::signal(SIGPIPE, SIG_DFL);
+  floc::remove_transient_files_on_signals();
   // A file that may not grow as large is an error with words.
   std::signal(SIGXFSZ, SIG_IGN);
   spdlog::set_default_logger(spdlog::stderr_logger_st("floc"));

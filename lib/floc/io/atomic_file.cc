@@ -61,11 +61,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), opened_(-1) {
   const std::string part = path_ + ".part";
   opened_ = Descriptor(::open(part.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!opened_.valid()) throw cannot_be_written(errno);
-  part_ = part;
-}
-
-AtomicFile::~AtomicFile() {
-  if (!part_.empty()) ::unlink(part_.c_str());
+  part_.emplace(part);
 }
 
 IoError AtomicFile::cannot_be_written(int error) const {
@@ -79,9 +75,9 @@ void AtomicFile::append(std::string_view bytes) {
 void AtomicFile::commit() {
   if (temporary_)
     return write_to_stream(path_, [&](const auto& write) { read_pieces(temporary_->path(), write); });
-  if (::fsync(descriptor()) != 0 || !opened_.close() || std::rename(part_.c_str(), path_.c_str()) != 0)
+  if (::fsync(descriptor()) != 0 || !opened_.close() || std::rename(part_->path().c_str(), path_.c_str()) != 0)
     throw cannot_be_written(errno);
-  part_.clear();
+  part_->keep();
   if (!sync_directory_of(path_)) throw IoError(path_, std::string("cannot be synced: ") + std::strerror(errno));
 }
 

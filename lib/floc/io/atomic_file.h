@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "floc/base/error.h"
 #include "floc/io/descriptor.h"
+#include "floc/io/transient_file.h"
 
 namespace floc {
 
@@ -18,13 +20,13 @@ class AtomicFile {
   /// @throws InputError for an empty path
   /// @throws IoError with the system's words if nothing can be written there
   explicit AtomicFile(std::string path);
-  /// Removes the part if it has not been committed: `path` is as it was.
-  ~AtomicFile();
+  /// The part is removed if it has not been committed: `path` is as it was.
+  ~AtomicFile() = default;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   /// Of the file that holds the content before commit(). Others may write it, too.
-  const std::string& working_path() const { return temporary_ ? temporary_->path() : part_; }
+  const std::string& working_path() const { return temporary_ ? temporary_->path() : part_->path(); }
   /// Of the same file, open for reading and writing.
   int descriptor() const { return temporary_ ? temporary_->descriptor() : opened_.get(); }
 
@@ -40,7 +42,7 @@ class AtomicFile {
  private:
   std::string path_;
   std::unique_ptr<TemporaryFile> temporary_;
-  std::string part_;  ///< to be renamed or removed
+  std::optional<TransientFile> part_;  ///< to be renamed
   Descriptor opened_;
 };
 

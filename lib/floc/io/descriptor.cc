@@ -20,14 +20,11 @@ bool Descriptor::close() {
   return ::close(std::exchange(fd_, -1)) == 0;
 }
 
-TemporaryFile::TemporaryFile()
-    : path_((std::filesystem::temp_directory_path() / "floc-XXXXXX").string()),
-      descriptor_(::mkostemp(path_.data(), O_CLOEXEC)) {
-  if (!descriptor_.valid()) throw IoError(path_, std::string("cannot be written: ") + std::strerror(errno));
-}
-
-TemporaryFile::~TemporaryFile() {
-  ::unlink(path_.c_str());
+TemporaryFile::TemporaryFile() : descriptor_(-1) {
+  std::string path = (std::filesystem::temp_directory_path() / "floc-XXXXXX").string();
+  descriptor_ = Descriptor(::mkostemp(path.data(), O_CLOEXEC));
+  if (!descriptor_.valid()) throw IoError(path, std::string("cannot be written: ") + std::strerror(errno));
+  name_.emplace(std::move(path));
 }
 
 bool write_all(int fd, std::string_view bytes) {

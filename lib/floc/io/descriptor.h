@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "floc/io/transient_file.h"
 
 namespace floc {
 
@@ -31,15 +34,14 @@ class TemporaryFile {
  public:
   /// @throws IoError with the system's words if there can be none
   TemporaryFile();
-  ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  const std::string& path() const { return path_; }
+  const std::string& path() const { return name_->path(); }
   int descriptor() const { return descriptor_.get(); }
 
  private:
-  std::string path_;
+  std::optional<TransientFile> name_;
   Descriptor descriptor_;
 };
 

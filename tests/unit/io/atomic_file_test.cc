@@ -53,6 +53,28 @@ TEST(AtomicFile, OverADirectoryLeavesTheDirectoryAndNoPart) {
   EXPECT_EQ(n_files(scratch.path()), 1);
 }
 
+TEST(AtomicFile, LeavesNoPartWhereASignalEndsTheProgram) {
+  const ScratchDirectory scratch;
+  write_bytes_atomically(scratch.file("f"), "old");
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::signal(signal, SIG_DFL);
+      remove_transient_files_on_signals();
+      AtomicFile file(scratch.file("f"));
+      file.append("new");
+      const AtomicFile printed("-");
+      std::raise(signal);
+      ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal);
+    EXPECT_EQ(read_file(scratch.file("f")), "old");
+    EXPECT_EQ(n_files(scratch.path()), 1);
+  }
+}
+
 /// Runs `work` in a process that may write files of at most `limit` bytes, as on a disk that is full, and
 /// returns the code it exits with.
 template <class Work>

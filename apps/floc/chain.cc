@@ -1,55 +1,23 @@
-#include "floc/elasticity/chain.h"
-
 #include <fmt/format.h>
 
 #include <iostream>
 #include <memory>
-#include <numbers>
 
+#include "chain_rows.h"
 #include "command.h"
 #include "output.h"
 
 namespace floc {
 namespace {
 
-struct ChainCommand {
-  int n = 0;
-  double R = 0.0;
-  ChainStiffness k{};
-  double bend = 0.0;  ///< degrees
-  std::string format;
-};
-
-/// One compliance: what it is, its closed form if the chain is straight, and the network's answer.
-struct ChainRow {
-  std::string name;
-  double formula;
-  BoundedValue solved;
-};
-
-std::vector<ChainRow> chain_rows(const ChainCommand& c) {
-  const SolvedChain solved = solve_chain(bent_chain(c.n, c.bend * std::numbers::pi / 180.0), c.R, c.k);
-  return {{"axial", chain_axial_compliance(c.n, c.k), solved.axial},
-          {"transverse", chain_transverse_compliance(c.n, c.R, c.k), solved.transverse},
-          {"rolling", chain_rolling_compliance(c.n, c.k), solved.rolling},
-          {"end_disk_deflection", end_disk_deflection(c.n, c.R, c.k), solved.end_disk}};
-}
-
-int run_chain(const ChainCommand& c) {
-  Table table;
-  table.columns = {"n", "R", "kn", "kt", "kr", "bend", "compliance", "formula", "solved", "error_bound"};
-  for (const ChainRow& row : chain_rows(c)) {
-    const bool resolved = row.solved.resolved();
-    if (!resolved)
+int run_chain(const ChainCommand& command) {
+  const std::vector<ChainRow> rows = chain_rows(command);
+  for (const ChainRow& row : rows)
+    if (!row.solved.resolved())
       std::cerr << fmt::format(
           "floc chain: {}: double precision leaves no digit of the solved network, so none is given\n",
           row.name);
-    table.rows.push_back({std::int64_t{c.n}, c.R, c.k.normal, c.k.tangential, c.k.rolling, c.bend, row.name,
-                          c.bend == 0.0 ? TableValue{row.formula} : TableValue{},
-                          resolved ? TableValue{row.solved.value} : TableValue{},
-                          resolved ? TableValue{row.solved.error} : TableValue{}});
-  }
-  print_table(table, c.format);
+  print_table(chain_table(command, rows), command.format);
   return kDone;
 }
 

@@ -5,28 +5,20 @@
 #include <memory>
 
 #include "command.h"
+#include "complete_import.h"
 #include "conversion_summary.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/return_freed_memory.h"
 #include "floc/base/sha256.h"
-#include "floc/base/version.h"
 #include "floc/io/export.h"
 #include "floc/io/import.h"
 #include "floc/io/law_text.h"
-#include "floc/neighbors/find_contacts.h"
-#include "floc/neighbors/spread_liquid.h"
-#include "floc/packing/balance.h"
 #include "floc/packing/overlaps.h"
 #include "output.h"
 
 namespace floc {
 namespace {
-
-/// How strict the equilibrium of another program's packing is asked to be, in the units of
-/// EquilibriumTolerance. Contact points of other programs differ from ours by up to the overlap, which leaves
-/// moments of that order, and they are usually run to unbalanced forces of 1e-3.
-constexpr double kForeignTolerance = 1e-3;
 
 struct ConvertArguments {
   std::vector<std::string> files;  ///< IN..., then OUT
@@ -99,56 +91,17 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   return options;
 }
 
-/// What is asked of an equilibrium: what `--tolerance` says, else of a format that says law and load exactly as
-/// much as of floc's own states, of the others kForeignTolerance. The energy scales with the force.
-EquilibriumTolerance tolerance_for(const Imported& imported, const ConvertArguments& arguments) {
-  const EquilibriumTolerance own;
-  const double force =
-      arguments.tolerance.value_or(imported.target_stress_known ? own.force : kForeignTolerance);
-  return {force, force, force, own.energy * (force / own.force)};
-}
-
-/// @throws InputError if the grains fill more than the cell: no packing of hard grains does.
-template <int Dim>
-void refuse_impossible_density(const std::string& in, const Packing<Dim>& packing) {
-  const double phi = solid_fraction(packing);
-  if (phi <= 1.0) return;
-  throw InputError(
-      in, fmt::format("the solid fraction would be {:.4g}, expected at most 1: are the radii diameters "
-                      "(--columns diameter=...), or is the cell too small or in another unit of length?",
-                      phi));
-}
-
 /// Fills in what the file did not say and an analysis needs.
 template <int Dim>
 void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
               State<Dim>& state) {
-  if (const auto faults = state.packing.law.faults_in_dimension(Dim); !faults.empty())
-    throw InputError(arguments.law.empty() ? in : "--law", faults.front().words);
-  if (!imported.contacts_known)
-    find_contacts(state.packing);
-  else
-    spread_liquid(state.packing);
-  if (holds_liquid(state.packing))
-    spdlog::info(
-        "{}: volumes of the liquid bridges are not in the file; they follow from the law, and with them "
-        "the forces",
-        in);
-  refuse_impossible_density(in, state.packing);
-  require_small_overlaps(in, state.packing);
-  if (!arguments.stress.empty()) {
-    const std::vector<double> stress = parse_numbers("--stress", arguments.stress);
-    if (stress.size() != Dim)
-      throw InputError("--stress", fmt::format("has {} numbers, expected {}", stress.size(), Dim));
-    for (int a = 0; a < Dim; ++a) state.target_stress[a] = stress[a];
-  } else if (!imported.target_stress_known) {
-    state.target_stress = static_stress(state.packing).diagonal();
-  }
-  state.tolerance = tolerance_for(imported, arguments);
-  measure(state);
-  state.provenance.program = "floc " + version();
-  state.provenance.commit = commit();
-  state.provenance.compiler = compiler();
+  ImportCompletion completion;
+  completion.law_place = arguments.law.empty() ? in : "--law";
+  if (!arguments.stress.empty()) completion.stress = parse_numbers("--stress", arguments.stress);
+  completion.stress_place = "--stress";
+  completion.tolerance = arguments.tolerance;
+  const std::string remark = complete_import(in, imported, completion, state);
+  if (!remark.empty()) spdlog::info("{}: {}", in, remark);
   const std::filesystem::path source(in);
   state.provenance.source =
       in == "-" ? "stdin" : fmt::format("{}, SHA-256 {}", source.filename().string(), sha256_of_file(in));

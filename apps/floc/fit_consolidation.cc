@@ -3,71 +3,17 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
+#include "consolidation_fits.h"
 #include "fit_commands.h"
-#include "fit_parameters.h"
 #include "fit_plot.h"
-#include "fit_tables.h"
-#include "floc/base/error.h"
-#include "floc/fitting/consolidation.h"
 #include "output.h"
 
 namespace floc {
 namespace {
 
-struct Arguments {
-  std::vector<std::string> inputs;
-  std::string law = "full";
-  std::string protocol;
-  std::vector<double> window;
-  double P0 = 0.0;
-  std::string loading = "first";
-  std::string weights;
-  std::string loss = "squared";
-  int n_bootstrap = 0;
-  std::uint64_t seed = 1;
-  std::string stress = "driven";
-  std::string columns;
-  std::string plot;
-  std::string format;
-};
-
-/// A named curve with the rows of its table; a mean has none.
-struct Sample {
-  std::string name;
-  Loading loading;
-  std::vector<PathStep> steps;  ///< of all rows
-  std::string unit;             ///< of the pressures
-};
-
-/// Rows that do `step` and are not fitted.
-std::vector<int> left_out(const Sample& sample, PathStep step) {
-  const std::vector<int>& kept = sample.loading.rows;
-  std::vector<int> rows;
-  for (int i = 0; i < static_cast<int>(sample.steps.size()); ++i)
-    if (sample.steps[static_cast<std::size_t>(i)] == step &&
-        std::find(kept.begin(), kept.end(), i) == kept.end())
-      rows.push_back(i);
-  return rows;
-}
-
-struct StepName {
-  PathStep step;
-  const char *key, *description;
-};
-constexpr StepName kLeftOut[] = {
-    {PathStep::zero_pressure, "zero_pressure", "at P* = 0"},
-    {PathStep::unloading, "unloading", "of unloading"},
-    {PathStep::reloading, "reloading", "of reloading"},
-    {PathStep::later_virgin, "later_virgin", "of later loading beyond it (--loading virgin takes them)"},
-    {PathStep::hold, "hold", "at a pressure that is held"},
-    {PathStep::test, "test", "of tests with a driven axis"},
-    {PathStep::first_loading, "before_loading", "before the branch \"load\""},
-};
-
-Sample read_sample(const std::string& file, const Arguments& arguments) {
+ConsolidationSample read_sample(const std::string& file, const ConsolidationArguments& arguments) {
   const PathTable path =
       read_path(file, parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}),
                 {"P_star"}, arguments.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven);
@@ -75,149 +21,17 @@ Sample read_sample(const std::string& file, const Arguments& arguments) {
                                          [](const PathRow& row) { return row.load == PathLoad::oedometric; });
   if (any_oedometer)
     spdlog::info("{}: P* of oedometric rows is that of the {} stress", path.name, arguments.stress);
-  Sample sample{path.name, first_loading(path.rows, arguments.loading == "virgin"), path_steps(path.rows),
-                path.unit};
+  ConsolidationSample sample = consolidation_sample(path, arguments);
   std::vector<std::string> pieces;
-  for (const StepName& s : kLeftOut)
+  for (const LeftOutStep& s : left_out_steps())
     if (const std::vector<int> rows = left_out(sample, s.step); !rows.empty())
       pieces.push_back(fmt::format("{} row(s) {} ({})", rows.size(), s.description, ranges(rows)));
   if (!pieces.empty()) spdlog::info("{}: left out {}", sample.name, fmt::join(pieces, ", "));
   return sample;
 }
 
-ConsolidationOptions options_of(const Arguments& arguments) {
-  ConsolidationOptions options;
-  options.law = arguments.law == "log"     ? ConsolidationLaw::log
-                : arguments.law == "power" ? ConsolidationLaw::power
-                                           : ConsolidationLaw::full;
-  if (!arguments.window.empty()) {
-    options.window = {arguments.window[0], arguments.window[1]};
-    if (!(0 < options.window->first && options.window->first < options.window->second))
-      throw InputError("--window", fmt::format("{},{}: expected two positive pressures P*, the lower one first",
-                                               arguments.window[0], arguments.window[1]));
-  }
-  options.hold_P0 = arguments.protocol == "published";
-  if (options.hold_P0 && options.law != ConsolidationLaw::full)
-    throw InputError("--protocol published", "fits the full law; expected --law full, or no --law");
-  options.weighting = arguments.weights == "uniform"    ? Weighting::uniform
-                      : arguments.weights == "relative" ? Weighting::relative
-                                                        : Weighting::automatic;
-  options.loss = arguments.loss == "huber"    ? Loss::huber
-                 : arguments.loss == "cauchy" ? Loss::cauchy
-                                              : Loss::squared;
-  options.n_bootstrap = arguments.n_bootstrap;
-  options.seed = arguments.seed;
-  return options;
-}
-
-/// --P0 X: the window starts at the pressure of the curve that is nearest to X.
-void start_at_P0(double P0, const ConsolidationCurve& curve, ConsolidationOptions& options) {
-  if (P0 <= 0.0 || curve.P_star.empty()) return;
-  const auto distance = [P0](double P) { return std::abs(std::log(P / P0)); };
-  const double nearest = *std::min_element(curve.P_star.begin(), curve.P_star.end(),
-                                           [&](double a, double b) { return distance(a) < distance(b); });
-  options.window = {nearest, curve.P_star.back()};
-}
-
-const char* word_for(Weighting weighting) {
-  switch (weighting) {
-    case Weighting::uniform:
-      return "uniform";
-    case Weighting::scatter:
-      return "scatter";
-    default:
-      return "relative";
-  }
-}
-
-/// Pressures between which a change lies, and over which its probable places range.
-Json change_as_json(const std::optional<ChangePoint>& change, const ConsolidationCurve& curve) {
-  if (!change) return nullptr;
-  const auto pressure = [&](int i) {
-    return i < 0 || i >= static_cast<int>(curve.P_star.size())
-               ? Json(nullptr)
-               : Json(curve.P_star[static_cast<std::size_t>(i)]);
-  };
-  return {{"after", pressure(change->first - 1)},
-          {"before", pressure(change->first)},
-          {"low95", pressure(change->low95 - 1)},
-          {"high95", pressure(change->high95)},
-          {"probability", change->places.empty() ? Json(nullptr) : Json(change->places.front().probability)}};
-}
-
-/// Table rows (of a mean: indices of its pressures) of points first to end.
-Json rows_of(const Sample& sample, int first, int end) {
-  Json rows = Json::array();
-  for (int i = first; i < end; ++i)
-    rows.push_back(sample.loading.rows.empty() ? i : sample.loading.rows[static_cast<std::size_t>(i)]);
-  return rows;
-}
-
-Json regimes_as_json(const Sample& sample, const ConsolidationFit& fit) {
-  if (!fit.regimes) return nullptr;
-  const Regimes& r = *fit.regimes;
-  const auto n = static_cast<int>(sample.loading.curve.phi.size());
-  return {{"plateau_end", change_as_json(r.plateau_end, sample.loading.curve)},
-          {"onset_of_III", change_as_json(r.onset_three, sample.loading.curve)},
-          {"rows_I", rows_of(sample, 0, r.n_plateau)},
-          {"rows_II", rows_of(sample, r.n_plateau, r.end_of_two)},
-          {"rows_III", rows_of(sample, r.end_of_two, n)}};
-}
-
-/// What a smaller error would need: "samples", "points" on the curve, or a clearer end of the "regimes".
-const char* limit_of(const ErrorParts& parts, const ConsolidationFit& fit) {
-  if (parts.regimes > parts.scatter) return "regimes";
-  return fit.errors_from_samples ? "samples" : "points";
-}
-
-Json as_json(const Sample& sample, const ConsolidationFit& fit, const Arguments& arguments) {
-  Json object;
-  object["sample"] = sample.name;
-  object["law"] = arguments.law;
-  object["protocol"] = arguments.protocol.empty() ? "automatic" : arguments.protocol;
-  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
-  object["window"] = fit.found() ? Json{fit.window_low, fit.window_high} : Json(nullptr);
-  object["pressure_unit"] = sample.unit.empty() ? Json(nullptr) : Json(sample.unit);
-  object["n_points"] = fit.used.size();
-  object["n_plateau"] = fit.n_plateau;
-  object["parameters"] = parameters_as_json(fit.parameters);
-  object["correlation"] = Json::object();
-  for (std::size_t i = 0; i < fit.correlated.size(); ++i)
-    for (std::size_t j = 0; j < fit.correlated.size(); ++j)
-      object["correlation"][fit.correlated[i]][fit.correlated[j]] = number_or_null(fit.correlation(i, j));
-  object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
-  object["weights"] = word_for(fit.weighting);
-  object["loss"] = arguments.loss;
-  object["errors_from"] = fit.errors_from_samples ? "samples" : "residuals";
-  object["error_budget"] = Json::object();
-  for (const ErrorParts& parts : fit.error_parts)
-    object["error_budget"][parts.name] = {{"scatter", number_or_null(parts.scatter)},
-                                          {"regimes", number_or_null(parts.regimes)},
-                                          {"limited_by", limit_of(parts, fit)}};
-  object["profiled"] = fit.profiled;
-  object["bootstrap"] = arguments.n_bootstrap > 0
-                            ? Json{{"n", fit.n_bootstrapped}, {"parameters", parameters_as_json(fit.bootstrap)}}
-                            : Json(nullptr);
-  object["regimes"] = fit.found() ? regimes_as_json(sample, fit) : Json(nullptr);
-  object["window_shifts"] = Json::array();
-  for (const WindowShift& s : fit.window_shifts)
-    object["window_shifts"].push_back({{"change", s.change}, {"lambda", number_or_null(s.lambda)}});
-  object["rows_used"] = Json::array();
-  object["P_star_used"] = Json::array();
-  for (const int i : fit.used) {
-    if (!sample.loading.rows.empty()) object["rows_used"].push_back(sample.loading.rows[i]);
-    object["P_star_used"].push_back(sample.loading.curve.P_star[i]);
-  }
-  object["rows_left_out"] = Json::object();
-  for (const StepName& s : kLeftOut)
-    if (const std::vector<int> rows = left_out(sample, s.step); !rows.empty())
-      object["rows_left_out"][s.key] = rows;
-  object["warnings"] = fit.warnings;
-  return object;
-}
-
-void add_table_rows(const Sample& sample, const ConsolidationFit& fit, const Arguments& arguments,
-                    Table& table) {
+void add_table_rows(const ConsolidationSample& sample, const ConsolidationFit& fit,
+                    const ConsolidationArguments& arguments, Table& table) {
   const auto bootstrapped = [&](const std::string& name) -> std::optional<FittedParameter> {
     for (const FittedParameter& p : fit.bootstrap)
       if (p.name == name) return p;
@@ -253,7 +67,7 @@ std::string change_text(const std::optional<ChangePoint>& change, const Consolid
 }
 
 /// @param n_asked  resampled fits asked for
-void log_fit(const Sample& sample, const ConsolidationFit& fit, int n_asked) {
+void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int n_asked) {
   if (!fit.found()) {
     spdlog::warn("{}: no fit: {}", sample.name, fit.refusal);
     return;
@@ -293,29 +107,26 @@ void log_fit(const Sample& sample, const ConsolidationFit& fit, int n_asked) {
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", sample.name, warning);
 }
 
-/// What is fitted: each sample and their mean; the published protocol fits the mean alone.
-std::vector<Sample> with_pooled(std::vector<Sample> samples, bool only_pooled) {
-  if (samples.size() < 2) return samples;
-  std::vector<ConsolidationCurve> curves;
-  for (const Sample& s : samples) curves.push_back(s.loading.curve);
-  Sample pooled{"pooled", {mean_curve(curves), {}}, {}, samples.front().unit};
-  if (pooled.loading.curve.phi.size() < curves.front().phi.size())
-    spdlog::warn("pooled: {} of the {} pressures of {} are common to all {} samples",
-                 pooled.loading.curve.phi.size(), curves.front().phi.size(), samples.front().name,
-                 samples.size());
-  if (only_pooled) return {pooled};
-  samples.push_back(std::move(pooled));
-  return samples;
+/// Says where their mean leaves out pressures that not all samples have.
+void warn_of_missing_pressures(const std::vector<ConsolidationSample>& read,
+                               const std::vector<ConsolidationSample>& fitted) {
+  if (read.size() < 2) return;
+  const std::size_t n_common = fitted.back().loading.curve.phi.size();
+  const std::size_t n_of_first = read.front().loading.curve.phi.size();
+  if (n_common < n_of_first)
+    spdlog::warn("pooled: {} of the {} pressures of {} are common to all {} samples", n_common, n_of_first,
+                 read.front().name, read.size());
 }
 
-int fit_tables(const Arguments& arguments) {
-  const ConsolidationOptions options = options_of(arguments);
-  std::vector<Sample> read;
+int fit_tables(const ConsolidationArguments& arguments) {
+  const ConsolidationOptions options = consolidation_options(arguments);
+  std::vector<ConsolidationSample> read;
   int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     read.push_back(read_sample(file, arguments));
     return static_cast<int>(kDone);
   });
-  const std::vector<Sample> samples = with_pooled(std::move(read), options.hold_P0);
+  const std::vector<ConsolidationSample> samples = with_pooled(read, options.hold_P0);
+  warn_of_missing_pressures(read, samples);
   Json array = Json::array();
   Table table{{"sample", "law", "parameter", "value", "stderr", "low95", "high95", "identified", "unit",
                "P_star_low", "P_star_high", "n_points", "rms"},
@@ -324,14 +135,10 @@ int fit_tables(const Arguments& arguments) {
     for (const char* column : {"bootstrap_stderr", "bootstrap_low95", "bootstrap_high95"})
       table.columns.emplace_back(column);
   ConsolidationFit fit;
-  for (const Sample& sample : samples) {
-    ConsolidationOptions own = options;
+  for (const ConsolidationSample& sample : samples) {
     if (arguments.weights == "scatter" && sample.loading.curve.samples.cols() < 2)
       spdlog::info("{}: a single curve has no scatter between samples: relative weights", sample.name);
-    if (arguments.weights == "scatter" && sample.loading.curve.samples.cols() > 1)
-      own.weighting = Weighting::scatter;
-    start_at_P0(arguments.P0, sample.loading.curve, own);
-    fit = fit_consolidation(sample.loading.curve, own);
+    fit = fit_of(sample, arguments, options);
     log_fit(sample, fit, arguments.n_bootstrap);
     if (!fit.found()) code = worse(code, kNotConverged);
     array.push_back(as_json(sample, fit, arguments));
@@ -349,7 +156,7 @@ int fit_tables(const Arguments& arguments) {
 }  // namespace
 
 Command add_fit_consolidation(CommandLine fit) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConsolidationArguments>();
   CommandLine app =
       fit.add_subcommand("consolidation", "plasticity index lambda and the other parameters of consolidation");
   app.add_option(

@@ -2,15 +2,11 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "fit_commands.h"
-#include "fit_parameters.h"
-#include "fit_tables.h"
-#include "floc/base/error.h"
-#include "floc/fitting/dynamic_compaction.h"
 #include "output.h"
+#include "table_fits.h"
 
 namespace floc {
 namespace {
@@ -27,56 +23,10 @@ std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNam
   const auto column = [&](const char* name) { return find_column(table, columns, name).index; };
   const int e = column("e"), p = column("p"), sc = column("sc"), se = column("se");
   std::vector<CompactedSample> samples;
-  for (int i = 0; i < table.n_rows(); ++i) {
-    const auto positive = [&](int at, const char* name) {
-      const double value = table.number(i, at);
-      if (value > 0) return value;
-      throw InputError(table.place(i), fmt::format("{} = {}: expected a positive number", name, value));
-    };
-    samples.push_back({positive(e, "e"), positive(p, "p"), positive(sc, "sc"), positive(se, "se")});
-  }
+  for (int i = 0; i < table.n_rows(); ++i)
+    samples.push_back(compacted_sample(table.place(i), table.number(i, e), table.number(i, p),
+                                       table.number(i, sc), table.number(i, se)));
   return samples;
-}
-
-/// What a smaller error would need: more "samples", another "law", or a clearer "plateau".
-const char* limit_of(const CompactionErrorParts& parts) {
-  if (parts.plateau > std::max(parts.scatter, parts.law)) return "plateau";
-  return parts.law > parts.scatter ? "law" : "samples";
-}
-
-Json budget_as_json(const CompactionFit& fit) {
-  Json budget = Json::object();
-  for (const CompactionErrorParts& parts : fit.error_parts)
-    budget[parts.name] = {{"scatter", number_or_null(parts.scatter)},
-                          {"law", fit.errors_from_runs ? number_or_null(parts.law) : Json(nullptr)},
-                          {"plateau", number_or_null(parts.plateau)},
-                          {"limited_by", limit_of(parts)}};
-  return budget;
-}
-
-Json as_json(const std::string& name, const CompactionFit& fit, const CompactionReference& reference) {
-  Json object;
-  object["sample"] = name;
-  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
-  object["rows_used"] = fit.used;
-  object["n_points"] = fit.used.size();
-  object["held"] = {{"p_D", reference.p_D}, {"eta_m", reference.eta_m}};
-  object["parameters"] = parameters_as_json(fit.parameters);
-  object["correlation"] = Json::object();
-  for (std::size_t i = 0; i < fit.parameters.size(); ++i)
-    for (std::size_t j = 0; j < fit.parameters.size(); ++j)
-      object["correlation"][fit.parameters[i].name][fit.parameters[j].name] =
-          number_or_null(fit.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-  object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
-  object["plateau"] = reference.plateau == PlateauPressure::own ? "p" : "p_crit";
-  object["errors_from"] = fit.errors_from_runs ? "runs" : "residuals";
-  object["error_budget"] = budget_as_json(fit);
-  object["profiled"] = fit.profiled;
-  object["rows_left_out"] = Json::object();
-  if (!fit.below_p_0.empty()) object["rows_left_out"]["below_p_0"] = fit.below_p_0;
-  if (!fit.beside_plateau.empty()) object["rows_left_out"]["beside_plateau"] = fit.beside_plateau;
-  object["warnings"] = fit.warnings;
-  return object;
 }
 
 /// Says what was fitted and what the errors are made of.

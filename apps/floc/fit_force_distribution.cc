@@ -1,29 +1,14 @@
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <memory>
 
 #include "fit_commands.h"
-#include "fit_parameters.h"
-#include "fit_tables.h"
-#include "floc/base/error.h"
-#include "floc/fitting/force_distribution.h"
 #include "floc/io/state_file.h"
-#include "floc/structure/force_distribution.h"
 #include "output.h"
+#include "table_fits.h"
 
 namespace floc {
 namespace {
-
-struct Arguments {
-  std::vector<std::string> inputs;
-  std::string form = "all";
-  double threshold = 0.0;
-  bool has_threshold = false;
-  ForceFitOptions options;
-  std::string columns;
-  std::string format;
-};
 
 /// Normal forces of a table, or of the contacts of a state.
 std::vector<double> read_forces(const std::string& file, const ColumnNames& columns) {
@@ -42,43 +27,7 @@ std::vector<double> read_forces(const std::string& file, const ColumnNames& colu
   return forces;
 }
 
-/// Tails of both signs if there are tensions, the forms of compressive networks if there are none; or the form
-/// asked for.
-std::vector<ForceFit> fit_forms(const std::vector<double>& forces, const Arguments& arguments) {
-  const std::vector<double> positive = sizes_of(forces, 1.0), negative = sizes_of(forces, -1.0);
-  const auto wanted = [&](const char* form) { return arguments.form == "all" || arguments.form == form; };
-  std::vector<ForceFit> fits;
-  const auto add_tail = [&](const char* form, const std::vector<double>& sizes) {
-    const double threshold = arguments.has_threshold ? arguments.threshold : mean_size(sizes);
-    fits.push_back(fit_exponential_tail(form, sizes, threshold, arguments.options));
-  };
-  if (wanted("tails") && !positive.empty()) add_tail("tail_positive", positive);
-  if (wanted("tails") && !negative.empty()) add_tail("tail_negative", negative);
-  if (wanted("power-exponential"))
-    fits.push_back(fit_compressive_forces(power_exponential(), positive, arguments.options));
-  if (wanted("quadratic-exponential"))
-    fits.push_back(fit_compressive_forces(quadratic_exponential(), positive, arguments.options));
-  return fits;
-}
-
-Json as_json(const std::string& name, const std::vector<double>& forces, const ForceFit& fit) {
-  const bool is_tail = fit.form.starts_with("tail");
-  Json object;
-  object["sample"] = name;
-  object["form"] = fit.form;
-  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
-  object["n_positive"] = sizes_of(forces, 1.0).size();
-  object["n_negative"] = sizes_of(forces, -1.0).size();
-  object["n_points"] = fit.n;
-  object[is_tail ? "threshold" : "mean"] = fit.mean;
-  object["parameters"] = parameters_as_json(fit.parameters);
-  object["log_likelihood"] = fit.found() ? Json(fit.log_likelihood) : Json(nullptr);
-  object["ks"] = fit.found() ? Json(fit.distance) : Json(nullptr);
-  object["p_value"] = fit.found() ? Json(fit.p_value) : Json(nullptr);
-  return object;
-}
-
-int fit_inputs(const Arguments& arguments) {
+int fit_inputs(const ForceDistributionArguments& arguments) {
   const ColumnNames columns = parse_column_names(arguments.columns, {"normal_force"});
   Json array = Json::array();
   Table table{{"sample", "form", "parameter", "value", "stderr", "low95", "high95", "identified", "n_points",
@@ -117,7 +66,7 @@ int fit_inputs(const Arguments& arguments) {
 }  // namespace
 
 Command add_fit_force_distribution(CommandLine fit) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ForceDistributionArguments>();
   CommandLine app = fit.add_subcommand(
       "force-distribution", "distributions of normal forces, by maximum likelihood, with goodness of fit");
   app.add_option("INPUT", arguments->inputs,

@@ -1,14 +1,10 @@
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <memory>
 
 #include "fit_commands.h"
-#include "fit_parameters.h"
-#include "fit_tables.h"
-#include "floc/base/error.h"
-#include "floc/fitting/preconsolidation.h"
 #include "output.h"
+#include "table_fits.h"
 
 namespace floc {
 namespace {
@@ -18,20 +14,6 @@ struct Arguments {
   std::string columns;
   std::string format;
 };
-
-Json as_json(const PathTable& path, const Reloading& branch, const PreconsolidationFit& fit) {
-  Json object;
-  object["sample"] = path.name;
-  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
-  object["rows_used"] = branch.loading.rows;
-  object["largest_before"] = branch.largest_before;
-  object["pressure_unit"] = path.unit.empty() ? Json(nullptr) : Json(path.unit);
-  object["n_points"] = branch.loading.rows.size();
-  object["parameters"] = parameters_as_json(fit.parameters);
-  object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
-  object["warnings"] = fit.warnings;
-  return object;
-}
 
 void add_table_rows(const PathTable& path, const Reloading& branch, const PreconsolidationFit& fit,
                     Table& table) {
@@ -54,16 +36,15 @@ int fit_tables(const Arguments& arguments) {
               {}};
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     const PathTable path = read_path(file, columns);
-    const std::vector<Reloading> branches = reloadings(path.rows);
-    if (branches.empty()) {
+    const std::vector<ReloadingFit> fits = preconsolidation_fits(path);
+    if (fits.empty()) {
       spdlog::warn("{}: no fit: the pressure does not grow again after a fall, there is no reloading branch",
                    path.name);
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;
-    for (const Reloading& branch : branches) {
-      const PreconsolidationFit fit =
-          fit_preconsolidation(branch.loading.curve.P_star, branch.loading.curve.phi);
+    for (const ReloadingFit& reloading : fits) {
+      const auto& [branch, fit] = reloading;
       const std::string rows = ranges(branch.loading.rows);
       if (!fit.found()) {
         spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, fit.refusal);
@@ -72,7 +53,7 @@ int fit_tables(const Arguments& arguments) {
         spdlog::info("{}: rows {}: reloading after P = {:.6g}", path.name, rows, branch.largest_before);
       }
       for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", path.name, warning);
-      array.push_back(as_json(path, branch, fit));
+      array.push_back(as_json(path, reloading));
       add_table_rows(path, branch, fit, table);
     }
     return worst;

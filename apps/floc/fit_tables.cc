@@ -41,17 +41,25 @@ std::string mapped(const ColumnNames& columns, const std::string& name) {
   return found == columns.end() ? name : found->second;
 }
 
-double solid_fraction_of(const CsvTable& table, int row, int column, bool is_void_ratio) {
-  const double value = table.number(row, column);
+double solid_fraction_of(const std::string& place, double value, bool is_void_ratio) {
   if (!is_void_ratio && value <= 0)
-    throw InputError(table.place(row), fmt::format("phi = {}: expected a positive solid fraction", value));
+    throw InputError(place, fmt::format("phi = {}: expected a positive solid fraction", value));
   if (!is_void_ratio && value > 1)
-    throw InputError(table.place(row), fmt::format("phi = {}: expected a solid fraction of at most 1; is it in "
-                                                   "percent, or a void ratio (--columns void_ratio=...)?",
-                                                   value));
+    throw InputError(place, fmt::format("phi = {}: expected a solid fraction of at most 1; is it in "
+                                        "percent, or a void ratio (--columns void_ratio=...)?",
+                                        value));
   if (is_void_ratio && value < 0)
-    throw InputError(table.place(row), fmt::format("void_ratio = {}: expected a void ratio >= 0", value));
+    throw InputError(place, fmt::format("void_ratio = {}: expected a void ratio >= 0", value));
   return is_void_ratio ? 1.0 / (1.0 + value) : value;
+}
+
+/// @throws InputError unless rows keep to their branches. @param place  of a row, for messages
+void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
+                  const std::function<std::string(int)>& place) {
+  if (const auto fault = path_fault(rows))
+    throw InputError(place(fault->row),
+                     fmt::format("{} = {}: expected {}", pressure,
+                                 rows[static_cast<std::size_t>(fault->row)].P_star, fault->expected));
 }
 
 /// How the rows of a table of `floc run` are loaded, and the factor from their mean stress to the driven one.
@@ -166,12 +174,25 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
     if (load == PathLoad::oedometric && oedometer == OedometerPressure::driven) P *= loads.driven_over_mean(i);
     if (P < 0) throw InputError(table.place(i), fmt::format("{} = {}: expected a pressure >= 0", name, P));
     path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P,
-                         solid_fraction_of(table, i, density.index, by_void_ratio), load});
+                         solid_fraction_of(table.place(i), table.number(i, density.index), by_void_ratio),
+                         load});
   }
-  if (const auto fault = path_fault(path.rows))
-    throw InputError(table.place(fault->row),
-                     fmt::format("{} = {}: expected {}", name,
-                                 path.rows[static_cast<std::size_t>(fault->row)].P_star, fault->expected));
+  require_path(path.rows, name, [&table](int row) { return table.place(row); });
+  return path;
+}
+
+PathTable path_of_arrays(const PathArrays& arrays) {
+  PathTable path;
+  path.name = arrays.name;
+  const auto place = [&arrays](int row) { return fmt::format("{}[{}]", arrays.name, row); };
+  for (std::size_t i = 0; i < arrays.pressure.size(); ++i) {
+    const std::string here = place(static_cast<int>(i));
+    if (!(arrays.pressure[i] >= 0))
+      throw InputError(here, fmt::format("pressure = {}: expected a pressure >= 0", arrays.pressure[i]));
+    path.rows.push_back({arrays.branch.empty() ? "" : arrays.branch[i], arrays.pressure[i],
+                         solid_fraction_of(here, arrays.density[i], arrays.is_void_ratio)});
+  }
+  require_path(path.rows, "pressure", place);
   return path;
 }
 

@@ -56,6 +56,19 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
                     const std::vector<std::string>& pressures = {"P_star"},
                     OedometerPressure oedometer = OedometerPressure::driven);
 
+/// A path as arrays.
+struct PathArrays {
+  std::string name;  ///< for messages
+  std::vector<double> pressure;
+  std::vector<double> density;  ///< solid fractions or void ratios, as many
+  bool is_void_ratio = false;
+  std::vector<std::string> branch;  ///< as many, or none
+};
+
+/// The path of arrays; of no file.
+/// @throws InputError naming array, index and value, as read_path()
+PathTable path_of_arrays(const PathArrays& arrays);
+
 /// Hands every table of the inputs to `work`, which returns its exit code. What cannot be read is reported by
 /// name on stderr and the others are still done. @return the worst of the exit codes
 int for_each_table(const std::vector<std::string>& inputs,

@@ -1,20 +1,15 @@
-#include "floc/elasticity/moduli.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iostream>
 #include <iterator>
-#include <map>
+#include <memory>
 #include <sstream>
 
 #include "command.h"
 #include "equilibrium_check.h"
-#include "floc/base/error.h"
-#include "floc/base/parse_number.h"
 #include "floc/io/atomic_file.h"
-#include "free_memory.h"
-#include "moduli_rows.h"
+#include "moduli_request.h"
 #include "output.h"
 #include "printed_columns.h"
 #include "repeated_warnings.h"
@@ -23,98 +18,12 @@
 namespace floc {
 namespace {
 
-const std::map<std::string, ModuliSolver> kSolvers = {
-    {"automatic", ModuliSolver::automatic}, {"cholmod", ModuliSolver::cholmod}, {"petsc", ModuliSolver::petsc}};
-
-struct ModuliCommand {
-  std::vector<std::string> files;
-  std::string strains = "diagonal";
-  bool prestress = false;
-  bool force = false;
-  ModuliOptions options;
-  std::string method = "factor";
-  std::string solver = "automatic";
-  std::optional<double> memory;       ///< GB that a factor may take; none: by what is free
-  std::vector<std::string> accuracy;  ///< "X", or "B=X", "G=X"; empty: the method says what is spent
-  std::vector<double> rolling_stiffness;
-  std::string increments;  ///< file for the increments of every contact; empty: none
-  std::string output;      ///< file for the table; empty: stdout
-  std::string format;
-};
-
-ModuliOptions options_of(const ModuliCommand& command) {
-  ModuliOptions options = command.options;
-  options.strains = command.strains == "full" ? StrainSet::full : StrainSet::diagonal;
-  options.prestress = command.prestress;
-  options.method = moduli_method(command.method);
-  std::vector<std::string> faults = options.validate();
-  if (options.method != ModuliMethod::factor && !command.increments.empty())
-    faults.push_back("increments: expects --method factor, the forces of the others being approximate");
-  for (const double kr : command.rolling_stiffness) {
-    ModuliOptions with = command.options;
-    with.rolling_stiffness = kr;
-    for (const std::string& fault : with.validate()) faults.push_back(fault);
-  }
-  if (!command.increments.empty() && command.rolling_stiffness.size() > 1)
-    faults.push_back("increments: expects one rolling stiffness at most, for one set of forces a contact");
-  for (const std::string& fault : faults) throw InputError("floc moduli", "--" + fault);
-  return options;
-}
-
-/// Reads --accuracy: "X" for both moduli, "B=X", "G=X"; nothing where it is not given.
-std::optional<ModuliAccuracy> accuracy_of(const ModuliCommand& command) {
-  if (command.accuracy.empty()) return std::nullopt;
-  ModuliAccuracy accuracy;
-  for (const std::string& text : command.accuracy) {
-    const std::size_t equals = text.find('=');
-    const std::string name = equals == std::string::npos ? "" : text.substr(0, equals);
-    const auto error = parse_number<double>(equals == std::string::npos ? text : text.substr(equals + 1));
-    if (!error || (name != "" && name != "B" && name != "G"))
-      throw InputError("floc moduli",
-                       fmt::format("--accuracy {}: expected X, B=X or G=X with X a relative error", text));
-    if (name != "G") accuracy.B = *error;
-    if (name != "B") accuracy.G = *error;
-  }
-  for (const std::string& fault : accuracy.validate()) throw InputError("floc moduli", "--" + fault);
-  if (!command.increments.empty())
-    throw InputError("floc moduli", "--increments: expects --method factor in place of --accuracy");
-  return accuracy;
-}
-
-/// Bytes that a factor may take: the rest of the memory is for its matrix and workspace.
-double largest_factor(const ModuliCommand& command) {
-  constexpr double kShare = 0.7, kGigabyte = 1e9;
-  return command.memory ? kGigabyte * *command.memory : kShare * free_memory();
-}
-
-ModuliRequest request_of(const ModuliCommand& command) {
-  ModuliRequest request{options_of(command), accuracy_of(command), command.rolling_stiffness,
-                        kSolvers.at(command.solver)};
-  const bool by_factor = request.options.method == ModuliMethod::factor && !request.accuracy;
-  if (request.solver == ModuliSolver::automatic && by_factor)
-    request.options.largest_factor = largest_factor(command);
-  if (request.solver != ModuliSolver::petsc) return request;
-  if (!by_factor)
-    throw InputError(
-        "floc moduli",
-        "--solver petsc: expected without --method and --accuracy; --tolerance says how far it goes");
-  if (!command.increments.empty())
-    throw InputError("floc moduli",
-                     "--increments: expects --solver cholmod, the forces of the others being approximate");
-  return request;
-}
-
 /// Whether rows keep what was asked for; if not, says so on stderr.
 bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<ModuliAccuracy>& accuracy) {
-  if (!accuracy) return true;
   return std::ranges::all_of(rows, [&](const ModuliRow& row) {
-    if (accuracy->met_by(row.moduli)) return true;
-    std::cerr << fmt::format(
-        "floc: {}: no method tells B and G as accurately as asked: the error bounds of the factor are {:.1e} "
-        "of "
-        "{:.6g} and {:.1e} of {:.6g}\n",
-        row.file, row.moduli.B_error, row.moduli.B, row.moduli.G_error, row.moduli.G);
-    return false;
+    const std::string fault = accuracy_fault(row, accuracy);
+    if (!fault.empty()) std::cerr << fmt::format("floc: {}: {}\n", row.file, fault);
+    return fault.empty();
   });
 }
 
@@ -132,13 +41,6 @@ bool check_equilibrium(const std::string& file, const AnyState& any, bool force)
   return false;
 }
 
-/// @throws InputError where the strains asked for are none of what holds the state
-void require_strains(const std::string& file, const AnyState& any, StrainSet strains) {
-  if (strains == StrainSet::full &&
-      std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))
-    throw InputError(file, "has walls, which shear no grains: expected --strains diagonal");
-}
-
 /// Writes a table as `--format` asks for it, csv without. @throws IoError if the file cannot take it
 void write_file(const std::string& path, const Table& table, const std::string& format) {
   std::ostringstream text;
@@ -148,8 +50,7 @@ void write_file(const std::string& path, const Table& table, const std::string& 
 }
 
 void print_rows(const ModuliCommand& command, const std::vector<ModuliRow>& rows) {
-  const Table table =
-      to_table(moduli_columns({!command.rolling_stiffness.empty(), command.prestress}, rows), rows);
+  const Table table = moduli_table(command, rows);
   if (command.output.empty() || command.output == "-")
     print_table(table, command.format);
   else

@@ -253,16 +253,19 @@ std::vector<Column<BondRow>> bond_columns(const BondArguments& arguments) {
   return columns;
 }
 
-void write_bond_tables(const BondArguments& arguments, std::size_t n_states, BondTables& tables) {
-  if (n_states > 1)
-    for (const auto& [key, values] : tables.pooled) {
-      const auto& [quantity, unit] = key;
-      Measured m = limits_of(quantity, unit, arguments.near, kEnd);
-      m.values = values;
-      if (quantity == "force" && unit == "F0") m.end_of_negative = 1.0;
-      add_exponents("pooled", m, tables.exponents);
-      if (unit == "p0") add_histogram("pooled", values, 0.0, arguments.bin_width, tables.pressures);
-    }
+void add_pooled(const BondArguments& arguments, std::size_t n_states, BondTables& tables) {
+  if (n_states < 2) return;
+  for (const auto& [key, values] : tables.pooled) {
+    const auto& [quantity, unit] = key;
+    Measured m = limits_of(quantity, unit, arguments.near, kEnd);
+    m.values = values;
+    if (quantity == "force" && unit == "F0") m.end_of_negative = 1.0;
+    add_exponents("pooled", m, tables.exponents);
+    if (unit == "p0") add_histogram("pooled", values, 0.0, arguments.bin_width, tables.pressures);
+  }
+}
+
+void write_bond_tables(const BondArguments& arguments, const BondTables& tables) {
   for (const auto& [path, table] : {std::pair{&arguments.exponents, &tables.exponents},
                                     {&arguments.pressures, &tables.pressures},
                                     {&arguments.neighbours, &tables.neighbours},

@@ -58,8 +58,10 @@ BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std
 /// The columns of the groups asked for.
 std::vector<Column<BondRow>> bond_columns(const BondArguments& arguments);
 
-/// Adds rows "pooled" for all states as samples of one, and writes the files asked for.
-/// @param n_states  read
-void write_bond_tables(const BondArguments& arguments, std::size_t n_states, BondTables& tables);
+/// Adds rows "pooled" for all states as samples of one, where there are several. @param n_states  read
+void add_pooled(const BondArguments& arguments, std::size_t n_states, BondTables& tables);
+
+/// Writes the files asked for.
+void write_bond_tables(const BondArguments& arguments, const BondTables& tables);
 
 }  // namespace floc

@@ -1,24 +1,18 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <malloc.h>
 
 #include <csignal>
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "command.h"
 #include "floc/base/error.h"
-#include "floc/run/contact_tracker.h"
-#include "floc/run/drive.h"
-#include "floc/run/energy_tracker.h"
 #include "floc/scene/read_scene.h"
-#include "floc/scene/scene_changes.h"
 #include "floc/scene/scene_warnings.h"
 #include "run_ensemble.h"
 #include "run_monitor.h"
+#include "scene_run.h"
 
 namespace floc {
 namespace {
@@ -29,71 +23,15 @@ void interrupt(int) {
   g_interrupted = 1;
 }
 
-struct RunArguments {
-  std::string scene;
-  std::string directory;
-  std::vector<std::string> overrides;
-  std::optional<std::uint64_t> seed;
-  std::string seeds;
-  int jobs = 1;
-  std::optional<int> threads;
-  std::optional<int> until;
-  std::optional<double> track_contacts;  ///< time between two rows
-  bool track_energy = false;
-  bool resume = false;
-  bool overwrite = false;
-  bool no_timing = false;
-};
-
-RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
-  RunOptions options = scene;
-  if (arguments.seed) options.seed = *arguments.seed;
-  if (arguments.threads) options.relaxation.threads = *arguments.threads;
-  return options;
-}
-
-Existing existing_of(const RunArguments& arguments) {
-  return arguments.resume ? Existing::resume : arguments.overwrite ? Existing::overwrite : Existing::refuse;
-}
-
-/// The scene of a run in a directory: of its first state, or of a checkpoint before that; empty without either.
-std::string scene_of_run(const std::string& directory) {
-  for (const std::string& file : {state_file(directory, 0), directory + "/checkpoint/checkpoint.h5"})
-    if (std::filesystem::exists(file))
-      return std::visit([](const auto& state) { return state.scene; }, read_state(file));
-  return "";
-}
-
-/// Opens the directory of the run. What keeps it from being continued is named by its keys.
-RunDirectory open_directory(const RunArguments& arguments, Existing existing, const RunOptions& options) {
-  try {
-    return RunDirectory(arguments.directory, existing, options);
-  } catch (const InputError& error) {
-    const std::string begun = existing == Existing::resume ? scene_of_run(arguments.directory) : "";
-    if (begun.empty() || begun == options.text) throw;
-    const std::vector<std::string> changes = scene_changes(options.text, "here", begun, "there");
-    throw InputError("", fmt::format("{}; {}", error.what(),
-                                     changes.empty() ? "the scenes differ in comments or layout alone"
-                                                     : fmt::format("changed: {}", fmt::join(changes, "; "))));
-  }
-}
-
 /// Says how a run ended. @return exit code
 template <int Dim>
 int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::string& directory) {
   switch (report.outcome) {
     case DriveReport::stopped:
-      fmt::print(stderr, "\ninterrupted; --resume continues from here\n");
+      fmt::print(stderr, "\n{}\n", ending_of(report, run));
       return kInterrupted;
     case DriveReport::gave_up:
-      if (!run.packing().walls.empty()) {
-        fmt::print(stderr, "step {} ({} P = {:.4g}) ended without a state: {}\n", run.point().step,
-                   run.target().branch, run.pressure(), report.relaxation.blocking);
-        return kNotConverged;
-      }
-      fmt::print(stderr, "step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time\n",
-                 run.point().step, run.target().branch, run.pressure(), report.relaxation.blocking,
-                 report.relaxation.decay_rate);
+      fmt::print(stderr, "{}\n", ending_of(report, run));
       return kNotConverged;
     case DriveReport::done:
       break;
@@ -111,34 +49,19 @@ constexpr int kReturnedBlock = 1 << 22;
 
 template <int Dim>
 int run_scene(const Scene& scene, const RunArguments& arguments) {
-  const RunOptions options = run_options(scene, arguments);
-  if (scene.assembly.box && (arguments.track_contacts || arguments.track_energy))
-    throw InputError(arguments.track_energy ? "--track-energy" : "--track-contacts",
-                     "the grains stand in a [box]; contacts are tracked in periodic cells only");
-  const std::vector<PlannedEquilibrium> plan =
-      plan_run(options.assembly, options.law, options.load, options.dimension);
-  // From here on there is a directory to leave in order.
+  // From here on there may be a directory to leave in order.
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  RunDirectory directory = open_directory(arguments, existing_of(arguments), options);
-  Run<Dim> run = start_or_resume<Dim>(directory, options);
-
-  std::unique_ptr<MotionTable<Dim>> table;
-  if (arguments.track_contacts && !run.finished())
-    table = track_contacts(run, options, directory, *arguments.track_contacts);
-  if (arguments.track_energy && !run.finished()) table = track_energy(run, options, directory);
+  SceneRun<Dim> scene_run(scene, arguments);
 
   if (!scene.start.empty()) fmt::print(stderr, "start: {}\n", scene.start);
   if (!scene.accuracy.empty()) fmt::print(stderr, "accuracy: {}\n", scene.accuracy);
-  RunMonitor monitor(static_cast<int>(run.plan().size()));
-  DriveOptions<Dim> driving;
-  driving.checkpoint_every = scene.checkpoint_every;
-  if (arguments.until) driving.until = *arguments.until;
-  driving.timing = !arguments.no_timing;
-  driving.stop = [] { return g_interrupted != 0; };
-  driving.chunk = [&monitor](const Run<Dim>& moving) { monitor.chunk(moving); };
-  driving.equilibrium = [&monitor](const auto&... reached) { monitor.equilibrium(reached...); };
-  return report_outcome(drive(run, directory, driving, table.get()), run, arguments.directory);
+  RunMonitor monitor(static_cast<int>(scene_run.run.plan().size()));
+  DriveOptions<Dim> watch;
+  watch.stop = [] { return g_interrupted != 0; };
+  watch.chunk = [&monitor](const Run<Dim>& moving) { monitor.chunk(moving); };
+  watch.equilibrium = [&monitor](const auto&... reached) { monitor.equilibrium(reached...); };
+  return report_outcome(scene_run.drive(watch), scene_run.run, arguments.directory);
 }
 
 int run_scene(const RunArguments& arguments) {

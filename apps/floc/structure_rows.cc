@@ -14,6 +14,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/require_periodic.h"
 #include "floc/structure/axis_profile.h"
 #include "floc/structure/coordination.h"
 #include "floc/structure/coverage.h"
@@ -263,11 +264,17 @@ void add_prediction(const std::string& file, const State<Dim>& state, Series& se
 
 }  // namespace
 
+void require_fit_range(const StructureCommand& command) {
+  if (command.fit_range.size() != 2 || !(command.fit_range[0] < command.fit_range[1]))
+    throw InputError("floc structure", "--fit-range: expected LOW,HIGH with LOW < HIGH");
+}
+
 template <int Dim>
 StructureRow structure_row(const std::string& file, const State<Dim>& state, const StructureCommand& command,
                            Series& series) {
   const auto start = std::chrono::steady_clock::now();
   const Packing<Dim>& packing = state.packing;
+  require_periodic(packing, "structure is measured", file);
   if (series.dimension == 0) series.dimension = Dim;
   if (command.average && series.dimension != Dim)
     throw InputError(file, "has another dimension than the states before it: an average takes states of one");

@@ -28,6 +28,9 @@ struct StructureCommand {
   std::string format;
 };
 
+/// @throws InputError unless the range of wave numbers to fit is one
+void require_fit_range(const StructureCommand& command);
+
 /// Of spheres: how the volume of their Voronoi cells varies, and the balls in the voids.
 struct LocalStructure {
   double mean = 0.0, deviation = 0.0;  ///< of the local solid fraction over the grains

@@ -28,6 +28,14 @@ if(FLOC_SANITIZE)
   target_link_options(floc_settings INTERFACE -fsanitize=address,undefined)
 endif()
 
+# floc_for_modules(TARGET...)
+# Code that may end up in a shared module, such as that of Python. Hidden symbols are called, and inlined, as in a
+# program: position-independent code alone would let any other library replace them.
+function(floc_for_modules)
+  set_target_properties(${ARGN} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+endfunction()
+
 # floc_precompile(TARGET [REUSE_FROM target] [HEADERS header...])
 # Headers of other projects that nearly every source reads, Eigen first, parsed once for many targets: a source costs
 # two to three seconds less. Sources go on naming what they use: builds with -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON, the
@@ -57,6 +65,7 @@ function(floc_add_library name)
   endforeach()
   if(sources)
     add_library(floc_${name} STATIC ${sources})
+    floc_for_modules(floc_${name})
     set(scope PUBLIC)
     set(owner floc_base)
     if("OpenMP::OpenMP_CXX" IN_LIST ARG_PRIVATE_LIBS)

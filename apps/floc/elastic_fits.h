@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit_parameters.h"
+#include "fit_tables.h"
+#include "floc/fitting/elastic_line.h"
+#include "state_moduli.h"
+
+namespace floc {
+
+/// One branch of falling pressure and its elastic line.
+struct ElasticBranch {
+  Loading branch;
+  Loading fitted;  ///< the points that were fitted: all of them, or the straight part of a curved one
+  ElasticFit fit;
+  std::optional<StateModuli> state;  ///< to compare with
+};
+
+/// The fits of all unloading branches of a path; none where the pressure falls nowhere.
+/// @param state  file to compare with; empty: that of the branch's first row, of a curved one that of the middle
+/// row of its straight part, if it lies beside the table
+std::vector<ElasticBranch> elastic_branches(const PathTable& path, const std::string& state);
+
+/// Root mean square distance of ln Phi from the line of a state.
+double distance_from(const StateModuli& state, const ConsolidationCurve& branch);
+
+/// A fit as `--format json` prints it.
+Json as_json(const PathTable& path, const ElasticBranch& branch);
+
+}  // namespace floc

@@ -1,0 +1,156 @@
+#include "network_rows.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+
+#include "equilibrium_check.h"
+#include "floc/base/seconds_since.h"
+#include "floc/elasticity/mechanisms.h"
+#include "floc/network/carrying_structure.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/require_periodic.h"
+#include "floc/structure/elastic_energy.h"
+#include "floc/structure/particle_stress.h"
+#include "repeated_warnings.h"
+
+namespace floc {
+namespace {
+
+constexpr ForceKind kKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
+
+/// The force-carrying structure: what it is like, and its degree of hyperstaticity.
+/// @param network, response  of all contacts that carry or might, taken over where they are the same
+template <int Dim>
+void add_carrying(const State<Dim>& state, const NetworkCommand& command, double zero_force,
+                  const ContactNetwork<Dim>& network, const ElasticResponse& response, NetworkRow& row) {
+  const Packing<Dim>& packing = state.packing;
+  const CarryingStructure held =
+      carrying_structure(packing, zero_force * force_scale(packing, state.target_stress).force,
+                         command.least_contacts.value_or(least_contacts(packing)));
+  row.carrying = carrying_forces(packing, held);
+  const bool same = held.contacts.size() == network.contacts.size() &&
+                    std::ranges::equal(held.contacts, network.contacts, {}, {}, &NetworkContact<Dim>::source);
+  if (same) {
+    row.hyperstaticity = force_indeterminacy(network, response);
+  } else {
+    const ContactNetwork<Dim> carrying = carrying_network(packing, held);
+    row.hyperstaticity = force_indeterminacy(carrying, elastic_response(carrying, {}));
+  }
+}
+
+template <int Dim>
+void add_mechanics(const State<Dim>& state, const NetworkCommand& command, double zero_force, NetworkRow& row) {
+  ModuliOptions options;
+  options.force_tolerance = zero_force;
+  options.unloaded = state.target_stress.isZero(0.0);
+  const ContactNetwork<Dim> network = options.loaded_network(state.packing);
+  const Moduli moduli = elastic_moduli(state.packing, options);
+  const ContactMechanics<Dim> contacts = contact_mechanics(network, moduli);
+  row.mechanics = network_mechanics(state.packing, network, moduli, contacts);
+  add_carrying(state, command, zero_force, network, moduli.response, row);
+  if (contacts.isotropic) row.correlation = force_correlation(network, contacts.isotropic->increments);
+  const auto vanishing =
+      strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)).vanishing;
+  if (!vanishing.empty()) warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
+}
+
+template <int Dim>
+void add_contacts_and_stress(const Packing<Dim>& packing, NetworkRow& row) {
+  row.energy = elastic_energy_per_grain(packing);
+  if constexpr (Dim == 3) row.contact_pressure = largest_contact_pressure(packing);
+  const Vec<Dim> stress = static_stress(packing).diagonal();
+  row.stress_spread = stress.maxCoeff() - stress.minCoeff();
+}
+
+void add_distribution(const std::string& file, ForceKind kind, const ForceDistribution& d, Table& table) {
+  for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
+    table.rows.push_back({file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b)});
+}
+
+template <int Dim>
+void add_distributions(const std::string& file, const Packing<Dim>& packing, const NetworkCommand& command,
+                       NetworkTables& side) {
+  const ForceUnit unit = command.unit == "F0"  ? ForceUnit::pull_off
+                         : command.unit == "P" ? ForceUnit::pressure
+                                               : ForceUnit::mean;
+  for (const ForceKind kind : kKinds) {
+    const ForceDistribution d = force_distribution(packing, kind, unit, command.bin_width);
+    if (d.n == 0 && kind == ForceKind::normal)
+      warn(file, fmt::format("no force to measure normal forces in: {}",
+                             unit == ForceUnit::mean       ? "all are zero"
+                             : unit == ForceUnit::pressure ? "P is not positive, take --unit mean"
+                                                           : "F0 = 0, take --unit mean"));
+    add_distribution(file, kind, d, side.distributions);
+    side.pooled[kind].add(d);
+  }
+}
+
+template <int Dim>
+void add_pressures(const std::string& file, const Packing<Dim>& packing, const std::vector<Mat<Dim>>& stress,
+                   Table& table) {
+  std::vector<std::string> names = {"file", "grain"};
+  for (int a = 1; a <= Dim; ++a) names.push_back(fmt::format("x{}", a));
+  names.insert(names.end(), {"radius", "pressure"});
+  for (int a = 1; a <= Dim; ++a)
+    for (int b = 1; b <= Dim; ++b) names.push_back(fmt::format("stress{}{}", a, b));
+  expect_columns(file, names, table);
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    std::vector<TableValue> values = {file, count(i)};
+    for (int a = 0; a < Dim; ++a) values.emplace_back(packing.grains.position[i][a]);
+    values.emplace_back(packing.grains.radius[i]);
+    values.emplace_back(stress[i].trace() / Dim);
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) values.emplace_back(stress[i](a, b));
+    table.rows.push_back(std::move(values));
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkCommand& command,
+                       NetworkTables& side) {
+  const auto start = std::chrono::steady_clock::now();
+  const Packing<Dim>& packing = state.packing;
+  require_periodic(packing, "the force network is measured", file);
+  if (const std::string faults = equilibrium_faults(state); !faults.empty())
+    warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
+  NetworkRow row;
+  row.file = file;
+  row.units = state.units;
+  row.dimension = Dim;
+  row.n_grains = packing.grains.size();
+  row.pressure = static_stress(packing).trace() / Dim;
+  row.reduced_pressure = reduced_pressure(packing, row.pressure);
+  row.solid_fraction = solid_fraction(packing);
+  const double tolerance = command.zero_force.value_or(state.tolerance.force);
+  row.coordination = coordination(packing, tolerance * force_scale(packing, state.target_stress).force);
+  row.moments = force_moments(packing);
+  const std::vector<Mat<Dim>> stress = particle_stress(packing);
+  std::vector<double> pressure;
+  for (const Mat<Dim>& s : stress) pressure.push_back(s.trace() / Dim);
+  row.phases = pressure_phases(contact_network(packing), pressure);
+  add_mechanics(state, command, tolerance, row);
+  add_contacts_and_stress(packing, row);
+  row.bonds = bond_row(file, packing, pressure, tolerance * force_scale(packing, state.target_stress).force,
+                       command.bonds, side.bonds);
+  if (!command.distributions.empty()) add_distributions(file, packing, command, side);
+  if (!command.pressures.empty()) add_pressures(file, packing, stress, side.pressures);
+  row.seconds = seconds_since(start);
+  return row;
+}
+
+void add_pooled(const NetworkCommand& command, std::size_t n_states, NetworkTables& side) {
+  add_pooled(command.bonds, n_states, side.bonds);
+  if (n_states < 2) return;
+  for (const auto& [kind, distribution] : side.pooled)
+    add_distribution("pooled", kind, distribution, side.distributions);
+}
+
+template NetworkRow network_row(const std::string&, const State<2>&, const NetworkCommand&, NetworkTables&);
+template NetworkRow network_row(const std::string&, const State<3>&, const NetworkCommand&, NetworkTables&);
+
+}  // namespace floc

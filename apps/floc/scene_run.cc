@@ -1,0 +1,105 @@
+#include "scene_run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+
+#include "floc/base/error.h"
+#include "floc/run/contact_tracker.h"
+#include "floc/run/energy_tracker.h"
+#include "floc/scene/scene_changes.h"
+
+namespace floc {
+namespace {
+
+RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
+  RunOptions options = scene;
+  if (arguments.seed) options.seed = *arguments.seed;
+  if (arguments.threads) options.relaxation.threads = *arguments.threads;
+  return options;
+}
+
+/// The scene of a run in a directory: of its first state, or of a checkpoint before that; empty without either.
+std::string scene_of_run(const std::string& directory) {
+  for (const std::string& file : {state_file(directory, 0), directory + "/checkpoint/checkpoint.h5"})
+    if (std::filesystem::exists(file))
+      return std::visit([](const auto& state) { return state.scene; }, read_state(file));
+  return "";
+}
+
+/// Opens the directory of the run. What keeps it from being continued is named by its keys.
+RunDirectory open_directory(const RunArguments& arguments, Existing existing, const RunOptions& options) {
+  try {
+    return RunDirectory(arguments.directory, existing, options);
+  } catch (const InputError& error) {
+    const std::string begun = existing == Existing::resume ? scene_of_run(arguments.directory) : "";
+    if (begun.empty() || begun == options.text) throw;
+    const std::vector<std::string> changes = scene_changes(options.text, "here", begun, "there");
+    throw InputError("", fmt::format("{}; {}", error.what(),
+                                     changes.empty() ? "the scenes differ in comments or layout alone"
+                                                     : fmt::format("changed: {}", fmt::join(changes, "; "))));
+  }
+}
+
+/// @throws InputError for what no run of the scene can do
+RunOptions checked_options(const Scene& scene, const RunArguments& arguments) {
+  if (scene.assembly.box && (arguments.track_contacts || arguments.track_energy))
+    throw InputError(arguments.track_energy ? "--track-energy" : "--track-contacts",
+                     "the grains stand in a [box]; contacts are tracked in periodic cells only");
+  RunOptions options = run_options(scene, arguments);
+  (void)plan_run(options.assembly, options.law, options.load, options.dimension);
+  return options;
+}
+
+}  // namespace
+
+Existing existing_of(const RunArguments& arguments) {
+  return arguments.resume ? Existing::resume : arguments.overwrite ? Existing::overwrite : Existing::refuse;
+}
+
+template <int Dim>
+SceneRun<Dim>::SceneRun(const Scene& scene, const RunArguments& arguments)
+    : options(checked_options(scene, arguments)),
+      directory(open_directory(arguments, existing_of(arguments), options)),
+      run(start_or_resume<Dim>(directory, options)),
+      checkpoint_every_(scene.checkpoint_every),
+      until_(arguments.until),
+      timing_(!arguments.no_timing) {
+  if (arguments.track_contacts && !run.finished())
+    table = track_contacts(run, options, directory, *arguments.track_contacts);
+  if (arguments.track_energy && !run.finished()) table = track_energy(run, options, directory);
+}
+
+template <int Dim>
+DriveReport SceneRun<Dim>::drive(DriveOptions<Dim> watch) {
+  watch.checkpoint_every = checkpoint_every_;
+  if (until_) watch.until = *until_;
+  watch.timing = timing_;
+  return floc::drive(run, directory, watch, table.get());
+}
+
+template <int Dim>
+std::string ending_of(const DriveReport& report, const Run<Dim>& run) {
+  switch (report.outcome) {
+    case DriveReport::stopped:
+      return "interrupted; --resume continues from here";
+    case DriveReport::gave_up:
+      if (!run.packing().walls.empty())
+        return fmt::format("step {} ({} P = {:.4g}) ended without a state: {}", run.point().step,
+                           run.target().branch, run.pressure(), report.relaxation.blocking);
+      return fmt::format("step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time",
+                         run.point().step, run.target().branch, run.pressure(), report.relaxation.blocking,
+                         report.relaxation.decay_rate);
+    case DriveReport::done:
+      break;
+  }
+  return "";
+}
+
+template struct SceneRun<2>;
+template struct SceneRun<3>;
+template std::string ending_of(const DriveReport&, const Run<2>&);
+template std::string ending_of(const DriveReport&, const Run<3>&);
+
+}  // namespace floc

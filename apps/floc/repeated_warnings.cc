@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 namespace floc {
@@ -18,6 +19,7 @@ struct Warning {
 
 std::vector<Warning> g_kept;
 int g_scopes = 0;
+thread_local RemarkListener::Told g_told;
 
 bool is_part_of_number(char c) {
   return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
@@ -51,7 +53,16 @@ RepeatedWarnings::~RepeatedWarnings() {
   g_kept.clear();
 }
 
+RemarkListener::RemarkListener(Told told) : before_(std::move(g_told)) {
+  g_told = std::move(told);
+}
+
+RemarkListener::~RemarkListener() {
+  g_told = std::move(before_);
+}
+
 void remark(const std::string& file, const std::string& text, double severity) {
+  if (g_told) return g_told(file, text);
   Warning now{without_numbers(text), file, text, severity, 1};
   if (g_scopes == 0) return print(now);
   for (Warning& kept : g_kept) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace floc {
@@ -12,6 +13,19 @@ class RepeatedWarnings {
   ~RepeatedWarnings();
   RepeatedWarnings(const RepeatedWarnings&) = delete;
   RepeatedWarnings& operator=(const RepeatedWarnings&) = delete;
+};
+
+/// While one of these lives, it is told what this thread has to say of files, in place of stderr.
+class RemarkListener {
+ public:
+  using Told = std::function<void(const std::string& file, const std::string& text)>;
+  explicit RemarkListener(Told told);
+  ~RemarkListener();
+  RemarkListener(const RemarkListener&) = delete;
+  RemarkListener& operator=(const RemarkListener&) = delete;
+
+ private:
+  Told before_;
 };
 
 /// Says something of a file on stderr: "floc: FILE: TEXT". Texts that differ in their numbers alone are one.

@@ -32,6 +32,7 @@ NOT_RUN = {
     "cmake --install build/release --prefix": "builds and installs; install.find_package does that",
     "cmake -S . -B build -DCMAKE_PREFIX_PATH": "a project of the user; install.find_package builds one",
     "export PATH=": "where the program is",
+    "export PYTHONPATH=": "where the package is",
     "docs/write-help --floc": "writes into the reader's home; help_test.py tries it",
     ".ci/deps     # installs": "installs packages and builds",
     "ninja -C build/release floc unit_network_tests": "builds; the tests are those that run here",
@@ -64,6 +65,7 @@ UNCHECKED_TABLES = {
     "| column | meaning |": "words",
     "| column of a contact | meaning |": "words",
     "| read | from |": "words",
+    "| file | shows |": "words; tests/python runs them",
     "| program | its law |": "words; validation tests convert packings by these laws",
     "| code | meaning |": "words",
     "| key | meaning |": "words",
@@ -108,6 +110,7 @@ def rounds_to(shown, value):
 
 class Test:
     def __init__(self, floc, source, long):
+        self.floc = floc
         self.source = source
         self.long = long
         self.docs = pages.Documentation(source)
@@ -367,6 +370,31 @@ class Test:
             if not self.same_numbers(line, other, tolerance):
                 self.fault(f"h5py: the page says {line!r}, the script {other!r}")
 
+    def python_package(self):
+        """Blocks of a page that import floc are one script; what it prints stands beside it in comments."""
+        package = os.path.join(os.path.dirname(self.floc), "../python")
+        if not os.path.exists(os.path.join(package, "floc")):
+            print("the Python package is not built: its examples are not run")
+            return
+        self.environment.update(PYTHONPATH=package, MPLBACKEND="Agg")
+        n = 0
+        for page in self.docs.pages:
+            blocks = [text for language, text, _ in page.blocks if language == "python" and "h5py" not in text]
+            if not any("import floc" in text for text in blocks):
+                continue
+            n += 1
+            open(os.path.join(self.directory, "page.py"), "w").write("\n".join(blocks))
+            said = self.shell(f"'{sys.executable}' page.py").stdout.strip().split("\n")
+            shown = re.findall(r"^print\(.*\)  +# (.*)$", "\n".join(blocks), re.MULTILINE)
+            if len(said) != len(shown):
+                self.fault(f"{page.name}: the script prints {len(said)} lines, the page shows {len(shown)}")
+            for line, other in zip(shown, said):
+                same_words = NUMBER.sub("#", line) == NUMBER.sub("#", other)
+                if not same_words or not all(map(rounds_to, NUMBER.findall(line), map(float, NUMBER.findall(other)))):
+                    self.fault(f"{page.name}: the page shows {line!r}, the script prints {other!r}")
+        if n < 2:
+            self.fault(f"{n} pages use the Python package, expected README and docs/python.md")
+
     def spheres(self):
         states = list(csv.DictReader(open(os.path.join(self.source, "data/tables/spheres/states_4000.csv"))))
 
@@ -567,7 +595,7 @@ class Test:
             else:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
-                              self.preconsolidation, self.lammps, self.python, self.spheres, self.compaction, self.powder2d, self.wet, self.lattice,
+                              self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres, self.compaction, self.powder2d, self.wet, self.lattice,
                               self.tradeoff):
                     try:
                         check()

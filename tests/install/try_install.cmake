@@ -19,3 +19,8 @@ foreach(file IN ITEMS man/man1/floc.1 man/man1/floc-fit.1 bash-completion/comple
     message(FATAL_ERROR "share/${file} is not installed")
   endif()
 endforeach()
+# The package as Debian's Python finds it, with the place of this prefix named.
+if(PYTHON)
+  set(ENV{PYTHONPATH} "${WORK_DIR}/prefix/lib/python3/dist-packages")
+  run("${PYTHON}" -c "import floc; assert floc.__file__.startswith('${WORK_DIR}/prefix'); floc.chain(2, 0.5, 1, 1, 1)")
+endif()

@@ -1,0 +1,97 @@
+"""Rows of tables as objects."""
+import collections.abc
+import difflib
+
+from . import _core
+
+_REFERENCE = _core.column_reference()
+
+
+def columns(table):
+    """Columns of a table of the program: name, unit and meaning of each, as ``floc help columns`` prints them.
+
+    Parameters
+    ----------
+    table : str
+        ``"moduli"``, ``"network"``, ``"structure"``, ``"compare"``, ``"fit consolidation"``,
+        ``"moduli --increments"``, ``"path.csv"``, ...
+
+    Returns
+    -------
+    list of (str, str, str)
+        A letter ``?`` in a name stands for an index.
+    """
+    if table in _REFERENCE:
+        return list(_REFERENCE[table])
+    from ._errors import InputError
+    nearest = difflib.get_close_matches(table, _REFERENCE, 1, 0.0)[0]
+    raise InputError(f'no table is named "{table}"; the nearest is "{nearest}"')
+
+
+def with_columns(table):
+    """Ends the docstring of a class with the columns of its table."""
+    def decorated(cls):
+        lines = [f"    {name}{f' ({unit})' if unit else ''}: {meaning}" for name, unit, meaning in columns(table)]
+        cls.__doc__ += "\n\n    Columns: name (unit): meaning.\n\n" + "\n".join(lines) + "\n"
+        return cls
+    return decorated
+
+
+class Record(collections.abc.Mapping):
+    """A row of a table: each column is an attribute and a key; None where a value is not defined.
+
+    ``tables`` holds further tables that were asked for, each a dict of arrays by column (``pandas.DataFrame(table)``
+    makes a data frame of one).
+    """
+
+    def __init__(self, names, values, tables=None):
+        self._values = dict(zip(names, values))
+        self.tables = tables if tables is not None else {}
+
+    def __getattr__(self, name):
+        values = self.__dict__.get("_values", {})
+        if name in values:
+            return values[name]
+        nearest = difflib.get_close_matches(name, values, 1)
+        raise AttributeError(f"{type(self).__name__} has no column {name!r}"
+                             + (f"; the nearest is {nearest[0]!r}" if nearest else ""))
+
+    def __getitem__(self, name):
+        return self._values[name]
+
+    def __iter__(self):
+        return iter(self._values)
+
+    def __len__(self):
+        return len(self._values)
+
+    def __dir__(self):
+        return [*super().__dir__(), *(name for name in self._values if name.isidentifier())]
+
+    def to_dict(self):
+        """All columns and their values, in the order of the command."""
+        return dict(self._values)
+
+    def __repr__(self):
+        width = max((len(name) for name in self._values), default=0)
+        lines = [f"  {name:{width}}  {value!r}" for name, value in self._values.items()]
+        return "\n".join([f"{type(self).__name__}:", *lines])
+
+
+class Records(list):
+    """Rows of several states. ``tables`` holds further tables of all of them."""
+
+    def __init__(self, rows, tables=None):
+        super().__init__(rows)
+        self.tables = tables if tables is not None else {}
+
+    def to_dict(self):
+        """A list of values for each column: ``pandas.DataFrame(rows.to_dict())``."""
+        return {name: [row[name] for row in self] for name in (self[0] if self else ())}
+
+
+def records(cls, table, further, single):
+    """The row of one state, or the rows of several, of what the compiled part returns."""
+    names, rows = table
+    made = [cls(names, row, further) for row in rows]
+    return made[0] if single and len(made) == 1 else Records(made, further)

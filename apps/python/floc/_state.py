@@ -1,0 +1,231 @@
+"""States and packings."""
+import os
+
+import numpy as np
+
+from . import _core
+from ._errors import InputError
+
+
+def _documented(name, words):
+    return property(getattr(_core.State, name).fget, doc=words)
+
+
+class State(_core.State):
+    """One packing with its contacts, as a state file holds it. Nothing of it can be changed.
+
+    Arrays are views of the memory of the state: they cost nothing, cannot be written to, and keep the state alive
+    for as long as they are there. Lengths, forces and masses are in the units of the state (``units``). Forces and
+    stresses are positive in compression. In what follows n is the number of grains, d the dimension.
+    """
+
+    position = _documented("position", "(n, d) centres of the grains, inside the cell (length).")
+    position_low = _documented("position_low", "(n, d) what the centres lie beside ``position``, less than half a unit "
+                               "in its last place (length); None where they lie on it.")
+    velocity = _documented("velocity", "(n, d) velocities without the affine part of the cell (length/time).")
+    radius = _documented("radius", "(n,) radii (length).")
+    mass = _documented("mass", "(n,) masses.")
+    orientation = _documented("orientation", "(n,) angles in radians; in 3D (n, 4) quaternions x, y, z, w, as SciPy "
+                              "orders them.")
+    angular_velocity = _documented("angular_velocity", "(n,) or, in 3D, (n, 3) angular velocities (1/time).")
+    contacts = _documented("contacts", "Contacts as a structured array, with the names of a state file: id1, id2 (index of the "
+                           "grains; id2 >= n is wall id2 - n), image (branch = position[id2] + image @ cell - position[id1]), key, "
+                           "gap (negative: overlap), normal (from id1 to id2), normal_force, elastic_force, shear_force and "
+                           "rolling_moment (on id1), twisting_moment, kn, kt, kr, ktw, sliding, rolling_yield, twisting_yield, "
+                           "distant (acts across a gap), and what contacts remember under the law. "
+                           "``contacts[\"normal_force\"]`` is one column, a view too.")
+    cell = _documented("cell", "(d, d) lattice vectors, one a row (length). Between walls, the sides of the box.")
+    stress = _documented("stress", "(d, d) static stress of the contacts when the state was saved (force/length^(d-1)).")
+    target_stress = _documented("target_stress", "(d,) diagonal stress imposed; what the contacts carried on an axis with a "
+                                "length imposed (force/length^(d-1)).")
+    dimension = _documented("dimension", "2 or 3.")
+    n_grains = _documented("n_grains", "Number of grains.")
+    n_contacts = _documented("n_contacts", "Number of interactions, distant ones included.")
+    pressure = _documented("pressure", "Mean of the diagonal of the static stress, the column P of ``floc moduli`` "
+                           "(force/length^(d-1)).")
+    reduced_pressure = _documented("reduced_pressure", "P*: pressure in units of the contact law, a^(d-1) P/F0; without "
+                                   "adhesion a^(d-2) P/K_N, of elastic spheres P/E~.")
+    solid_fraction = _documented("solid_fraction", "Area (3D: volume) of the grains over that of the cell.")
+    residuals = _documented("residuals", "Distance from equilibrium: force, moment, stress and energy, in units of "
+                            "F1 = max(F0, P a^(d-1)) and a (docs/physics.md, \"Equilibrium\").")
+    tolerance = _documented("tolerance", "What the residuals were asked to be below.")
+    equilibrium_faults = _documented("equilibrium_faults", "By how much the state misses its equilibrium, in words; empty "
+                                     "if it is one.")
+    name = _documented("name", "The file it was read from; what messages call it.")
+    units = _documented("units", '"reduced" or "SI".')
+    law = _documented("law", "The contact law in one line, as ``floc convert --law`` and ``Packing.from_arrays`` take it.")
+    walls = _documented("walls", "Walls of a box: dicts of axis, side, position, velocity, mass; empty in a periodic cell.")
+    path = _documented("path", "Where the state stands on its load path: step, branch, time, n_steps, ending.")
+    scene = _documented("scene", "Text of the scene, empty for a packing of another program.")
+    provenance = _documented("provenance", "Who made the state of what: program, commit, compiler, seed, parent_sha256, source.")
+
+    @property
+    def void_ratio(self):
+        """1/solid_fraction - 1."""
+        return 1.0 / self.solid_fraction - 1.0
+
+    def write(self, path):
+        """Writes a state file, whole or not at all.
+
+        Parameters
+        ----------
+        path : path-like
+
+        Raises
+        ------
+        FileError
+            If it cannot be written.
+        """
+        super().write(os.fspath(path))
+
+    def __repr__(self):
+        return (f"<{type(self).__name__} {self.name!r}: {self.n_grains} grains in {self.dimension}D, "
+                f"{self.n_contacts} contacts, phi = {self.solid_fraction:.6g}, P = {self.pressure:.6g}>")
+
+
+class Packing(State):
+    """A packing put together from arrays."""
+
+    @classmethod
+    def from_arrays(cls, position, radius, cell, law, contacts=None, *, mass=None, stress=None, tolerance=None,
+                    units="reduced", drop_tensile=False):
+        """A packing of any program, for moduli and all else, as ``floc convert`` makes one of files.
+
+        What contacts do not say follows from the law: forces that are given are kept to the last digit, springs are
+        stretched to them. Without contacts these are the pairs that interact by the law.
+
+        Parameters
+        ----------
+        position : array_like, (n, d)
+            Centres, inside the cell or not (length).
+        radius : array_like, (n,)
+            Radii (length).
+        cell : array_like, (d, d) or (d,)
+            Lattice vectors of the periodic cell, one a row, or the sides of a right-angled one (length). d is 2 or 3.
+        law : str or dict
+            Contact law by the keys of a scene below ``contact``:
+            ``{"normal.stiffness": 1e5, "friction": {"coefficient": 0.5, "stiffness": 1e5}}`` or in one line,
+            ``"normal.stiffness=1e5, friction.coefficient=0.5, friction.stiffness=1e5"``.
+        contacts : dict of arrays, structured array or DataFrame, optional
+            id1 and id2, the indices of the two grains, and of what is known: image (m, d), normal_force (m,), positive in
+            compression, shear_force (m, d) on id1, or force (m, d), all of the force on id1; rolling_moment (m,) or, in
+            3D, (m, 3), twisting_moment (m,), kn, kt, kr (m,).
+        mass : array_like, (n,), optional
+            Masses; without them unit mass at unit diameter.
+        stress : array_like, (d,), optional
+            Diagonal stress imposed, positive in compression; without it, what the contacts carry.
+        tolerance : float, optional
+            How far from equilibrium the packing may be: net force over F1, net moment over F1 a, stress over
+            F1/a^(d-1). 1e-3 unless it is given.
+        units : {"reduced", "SI"}
+        drop_tensile : bool
+            Leaves out contacts that pull under a law without adhesion, which are an error otherwise.
+
+        Returns
+        -------
+        Packing
+
+        Raises
+        ------
+        InputError
+            Naming the array, the index, the value and what was expected.
+
+        Warns
+        -----
+        FlocWarning
+            Where list, geometry, forces, law and equilibrium disagree.
+        """
+        cell = np.asarray(cell, dtype=float)
+        if cell.ndim == 1:
+            cell = np.diag(cell)
+        return cls(_core.from_arrays(
+            position=_numbers("position", position), radius=_numbers("radius", radius), cell=cell, law=_law_text(law),
+            contacts=_contact_arrays(contacts), mass=None if mass is None else _numbers("mass", mass),
+            stress=[] if stress is None else [float(s) for s in stress], tolerance=tolerance, units=units,
+            drop_tensile=drop_tensile))
+
+
+def read(path):
+    """Reads a state file.
+
+    Parameters
+    ----------
+    path : path-like
+        A file that ``floc run`` or ``floc convert`` wrote.
+
+    Returns
+    -------
+    State
+
+    Raises
+    ------
+    InputError
+        If the file is missing, damaged, of another version, or no state, naming the dataset.
+    """
+    return State(_core.read(os.fspath(path)))
+
+
+def states_of(state):
+    """(list of states, whether it is that of one) of a state, a path, or several of them."""
+    if isinstance(state, (_core.State, str, os.PathLike)):
+        return [_one(state)], True
+    return [_one(one) for one in state], False
+
+
+def _one(state):
+    if isinstance(state, _core.State):
+        return state
+    if isinstance(state, (str, os.PathLike)):
+        return read(state)
+    raise TypeError(f"expected a State, the path of a state file, or several of these, not {type(state).__name__}")
+
+
+def _numbers(name, values):
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name}: expected an array of numbers: {error}") from None
+
+
+# What a list of contacts may say; a structured array or data frame may have more.
+_CONTACT_NUMBERS = ("image", "force", "normal_force", "shear_force", "rolling_moment", "twisting_moment", "kn", "kt", "kr")
+# The contacts of a state have zeros of these where the law knows no such thing.
+_MOMENTS = ("rolling_moment", "twisting_moment")
+
+
+def _contact_arrays(contacts):
+    if contacts is None:
+        return None
+    names = contacts.dtype.names if isinstance(contacts, np.ndarray) else list(contacts)
+    if names is None:
+        raise InputError("contacts: expected a dict of arrays, a structured array or a data frame")
+    known = ("id1", "id2", *_CONTACT_NUMBERS)
+    if isinstance(contacts, dict) and not set(names) <= set(known):
+        raise InputError(f"contacts: {sorted(set(names) - set(known))[0]!r} is not one of {', '.join(known)}")
+    arrays = {}
+    for name in known:
+        if name not in names:
+            continue
+        array = np.asarray(contacts[name])
+        if name in _MOMENTS and isinstance(contacts, np.ndarray) and not array.any():
+            continue
+        if name in ("id1", "id2", "image") and not np.issubdtype(array.dtype, np.integer):
+            raise InputError(f"contacts: {name} has values of type {array.dtype}, expected integers")
+        arrays[name] = array if name in ("id1", "id2", "image") else _numbers(f"contacts: {name}", array)
+    return arrays
+
+
+def _law_text(law):
+    if isinstance(law, str):
+        return law
+    parts = []
+
+    def add(prefix, table):
+        for key, value in table.items():
+            if isinstance(value, dict):
+                add(f"{prefix}{key}.", value)
+            else:
+                parts.append(f"{prefix}{key}={value if isinstance(value, str) else repr(float(value))}")
+
+    add("", law)
+    return ", ".join(parts)

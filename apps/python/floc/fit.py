@@ -1,0 +1,281 @@
+"""Laws fitted to arrays or tables, as ``floc fit`` fits them.
+
+Curves are given as arrays, as columns of a data frame, or as the name of a table or of a directory of ``floc run``,
+which is read as the command reads it. A fit that the data do not allow is an answer and no exception: ``refusal`` then
+says why.
+"""
+import os
+
+import numpy as np
+
+from . import _core
+from ._errors import InputError
+from ._records import Record
+from ._state import read
+
+__all__ = ["Fit", "Parameter", "consolidation", "cycle", "dynamic_compaction", "elastic", "force_distribution",
+           "preconsolidation"]
+
+
+class Parameter(Record):
+    """A fitted parameter: value, stderr, low95, high95 and identified.
+
+    low95 and high95 bound the interval that holds it with 95 %. Of a parameter that the data do not identify the value
+    is None, and the bounds are what is known of it.
+    """
+
+    @property
+    def interval(self):
+        """(low95, high95)"""
+        return self.low95, self.high95
+
+
+class Fit:
+    """A fit: what ``floc fit ... --format json`` prints, as attributes.
+
+    Attributes
+    ----------
+    parameters : dict of Parameter
+        By name; ``fit["lambda"]`` is short for ``fit.parameters["lambda"]``.
+    refusal : str or None
+        Why there is no fit.
+    warnings : list of str
+        What to know before using it; not of every law.
+    """
+
+    def __init__(self, values):
+        self._values = values
+        self.parameters = {name: Parameter(p.keys(), p.values()) for name, p in values["parameters"].items()}
+
+    @property
+    def found(self):
+        """Whether there is a fit."""
+        return self._values["refusal"] is None
+
+    def __getattr__(self, name):
+        values = self.__dict__.get("_values", {})
+        if name in values:
+            return values[name]
+        raise AttributeError(f"this fit has no {name!r}; it has {', '.join(values)}")
+
+    def __getitem__(self, parameter):
+        return self.parameters[parameter]
+
+    def __dir__(self):
+        return [*super().__dir__(), *self._values]
+
+    def to_dict(self):
+        """Everything, as the command prints it in json."""
+        return self._values
+
+    def __repr__(self):
+        if not self.found:
+            return f"<no fit: {self.refusal}>"
+        lines = [f"  {name} = {p.value!r}, 95 % from {p.low95!r} to {p.high95!r}"
+                 for name, p in self.parameters.items()]
+        return "\n".join([f"Fit of {self.sample}:", *lines])
+
+
+def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="full", window=None, P0=None,
+                  protocol=None, loading="first", weights=None, loss="squared", bootstrap=0, seed=1, stress="driven",
+                  columns=None):
+    """Plasticity index lambda and the other parameters of consolidation.
+
+    Parameters
+    ----------
+    pressure : array_like, (n,), or a sequence of arrays, or path-like
+        Pressures P*; several arrays are several samples. Or a table, or a directory of ``floc run``.
+    solid_fraction : array_like, (n,), or a sequence of arrays
+    void_ratio : array_like, optional
+        In place of `solid_fraction`.
+    branch : sequence of str, (n,), optional
+        Name of the branch of each row, as in ``path.csv``; without it, branches follow from the pressures.
+    law : {"full", "log", "power"}
+        Regime II is "log", regime III "power", both "full".
+    window : (float, float), optional
+        Pressures to fit on [found].
+    P0 : float, optional
+        Fit from the pressure nearest to this one to the last [found].
+    protocol : {"published"}, optional
+        P0* on the grid and held, the mean of the samples fitted.
+    loading : {"first", "virgin"}
+        "virgin": also what later loadings add beyond the largest pressure before.
+    weights : {"uniform", "relative", "scatter"}, optional
+    loss : {"squared", "huber", "cauchy"}
+    bootstrap : int
+        Number of resampled fits for errors beside [none].
+    seed : int
+        Of these.
+    stress : {"driven", "mean"}, columns : dict
+        Of tables alone: the stress that P* is of in an oedometer; columns by the names P_star, phi, void_ratio, branch.
+
+    Returns
+    -------
+    Fit, or a list of them for several samples, the last of their mean
+        Parameters lambda, P0_star, Phi0, alpha, P1_star, Phi_max as far as the law has them.
+
+    Raises
+    ------
+    InputError
+        Naming array, index and value for what is no path.
+
+    Notes
+    -----
+    1/Phi = 1/Phi0 - lambda ln(P*/P0*) in regime II, 1/Phi = 1/Phi_max + A (P*)^-alpha in regime III [GRC2008].
+    """
+    fits = _core.fit_consolidation(
+        _samples(pressure, solid_fraction, void_ratio, branch), columns=columns or {}, law=law, window=window, P0=P0,
+        protocol=protocol or "", loading=loading, weights=weights or "", loss=loss, bootstrap=bootstrap, seed=seed,
+        stress=stress)
+    return Fit(fits[0]) if len(fits) == 1 else [Fit(fit) for fit in fits]
+
+
+def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, columns=None):
+    """Preconsolidation pressure of overconsolidated samples, from reloading branches.
+
+    Parameters
+    ----------
+    pressure, solid_fraction, void_ratio, branch, columns
+        As of `consolidation`.
+
+    Returns
+    -------
+    list of Fit
+        One a reloading branch.
+    """
+    samples = _samples(pressure, solid_fraction, void_ratio, branch)
+    return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=columns or {})]
+
+
+def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, state=None, columns=None):
+    """Bulk modulus from unloading branches, ln Phi = ln Phi_unloaded + P/B.
+
+    Parameters
+    ----------
+    pressure, solid_fraction, void_ratio, branch, columns
+        As of `consolidation`; the pressures are P.
+    state : path-like, optional
+        State file whose computed modulus stands beside the fit [of tables, that of the branch, if it lies beside them].
+
+    Returns
+    -------
+    list of Fit
+        One an unloading branch.
+    """
+    samples = _samples(pressure, solid_fraction, void_ratio, branch)
+    fits = _core.fit_elastic(samples, columns=columns or {}, state="" if state is None else os.fspath(state))
+    return [Fit(fit) for fit in fits]
+
+
+def cycle(pressure, solid_fraction=None, *, void_ratio=None, branch=None, columns=None):
+    """What cycles of pressure leave: change of Phi, and their work.
+
+    Parameters
+    ----------
+    pressure, solid_fraction, void_ratio, branch, columns
+        As of `consolidation`; the pressures are P.
+
+    Returns
+    -------
+    dict of arrays
+        The columns of ``floc fit cycle``, a row each pressure of a cycle.
+    """
+    return _core.fit_cycle(_samples(pressure, solid_fraction, void_ratio, branch), columns=columns or {})
+
+
+def dynamic_compaction(e, p, sc, se, *, p_D=None, eta_m=None, plateau="p", p_0=None):
+    """Void ratio of dynamically compacted samples against pressure and cohesion.
+
+    Parameters
+    ----------
+    e, p, sc, se : array_like, (n,)
+        Void ratio, pressure, f_c/d^2 and k_n/d, the last three in one unit.
+    p_D : float, optional
+        Pressure at which the plateau is e_min + De [0.01].
+    eta_m : float, optional
+        eta* at which (1 - e_r)/e_r = s_m [0.045].
+    plateau : {"p", "p_crit"}
+        Pressure that the plateau is taken at.
+    p_0 : float, optional
+        Smallest pressure of the plateau fitted.
+
+    Returns
+    -------
+    Fit
+
+    Notes
+    -----
+    [SVI2024], Eqs 13-17 and 29-31.
+    """
+    arrays = [_flat(name, values) for name, values in (("e", e), ("p", p), ("sc", sc), ("se", se))]
+    return Fit(_core.fit_dynamic_compaction(*arrays, p_D=p_D, eta_m=eta_m, plateau=plateau, p_0=p_0))
+
+
+def force_distribution(forces, *, form="all", threshold=None, draws=None, seed=None):
+    """Distributions of normal forces, by maximum likelihood, with goodness of fit.
+
+    Parameters
+    ----------
+    forces : array_like, (n,), or State or path-like
+        Normal forces, positive in compression; or those of a state.
+    form : {"all", "tails", "power-exponential", "quadratic-exponential"}
+    threshold : float, optional
+        Size of a force where tails begin [the mean of its sign].
+    draws : int, optional
+        Samples drawn from the fit for its p-value [200].
+    seed : int, optional
+        Of these [1].
+
+    Returns
+    -------
+    list of Fit
+        One a form.
+    """
+    if isinstance(forces, (str, os.PathLike)):
+        forces = read(forces)
+    name = "arrays"
+    if isinstance(forces, _core.State):
+        name, forces = forces.name, forces.contacts["normal_force"]
+    fits = _core.fit_force_distribution(name, _flat("forces", forces), form=form, threshold=threshold, draws=draws,
+                                        seed=seed)
+    return [Fit(fit) for fit in fits]
+
+
+def _flat(name, values):
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name}: expected an array of numbers: {error}") from None
+    if array.ndim != 1:
+        raise InputError(f"{name}: has shape {array.shape}, expected (n,)")
+    if not np.isfinite(array).all():
+        at = int(np.flatnonzero(~np.isfinite(array))[0])
+        raise InputError(f"{name}[{at}]: is {array[at]}, expected a finite number")
+    return array
+
+
+def _samples(pressure, solid_fraction, void_ratio, branch):
+    """What the compiled part takes: a path, or (name, pressures, densities, whether void ratios, branches) a sample."""
+    if isinstance(pressure, (str, os.PathLike)):
+        return [os.fspath(pressure)]
+    if (solid_fraction is None) == (void_ratio is None):
+        raise InputError("expected solid_fraction or void_ratio beside pressure, one of them")
+    density = solid_fraction if void_ratio is None else void_ratio
+    what = "solid_fraction" if void_ratio is None else "void_ratio"
+    if isinstance(pressure, (list, tuple)) and len(pressure) > 0 and np.ndim(pressure[0]) > 0:
+        if len(density) != len(pressure):
+            raise InputError(f"{what}: has {len(density)} samples, and pressure has {len(pressure)}")
+        branches = branch if branch is not None else [None] * len(pressure)
+        return [_sample(f"arrays {k}", *one, what, void_ratio is not None)
+                for k, one in enumerate(zip(pressure, density, branches))]
+    return [_sample("arrays", pressure, density, branch, what, void_ratio is not None)]
+
+
+def _sample(name, pressure, density, branch, what, is_void_ratio):
+    pressure, density = _flat("pressure", pressure), _flat(what, density)
+    if density.shape != pressure.shape:
+        raise InputError(f"{what}: has shape {density.shape}, expected {pressure.shape}, as pressure has")
+    branches = [] if branch is None else [str(one) for one in branch]
+    if branches and len(branches) != len(pressure):
+        raise InputError(f"branch: has {len(branches)} names, expected {len(pressure)}, as pressure has")
+    return name, pressure, density, is_void_ratio, branches

@@ -1,0 +1,57 @@
+from collections.abc import Mapping, Sequence
+from os import PathLike as _PathLike
+from typing import Any
+
+import numpy.typing as npt
+
+from . import Record as _Record
+from . import State as _State
+
+_Curve = npt.ArrayLike | Sequence[npt.ArrayLike]
+_Branch = Sequence[str] | Sequence[Sequence[str]] | None
+
+class Parameter(_Record):
+    value: float | None
+    stderr: float | None
+    low95: float | None
+    high95: float | None
+    identified: bool
+    @property
+    def interval(self) -> tuple[float | None, float | None]: ...
+
+class Fit:
+    parameters: dict[str, Parameter]
+    refusal: str | None
+    sample: str
+    warnings: list[str]
+    def __init__(self, values: dict[str, Any]) -> None: ...
+    @property
+    def found(self) -> bool: ...
+    def __getattr__(self, name: str) -> Any: ...
+    def __getitem__(self, parameter: str) -> Parameter: ...
+    def to_dict(self) -> dict[str, Any]: ...
+
+def consolidation(
+    pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
+    void_ratio: _Curve | None = None, branch: _Branch = None, law: str = "full",
+    window: tuple[float, float] | None = None, P0: float | None = None, protocol: str | None = None,
+    loading: str = "first", weights: str | None = None, loss: str = "squared", bootstrap: int = 0, seed: int = 1,
+    stress: str = "driven", columns: Mapping[str, str] | None = None) -> Fit | list[Fit]: ...
+def preconsolidation(
+    pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
+    void_ratio: _Curve | None = None, branch: _Branch = None,
+    columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+def elastic(
+    pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
+    void_ratio: _Curve | None = None, branch: _Branch = None, state: str | _PathLike[str] | None = None,
+    columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+def cycle(
+    pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
+    void_ratio: _Curve | None = None, branch: _Branch = None,
+    columns: Mapping[str, str] | None = None) -> dict[str, npt.NDArray[Any]]: ...
+def dynamic_compaction(
+    e: npt.ArrayLike, p: npt.ArrayLike, sc: npt.ArrayLike, se: npt.ArrayLike, *, p_D: float | None = None,
+    eta_m: float | None = None, plateau: str = "p", p_0: float | None = None) -> Fit: ...
+def force_distribution(
+    forces: npt.ArrayLike | _State | str | _PathLike[str], *, form: str = "all", threshold: float | None = None,
+    draws: int | None = None, seed: int | None = None) -> list[Fit]: ...

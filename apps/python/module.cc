@@ -1,0 +1,68 @@
+#include <exception>
+
+#include "binding.h"
+#include "column_reference.h"
+#include "floc/base/version.h"
+
+namespace floc::python {
+namespace {
+
+/// Classes of floc/_errors.py, by which Python knows what the library throws.
+py::object error_class(const char* name) {
+  return py::module_::import("floc._errors").attr(name);
+}
+
+void raise_in_python(const char* name, const std::exception& error) {
+  PyErr_SetString(error_class(name).ptr(), error.what());
+}
+
+void translate(std::exception_ptr thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const InputError& error) {
+    raise_in_python("InputError", error);
+  } catch (const IoError& error) {
+    raise_in_python("FileError", error);
+  } catch (const EquilibriumError& error) {
+    raise_in_python("EquilibriumError", error);
+  } catch (const NumericalError& error) {
+    raise_in_python("NumericalError", error);
+  }
+}
+
+/// Tables with their columns as (name, unit, meaning).
+py::dict column_reference() {
+  py::dict tables;
+  for (const DescribedTable& table : described_tables()) {
+    py::list columns;
+    for (const DescribedColumn& column : table.columns)
+      columns.append(py::make_tuple(column.name, column.unit, column.meaning));
+    tables[py::str(table.name)] = columns;
+  }
+  return tables;
+}
+
+}  // namespace
+
+void issue(const Warnings& warnings) {
+  const py::object kind = error_class("FlocWarning");
+  for (const std::string& words : warnings)
+    if (PyErr_WarnEx(kind.ptr(), words.c_str(), 2) != 0) throw py::error_already_set();
+}
+
+}  // namespace floc::python
+
+PYBIND11_MODULE(_core, module) {
+  namespace fp = floc::python;
+  module.doc() = "Compiled part of floc: use the package floc.";
+  fp::prepare_shared_blas();
+  pybind11::register_local_exception_translator(fp::translate);
+  module.attr("version") = floc::version();
+  module.attr("commit") = floc::commit();
+  module.def("column_reference", fp::column_reference);
+  fp::bind_state(module);
+  fp::bind_packings(module);
+  fp::bind_analysis(module);
+  fp::bind_fits(module);
+  fp::bind_run(module);
+}

@@ -1,0 +1,221 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "binding.h"
+#include "complete_import.h"
+#include "conversion_summary.h"
+#include "floc/io/law_text.h"
+#include "floc/io/listed_packing.h"
+
+namespace floc::python {
+namespace {
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+/// What calls the packing before it has a name.
+constexpr const char* kName = "packing";
+
+std::string shape_of(const py::array& array) {
+  std::string text;
+  for (py::ssize_t a = 0; a < array.ndim(); ++a)
+    text += fmt::format("{}{}", a == 0 ? "" : ", ", array.shape(a));
+  return "(" + text + (array.ndim() == 1 ? ",)" : ")");
+}
+
+/// @param columns  -1: a flat array
+void require_shape(const std::string& name, const py::array& array, py::ssize_t rows, py::ssize_t columns) {
+  const bool right = columns < 0 ? array.ndim() == 1 && array.shape(0) == rows
+                                 : array.ndim() == 2 && array.shape(0) == rows && array.shape(1) == columns;
+  if (right) return;
+  throw InputError(
+      name, fmt::format("has shape {}, expected {}", shape_of(array),
+                        columns < 0 ? fmt::format("({},)", rows) : fmt::format("({}, {})", rows, columns)));
+}
+
+/// @throws InputError naming entry i of an array
+void require(bool right, const std::string& name, py::ssize_t i, double value, const char* expected) {
+  if (!right)
+    throw InputError(fmt::format("{}[{}]", name, i), fmt::format("is {}, expected {}", value, expected));
+}
+
+double finite(const std::string& name, py::ssize_t i, double value) {
+  require(std::isfinite(value), name, i, value, "a finite number");
+  return value;
+}
+
+double positive(const std::string& name, py::ssize_t i, double value) {
+  require(value > 0.0 && std::isfinite(value), name, i, value, "a positive number");
+  return value;
+}
+
+/// Row i of up to three numbers of an array.
+Eigen::Vector3d row_of(const std::string& name, const Numbers& array, py::ssize_t i, int components) {
+  Eigen::Vector3d row = Eigen::Vector3d::Zero();
+  for (int a = 0; a < components; ++a) row[a] = finite(name, i, array.data()[i * components + a]);
+  return row;
+}
+
+std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& radius,
+                                       const std::optional<Numbers>& mass, int dimension) {
+  if (position.ndim() != 2 || position.shape(1) != dimension)
+    throw InputError("position", fmt::format("has shape {}, expected (n, {}), as many columns as the cell has",
+                                             shape_of(position), dimension));
+  const py::ssize_t n = position.shape(0);
+  if (n == 0) throw InputError("position", "has no grains");
+  require_shape("radius", radius, n, -1);
+  if (mass) require_shape("mass", *mass, n, -1);
+  const auto before = std::make_shared<const std::string>("grain ");
+  std::vector<ListedGrain> grains(static_cast<std::size_t>(n));
+  for (py::ssize_t i = 0; i < n; ++i) {
+    ListedGrain& grain = grains[static_cast<std::size_t>(i)];
+    grain.place = {before, static_cast<int>(i)};
+    grain.id = i;
+    grain.position = row_of("position", position, i, dimension);
+    grain.radius = positive("radius", i, radius.data()[i]);
+    if (mass) grain.mass = positive("mass", i, mass->data()[i]);
+  }
+  return grains;
+}
+
+/// Arrays of contacts by the names of `floc convert --contacts`.
+class ContactArrays {
+ public:
+  ContactArrays(const py::dict& arrays, int dimension) : arrays_(arrays), dimension_(dimension) {}
+
+  std::vector<ListedContact> listed() const {
+    const auto id1 = required("id1"), id2 = required("id2");
+    if (id1.ndim() != 1) throw InputError("contacts", "id1 has shape " + shape_of(id1) + ", expected (n,)");
+    const py::ssize_t n = id1.shape(0);
+    require_shape("contacts: id2", id2, n, -1);
+    const auto before = std::make_shared<const std::string>("contact ");
+    std::vector<ListedContact> contacts(static_cast<std::size_t>(n));
+    for (py::ssize_t c = 0; c < n; ++c) {
+      ListedContact& contact = contacts[static_cast<std::size_t>(c)];
+      contact.place = {before, static_cast<int>(c)};
+      contact.id1 = id1.data()[c];
+      contact.id2 = id2.data()[c];
+    }
+    set_images(contacts);
+    vectors("force", &ListedContact::force, contacts);
+    vectors("shear_force", &ListedContact::shear_force, contacts);
+    rolling(contacts);
+    numbers("normal_force", &ListedContact::normal_force, contacts);
+    numbers("twisting_moment", &ListedContact::twisting_moment, contacts);
+    numbers("kn", &ListedContact::kn, contacts);
+    numbers("kt", &ListedContact::kt, contacts);
+    numbers("kr", &ListedContact::kr, contacts);
+    return contacts;
+  }
+
+ private:
+  Integers required(const char* name) const {
+    if (!arrays_.contains(name)) throw InputError("contacts", fmt::format("have no {}", name));
+    return arrays_[name].cast<Integers>();
+  }
+
+  void set_images(std::vector<ListedContact>& contacts) const {
+    if (!arrays_.contains("image")) return;
+    const auto image = arrays_["image"].cast<Integers>();
+    require_shape("contacts: image", image, static_cast<py::ssize_t>(contacts.size()), dimension_);
+    const std::int64_t* next = image.data();
+    for (ListedContact& contact : contacts) {
+      contact.image = Eigen::Vector3i::Zero();
+      for (int a = 0; a < dimension_; ++a) (*contact.image)[a] = static_cast<int>(*next++);
+    }
+  }
+
+  /// An array of contacts by its name, of the shape that is meant; none where it is not there.
+  std::optional<Numbers> array(const std::string& name, std::size_t n, int columns) const {
+    if (!arrays_.contains(name.c_str())) return std::nullopt;
+    auto found = arrays_[name.c_str()].cast<Numbers>();
+    require_shape("contacts: " + name, found, static_cast<py::ssize_t>(n), columns);
+    return found;
+  }
+
+  void numbers(const char* name, std::optional<double> ListedContact::*member,
+               std::vector<ListedContact>& contacts) const {
+    const auto given = array(name, contacts.size(), -1);
+    if (!given) return;
+    const std::string words = std::string("contacts: ") + name;
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      contacts[c].*member = finite(words, static_cast<py::ssize_t>(c), given->data()[c]);
+  }
+
+  void vectors(const char* name, std::optional<Eigen::Vector3d> ListedContact::*member,
+               std::vector<ListedContact>& contacts) const {
+    const auto given = array(name, contacts.size(), dimension_);
+    if (!given) return;
+    const std::string words = std::string("contacts: ") + name;
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      contacts[c].*member = row_of(words, *given, static_cast<py::ssize_t>(c), dimension_);
+  }
+
+  /// In 2D a number, the moment about the third axis.
+  void rolling(std::vector<ListedContact>& contacts) const {
+    if (dimension_ == 3) return vectors("rolling_moment", &ListedContact::rolling_moment, contacts);
+    const auto given = array("rolling_moment", contacts.size(), -1);
+    if (!given) return;
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      contacts[c].rolling_moment = Eigen::Vector3d(
+          0.0, 0.0, finite("contacts: rolling_moment", static_cast<py::ssize_t>(c), given->data()[c]));
+  }
+
+  const py::dict& arrays_;
+  int dimension_;
+};
+
+/// Puts the packing together and completes it, as `floc convert` does.
+NamedState assembled(const ListedPacking& listed, const ImportCompletion& completion) {
+  return without_gil([&] {
+    Imported imported = assemble(listed);
+    ConversionSummary summary;
+    std::visit(
+        [&](auto& state) {
+          const std::string remarked = complete_import(kName, imported, completion, state);
+          if (!remarked.empty()) remark(kName, remarked);
+          state.provenance.source = "arrays of Python";
+          summary = summarize(imported, state);
+        },
+        imported.state);
+    for (const std::string& doubt : summary.doubts) warn(kName, doubt);
+    return NamedState{std::make_shared<const AnyState>(std::move(imported.state)), kName};
+  });
+}
+
+NamedState from_arrays(const Numbers& position, const Numbers& radius, const Numbers& cell,
+                       const std::string& law, const std::optional<py::dict>& contacts,
+                       const std::optional<Numbers>& mass, const std::vector<double>& stress,
+                       std::optional<double> tolerance, const std::string& units, bool drop_tensile) {
+  require_one_of("units", units, {"reduced", "SI"});
+  if (cell.ndim() != 2 || cell.shape(0) != cell.shape(1) || (cell.shape(0) != 2 && cell.shape(0) != 3))
+    throw InputError("cell", fmt::format("has shape {}, expected (2, 2) or (3, 3)", shape_of(cell)));
+  const auto dimension = static_cast<int>(cell.shape(0));
+  ListedPacking listed;
+  listed.place = kName;
+  listed.cell_place = "cell";
+  listed.law = parse_law("law", law);
+  listed.units = units;
+  listed.drop_tensile = drop_tensile;
+  for (int a = 0; a < dimension; ++a) {
+    const Eigen::Vector3d vector = row_of("cell", cell, a, dimension);
+    listed.cell.emplace_back(vector.data(), vector.data() + dimension);
+  }
+  listed.grains = listed_grains(position, radius, mass, dimension);
+  if (contacts) listed.contacts = ContactArrays(*contacts, dimension).listed();
+  if (tolerance && !(*tolerance > 0.0))
+    throw InputError("tolerance", fmt::format("is {}, expected a positive number", *tolerance));
+  return assembled(listed, {"law", stress, "stress", tolerance});
+}
+
+}  // namespace
+
+void bind_packings(py::module_& module) {
+  module.def("from_arrays", &from_arrays, py::kw_only(), py::arg("position"), py::arg("radius"),
+             py::arg("cell"), py::arg("law"), py::arg("contacts"), py::arg("mass"), py::arg("stress"),
+             py::arg("tolerance"), py::arg("units"), py::arg("drop_tensile"));
+}
+
+}  // namespace floc::python

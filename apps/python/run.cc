@@ -1,0 +1,136 @@
+#include <chrono>
+#include <exception>
+#include <optional>
+
+#include "binding.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/scene/read_scene.h"
+#include "floc/scene/scene_warnings.h"
+#include "scene_run.h"
+
+namespace floc::python {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kBetweenSignals{50};
+
+/// Tells Python how far a run is, and asks it whether to go on. What Python throws in between stops the run at a
+/// checkpoint.
+class Watch {
+ public:
+  /// @param told      called with what there is to tell; None: nobody is
+  /// @param interval  seconds between two calls inside a step
+  Watch(py::object told, double interval) : told_(std::move(told)), interval_(interval) {}
+
+  bool stops() {
+    if (thrown_) return true;
+    if (const auto now = Clock::now(); now - last_look_ >= kBetweenSignals) {
+      last_look_ = now;
+      call([] {
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      });
+    }
+    return thrown_ != nullptr;
+  }
+
+  template <int Dim>
+  void chunk(const Run<Dim>& run) {
+    const auto now = Clock::now();
+    if (told_.is_none() || std::chrono::duration<double>(now - last_told_).count() < interval_) return;
+    last_told_ = now;
+    tell(run, run.packing(), run.point().step, run.target().branch, run.pressure(),
+         run.point().time + run.point().equilibration_time, false);
+  }
+
+  template <int Dim>
+  void equilibrium(const Run<Dim>& run, const State<Dim>& state) {
+    tell(run, state.packing, state.path.step, state.path.branch, state.target_stress.mean(), state.path.time,
+         true);
+  }
+
+  /// @throws what Python threw
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  template <class Work>
+  void call(const Work& work) {
+    if (thrown_) return;
+    const py::gil_scoped_acquire acquired;
+    try {
+      work();
+    } catch (const py::error_already_set&) {
+      thrown_ = std::current_exception();
+    }
+  }
+
+  template <int Dim>
+  void tell(const Run<Dim>& run, const Packing<Dim>& packing, int step, const std::string& branch,
+            double pressure, double time, bool equilibrium) {
+    if (told_.is_none()) return;
+    const double phi = solid_fraction(packing);
+    call([&] { told_(step, run.plan().size(), branch, pressure, phi, time, equilibrium); });
+  }
+
+  py::object told_;
+  double interval_;
+  Clock::time_point last_look_ = Clock::now(), last_told_ = Clock::now();
+  std::exception_ptr thrown_;
+};
+
+/// @return why the run is not done, in words; empty where it is done or Python stopped it
+template <int Dim>
+std::string drive_scene(const Scene& scene, const RunArguments& arguments, Watch& watch) {
+  SceneRun<Dim> scene_run(scene, arguments);
+  DriveOptions<Dim> options;
+  options.stop = [&watch] { return watch.stops(); };
+  options.chunk = [&watch](const Run<Dim>& run) { watch.chunk(run); };
+  options.equilibrium = [&](const State<Dim>& state, const RelaxationReport&, double) {
+    watch.equilibrium(scene_run.run, state);
+  };
+  const DriveReport report = scene_run.drive(options);
+  return report.outcome == DriveReport::gave_up ? ending_of(report, scene_run.run) : "";
+}
+
+void run(const std::string& scene_file, const std::string& directory, const std::vector<std::string>& changes,
+         std::optional<std::uint64_t> seed, std::optional<int> threads, std::optional<int> until,
+         std::optional<double> track_contacts, bool track_energy, bool resume, bool overwrite, bool timing,
+         const py::object& told, double interval) {
+  if (resume && overwrite) throw InputError("resume", "goes without overwrite: expected one of them");
+  RunArguments arguments;
+  arguments.scene = scene_file;
+  arguments.directory = directory;
+  arguments.overrides = changes;
+  arguments.seed = seed;
+  arguments.threads = threads;
+  arguments.until = until;
+  arguments.track_contacts = track_contacts;
+  arguments.track_energy = track_energy;
+  arguments.resume = resume;
+  arguments.overwrite = overwrite;
+  arguments.no_timing = !timing;
+  const Scene scene = read_scene(scene_file, changes);
+  Warnings warnings;
+  for (const std::string& words : scene_warnings(scene)) warnings.push_back(scene_file + ": " + words);
+  issue(warnings);
+  Watch watch(told, interval);
+  const std::string ending = without_gil([&] {
+    return scene.dimension == 3 ? drive_scene<3>(scene, arguments, watch)
+                                : drive_scene<2>(scene, arguments, watch);
+  });
+  watch.rethrow();
+  if (!ending.empty()) throw NumericalError(directory + ": " + ending);
+}
+
+}  // namespace
+
+void bind_run(py::module_& module) {
+  module.def("run", &run, py::arg("scene"), py::arg("directory"), py::kw_only(), py::arg("changes"),
+             py::arg("seed"), py::arg("threads"), py::arg("until"), py::arg("track_contacts"),
+             py::arg("track_energy"), py::arg("resume"), py::arg("overwrite"), py::arg("timing"),
+             py::arg("told"), py::arg("interval"));
+}
+
+}  // namespace floc::python

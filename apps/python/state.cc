@@ -1,0 +1,256 @@
+#include <fmt/format.h>
+
+#include <cstddef>
+
+#include "binding.h"
+#include "equilibrium_check.h"
+#include "floc/io/law_text.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/overlaps.h"
+
+namespace floc::python {
+namespace {
+
+/// A member of a contact as a field of a structured array.
+struct ContactField {
+  std::string name;
+  const char* type;  ///< of one number
+  int size;          ///< numbers
+  std::ptrdiff_t offset;
+};
+
+template <int Dim>
+std::vector<ContactField> contact_fields(const LawParameters& law) {
+  const Contact<Dim> c;
+  const auto offset = [&c](const void* member) {
+    return static_cast<const char*>(member) - reinterpret_cast<const char*>(&c);
+  };
+  constexpr int kTurns = kRotations<Dim>;
+  std::vector<ContactField> fields = {{"id1", "i4", 1, offset(&c.i)},
+                                      {"id2", "i4", 1, offset(&c.j)},
+                                      {"image", "i4", Dim, offset(&c.image)},
+                                      {"key", "i4", 1, offset(&c.key)},
+                                      {"gap", "f8", 1, offset(&c.gap)},
+                                      {"normal", "f8", Dim, offset(&c.normal)},
+                                      {"normal_force", "f8", 1, offset(&c.normal_force)},
+                                      {"elastic_force", "f8", 1, offset(&c.elastic_force)},
+                                      {"shear_force", "f8", Dim, offset(&c.shear_force)},
+                                      {"rolling_moment", "f8", kTurns, offset(&c.rolling_moment)},
+                                      {"twisting_moment", "f8", 1, offset(&c.twisting_moment)},
+                                      {"kn", "f8", 1, offset(&c.kn)},
+                                      {"kt", "f8", 1, offset(&c.kt)},
+                                      {"kr", "f8", 1, offset(&c.kr)},
+                                      {"ktw", "f8", 1, offset(&c.ktw)},
+                                      {"sliding", "?", 1, offset(&c.sliding)},
+                                      {"rolling_yield", "?", 1, offset(&c.rolling_yield)},
+                                      {"twisting_yield", "?", 1, offset(&c.twisting_yield)},
+                                      {"distant", "?", 1, offset(&c.distant)}};
+  for (const RememberedQuantity& q : remembered_quantities(law, Dim))
+    fields.push_back({q.declared.name, "f8", q.size, offset(c.memory.data() + q.begin)});
+  return fields;
+}
+
+template <int Dim>
+py::dtype contact_type(const LawParameters& law) {
+  py::list names, formats, offsets;
+  for (const ContactField& field : contact_fields<Dim>(law)) {
+    names.append(field.name);
+    formats.append(field.size == 1 ? std::string(field.type) : fmt::format("({},){}", field.size, field.type));
+    offsets.append(field.offset);
+  }
+  return {names, formats, offsets, sizeof(Contact<Dim>)};
+}
+
+/// Memory of a state as an array that cannot be written to and keeps the state.
+py::array view(const py::object& owner, const py::dtype& type, const std::vector<py::ssize_t>& shape,
+               const std::vector<py::ssize_t>& strides, const void* data) {
+  py::array array(type, shape, strides, data, owner);
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
+/// Rows of `components` numbers, each row an item of the vector; flat where there is one.
+template <class Item>
+py::array view_of(const py::object& owner, const std::vector<Item>& items, py::ssize_t components) {
+  const auto n = static_cast<py::ssize_t>(items.size());
+  constexpr py::ssize_t kItem = sizeof(Item), kNumber = sizeof(double);
+  if (components == 1) return view(owner, py::dtype::of<double>(), {n}, {kItem}, items.data());
+  return view(owner, py::dtype::of<double>(), {n, components}, {kItem, kNumber}, items.data());
+}
+
+template <int Rows, int Columns>
+py::array view_of(const py::object& owner, const Eigen::Matrix<double, Rows, Columns>& matrix) {
+  constexpr py::ssize_t kNumber = sizeof(double);
+  if constexpr (Columns == 1) return view(owner, py::dtype::of<double>(), {Rows}, {kNumber}, matrix.data());
+  return view(owner, py::dtype::of<double>(), {Rows, Columns}, {kNumber, Rows * kNumber}, matrix.data());
+}
+
+const AnyState& state_in(const py::object& self) {
+  return *self.cast<const NamedState&>().state;
+}
+
+/// A property `get(self, state)`, of states of either dimension.
+template <class Get>
+auto property(Get get) {
+  return [get](const py::object& self) {
+    return std::visit([&](const auto& state) -> py::object { return get(self, state); }, state_in(self));
+  };
+}
+
+template <int Dim>
+py::list walls_of(const Packing<Dim>& packing) {
+  py::list walls;
+  for (const Wall<Dim>& w : packing.walls) {
+    py::dict wall;
+    wall["axis"] = w.axis, wall["side"] = w.side, wall["position"] = w.position;
+    wall["velocity"] = w.velocity, wall["mass"] = w.mass;
+    walls.append(wall);
+  }
+  return walls;
+}
+
+py::dict residuals_of(const Residuals& r) {
+  py::dict measures;
+  measures["force"] = r.force, measures["moment"] = r.moment;
+  measures["stress"] = r.stress, measures["energy"] = r.energy;
+  return measures;
+}
+
+template <int Dim>
+py::dict path_of(const State<Dim>& state) {
+  py::dict path;
+  path["step"] = state.path.step, path["branch"] = state.path.branch, path["time"] = state.path.time;
+  path["n_steps"] = state.path.n_steps, path["ending"] = state.path.ending;
+  return path;
+}
+
+template <int Dim>
+py::dict provenance_of(const State<Dim>& state) {
+  const Provenance& p = state.provenance;
+  py::dict words;
+  words["program"] = p.program, words["commit"] = p.commit, words["compiler"] = p.compiler;
+  words["seed"] = p.seed, words["parent_sha256"] = p.parent_sha256, words["source"] = p.source;
+  return words;
+}
+
+void bind_arrays(py::class_<NamedState>& bound) {
+  bound
+      .def_property_readonly("position", property([](const py::object& self, const auto& s) -> py::object {
+                               return view_of(self, s.packing.grains.position, s.target_stress.size());
+                             }))
+      .def_property_readonly("position_low", property([](const py::object& self, const auto& s) -> py::object {
+                               const auto& low = s.packing.grains.position_low;
+                               if (low.empty()) return py::none();
+                               return view_of(self, low, s.target_stress.size());
+                             }))
+      .def_property_readonly("velocity", property([](const py::object& self, const auto& s) -> py::object {
+                               return view_of(self, s.packing.grains.velocity, s.target_stress.size());
+                             }))
+      .def_property_readonly("radius", property([](const py::object& self, const auto& s) -> py::object {
+                               return view_of(self, s.packing.grains.radius, 1);
+                             }))
+      .def_property_readonly("mass", property([](const py::object& self, const auto& s) -> py::object {
+                               return view_of(self, s.packing.grains.mass, 1);
+                             }))
+      .def_property_readonly("orientation", property([](const py::object& self, const auto& s) -> py::object {
+                               return view_of(self, s.packing.grains.orientation,
+                                              s.target_stress.size() == 2 ? 1 : 4);
+                             }))
+      .def_property_readonly(
+          "angular_velocity", property([](const py::object& self, const auto& s) -> py::object {
+            return view_of(self, s.packing.grains.angular_velocity, s.target_stress.size() == 2 ? 1 : 3);
+          }))
+      .def_property_readonly(
+          "contacts", property([]<int Dim>(const py::object& self, const State<Dim>& s) -> py::object {
+            const std::vector<Contact<Dim>>& contacts = s.packing.contacts;
+            return view(self, contact_type<Dim>(s.packing.law), {static_cast<py::ssize_t>(contacts.size())},
+                        {sizeof(Contact<Dim>)}, contacts.data());
+          }))
+      .def_property_readonly("cell", property([](const py::object& self, const auto& s) -> py::object {
+                               return view_of(self, s.packing.cell.matrix);
+                             }))
+      .def_property_readonly("stress", property([](const py::object& self, const auto& s) -> py::object {
+                               return view_of(self, s.stress);
+                             }))
+      .def_property_readonly("target_stress", property([](const py::object& self, const auto& s) -> py::object {
+                               return view_of(self, s.target_stress);
+                             }));
+}
+
+/// Mean of the diagonal stress of the contacts.
+template <int Dim>
+double pressure_of(const State<Dim>& state) {
+  return static_stress(state.packing).trace() / Dim;
+}
+
+void bind_numbers(py::class_<NamedState>& bound) {
+  bound
+      .def_property_readonly(
+          "dimension", property([]<int Dim>(const py::object&, const State<Dim>&) { return py::int_(Dim); }))
+      .def_property_readonly("n_grains", property([](const py::object&, const auto& s) {
+                               return py::int_(s.packing.grains.size());
+                             }))
+      .def_property_readonly("n_contacts", property([](const py::object&, const auto& s) {
+                               return py::int_(s.packing.contacts.size());
+                             }))
+      .def_property_readonly(
+          "pressure", property([](const py::object&, const auto& s) { return py::float_(pressure_of(s)); }))
+      .def_property_readonly("reduced_pressure", property([](const py::object&, const auto& s) {
+                               return py::float_(reduced_pressure(s.packing, pressure_of(s)));
+                             }))
+      .def_property_readonly("solid_fraction", property([](const py::object&, const auto& s) {
+                               return py::float_(solid_fraction(s.packing));
+                             }))
+      .def_property_readonly("residuals", property([](const py::object&, const auto& s) {
+                               return residuals_of(residuals(s.packing, s.target_stress));
+                             }))
+      .def_property_readonly("equilibrium_faults", property([](const py::object&, const auto& s) {
+                               return py::str(equilibrium_faults(s));
+                             }));
+}
+
+void bind_words(py::class_<NamedState>& bound) {
+  bound.def_property_readonly("name", [](const NamedState& s) { return s.name; })
+      .def_property_readonly("units",
+                             property([](const py::object&, const auto& s) { return py::str(s.units); }))
+      .def_property_readonly(
+          "law", property([](const py::object&, const auto& s) { return py::str(law_text(s.packing.law)); }))
+      .def_property_readonly("walls",
+                             property([](const py::object&, const auto& s) { return walls_of(s.packing); }))
+      .def_property_readonly("tolerance", property([](const py::object&, const auto& s) {
+                               const EquilibriumTolerance& t = s.tolerance;
+                               return residuals_of({t.force, t.moment, t.stress, t.energy});
+                             }))
+      .def_property_readonly("path", property([](const py::object&, const auto& s) { return path_of(s); }))
+      .def_property_readonly("scene",
+                             property([](const py::object&, const auto& s) { return py::str(s.scene); }))
+      .def_property_readonly("provenance",
+                             property([](const py::object&, const auto& s) { return provenance_of(s); }));
+}
+
+NamedState read(const std::string& path) {
+  return without_gil([&] {
+    auto state = std::make_shared<const AnyState>(read_state(path));
+    const std::string deep = std::visit([](const auto& s) { return overlap_warning(s.packing); }, *state);
+    if (!deep.empty()) warn(path, deep);
+    return NamedState{std::move(state), path};
+  });
+}
+
+}  // namespace
+
+void bind_state(py::module_& module) {
+  py::class_<NamedState> bound(module, "State");
+  bound.def(py::init<const NamedState&>());
+  bind_arrays(bound);
+  bind_numbers(bound);
+  bind_words(bound);
+  bound.def("write", [](const NamedState& self, const std::string& path) {
+    const py::gil_scoped_release released;
+    std::visit([&](const auto& state) { write_state(path, state); }, *self.state);
+  });
+  module.def("read", &read);
+}
+
+}  // namespace floc::python

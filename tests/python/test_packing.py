@@ -1,0 +1,133 @@
+"""Packings from arrays: as floc convert makes them of files."""
+import unittest
+import warnings
+
+import numpy as np
+
+import floc
+import samples
+
+LAW = {"normal": {"stiffness": 1e5}, "friction": {"coefficient": 0.5, "stiffness": 5e4}}
+
+
+def square(n=3, overlap=1e-3):
+    """n x n disks of diameter 1 on a square lattice, each in contact with four others."""
+    spacing = 1.0 - overlap
+    position = spacing * np.array([(a, b) for a in range(n) for b in range(n)], dtype=float)
+    return position, np.full(n * n, 0.5), np.array([n * spacing, n * spacing])
+
+
+class FromArrays(unittest.TestCase):
+    def test_moduli_of_a_crystal(self):
+        """Disks on a square lattice of contacts with K_N: C11 = K_N."""
+        position, radius, cell = square()
+        packing = floc.Packing.from_arrays(position, radius, cell, LAW)
+        self.assertEqual(packing.n_contacts, 18)
+        moduli = floc.moduli(packing)
+        self.assertAlmostEqual(moduli.C11, 1e5, delta=1e-5)
+        self.assertAlmostEqual(moduli.C12, 0.0, delta=1e-5)
+        self.assertIsInstance(packing, floc.State)
+
+    def test_equals_convert(self):
+        position, radius, cell = square()
+        np.savetxt(samples.directory() / "grains.csv", np.column_stack([position, radius]), "%.17g", ",",
+                   header="x,y,radius", comments="")
+        law = "normal.stiffness=1e5,friction.coefficient=0.5,friction.stiffness=5e4"
+        samples.floc_program("convert", "grains.csv", "grains.h5", "--law", law, "--cell",
+                             f"{cell[0]!r},0;0,{cell[1]!r}", "--overwrite")
+        theirs = floc.read(samples.directory() / "grains.h5")
+        mine = floc.Packing.from_arrays(position, radius, np.diag(cell), law)
+        np.testing.assert_array_equal(mine.position, theirs.position)
+        np.testing.assert_array_equal(mine.contacts, theirs.contacts)
+        np.testing.assert_array_equal(mine.target_stress, theirs.target_stress)
+        a, b = floc.moduli(mine).to_dict(), floc.moduli(theirs).to_dict()
+        for values in (a, b):
+            values.pop("file"), values.pop("seconds")
+        self.assertEqual(a, b)
+
+    def test_of_the_arrays_of_a_state(self):
+        """A state taken apart and put together has the same network and the same moduli, in 2D and 3D."""
+        for name in ("powder", "beads"):
+            state = floc.read(samples.last_state(name))
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", floc.FlocWarning)
+                again = floc.Packing.from_arrays(state.position, state.radius, state.cell, state.law,
+                                                 contacts=state.contacts, mass=state.mass, units=state.units,
+                                                 stress=state.target_stress)
+            self.assertEqual(again.n_contacts, state.n_contacts)
+            np.testing.assert_allclose(again.contacts["normal_force"], state.contacts["normal_force"], rtol=1e-12)
+            self.assertAlmostEqual(floc.moduli(again).B / floc.moduli(state).B, 1.0, delta=1e-6)
+
+    def test_contacts_as_dict_and_data_frame(self):
+        position, radius, cell = square()
+        contacts = floc.Packing.from_arrays(position, radius, cell, LAW).contacts
+        columns = {name: contacts[name] for name in ("id1", "id2", "image", "normal_force")}
+        packing = floc.Packing.from_arrays(position, radius, cell, LAW, contacts=columns)
+        np.testing.assert_array_equal(packing.contacts["normal_force"], contacts["normal_force"])
+        try:
+            import pandas
+        except ImportError:
+            return
+        frame = pandas.DataFrame({"id1": [0], "id2": [1], "normal_force": [7.0]})
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", floc.FlocWarning)
+            self.assertEqual(floc.Packing.from_arrays(position, radius, cell, LAW, contacts=frame).contacts["normal_force"],
+                             [7.0])
+
+    def test_does_not_keep_the_arrays(self):
+        position, radius, cell = square()
+        packing = floc.Packing.from_arrays(position, radius, cell, LAW)
+        expected = packing.position.copy()
+        position[:] = np.nan
+        np.testing.assert_array_equal(packing.position, expected)
+
+    def test_is_written_and_read(self):
+        position, radius, cell = square()
+        packing = floc.Packing.from_arrays(position, radius, cell, LAW)
+        packing.write(samples.directory() / "square.h5")
+        self.assertEqual(samples.rows_of("moduli", "square.h5")[0]["B"], floc.moduli(packing).B)
+
+    def test_warns_where_forces_and_equilibrium_disagree(self):
+        position, radius, cell = square()
+        contacts = {"id1": [0], "id2": [1], "normal_force": [7.0]}
+        with self.assertWarnsRegex(floc.FlocWarning, "not in equilibrium"):
+            floc.Packing.from_arrays(position, radius, cell, LAW, contacts=contacts)
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, words, **changes):
+        position, radius, cell = square()
+        arguments = {"position": position, "radius": radius, "cell": cell, "law": LAW, **changes}
+        with self.assertRaisesRegex(floc.InputError, words):
+            floc.Packing.from_arrays(**arguments)
+
+    def test_name_array_index_and_value(self):
+        position, radius, cell = square()
+        self.refused(r"position: has shape \(9, 3\), expected \(n, 2\)", position=np.zeros((9, 3)))
+        self.refused(r"radius: has shape \(8,\), expected \(9,\)", radius=radius[:8])
+        self.refused(r"cell: has shape \(4, 4\), expected \(2, 2\) or \(3, 3\)", cell=np.ones(4))
+        self.refused(r"cell: the cell is degenerate", cell=[[1, 1], [1, 1]])
+        self.refused(r"radius\[2\]: is -1, expected a positive", radius=np.where(np.arange(9) == 2, -1.0, radius))
+        self.refused(r"position\[0\]: is nan", position=np.where(np.arange(18).reshape(9, 2) == 0, np.nan, position))
+        self.refused(r"mass: has shape \(1,\)", mass=[1.0])
+        self.refused(r"position: expected an array of numbers", position="here")
+        self.refused(r"stress: has 3 numbers, expected 2", stress=[1.0, 1.0, 1.0])
+        self.refused("solid fraction", radius=2 * radius)
+
+    def test_name_the_law(self):
+        self.refused("normal.stifness", law="normal.stifness=1e5")
+        self.refused("stiffness", law={"normal": {"stiffness": -1.0}})
+
+    def test_name_the_contact(self):
+        self.refused("contacts: have no id2", contacts={"id1": [0]})
+        self.refused("contacts: 'force1' is not one of", contacts={"id1": [0], "id2": [1], "force1": [1.0]})
+        self.refused(r"contacts: normal_force: has shape \(2,\), expected \(1,\)",
+                     contacts={"id1": [0], "id2": [1], "normal_force": [1.0, 2.0]})
+        self.refused("contact 0: id2 = 70: no grain has this id", contacts={"id1": [0], "id2": [70]})
+        self.refused("contacts: id1 has values of type float64", contacts={"id1": [0.5], "id2": [1]})
+        self.refused("contact 0: .*pulls with 1",
+                     contacts={"id1": [0], "id2": [1], "normal_force": [-1.0]})
+
+
+if __name__ == "__main__":
+    unittest.main()

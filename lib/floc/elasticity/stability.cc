@@ -14,6 +14,7 @@
 #include "floc/linalg/symmetric_factor.h"
 #include "floc/network/free_motions.h"
 #include "floc/network/stiffness_matrix.h"
+#include "floc/packing/liquid.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -177,10 +178,16 @@ Stability stability(const Packing<Dim>& packing, bool prestress, const Stability
   return prestress ? stability(network, load_stress(packing), options) : stability(network, options);
 }
 
+template <int Dim>
+Stability stability_at_rest(const Packing<Dim>& packing) {
+  return stability(packing, holds_liquid(packing));
+}
+
 #define FLOC_INSTANTIATE(Dim)                                                                         \
   template Stability stability(const ContactNetwork<Dim>&, const StabilityOptions&);                  \
   template Stability stability(const ContactNetwork<Dim>&, const Mat<Dim>&, const StabilityOptions&); \
-  template Stability stability(const Packing<Dim>&, bool, const StabilityOptions&);
+  template Stability stability(const Packing<Dim>&, bool, const StabilityOptions&);                   \
+  template Stability stability_at_rest(const Packing<Dim>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

@@ -52,4 +52,10 @@ template <int Dim>
 [[nodiscard]] Stability stability(const Packing<Dim>& packing, bool prestress = false,
                                   const StabilityOptions& options = {});
 
+/// The test that a packing at rest has to pass to be an equilibrium. Under liquid bridges it has the geometric terms:
+/// they pull over gaps of a size with their decay length, so that what a pull resists across, F/r, may be more than
+/// what it gains along. A tail of attraction is so short that there they are left out.
+template <int Dim>
+[[nodiscard]] Stability stability_at_rest(const Packing<Dim>& packing);
+
 }  // namespace floc

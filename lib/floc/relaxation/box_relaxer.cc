@@ -240,7 +240,7 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
   }
   if (progress_.time - progress_.finishing_time > kLongestFinish * time_unit_) return stop_here();
   if (!residuals_.within(options_.tolerance)) return RelaxationStatus::running;
-  Stability found = stability(packing_);
+  Stability found = stability_at_rest(packing_);
   // Every chunk shares the liquid out anew.
   if (!found.may_be_stable() || !share_liquid_once_more().nothing()) return RelaxationStatus::running;
   stability_ = std::move(found);

@@ -329,7 +329,7 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
   if (!within) return RelaxationStatus::running;
-  Stability found = stability(packing_);
+  Stability found = stability_at_rest(packing_);
   if (!found.may_be_stable() || !liquid_rests(packing_, true)) return RelaxationStatus::running;
   stability_ = std::move(found);
   ending_ = "dynamic";
@@ -413,7 +413,7 @@ bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const cha
   const Vec<Dim> target = load_.stress_with(stress);
   const Residuals reached = residuals(solution.packing, target, stress);
   if (!reached.within(options_.tolerance)) return false;
-  Stability found = stability(solution.packing);
+  Stability found = stability_at_rest(solution.packing);
   if (!found.may_be_stable() || !liquid_rests(solution.packing, go_on)) return false;
   packing_ = std::move(solution.packing);
   stress_ = stress;

@@ -366,7 +366,7 @@ std::vector<Criterion> verify_equilibrium(const State<Dim>& state) {
   check_residuals(state, recomputed, stress, criteria);
   check_lengths(state, criteria);
   criteria.push_back(check_recorded_stress(state, recomputed, stress));
-  const Stability found = stability(recomputed);
+  const Stability found = stability_at_rest(recomputed);
   criteria.push_back(check_stability(found));
   criteria.push_back(check_boundary(state, recomputed, stress));
   criteria.push_back(check_record(state, recomputed, stress, found));

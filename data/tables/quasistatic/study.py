@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Load paths of loose cohesive packings with cells of several masses and rate caps: a row a path.
 
-  study.py FLOC DIRECTORY [--seeds A..B] [--mass M,...] [--cap CAP,...] [--rolling none,small] [--collect]
+  study.py FLOC DIRECTORY [--seeds A..B] [--mass M,...] [--cap CAP,...] [--rolling none,small,large] [--collect]
 
-assembles data/scenes/type2_no_rolling.toml and type2_rolling_small.toml in DIRECTORY/asm/ROLLING-SEED, then loads each
-sample to P* = 13.33 from there (none.toml, small.toml), once for each mass and cap, in
+assembles data/scenes/type2_no_rolling.toml, type2_rolling_small.toml and type2_rolling_large.toml in DIRECTORY/asm/ROLLING-SEED,
+then loads each sample to P* = 13.33 from there (none.toml, small.toml, large.toml), once for each mass and cap, in
 DIRECTORY/study/ROLLING/mMASS-cCAP/seed-SEED. Runs that are there already are resumed or kept. Writes DIRECTORY/points.csv,
 of all paths that are there and whole; with --collect does nothing else.
 """
@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SCENES = {"none": "type2_no_rolling.toml", "small": "type2_rolling_small.toml"}
+SCENES = {"none": "type2_no_rolling.toml", "small": "type2_rolling_small.toml", "large": "type2_rolling_large.toml"}
 PRESSURES = (1.0, 13.33)
 COLUMNS = ["rolling", "mass", "cap", "seed", "Phi_1", "Phi_13.33", "z_1", "z_13.33", "million_steps", "seconds"]
 

@@ -15,7 +15,7 @@ TEST(WetRun, ComesToRestWhereTheirPullAloneHoldsAGrain) {
   const ScratchDirectory scratch;
   const Outcome made = run_floc("run " + source_directory() +
                                     "/data/scenes/wet_demo.toml --set assembly.friction=0.4 "
-                                    "--set equilibrium.max_time=100 --seed 1 --until 1 -o out",
+                                    "--set equilibrium.max_time=400 --seed 1 --until 1 -o out",
                                 scratch.path());
   ASSERT_EQ(made.code, 0) << made.err;
   const Outcome verified = run_floc("verify out/state-*.h5", scratch.path());

@@ -84,7 +84,7 @@ UNCHECKED_TABLES = {
     "| option | takes | meaning |": "docs/generate writes it, and pages_test.py holds it",
     "| command | does |": "words",
     "| option of `floc moduli` | meaning |": "words",
-    "| packing, z | strains, preconditioner |": "processor time",
+    "| packing, z | processes | preconditioner |": "processor time",
     "| column | unit | meaning |": "docs/generate writes it, and pages_test.py holds it",
     "| `grains.diameter.distribution` |": "words",
     "| part of a run |": "defaults, which the tests of scenes hold",
@@ -427,6 +427,23 @@ class Test:
             self.number(mean, statistics.mean(gained), f"spheres {state}, Phi gained")
             self.number(deviation, statistics.stdev(gained), f"spheres {state}, scatter of Phi gained")
 
+    def quasistatic(self):
+        points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/quasistatic/points.csv"))))
+        for cells in self.claim_table("| rolling resistance | P* | mass 0.1 |"):
+            rolling, pressure = cells[0], cells[1]
+            values = {mass: {r["seed"]: float(r["Phi_" + pressure]) for r in points
+                             if r["rolling"] == rolling and r["mass"] == mass and r["cap"] == "0.05"}
+                      for mass in ("0.1", "0.05")}
+            changes = [values["0.05"][seed] - values["0.1"][seed] for seed in values["0.1"]]
+            what = f"quasistatic, {rolling} rolling resistance, P* = {pressure}"
+            for shown, found, scatter in (
+                    (cells[2], list(values["0.1"].values()), statistics.stdev(values["0.1"].values())),
+                    (cells[3], list(values["0.05"].values()), statistics.stdev(values["0.05"].values())),
+                    (cells[4], changes, statistics.stdev(changes) / len(changes) ** 0.5)):
+                mean, deviation = shown.split(" +- ")
+                self.number(mean, statistics.mean(found), what)
+                self.number(deviation, scatter, what + ", scatter")
+
     def compaction(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/points.csv"))))
         for cells in self.claim_table("| eta* | spheres | e | published law |"):
@@ -595,7 +612,7 @@ class Test:
             else:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
-                              self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres, self.compaction, self.powder2d, self.wet, self.lattice,
+                              self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres, self.quasistatic, self.compaction, self.powder2d, self.wet, self.lattice,
                               self.tradeoff):
                     try:
                         check()

@@ -108,9 +108,9 @@ Command add_campaign_collect(CommandLine campaign) {
   auto arguments = std::make_shared<Arguments>();
   app.add_option("DIR", arguments->directory, "directory of floc campaign plan").required();
   app.add_option("--table", arguments->table,
-                 "runs: what was collected, a row a run and state; means: over the samples, from DIR/runs.csv; "
-                 "fits: of "
-                 "the samples of each case; outcomes: how each run ended and what it took")
+                 "runs: the collected columns, one row per run and state; means: means over the samples, from "
+                 "DIR/runs.csv; fits: fits to the samples of each case; outcomes: how each run ended and how "
+                 "long it took")
       .one_of({"runs", "means", "fits", "outcomes"})
       .show_default();
   add_format_option(app, arguments->format);
@@ -118,11 +118,11 @@ Command add_campaign_collect(CommandLine campaign) {
 }
 
 Command add_campaign_outcome(CommandLine campaign) {
-  CommandLine app =
-      campaign.add_subcommand("outcome", "list the runs of a campaign that failed; exit code of the worst");
+  CommandLine app = campaign.add_subcommand(
+      "outcome", "list the runs of a campaign that failed; the exit code is that of the worst");
   auto arguments = std::make_shared<Arguments>();
   app.add_option("DIR", arguments->directory, "directory of floc campaign plan").required();
-  app.add_flag("--forget", arguments->forget, "let snakemake make the failed runs again the next time");
+  app.add_flag("--forget", arguments->forget, "let snakemake repeat the failed runs next time");
   add_format_option(app, arguments->format);
   return {app, [arguments] { return report_outcome(*arguments); }};
 }

@@ -224,9 +224,8 @@ std::string pictures_section(const CampaignPage& page) {
         read_state(file));
   }
   if (out.empty()) return "";
-  return "<h2>One sample of each case</h2>\n<p>Lines join the centres of grains that interact, as wide as the "
-         "force is "
-         "large.</p>\n<div class=\"pictures\">\n" +
+  return "<h2>One sample of each case</h2>\n<p>Lines join the centres of grains that interact; their width is "
+         "proportional to the force.</p>\n<div class=\"pictures\">\n" +
          out + "</div>\n";
 }
 
@@ -263,7 +262,7 @@ std::string html_of(const CampaignPage& page) {
   const std::string title = "floc campaign: " + campaign.name;
   const std::string body =
       html_text(title, "h1") +
-      html_text(fmt::format("{} cases of {} seeds; {} of {} runs are done.", campaign.cases.size(),
+      html_text(fmt::format("{} cases with {} seeds; {} of {} runs are done.", campaign.cases.size(),
                             campaign.seeds.size(), n_done, page.outcomes.n_rows()),
                 "p") +
       failures_section(page) + cases_section(campaign) + curves_section(page) + tables_section(page) +
@@ -295,7 +294,8 @@ int write_page(const Arguments& arguments) {
 
 Command add_campaign_page(CommandLine campaign) {
   CommandLine app = campaign.add_subcommand(
-      "page", "one self-contained page of the tables in DIR: curves, tables beside references, pictures, cost");
+      "page",
+      "make one self-contained page of the tables in DIR: curves, comparison with references, pictures, cost");
   auto arguments = std::make_shared<Arguments>();
   app.add_option("DIR", arguments->directory, "directory of floc campaign plan, with its tables").required();
   app.add_option("-o,--output", arguments->output, "F.html").required();

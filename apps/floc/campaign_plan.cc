@@ -69,8 +69,9 @@ std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
   double cost = 0.0;
   for (const CasePlan& plan : planned.plans) cost += plan.cost * static_cast<double>(n_seeds);
-  return fmt::format("{} cases of {} seeds: {} runs, expected to take {} of one core, to a factor of two",
-                     planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration(cost));
+  return fmt::format(
+      "{} cases with {} seeds: {} runs, expected to take {} on one core, to within a factor of two",
+      planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration(cost));
 }
 
 /// A file of the user's that is not there yet.
@@ -141,10 +142,9 @@ int plan_campaign(const Arguments& arguments) {
   };
   for (const auto& [name, text] : files)
     if (!arguments.overwrite && fs::exists(directory / name) && differs(name, text))
-      throw InputError(
-          (directory / name).string(),
-          "is there and another one: expected --overwrite, which replaces the plan and keeps the runs, or "
-          "another directory");
+      throw InputError((directory / name).string(),
+                       "exists already and differs: expected --overwrite, which replaces the plan and keeps "
+                       "the runs, or another directory");
   for (const auto& [name, text] : files)
     if (differs(name, text)) write_bytes_atomically((directory / name).string(), text);
   spdlog::info("{}: {}. Next: cd {} && snakemake --cores 2", arguments.directory, extent_of(planned),
@@ -177,13 +177,14 @@ Command add_campaign_new(CommandLine campaign) {
   CommandLine app =
       campaign.add_subcommand("new", "write a commented campaign NAME.toml with a scene to start from");
   auto arguments = std::make_shared<Arguments>();
-  app.add_option("NAME", arguments->name, "its name").required();
-  app.add_option("--scene", arguments->scene, "scene file of its runs [NAME-scene.toml, written too]");
+  app.add_option("NAME", arguments->name, "name of the campaign").required();
+  app.add_option("--scene", arguments->scene, "scene file of its runs [NAME-scene.toml, which is written too]");
   return {app, [arguments] { return start_campaign(*arguments); }};
 }
 
 Command add_campaign_check(CommandLine campaign) {
-  CommandLine app = campaign.add_subcommand("check", "list every fault; print the runs and the cost to expect");
+  CommandLine app =
+      campaign.add_subcommand("check", "list every fault; print the runs and their expected cost");
   auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->file, "campaign file (TOML)").required();
   add_format_option(app, arguments->format);
@@ -191,11 +192,11 @@ Command add_campaign_check(CommandLine campaign) {
 }
 
 Command add_campaign_plan(CommandLine campaign) {
-  CommandLine app = campaign.add_subcommand("plan", "write a directory that snakemake makes: one rule a run");
+  CommandLine app = campaign.add_subcommand("plan", "write a directory for snakemake, with one rule per run");
   auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->file, "campaign file (TOML)").required();
   app.add_option("-o,--output", arguments->directory, "directory of the campaign").required();
-  app.add_flag("--overwrite", arguments->overwrite, "replace the plan that is there; its runs stay");
+  app.add_flag("--overwrite", arguments->overwrite, "replace the plan in the directory; its runs are kept");
   return {app, [arguments] { return plan_campaign(*arguments); }};
 }
 

@@ -145,20 +145,21 @@ int run_sample(const Arguments& arguments) {
 }  // namespace
 
 Command add_campaign_run(CommandLine campaign) {
-  CommandLine app = campaign.add_subcommand(
-      "run",
-      "what the rule of a run calls: floc run --resume, then tables of its states, then DIR/outcome.csv, which "
-      "says whether they failed");
+  CommandLine app =
+      campaign.add_subcommand("run",
+                              "what the Snakemake rule of a run calls: floc run --resume, then tables of its "
+                              "states, then DIR/outcome.csv, which says whether any of them failed");
   auto arguments = std::make_shared<Arguments>();
   app.add_option("SCENE", arguments->scene, "scene file (TOML)").required();
   app.add_option("-o,--output", arguments->directory, "directory of the run; its log is DIR.log").required();
   app.add_option("--seed", arguments->seed, "seed of the random numbers").required();
-  app.add_option("--threads", arguments->threads, "of the run").between(1, 1024);
+  app.add_option("--threads", arguments->threads, "threads of the run").between(1, 1024);
   app.add_option("--set", arguments->overrides, "KEY=VALUE: change one key of the scene").one_argument_each();
-  app.add_option("--table", arguments->tables,
-                 "\"FILE: COMMAND\": a table that COMMAND of floc prints in the directory of the run, as csv")
+  app.add_option(
+         "--table", arguments->tables,
+         "\"FILE: COMMAND\": run floc COMMAND in the directory of the run and write its table to FILE, as csv")
       .one_argument_each();
-  app.add_flag("--with-parent", arguments->with_parent, "end at once when the process that called it ends");
+  app.add_flag("--with-parent", arguments->with_parent, "exit at once when the parent process exits");
   return {app, [arguments] { return run_sample(*arguments); }};
 }
 

@@ -32,7 +32,7 @@ inline void expect_columns(const std::string& file, const std::vector<std::strin
   if (table.columns.empty()) table.columns = names;
   if (table.columns != names)
     throw InputError(file,
-                     "has another dimension than the states before it: one file takes states of one dimension");
+                     "differs in dimension from the states before it: one file holds states of one dimension");
 }
 
 /// A count as tables hold it.

@@ -146,7 +146,7 @@ Option CommandLine::add_option(const std::string& name, T& value, const std::str
   if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>)
     option->check(CLI::Validator(
         [](const std::string& given) {
-          return given.empty() ? std::string("expected a value, and it is empty") : std::string();
+          return given.empty() ? std::string("expected a value, but it is empty") : std::string();
         },
         ""));
   return Option(option);

@@ -26,7 +26,7 @@ bool are_two_runs(const std::vector<std::string>& inputs) {
 int run_compare(const CompareCommand& command) {
   if (are_two_runs(command.files)) return compare_runs(command.files[0], command.files[1], command.format);
   if (command.files.size() == 1 && !std::filesystem::is_directory(command.files.front())) {
-    std::cerr << "floc: compare takes two states or more, or a directory of floc run\n";
+    std::cerr << "floc: compare takes two or more states, or a directory of floc run\n";
     return kUsage;
   }
   std::vector<CompareRow> rows;
@@ -61,22 +61,21 @@ int run_compare(const CompareCommand& command) {
 Command add_compare(CommandLine program) {
   CommandLine app = program.add_subcommand(
       "compare",
-      "Tell what changed between states of the same grains: contacts kept, lost, gained; displacements");
+      "Show what changed between states of the same grains: contacts kept, lost and gained; displacements");
   const auto command = std::make_shared<CompareCommand>();
   app.add_option("STATE", command->files,
                  "state files or a directory of floc run, each state compared with the one before it; or two "
                  "directories, compared step by step")
       .required();
-  app.add_flag("--against-first", command->against_first, "compare each with the first instead");
+  app.add_flag("--against-first", command->against_first, "compare each state with the first instead");
   app.add_option("--rigid-tolerance", command->rigid_tolerance,
-                 "a contact in which nothing moved: its two points are within this, in largest diameters, and "
-                 "the grains "
-                 "turned alike to within this, in radians")
+                 "tolerance of a contact that moves as rigid: how far its two contact points may part, in "
+                 "largest diameters, and how much the rotations of its grains may differ, in radians")
       .positive()
       .show_default();
   app.add_option("--displacements", command->displacements,
-                 "file for a row a grain: place before, displacement without its affine part, rigid cluster");
-  app.add_option("--contacts", command->contacts, "file for a row a contact: kept, lost or gained");
+                 "file with one row per grain: position before, non-affine displacement, rigid cluster");
+  app.add_option("--contacts", command->contacts, "file with one row per contact: kept, lost or gained");
   add_format_option(app, command->format);
   return {app, [command] { return run_compare(*command); }};
 }

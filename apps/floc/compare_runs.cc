@@ -81,8 +81,8 @@ std::string verdict(const std::vector<StepComparison>& rows) {
   const auto n_rows = std::ranges::count_if(rows, [](const StepComparison& r) { return r.differing.empty(); });
   const auto first = std::ranges::find_if(rows, [](const StepComparison& r) { return !r.identical; });
   if (first == rows.end() && n_rows == static_cast<std::ptrdiff_t>(rows.size()))
-    return fmt::format("equal: {} states byte by byte, path.csv but for {}", rows.size(), kTiming);
-  return fmt::format("different{}: {} of {} states are equal byte by byte, {} rows of path.csv but for {}",
+    return fmt::format("equal: {} states byte by byte, path.csv except for {}", rows.size(), kTiming);
+  return fmt::format("different{}: {} of {} states are equal byte by byte, {} rows of path.csv except for {}",
                      first == rows.end() ? "" : fmt::format(" from step {} on", first->step), n_same,
                      rows.size(), n_rows, kTiming);
 }

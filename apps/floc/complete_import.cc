@@ -69,8 +69,7 @@ std::string complete_import(const std::string& place, const Imported& imported,
   state.provenance.commit = commit();
   state.provenance.compiler = compiler();
   if (!holds_liquid(state.packing)) return "";
-  return "volumes of the liquid bridges are not in the file; they follow from the law, and with them the "
-         "forces";
+  return "the file does not hold the volumes of the liquid bridges; they and the forces follow from the law";
 }
 
 template std::string complete_import(const std::string&, const Imported&, const ImportCompletion&, State<2>&);

@@ -14,8 +14,9 @@ constexpr LeftOutStep kLeftOut[] = {
     {PathStep::zero_pressure, "zero_pressure", "at P* = 0"},
     {PathStep::unloading, "unloading", "of unloading"},
     {PathStep::reloading, "reloading", "of reloading"},
-    {PathStep::later_virgin, "later_virgin", "of later loading beyond it (--loading virgin takes them)"},
-    {PathStep::hold, "hold", "at a pressure that is held"},
+    {PathStep::later_virgin, "later_virgin",
+     "of later loading beyond the largest pressure before (--loading virgin includes them)"},
+    {PathStep::hold, "hold", "at constant pressure"},
     {PathStep::test, "test", "of tests with a driven axis"},
     {PathStep::first_loading, "before_loading", "before the branch \"load\""},
 };

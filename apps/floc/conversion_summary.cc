@@ -20,16 +20,16 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
                   listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
   if (listed.n_neighbors > 0)
     summary.doubts.push_back(
-        fmt::format("{} of the {} contacts listed have a gap, no force and no attraction in the "
-                    "law: they are neighbours, and left out",
+        fmt::format("{} of the {} contacts listed have a gap, no force and no attraction in the law: they are "
+                    "neighbours and are left out",
                     listed.n_neighbors, listed.n_read));
   if (listed.n_tensile > 0)
     summary.doubts.push_back(
         fmt::format("{} of the {} contacts listed pull, and are left out", listed.n_tensile, listed.n_read));
   if (listed.n_other_image > 0)
     summary.doubts.push_back(
-        fmt::format("{} of the {} images listed contradict the positions, as where these were "
-                    "brought into the cell: the nearest image is taken",
+        fmt::format("{} of the {} images listed contradict the positions, as happens where these were wrapped "
+                    "into the cell: the nearest image is taken",
                     listed.n_other_image, listed.n_read));
 }
 
@@ -40,20 +40,20 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
       check.n_with_gap + check.n_distant, check.n_pulling, check.n_at_cap, check.largest_difference));
   if (check.n_with_gap > 0)
     summary.doubts.push_back(
-        fmt::format("{} contacts carry a force across a gap where the law does not act", check.n_with_gap));
+        fmt::format("{} contacts carry a force across a gap at which the law does not act", check.n_with_gap));
   if (check.n_pulling > 0 && !cohesive)
-    summary.doubts.push_back(fmt::format("{} contacts pull, and the law has no adhesion", check.n_pulling));
+    summary.doubts.push_back(fmt::format("{} contacts pull, but the law has no adhesion", check.n_pulling));
   if (check.n_beyond_cap > 0)
     summary.doubts.push_back(
         fmt::format("{} tangential forces or rolling moments are above the law's cap", check.n_beyond_cap));
   if (check.n_different > 0)
     summary.doubts.push_back(
-        fmt::format("{} normal forces differ from the law, by up to {:.2g} of their mean (grains {}): "
-                    "another law or stiffness, or too few digits",
+        fmt::format("{} normal forces differ from the law, by up to {:.2g} of their mean (grains {}): the law "
+                    "or a stiffness is wrong, or the file has too few digits",
                     check.n_different, check.largest_difference, check.most_different));
   if (check.n_missing > 0)
-    summary.doubts.push_back(fmt::format("{} pairs of grains touch that are not listed (grains {})",
-                                         check.n_missing, check.missing));
+    summary.doubts.push_back(
+        fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
 }  // namespace

@@ -149,7 +149,8 @@ int run_convert(const ConvertArguments& arguments) {
   const std::string& out = arguments.files.back();
   if (!std::filesystem::is_directory(out)) {
     if (inputs.size() > 1)
-      throw InputError(out, fmt::format("is no directory: {} packings can only go into one", inputs.size()));
+      throw InputError(out, fmt::format("is not a directory: {} packings can only be written into a directory",
+                                        inputs.size()));
     return convert(inputs[0], out, find_export_format(arguments.to, out), arguments);
   }
   const ExportFormat& to = find_export_format(arguments.to.empty() ? "state" : arguments.to, out);
@@ -179,28 +180,28 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
   app.add_option(
       "--contacts", arguments.contacts,
       "file of contacts [found by geometry]: csv with id1, id2[, image1.., normal_force, shear_force1.., "
-      "rolling_moment.., twisting_moment]; a dump local of LAMMPS; interactions of YADE");
+      "rolling_moment.., twisting_moment]; a LAMMPS dump of style local; YADE interactions");
   app.add_option("--contact-columns", arguments.contact_columns,
                  "columns of the contacts, e.g. id1=c_pair[1],id2=c_pair[2],force1=c_force[1],...");
-  app.add_option(
-      "--stress", arguments.stress,
-      "diagonal of the stress imposed, compression positive [what IN says, else what the contacts carry]");
+  app.add_option("--stress", arguments.stress,
+                 "diagonal of the imposed stress, positive in compression [as IN says, otherwise what the "
+                 "contacts carry]");
   app.add_option(
          "--tolerance", arguments.tolerance,
          "how far from equilibrium IN may be: net force / F1, net moment / (F1 a), stress / (F1/a^(d-1)) "
          "[1e-3; jambashbulk: 1e-5]")
       .positive();
   app.add_flag("--drop-tensile", arguments.drop_tensile,
-               "leave out listed contacts that pull under a law without adhesion [refused]");
-  app.add_flag(
-      "--strict", arguments.strict,
-      "write nothing and exit 5 where list, geometry, forces, law and equilibrium disagree [warnings]");
+               "leave out listed contacts that pull under a law without adhesion [they are refused]");
+  app.add_flag("--strict", arguments.strict,
+               "write nothing and exit with code 5 if list, geometry, forces, law and equilibrium disagree [a "
+               "warning is printed]");
   app.add_option("--units", arguments.units, "reduced or SI").one_of({"reduced", "SI"});
   app.add_option("--dimension", arguments.dimension, "2 or 3 [2 if every z is the same]")
       .one_of_integers({2, 3});
   app.add_option(
          "--index", arguments.index,
-         "which packing or frame of a file that holds several, from 0 [jambashbulk: the first, else the last]")
+         "which packing or frame of a file that holds several, from 0 [the last; jambashbulk: the first]")
       .non_negative();
 }
 
@@ -208,7 +209,7 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
 
 Command add_convert(CommandLine program) {
   CommandLine app =
-      program.add_subcommand("convert", "Make a state file of another program's packing, or the reverse");
+      program.add_subcommand("convert", "Make a state file from another program's packing, or the reverse");
   const auto arguments = std::make_shared<ConvertArguments>();
   app.add_option(
          "IN... OUT", arguments->files,
@@ -218,7 +219,7 @@ Command add_convert(CommandLine program) {
   app.add_option("--to", arguments->to,
                  "format of OUT: " + keywords(export_formats()) + " [by its extension; state in a directory]");
   add_reading_options(app, *arguments);
-  app.add_flag("--overwrite", arguments->overwrite, "replace what exists");
+  app.add_flag("--overwrite", arguments->overwrite, "replace existing files");
   return {app, [arguments] { return run_convert(*arguments); }};
 }
 

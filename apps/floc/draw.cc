@@ -130,7 +130,7 @@ void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPi
   picture = part_in_slab(picture, *arguments.cut);
   if (picture.position.empty())
     throw InputError(file, "has no grain whose centre lies in --slab " + arguments.slab +
-                               ": expected a slab that holds some");
+                               ": expected a slab that holds at least one");
   picture.caption.push_back(fmt::format("{} from {} to {} of the cell", "xyz"[arguments.cut->axis],
                                         short_number(arguments.cut->from), short_number(arguments.cut->to)));
 }
@@ -140,7 +140,7 @@ template <int Dim>
 Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
                       const std::optional<AnyState>& other) {
   if (Dim == 2 && (arguments.cut || !arguments.view.empty() || arguments.sheet.view.sphere_size))
-    throw InputError(file, "is 2D: --view, --slab and --sphere-size are of spheres");
+    throw InputError(file, "is 2D: --view, --slab and --sphere-size apply to spheres");
   if (other && !std::holds_alternative<State<Dim>>(*other))
     throw InputError(arguments.compare, fmt::format("is {}D, and {} is {}D: expected states of the same grains",
                                                     Dim == 2 ? 3 : 2, file, Dim));
@@ -196,10 +196,9 @@ class Drawer {
     auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
     auto& others = std::get<std::vector<PackingPicture<5 - Dim>>>(strips_);
     if (!others.empty())
-      throw InputError(file,
-                       fmt::format("is {}D, and the states before it are not: a strip is of one dimension "
-                                   "(-o DIR/ draws each state by itself)",
-                                   Dim));
+      throw InputError(file, fmt::format("is {}D, and the states before it are not: a strip shows states of "
+                                         "one dimension (-o DIR/ draws each state by itself)",
+                                         Dim));
     const std::string path = target_.of(arguments_, file);
     add_row(drawn, path, table_);
     if (target_.directory)
@@ -263,51 +262,55 @@ Command add_draw(CommandLine program) {
          "STATE", arguments->inputs,
          "state files, - for one on stdin, or directories of floc run (see --steps); several make a strip")
       .required();
-  app.add_option("-o,--output", arguments->output,
-                 "F.svg, F.pdf or F.png; a directory: a picture each; -: stdout, and no table")
+  app.add_option(
+         "-o,--output", arguments->output,
+         "F.svg, F.pdf or F.png; a directory, for one picture per state; - for stdout, without the table")
       .required();
   const Option forces =
       app.add_option("--forces", arguments->forces,
-                     "equilibrium; increment: what a small step of stress adds, the contacts that hold 95 % "
-                     "of its energy "
-                     "in colour; particle-pressure: colour of the grains; phases: grains of positive and of "
-                     "negative pressure and the bonds within either phase; or none [equilibrium]")
+                     "equilibrium: the forces of the state; increment: what a small step of stress adds, with "
+                     "the contacts that hold 95 % of its energy in colour; particle-pressure: grains coloured "
+                     "by their pressure; phases: grains of positive and of negative pressure and the bonds "
+                     "within each phase; none: no forces [equilibrium]")
           .one_of({"equilibrium", "increment", "particle-pressure", "phases", "none"});
-  app.add_option("--step", arguments->step, "of --forces increment: isotropic or deviatoric [isotropic]")
+  app.add_option("--step", arguments->step,
+                 "stress step of --forces increment: isotropic or deviatoric [isotropic]")
       .one_of({"isotropic", "deviatoric"});
-  app.add_option(
-         "--compare", arguments->compare,
-         "STATE2: contacts lost and gained on the way to it, and where grains went, affine part taken off")
+  app.add_option("--compare", arguments->compare,
+                 "STATE2: draw the contacts lost and gained on the way to this state, and the non-affine "
+                 "displacements of the grains")
       .excludes(forces);
-  app.add_option("--steps", arguments->steps, "K,...: states of a directory [four, from the first to the last]")
+  app.add_option("--steps", arguments->steps,
+                 "K,...: which states of a directory to draw [four, from the first to the last]")
       .delimiter(',')
       .non_negative();
-  app.add_option("--as", arguments->as, "svg, pdf or png, whatever the name [its ending; otherwise svg]")
+  app.add_option("--as", arguments->as,
+                 "svg, pdf or png, whatever the name of the file [by its extension; otherwise svg]")
       .one_of({"svg", "pdf", "png"});
-  app.add_option("--width", arguments->width, "of the page in cm [17]");
-  app.add_option("--columns", arguments->sheet.columns, "of a strip [4]");
+  app.add_option("--width", arguments->width, "width of the page in cm [17]");
+  app.add_option("--columns", arguments->sheet.columns, "pictures in a row of a strip [4]");
   app.add_option("--line-width", arguments->sheet.line_width,
-                 "of the r.m.s. force, in mean diameters; widths are proportional to |F| [0.15]");
+                 "line width of the r.m.s. force, in mean diameters; widths are proportional to |F| [0.15]");
   app.add_flag("--same-scale", arguments->sheet.same_force_scale,
-               "a force has one width in all pictures of a strip [each has its own scale, and says it]");
+               "one scale of line widths for all pictures of a strip [each picture has its own, and says it]");
   app.add_flag("--bare", arguments->sheet.bare, "no captions, no legend");
-  app.add_option(
-      "--resolution", arguments->sheet.resolution,
-      "pixels per inch of a png or an image [6 pixels a grain, 200 at least, 3000 pixels a side at most]");
+  app.add_option("--resolution", arguments->sheet.resolution,
+                 "pixels per inch of a png or an image [6 pixels per grain, at least 200 pixels per inch, at "
+                 "most 3000 pixels per side]");
   const Option image =
       app.add_flag("--image", arguments->image,
-                   "svg and pdf: grains and lines as an image [where there are more than 15000, in 3D 6000]");
+                   "svg and pdf: grains and lines as an image [if there are more than 15000, in 3D 6000]");
   app.add_flag("--vectors", arguments->vectors, "svg and pdf: grains and lines as vectors, however many")
       .excludes(image);
-  app.add_option(
-      "--view", arguments->view,
-      "AZIMUTH,ELEVATION: spheres seen from there, in degrees; azimuth 0 is the x axis, 90 the y axis "
-      "[-65,20]");
+  app.add_option("--view", arguments->view,
+                 "AZIMUTH,ELEVATION: direction from which spheres are seen, in degrees; azimuth 0 is the x "
+                 "axis, 90 the y axis [-65,20]");
   app.add_option("--slab", arguments->slab,
-                 "AXIS,FROM,TO: of spheres only those whose centre is between two fractions of the cell, e.g. "
-                 "z,0.4,0.6");
-  app.add_option("--sphere-size", arguments->sheet.view.sphere_size,
-                 "drawn radius of a sphere over its own, 0 to 1 [1; 0.25 where forces or changes are drawn]");
+                 "AXIS,FROM,TO: draw only the spheres whose centres lie between two fractions of the cell, "
+                 "e.g. z,0.4,0.6");
+  app.add_option(
+      "--sphere-size", arguments->sheet.view.sphere_size,
+      "drawn radius of a sphere over its true radius, 0 to 1 [1; 0.25 where forces or changes are drawn]");
   add_format_option(app, arguments->format);
   return {app, [arguments] { return draw(*arguments); }};
 }

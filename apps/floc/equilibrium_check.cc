@@ -17,8 +17,8 @@ std::string equilibrium_faults(const State<Dim>& state) {
   };
   check(fmt::format("net force of grain {} / F1", r.worst_force_grain), r.force, t.force);
   check(fmt::format("net moment of grain {} / (F1 a)", r.worst_moment_grain), r.moment, t.moment);
-  check("stress off the one imposed / (F1/a^(d-1))", r.stress, t.stress);
-  check("kinetic energy a grain / (F1 a)", r.energy, t.energy);
+  check("deviation from the imposed stress / (F1/a^(d-1))", r.stress, t.stress);
+  check("kinetic energy per grain / (F1 a)", r.energy, t.energy);
   return faults;
 }
 

@@ -92,12 +92,12 @@ template <int Dim>
 void export_state(const ExportArguments& arguments, const State<Dim>& state) {
   if (!state.packing.walls.empty())
     throw InputError(arguments.state,
-                     "has walls, which a table of grains does not hold: expected a periodic cell");
+                     "has walls, which a table of grains cannot hold: expected a periodic cell");
   const bool both = !arguments.grains.empty() && !arguments.contacts.empty();
   if (!arguments.grains.empty()) write_csv(arguments.grains, grain_table(state.packing));
   if (!arguments.contacts.empty()) write_csv(arguments.contacts, contact_table(state.packing));
   if (!both) return;
-  spdlog::info("{} grains, {} contacts. Back again:\n  {}", state.packing.grains.size(),
+  spdlog::info("{} grains, {} contacts. To make the state again:\n  {}", state.packing.grains.size(),
                state.packing.contacts.size(), convert_command(arguments, state));
 }
 
@@ -114,15 +114,15 @@ int run_export(const ExportArguments& arguments) {
 
 Command add_export(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "export", "Write grains and contacts of a state as csv tables, which floc convert reads again");
+      "export", "Write the grains and contacts of a state as csv tables, which floc convert can read");
   auto arguments = std::make_shared<ExportArguments>();
   app.add_option("STATE", arguments->state, "state file, - for one on stdin").required();
-  app.add_option("--grains", arguments->grains, "file for a row a grain");
-  app.add_option("--contacts", arguments->contacts, "file for a row a contact: forces, moments, stiffnesses");
+  app.add_option("--grains", arguments->grains, "file with one row per grain");
+  app.add_option("--contacts", arguments->contacts,
+                 "file with one row per contact: forces, moments, stiffnesses");
   app.footer(
-      "With both tables it prints the command that makes the state again, with the cell, the law and the load "
-      "that\n"
-      "they do not hold. Velocities, angles and the history of the run stay behind.");
+      "With both tables, it prints the command that makes the state again, with the cell, the law and the "
+      "load, which\nthe tables do not hold. Velocities, angles and the history of the run are not written.");
   return {app, [arguments] { return run_export(*arguments); }};
 }
 

@@ -20,7 +20,7 @@ ConsolidationSample read_sample(const std::string& file, const ConsolidationArgu
   const bool any_oedometer = std::any_of(path.rows.begin(), path.rows.end(),
                                          [](const PathRow& row) { return row.load == PathLoad::oedometric; });
   if (any_oedometer)
-    spdlog::info("{}: P* of oedometric rows is that of the {} stress", path.name, arguments.stress);
+    spdlog::info("{}: P* of oedometric rows is computed from the {} stress", path.name, arguments.stress);
   ConsolidationSample sample = consolidation_sample(path, arguments);
   std::vector<std::string> pieces;
   for (const LeftOutStep& s : left_out_steps())
@@ -99,7 +99,7 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
     std::vector<std::string> pieces;
     for (const WindowShift& s : fit.window_shifts)
       pieces.push_back(fmt::format("{} ({})", s.lambda ? fmt::format("{:.4g}", *s.lambda) : "none", s.change));
-    spdlog::info("{}: lambda with the window moved by a row: {}", sample.name, fmt::join(pieces, ", "));
+    spdlog::info("{}: lambda with the window moved by one row: {}", sample.name, fmt::join(pieces, ", "));
   }
   if (n_asked > 0)
     spdlog::info("{}: bootstrap: {} of {} resampled fits have a regime II", sample.name, fit.n_bootstrapped,
@@ -137,7 +137,7 @@ int fit_tables(const ConsolidationArguments& arguments) {
   ConsolidationFit fit;
   for (const ConsolidationSample& sample : samples) {
     if (arguments.weights == "scatter" && sample.loading.curve.samples.cols() < 2)
-      spdlog::info("{}: a single curve has no scatter between samples: relative weights", sample.name);
+      spdlog::info("{}: a single curve has no scatter between samples: relative weights are used", sample.name);
     fit = fit_of(sample, arguments, options);
     log_fit(sample, fit, arguments.n_bootstrap);
     if (!fit.found()) code = worse(code, kNotConverged);
@@ -159,37 +159,40 @@ Command add_fit_consolidation(CommandLine fit) {
   auto arguments = std::make_shared<ConsolidationArguments>();
   CommandLine app =
       fit.add_subcommand("consolidation", "plasticity index lambda and the other parameters of consolidation");
-  app.add_option(
-         "TABLE", arguments->inputs,
-         "tables with columns P_star, phi (or void_ratio) and perhaps branch; directories of `floc run`; "
-         "- is stdin")
+  app.add_option("TABLE", arguments->inputs,
+                 "tables with columns P_star, phi (or void_ratio) and optionally branch; directories of `floc "
+                 "run`; - is stdin")
       .required();
   app.add_option("--law", arguments->law, "log (regime II), power (regime III) or full (both) [full]")
       .one_of({"log", "power", "full"});
-  app.add_option("--window", arguments->window, "lo,hi: fit on these P* only [found]")
+  app.add_option("--window", arguments->window,
+                 "lo,hi: fit only the pressures P* in this window [found from the data]")
       .delimiter(',')
       .expected(2);
   app.add_option("--protocol", arguments->protocol,
-                 "published: P0* on the grid and held, the mean of the samples fitted [where the plateau meets "
-                 "the line]")
+                 "published: hold P0* at a pressure of the curve and fit the mean of the samples [P0* is where "
+                 "the plateau meets the line]")
       .one_of({"published"});
-  app.add_option("--P0", arguments->P0, "fit from the pressure nearest to this one to the last [found]")
+  app.add_option("--P0", arguments->P0,
+                 "fit from the pressure nearest to this one to the last [found from the data]")
       .positive()
       .excludes("--window");
-  app.add_option("--loading", arguments->loading,
-                 "first, or virgin: also what later loadings add beyond the largest pressure before [first]")
+  app.add_option(
+         "--loading", arguments->loading,
+         "first: the first loading; virgin: also later loadings beyond the largest pressure before [first]")
       .one_of({"first", "virgin"});
   app.add_option("--weights", arguments->weights,
                  "uniform, relative (errors of 1/Phi are proportional to it) or scatter (between samples) "
                  "[scatter for a mean of three samples or more, otherwise relative]")
       .one_of({"uniform", "relative", "scatter"});
-  app.add_option("--loss", arguments->loss, "squared, huber or cauchy: what outliers count for [squared]")
+  app.add_option("--loss", arguments->loss,
+                 "loss function, which sets the weight of outliers: squared, huber or cauchy [squared]")
       .one_of({"squared", "huber", "cauchy"});
-  app.add_option("--bootstrap", arguments->n_bootstrap, "N: errors of N resampled fits beside [none]")
+  app.add_option("--bootstrap", arguments->n_bootstrap, "N: also give errors from N resampled fits [none]")
       .between(2, 1000000);
-  app.add_option("--seed", arguments->seed, "of the bootstrap [1]");
+  app.add_option("--seed", arguments->seed, "seed of the bootstrap [1]");
   app.add_option("--stress", arguments->stress,
-                 "driven or mean: the stress that P* is of in an oedometer [driven]")
+                 "stress from which P* of an oedometric test is computed: driven or mean [driven]")
       .one_of({"driven", "mean"});
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   app.add_option("--plot", arguments->plot,

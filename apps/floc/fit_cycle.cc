@@ -22,7 +22,8 @@ int run_cycles(const Arguments& arguments) {
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     const PathTable path = read_path(file, columns, {"P", "P_star"});
     if (add_cycles(path, table) > 0) return int{kDone};
-    spdlog::warn("{}: no cycle: no pressure comes back after it has grown and fallen", path.name);
+    spdlog::warn("{}: no cycle: no pressure is reached both on loading and on the unloading after it",
+                 path.name);
     return int{kNotConverged};
   });
   print_table(table, arguments.format);
@@ -33,7 +34,8 @@ int run_cycles(const Arguments& arguments) {
 
 Command add_fit_cycle(CommandLine fit) {
   auto arguments = std::make_shared<Arguments>();
-  CommandLine app = fit.add_subcommand("cycle", "what cycles of pressure leave: change of Phi, and their work");
+  CommandLine app =
+      fit.add_subcommand("cycle", "what pressure cycles leave behind: the change of Phi, and their work");
   app.add_option(
          "TABLE", arguments->inputs,
          "tables with columns P (or P_star), phi (or void_ratio); directories of `floc run`; - is stdin")

@@ -46,8 +46,8 @@ void log_fit(const std::string& name, const CompactionFit& fit) {
     budget.push_back(fmt::format("{} {:.2g}, {:.2g} and {:.2g} ({})", parts.name, parts.scatter, parts.law,
                                  parts.plateau, limit_of(parts)));
   spdlog::info(
-      "{}: errors from {}, from what the law misses and from which samples are beside the plateau "
-      "(what limits): {}",
+      "{}: errors from {}, from the misfit of the law and from the choice of the samples beside the plateau "
+      "(and what limits each): {}",
       name, fit.errors_from_runs ? "the scatter between repeated runs" : "the residuals",
       fmt::join(budget, "; "));
 }
@@ -90,14 +90,13 @@ Command add_fit_dynamic_compaction(CommandLine fit) {
   app.add_option("--p-D", reference.p_D, "pressure at which the plateau is e_min + De, in the unit of p [0.01]")
       .positive();
   app.add_option("--eta-m", reference.eta_m, "eta* at which (1 - e_r)/e_r = s_m [0.045]").positive();
-  app.add_option(
-         "--plateau", arguments->plateau,
-         "pressure that the plateau e_max is taken at: p of the sample, or p_crit = sc^2/se, as the law is "
-         "printed: no dense sample then has a plateau, and A and a are not identified [p]")
+  app.add_option("--plateau", arguments->plateau,
+                 "pressure at which the plateau e_max is evaluated: p of the sample, or p_crit = sc^2/se, as "
+                 "the law is printed; no dense sample then has a plateau, and A and a are not identified [p]")
       .one_of({"p", "p_crit"});
   app.add_option(
          "--p-0", reference.p_0,
-         "smallest pressure of the plateau fitted [none is too small; with --plateau p_crit that of --p-D]")
+         "smallest pressure at which the plateau is fitted [no limit; with --plateau p_crit that of --p-D]")
       .positive();
   add_columns_option(app, arguments->columns, "e, p, sc, se");
   add_format_option(app, arguments->format);

@@ -47,7 +47,7 @@ int fit_tables(const Arguments& arguments) {
     const PathTable path = read_path(file, columns, {"P", "P_star"});
     const std::vector<ElasticBranch> branches = elastic_branches(path, arguments.state);
     if (branches.empty()) {
-      spdlog::warn("{}: no fit: the pressure falls nowhere, there is no unloading branch", path.name);
+      spdlog::warn("{}: no fit: the pressure never falls, so there is no unloading branch", path.name);
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;
@@ -72,16 +72,15 @@ int fit_tables(const Arguments& arguments) {
 
 Command add_fit_elastic(CommandLine fit) {
   auto arguments = std::make_shared<Arguments>();
-  CommandLine app =
-      fit.add_subcommand("elastic", "bulk modulus from unloading branches, beside that of a saved state");
+  CommandLine app = fit.add_subcommand(
+      "elastic", "bulk modulus from unloading branches, compared with that of a saved state");
   app.add_option(
          "TABLE", arguments->inputs,
          "tables with columns P (or P_star), phi (or void_ratio); directories of `floc run`; - is stdin")
       .required();
   app.add_option("--state", arguments->state,
-                 "state whose computed modulus stands beside the fit [that of the branch's first row, of a "
-                 "curved one that of "
-                 "the middle row of its straight part, if it is there]");
+                 "state whose computed modulus is printed beside the fit [the state of the branch's first row, "
+                 "or, for a curved branch, of the middle row of its straight part, if that state is there]");
   add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio, branch");
   add_format_option(app, arguments->format);
   return {app, [arguments] { return fit_tables(*arguments); }};

@@ -77,12 +77,13 @@ Command add_fit_force_distribution(CommandLine fit) {
          "tails (exponential, of both signs), power-exponential, quadratic-exponential (of the compressive "
          "forces) or all [all]")
       .one_of({"all", "tails", "power-exponential", "quadratic-exponential"});
-  const Option threshold = app.add_option("--threshold", arguments->threshold,
-                                          "size of a force where tails begin [the mean of its sign]")
-                               .non_negative();
+  const Option threshold =
+      app.add_option("--threshold", arguments->threshold,
+                     "magnitude of the force at which the tails begin [the mean of the forces of that sign]")
+          .non_negative();
   app.add_option("--draws", arguments->options.n_draws, "samples drawn from the fit for its p-value [200]")
       .between(1, 100000);
-  app.add_option("--seed", arguments->options.seed, "of these draws [1]");
+  app.add_option("--seed", arguments->options.seed, "seed of these draws [1]");
   add_columns_option(app, arguments->columns, "normal_force");
   add_format_option(app, arguments->format);
   return {app, [arguments, threshold] {

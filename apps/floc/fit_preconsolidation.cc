@@ -38,7 +38,7 @@ int fit_tables(const Arguments& arguments) {
     const PathTable path = read_path(file, columns);
     const std::vector<ReloadingFit> fits = preconsolidation_fits(path);
     if (fits.empty()) {
-      spdlog::warn("{}: no fit: the pressure does not grow again after a fall, there is no reloading branch",
+      spdlog::warn("{}: no fit: the pressure does not rise again after a fall, so there is no reloading branch",
                    path.name);
       return static_cast<int>(kNotConverged);
     }
@@ -68,10 +68,9 @@ Command add_fit_preconsolidation(CommandLine fit) {
   auto arguments = std::make_shared<Arguments>();
   CommandLine app = fit.add_subcommand(
       "preconsolidation", "preconsolidation pressure of overconsolidated samples, from reloading branches");
-  app.add_option(
-         "TABLE", arguments->inputs,
-         "tables with columns P_star, phi (or void_ratio) and perhaps branch; directories of `floc run`; "
-         "- is stdin")
+  app.add_option("TABLE", arguments->inputs,
+                 "tables with columns P_star, phi (or void_ratio) and optionally branch; directories of `floc "
+                 "run`; - is stdin")
       .required();
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   add_format_option(app, arguments->format);

@@ -59,10 +59,9 @@ void refuse_too_large(int dimension, double n_nodes) {
   const double needed = expected_memory(dimension, n_nodes);
   const auto available = available_memory();
   if (!available || needed <= *available) return;
-  throw InputError("floc lattice",
-                   fmt::format("{:.3g} nodes take some {:.1f} GB, and {:.1f} GB are free: give a wider "
-                               "spacing or fewer nodes a diameter",
-                               n_nodes, needed / 1e9, *available / 1e9));
+  throw InputError("floc lattice", fmt::format("{:.3g} nodes take about {:.1f} GB, but {:.1f} GB are free: "
+                                               "give a wider spacing or fewer nodes per diameter",
+                                               n_nodes, needed / 1e9, *available / 1e9));
 }
 
 template <int Dim>
@@ -105,12 +104,11 @@ CementedSample<Dim> make_sample(const LatticeArguments& arguments, const Packing
   row.bridge_width = sample.bridge_width;
   row.n_bridges = sample.n_bridges;
   if (row.nodes_a_diameter < kCoarse)
-    say(fmt::format(
-        "floc: warning: {:.1f} nodes a mean diameter are coarse: at 9 Young's modulus is 12 % too low and "
-        "forces "
-        "between grains agree with those of a fine lattice by a Pearson coefficient of 0.95; take 15 for "
-        "forces and moduli, 35 for tails of the stress",
-        row.nodes_a_diameter));
+    say(
+        fmt::format("floc: warning: {:.1f} nodes per mean diameter are coarse: at 9, Young's modulus is 12 % "
+                    "too low and forces between grains agree with those of a fine lattice by a Pearson "
+                    "coefficient of 0.95; take 15 for forces and moduli, 35 for tails of the stress",
+                    row.nodes_a_diameter));
   return sample;
 }
 
@@ -123,7 +121,7 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
         "floc lattice",
         fmt::format("grains and matrix do not percolate: they {}; a higher --matrix or --bridge-gap joins more",
                     boundary_of(arguments) != LatticeBoundary::periodic
-                        ? std::string("do not join what holds them")
+                        ? std::string("do not join the boundaries that hold them")
                         : fmt::format("hold together along {} of {} directions", network.n_directions, Dim)));
   row.n_elements = static_cast<std::int64_t>(network.elements.size());
   row.n_removed = network.n_removed;
@@ -255,10 +253,9 @@ void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& r
   constexpr double kBrokenAcross = 10.0, kSecondsANode = 1e-5;
   const auto n = static_cast<double>(row.n_nodes);
   const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsANode * n / 60.0;
-  throw InputError("floc lattice",
-                   fmt::format("breaking {} nodes takes some {:.0f} minutes, to a factor of three: give "
-                               "--yes to go on",
-                               row.n_nodes, std::max(1.0, minutes)));
+  throw InputError("floc lattice", fmt::format("breaking a sample of {} nodes takes about {:.0f} minutes, to "
+                                               "within a factor of three: give --yes to go on",
+                                               row.n_nodes, std::max(1.0, minutes)));
 }
 
 template <int Dim>
@@ -307,7 +304,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   row.n_unknowns = solver.n_unknowns();
   row.seconds_lattice = seconds_since(start);
   say(fmt::format(
-      "{} nodes, {} elements, {} unknowns; rho_p = {:.4f}, rho_m = {:.4f}, {:.1f} nodes a mean diameter",
+      "{} nodes, {} elements, {} unknowns; rho_p = {:.4f}, rho_m = {:.4f}, {:.1f} nodes per mean diameter",
       row.n_nodes, row.n_elements, row.n_unknowns, row.grain_content, row.matrix_content,
       row.nodes_a_diameter));
 
@@ -323,7 +320,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
             ? fmt::format("floc: {}: not converged: an imbalance of {:.1e} of the load is left", arguments.file,
                           solution.report.imbalance)
             : fmt::format(
-                  "floc: {}: no strength: under this load bare contacts open until what is left moves freely",
+                  "floc: {}: no strength: under this load bare contacts open until the rest moves freely",
                   arguments.file));
     row.seconds = seconds_since(start);
     print_table(table_of(row), arguments.format);
@@ -358,7 +355,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
 
 Command add_lattice(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "lattice", "Solve cemented grains, a saved packing and a solid matrix, as a lattice of elastic elements");
+      "lattice", "Solve cemented grains (a saved packing and a solid matrix) as a lattice of elastic elements");
   const auto arguments = std::make_shared<LatticeArguments>();
   add_lattice_options(app, *arguments);
   return {app, [arguments] {

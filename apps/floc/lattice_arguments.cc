@@ -34,62 +34,66 @@ void refuse_faults(const std::string& option, const std::vector<std::string>& fa
 
 void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("STATE", a.file, "state file of the grains, - for one on stdin").required();
-  app.add_option("--matrix", a.matrix, "content of the matrix, its share of the volume")
+  app.add_option("--matrix", a.matrix, "content of the matrix: its share of the volume")
       .required()
       .between(0.0, 1.0);
-  app.add_option(
-      "--stiffness", a.stiffness,
-      "grain=K,matrix=K,interface=K,contact=K: of the elements, force/length [1; interface 2 K K'/(K + K'), "
-      "contact that of the grains]");
-  app.add_option("--per-diameter", a.per_diameter, "nodes a mean diameter [15 in 2D, 6.5 in 3D]").positive();
-  app.add_option("--spacing", a.spacing, "of the nodes instead (length)").positive().excludes("--per-diameter");
+  app.add_option("--stiffness", a.stiffness,
+                 "grain=K,matrix=K,interface=K,contact=K: stiffnesses of the elements, force/length [1; "
+                 "interface 2 K K'/(K + K'), contact that of the grains]");
+  app.add_option("--per-diameter", a.per_diameter, "nodes per mean diameter [15 in 2D, 6.5 in 3D]").positive();
+  app.add_option("--spacing", a.spacing, "spacing of the nodes instead (length)")
+      .positive()
+      .excludes("--per-diameter");
   app.add_option("--bridge-gap", a.bridge_gap, "widest gap that a bridge joins, in mean diameters [0.05]")
       .non_negative();
   app.add_option("--contacts", a.contacts,
-                 "bare contacts of two grains: unilateral, bilateral or none [unilateral]")
+                 "bare contacts between two grains: unilateral, bilateral or none [unilateral]")
       .one_of({"unilateral", "bilateral", "none"});
   app.add_option("--patch", a.patch,
-                 "half width of bare contacts over R' = 2 R R'/(R + R') [as the lattice lays them]")
+                 "half width of bare contacts over R' = 2 R R'/(R + R') [as wide as the lattice makes them]")
       .non_negative();
   app.add_option("--shear", a.shear, "K_T/K_N of the elements [0: central springs]").non_negative();
   app.add_option("--bending", a.bending, "K_R/(K_N spacing^2) of the elements [0]").non_negative();
   app.add_flag("--by-facet", a.by_facet, "K = E facet/length: the stiffnesses are moduli");
-  app.add_option("--jitter", a.jitter, "3D: displacement of the points, in spacings [0.35]");
-  app.add_option("--seed", a.seed, "3D: of these [1]").non_negative();
+  app.add_option("--jitter", a.jitter, "3D: largest random displacement of a node, in spacings [0.35]");
+  app.add_option("--seed", a.seed, "3D: seed of these displacements [1]").non_negative();
   app.add_option(
       "--load", a.load,
       "compression or tension (a stress of 1 along the axis), stress:S11,S22,... or strain:E11,E22,... in the "
       "order 11,22,12 or 11,22,33,23,13,12 [compression]");
-  app.add_option("--axis", a.axis, "of the load: x, y or z [the last]").one_of({"x", "y", "z"});
+  app.add_option("--axis", a.axis, "axis of the load: x, y or z [the last]").one_of({"x", "y", "z"});
   app.add_option("--boundary", a.boundary,
                  "periodic, plates (without friction, sides free), bonded-plates, or uniform-strain (held at "
                  "the border) "
                  "[periodic]")
       .one_of({"periodic", "plates", "bonded-plates", "uniform-strain"});
   app.add_flag("--moduli", a.moduli, "all elastic moduli about the loaded sample, and their bounds");
-  app.add_option("--tolerance", a.tolerance, "of the solution [1e-10 in 2D, 1e-9 in 3D]").positive();
-  app.add_option("--compare", a.compare, "a state of the same grains: how its forces agree with those here");
+  app.add_option("--tolerance", a.tolerance, "relative tolerance of the solution [1e-10 in 2D, 1e-9 in 3D]")
+      .positive();
+  app.add_option("--compare", a.compare,
+                 "state of the same grains, whose forces are compared with those of the lattice");
   app.add_option("-o,--output", a.output,
-                 "the loaded lattice as a state: its nodes are grains, its elements contacts");
-  app.add_option("--stress", a.stress, "csv: phase, place and stress of each node");
-  app.add_option("--forces", a.forces, "the grains with the forces between them as a state");
+                 "file for the loaded lattice as a state: its nodes are grains, its elements contacts");
+  app.add_option("--stress", a.stress, "csv: phase, position and stress of each node");
+  app.add_option("--forces", a.forces, "file for the grains, with the forces between them, as a state");
   app.add_option("--pdf", a.pdf, "csv: distributions of the stress of nodes and of the forces between grains");
-  app.add_option("--bin-width", a.bin_width, "of these, in means [0.1]").positive();
+  app.add_option("--bin-width", a.bin_width, "bin width of these distributions, in means [0.1]").positive();
   app.add_option("--plot", a.plot, "F.svg, F.pdf or F.png: distributions of the stress with their tails");
   app.add_option("--map", a.map, "F.svg, F.pdf or F.png: the stress of the nodes along the axis");
-  app.add_option("--largest", a.largest, "stress of the last colour, in means [4]").positive();
+  app.add_option("--largest", a.largest, "stress at the end of the colour scale of --map, in means [4]")
+      .positive();
   app.add_option("--phases", a.phases, "F.svg, F.pdf or F.png: grains, matrix and voids");
-  app.add_option("--cut", a.cut, "3D: section that pictures show, an axis and a share of the cell [y,0.5]");
-  app.add_option("--pixels", a.pixels, "across a node of pictures, which keep below 3000 a side [4]")
+  app.add_option("--cut", a.cut, "3D: section that the pictures show: an axis and a share of the cell [y,0.5]");
+  app.add_option("--pixels", a.pixels, "pixels per node in pictures, which stay below 3000 pixels per side [4]")
       .between(1.0, 100.0);
   app.add_option("--strength", a.strength,
                  "grain=F,matrix=F,interface=F,contact=F: tension at which elements break; a kind left out "
-                 "never does. The "
-                 "sample is then broken, element by element");
-  app.add_option("--end-at", a.end_at, "where the stress has fallen to this share of the largest [0.2]")
+                 "never breaks. The sample is then broken, element by element");
+  app.add_option("--end-at", a.end_at,
+                 "stop breaking where the stress has fallen to this share of the largest [0.2]")
       .between(0.0, 1.0);
-  app.add_option("--curve", a.curve, "csv of that: strain, stress and element of each breakage");
-  app.add_option("--cracks", a.cracks, "F.svg, F.pdf or F.png: what has broken");
+  app.add_option("--curve", a.curve, "csv: strain, stress and element of each breakage");
+  app.add_option("--cracks", a.cracks, "F.svg, F.pdf or F.png: the broken elements");
   app.add_flag("--yes", a.yes, "break samples of more than 20000 nodes, however long it takes");
   add_format_option(app, a.format);
 }
@@ -176,7 +180,7 @@ LatticeLoad<Dim> load_of(const LatticeArguments& a) {
     load.value[k] = *number;
   }
   if (load.value.isZero(0.0))
-    throw InputError("--load " + a.load, "is no load: expected a number other than zero");
+    throw InputError("--load " + a.load, "is not a load: expected at least one number other than zero");
   return load;
 }
 

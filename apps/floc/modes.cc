@@ -68,8 +68,8 @@ void add_strain_mechanisms(const std::string& file, const StrainMechanisms& foun
     rows.push_back(row);
   }
   if (!found.vanishing.empty())
-    warn(file,
-         fmt::format("mechanisms strain the cell at no cost; zero: {}", fmt::join(found.vanishing, ", ")));
+    warn(file, fmt::format("mechanisms strain the cell at no cost; moduli that vanish: {}",
+                           fmt::join(found.vanishing, ", ")));
 }
 
 template <int Dim>
@@ -93,21 +93,18 @@ template <int Dim>
 void report_soft_modes(const std::string& file, const ContactNetwork<Dim>& network, const Moduli& moduli,
                        const SoftModes<Dim>& soft) {
   if (moduli.response.n_mechanisms > 0)
-    print_message(
-        file,
-        fmt::format("{} mechanism(s) of the grains, {} of them by the way the contacts are connected, the "
-                    "others by where the grains are",
-                    moduli.response.n_mechanisms,
-                    structural_mechanisms(network, StrainSet::diagonal).n_mechanisms));
+    print_message(file, fmt::format("{} mechanism(s) of the grains, {} of them due to how the contacts are "
+                                    "connected, the others due to where the grains are",
+                                    moduli.response.n_mechanisms,
+                                    structural_mechanisms(network, StrainSet::diagonal).n_mechanisms));
   const int listed = static_cast<int>(std::count_if(soft.modes.begin(), soft.modes.end(),
                                                     [](const auto& m) { return m.kind != ModeKind::elastic; }));
   if (soft.n_below_near_bound > 0)
-    print_message(
-        file,
-        fmt::format("{} mode(s) below max |F_N|/r = {:.3g}, {} listed: prestress may matter; B = {:.6g}, G = "
-                    "{:.6g}, with it {:.6g}, {:.6g}",
-                    soft.n_below_near_bound, soft.near_bound, listed, *moduli.B_without_prestress,
-                    *moduli.G_without_prestress, moduli.B, moduli.G));
+    print_message(file,
+                  fmt::format("{} mode(s) below max |F_N|/r = {:.3g}, {} listed: prestress may matter; without "
+                              "it B = {:.6g}, G = {:.6g}, with it {:.6g}, {:.6g}",
+                              soft.n_below_near_bound, soft.near_bound, listed, *moduli.B_without_prestress,
+                              *moduli.G_without_prestress, moduli.B, moduli.G));
   if (!soft.complete) warn(file, "copies of multiple eigenvalues are missing among the modes");
 }
 

@@ -37,7 +37,7 @@ bool check_equilibrium(const std::string& file, const AnyState& any, bool force)
          std::visit([](const auto& s) { return equilibrium_excess(s); }, any));
   else
     std::cerr << "floc: " << file << ": this state is not in equilibrium: " << faults
-              << "; --force computes moduli all the same\n";
+              << "; --force computes moduli anyway\n";
   return false;
 }
 
@@ -117,54 +117,51 @@ Command add_moduli(CommandLine program) {
       .one_of({"diagonal", "full"})
       .show_default();
   app.add_flag("--prestress", command->prestress,
-               "add the geometric terms of the forces (those of F_T left out); stress is the Cauchy stress");
-  const Option tolerance =
-      app.add_option(
-             "--tolerance", command->options.tolerance,
-             "relative error wanted of B and G; what is reached is printed, and said where it falls short")
-          .show_default();
+               "add the geometric terms of the forces (except those of F_T); stress is the Cauchy stress");
+  const Option tolerance = app.add_option("--tolerance", command->options.tolerance,
+                                          "relative error wanted of B and G; the error reached is printed, "
+                                          "with a warning where it is larger")
+                               .show_default();
   const Option method =
-      app.add_option(
-             "--method", command->method,
-             "factor; single-factor: in single precision, refined; iterative: from the state before, to "
-             "--tolerance; bounds: the middle between them. Errors of the last three are printed too")
+      app.add_option("--method", command->method,
+                     "factor: in double precision; single-factor: in single precision, refined; iterative: "
+                     "from the solution of the state before, to --tolerance; bounds: the middle between the "
+                     "bounds. The last three are approximate, and their errors are printed too")
           .one_of({"factor", "single-factor", "iterative", "bounds"})
           .show_default();
-  const Option accuracy =
-      app.add_option(
-             "--accuracy", command->accuracy,
-             "X, or B=X, G=X: relative errors that are good enough; takes the cheapest method that keeps them "
-             "and names it in the column method")
-          .delimiter(',')
-          .excludes(method)
-          .excludes(tolerance)
-          .one_argument_each();
-  app.add_option("--force-tolerance", command->options.force_tolerance,
-                 "cohesionless: a contact below this force carries nothing, in max(F0, P a^(d-1))")
+  const Option accuracy = app.add_option("--accuracy", command->accuracy,
+                                         "X, or B=X, G=X: relative errors that are good enough; the cheapest "
+                                         "method that keeps them is taken and named in the column method")
+                              .delimiter(',')
+                              .excludes(method)
+                              .excludes(tolerance)
+                              .one_argument_each();
+  app.add_option(
+         "--force-tolerance", command->options.force_tolerance,
+         "cohesionless packings: a contact below this force, in units of max(F0, P a^(d-1)), carries nothing")
       .show_default();
   app.add_option("--rolling-stiffness", command->rolling_stiffness,
-                 "K_R of every touching contact, in the state's units; a row for each value")
+                 "K_R of every touching contact, in the state's units; one row per value")
       .delimiter(',')
       .excludes(method)
       .excludes(accuracy)
       .one_argument_each();
-  app.add_option(
-      "--increments", command->increments,
-      "file for a row a contact: what a unit of isotropic and of deviatoric stress adds to its forces, "
-      "energy and rank, dead end, backbones");
+  app.add_option("--increments", command->increments,
+                 "file with one row per contact: what a unit of isotropic and of deviatoric stress adds to its "
+                 "forces, energy and rank, dead end, backbones");
   app.add_flag("--force", command->force,
-               "also of states that are not in equilibrium, which are refused otherwise");
-  app.add_option(
-         "--solver", command->solver,
-         "cholmod: by a factor; petsc: without one, also on all processes of mpirun; automatic: cholmod where "
-         "its factor fits into memory")
+               "accept states that are not in equilibrium, which are refused otherwise");
+  app.add_option("--solver", command->solver,
+                 "cholmod: with a factor; petsc: without one, also on all processes of mpirun; automatic: "
+                 "cholmod where its factor fits into memory")
       .one_of({"automatic", "cholmod", "petsc"})
       .show_default();
   app.add_option("--memory", command->memory,
                  "GB that a factor may take before --solver automatic leaves it to petsc [0.7 of what is free]")
       .positive();
   app.add_option("-o,--output", command->output,
-                 "file for the table in place of stdout, whole or absent: for mpirun, which hides a full disk");
+                 "file for the table in place of stdout, written whole or not at all: for mpirun, which does "
+                 "not report a full disk");
   add_format_option(app, command->format);
   return {app, [command] { return run_moduli(*command); }};
 }

@@ -21,14 +21,17 @@ ModuliOptions options_of(const ModuliCommand& command) {
   options.method = moduli_method(command.method);
   std::vector<std::string> faults = options.validate();
   if (options.method != ModuliMethod::factor && !command.increments.empty())
-    faults.push_back("increments: expects --method factor, the forces of the others being approximate");
+    faults.push_back(
+        "increments: expects --method factor, because the forces of the other methods are approximate");
   for (const double kr : command.rolling_stiffness) {
     ModuliOptions with = command.options;
     with.rolling_stiffness = kr;
     for (const std::string& fault : with.validate()) faults.push_back(fault);
   }
   if (!command.increments.empty() && command.rolling_stiffness.size() > 1)
-    faults.push_back("increments: expects one rolling stiffness at most, for one set of forces a contact");
+    faults.push_back(
+        "increments: expects at most one rolling stiffness, because each contact has one set of forces in the "
+        "file");
   for (const std::string& fault : faults) throw InputError("floc moduli", "--" + fault);
   return options;
 }
@@ -69,25 +72,25 @@ ModuliRequest request_of(const ModuliCommand& command) {
     request.options.largest_factor = largest_factor(command);
   if (request.solver != ModuliSolver::petsc) return request;
   if (!by_factor)
+    throw InputError("floc moduli",
+                     "--solver petsc: expected without --method and --accuracy; --tolerance sets its accuracy");
+  if (!command.increments.empty())
     throw InputError(
         "floc moduli",
-        "--solver petsc: expected without --method and --accuracy; --tolerance says how far it goes");
-  if (!command.increments.empty())
-    throw InputError("floc moduli",
-                     "--increments: expects --solver cholmod, the forces of the others being approximate");
+        "--increments: expects --solver cholmod, because the forces of the other solvers are approximate");
   return request;
 }
 
 void require_strains(const std::string& file, const AnyState& any, StrainSet strains) {
   if (strains == StrainSet::full &&
       std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))
-    throw InputError(file, "has walls, which shear no grains: expected --strains diagonal");
+    throw InputError(file, "has walls, which cannot shear the grains: expected --strains diagonal");
 }
 
 std::string accuracy_fault(const ModuliRow& row, const std::optional<ModuliAccuracy>& accuracy) {
   if (!accuracy || accuracy->met_by(row.moduli)) return "";
   return fmt::format(
-      "no method tells B and G as accurately as asked: the error bounds of the factor are {:.1e} of {:.6g} and "
+      "no method gives B and G as accurately as asked: the error bounds of the factor are {:.1e} of {:.6g} and "
       "{:.1e} of {:.6g}",
       row.moduli.B_error, row.moduli.B, row.moduli.G_error, row.moduli.G);
 }

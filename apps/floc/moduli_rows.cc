@@ -109,7 +109,7 @@ std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Pa
                                        bytes / 1e9, options.largest_factor / 1e9);
   std::vector<Moduli> all;
   if (!has_parallel_solver()) {
-    warn(file, size + ", and this floc was built without PETSc, which needs none: trying all the same", bytes);
+    warn(file, size + ", and this floc was built without PETSc, which needs none: trying anyway", bytes);
     ModuliOptions unlimited = options;
     unlimited.largest_factor = std::numeric_limits<double>::infinity();
     for (const auto& rolling : rolling_of(request_))

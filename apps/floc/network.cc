@@ -31,21 +31,24 @@ Command add_network(CommandLine program) {
   const auto command = std::make_shared<NetworkCommand>();
   add_states_argument(app, command->files);
   app.add_option("--zero-force", command->zero_force,
-                 "a normal force below this is zero, in max(F0, P a^(d-1)) [the force tolerance of the state]")
+                 "normal forces below this count as zero, in units of max(F0, P a^(d-1)) [the force tolerance "
+                 "of the state]")
       .non_negative();
-  app.add_option(
-         "--least-contacts", command->least_contacts,
-         "contacts above that force which hold a grain of the force-carrying structure [2 where a contact "
-         "carries a tangential force, else d+1]")
+  app.add_option("--least-contacts", command->least_contacts,
+                 "fewest contacts above that force for a grain of the force-carrying structure [2 where a "
+                 "contact carries a tangential force, else d+1]")
       .between(1, 100);
   app.add_option("--pdf", command->distributions,
                  "file for distributions of normal forces (with sign), tangential forces and rolling moments, "
-                 "a row a bin");
-  app.add_option("--unit", command->unit,
-                 "of these: mean (of the sizes of their kind), F0 (moments F0 a) or P (P a^(d-1))")
+                 "one row per bin");
+  app.add_option(
+         "--unit", command->unit,
+         "unit of these distributions: mean (mean size of their kind), F0 (of moments F0 a) or P (P a^(d-1))")
       .one_of({"mean", "F0", "P"})
       .show_default();
-  app.add_option("--bin-width", command->bin_width, "of these, in that unit").positive().show_default();
+  app.add_option("--bin-width", command->bin_width, "bin width of these distributions, in that unit")
+      .positive()
+      .show_default();
   app.add_option("--particle-stress", command->pressures, "file for the pressure and stress of each grain");
   add_bond_options(app, command->bonds);
   add_format_option(app, command->format);

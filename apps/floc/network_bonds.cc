@@ -167,28 +167,28 @@ void add_bond_options(CommandLine app, BondArguments& arguments) {
   app.add_option(
          "--with", arguments.with,
          "bonds: all interactions by sign, with a class near zero, and estimates of the tensile strength; "
-         "phases: how grains of positive and negative pressure are joined, beside shuffled signs")
+         "phases: how grains of positive and negative pressure are joined, compared with shuffled signs")
       .delimiter(',')
       .one_of({"bonds", "phases"});
-  app.add_option("--near-zero", arguments.near, "a normal force below this is near zero, in F0")
+  app.add_option("--near-zero", arguments.near, "normal forces below this are near zero, in units of F0")
       .non_negative()
       .show_default();
   app.add_option("--shuffles", arguments.phases.n_shuffles,
-                 "of the signs of the grains, as a control of the phases")
+                 "number of shuffles of the signs of the grains, a control for the phases")
       .between(1, 100000)
       .show_default();
+  app.add_option("--exponents", arguments.exponents,
+                 "file for the exponents of the distributions of forces and particle pressures, by maximum "
+                 "likelihood, for each sign and for both");
   app.add_option(
-      "--exponents", arguments.exponents,
-      "file for the exponents of forces and particle pressures by maximum likelihood, either side and "
-      "both");
-  app.add_option("--pressure-pdf", arguments.pressures,
-                 "file for the distribution of particle pressures, in F0/<d>^(d-1), without adhesion in P");
-  app.add_option("--pressure-bin-width", arguments.bin_width, "of these, in that unit")
+      "--pressure-pdf", arguments.pressures,
+      "file for the distribution of particle pressures, in units of F0/<d>^(d-1), without adhesion of P");
+  app.add_option("--pressure-bin-width", arguments.bin_width, "bin width of this distribution, in that unit")
       .positive()
       .show_default();
   app.add_option("--like-neighbours", arguments.neighbours,
-                 "file for the size of particle pressures by the share of neighbours of the same sign");
-  app.add_option("--clusters", arguments.clusters, "file for the sizes of the parts of either phase");
+                 "file for the size of particle pressures against the share of neighbours of the same sign");
+  app.add_option("--clusters", arguments.clusters, "file for the sizes of the connected parts of each phase");
 }
 
 template <int Dim>

@@ -79,10 +79,10 @@ void add_distributions(const std::string& file, const Packing<Dim>& packing, con
   for (const ForceKind kind : kKinds) {
     const ForceDistribution d = force_distribution(packing, kind, unit, command.bin_width);
     if (d.n == 0 && kind == ForceKind::normal)
-      warn(file, fmt::format("no force to measure normal forces in: {}",
-                             unit == ForceUnit::mean       ? "all are zero"
-                             : unit == ForceUnit::pressure ? "P is not positive, take --unit mean"
-                                                           : "F0 = 0, take --unit mean"));
+      warn(file, fmt::format("no unit for the normal forces: {}", unit == ForceUnit::mean ? "all are zero"
+                                                                  : unit == ForceUnit::pressure
+                                                                      ? "P is not positive, take --unit mean"
+                                                                      : "F0 = 0, take --unit mean"));
     add_distribution(file, kind, d, side.distributions);
     side.pooled[kind].add(d);
   }

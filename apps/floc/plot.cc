@@ -205,8 +205,8 @@ Made pressures(const PlotArguments& arguments) {
         any);
     if (!samples.empty() && samples.front().over_adhesion != sample.over_adhesion)
       throw InputError(file,
-                       "has particle pressures over another unit than the states before it: some have "
-                       "adhesion, others none");
+                       "has particle pressures in a different unit from the states before it: some have "
+                       "adhesion, others have none");
     samples.push_back(std::move(sample));
     return int{kDone};
   });
@@ -221,9 +221,9 @@ Made scattering_of_states(const PlotArguments& arguments) {
     ScatteringSample sample = std::visit(
         [&](const auto& state) { return scattering_sample(name_of_state(any), state.packing); }, any);
     if (!samples.empty() && samples.front().dimension != sample.dimension)
-      throw InputError(file,
-                       fmt::format("is {}D, and those before it are not: a plot of I(k) is of one dimension",
-                                   sample.dimension));
+      throw InputError(
+          file, fmt::format("is {}D, and those before it are not: a plot of I(k) shows states of one dimension",
+                            sample.dimension));
     samples.push_back(std::move(sample));
     if (!samples.back().refusal.empty()) spdlog::warn("{}: no law is drawn: {}", file, samples.back().refusal);
     return int{kDone};
@@ -240,7 +240,7 @@ Made fabric(const PlotArguments& arguments) {
   made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any) {
     const State<2>* state = std::get_if<State<2>>(&any);
     if (state == nullptr)
-      throw InputError(file, "is 3D: a rose diagram is of disks; see fabric in floc network");
+      throw InputError(file, "is 3D: a rose diagram is for disks; see fabric in floc network");
     states.emplace_back(name_of_state(any), contact_directions(state->packing, kDirections));
     return int{kDone};
   });
@@ -288,25 +288,23 @@ Command add_plot(CommandLine program) {
       .required();
   app.add_option(
          "--show", arguments->show,
-         "consolidation: 1/Phi against P*, its fit and regimes, unloading and elastic lines; moduli: "
-         "with their "
-         "bounds, of states or a table of floc moduli; coordination: by sign of the force; forces: "
-         "their distributions, "
-         "of states; pressures: distributions of particle pressures; scattering: I(k) of states, and its fit; "
-         "test: of a path with a driven axis, q/p and volumetric strain over the axial strain, and K0; "
-         "fabric: rose diagrams of contacts, of states "
+         "consolidation: 1/Phi against P*, its fit and regimes, unloading and elastic lines; moduli: moduli "
+         "with their bounds, of states or a table of floc moduli; coordination: coordination numbers by sign "
+         "of the force; forces: force distributions of states; pressures: distributions of particle pressures "
+         "of states; scattering: I(k) of states, and its fit; test: q/p and volumetric strain against the "
+         "axial strain, and K0, of a path with a driven axis; fabric: rose diagrams of the contacts of states "
          "[forces for state files, otherwise consolidation]")
       .one_of(
           {"consolidation", "moduli", "coordination", "forces", "pressures", "scattering", "test", "fabric"});
   app.add_option(
          "--steps", arguments->steps,
-         "K,...: states of a directory, for forces [at the lowest pressure of loading, half way up, at the "
-         "highest], pressures, scattering and fabric [three, from the first to the last]")
+         "K,...: which states of a directory to plot, for forces [at the lowest pressure of loading, half way "
+         "up, at the highest], pressures, scattering and fabric [three, from the first to the last]")
       .delimiter(',')
       .non_negative();
-  app.add_option("--kind", arguments->kind, "of forces: normal, tangential or rolling [normal]")
+  app.add_option("--kind", arguments->kind, "kind of the forces: normal, tangential or rolling [normal]")
       .one_of({"normal", "tangential", "rolling"});
-  app.add_option("--unit", arguments->unit, "of forces: mean, of their sizes, or F0 [mean]")
+  app.add_option("--unit", arguments->unit, "unit of the forces: mean (of their sizes) or F0 [mean]")
       .one_of({"mean", "F0"});
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   add_format_option(app, arguments->format);

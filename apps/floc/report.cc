@@ -100,10 +100,9 @@ Run<Dim> read_run(const std::string& directory) {
   run.path = read_path(table_of_run(directory), {});
   run.files = states_of_run(directory);
   if (run.files.size() != run.path.rows.size())
-    throw InputError(directory,
-                     fmt::format("holds {} states, and path.csv has {} rows: expected one each (floc run "
-                                 "--resume completes a run)",
-                                 run.files.size(), run.path.rows.size()));
+    throw InputError(directory, fmt::format("holds {} states, but path.csv has {} rows: expected one row per "
+                                            "state (floc run --resume completes a run)",
+                                            run.files.size(), run.path.rows.size()));
   const std::set<std::size_t> shown = shown_states(run.path);
   for (std::size_t k = 0; k < run.files.size(); ++k) {
     const AnyState any = read_state(run.files[k]);
@@ -166,7 +165,8 @@ std::string groups_section(Run<Dim>& run) {
     for (const DerivedGroup& group : derived_groups(scene_of(run)))
       if (group.name != "cost") table.rows.push_back({group.name, group.value, group.meaning});
   } catch (const InputError& error) {
-    run.warnings.push_back(std::string("the scene of the states is not read by this version: ") + error.what());
+    run.warnings.push_back(std::string("this version of floc cannot read the scene of the states: ") +
+                           error.what());
     return "";
   }
   return "<h2>Dimensionless groups</h2>\n" + html_table(table);
@@ -186,8 +186,7 @@ std::string fit_section(const ConsolidationFit& fit, Run<Dim>& run) {
     table.rows.push_back(std::move(row));
   }
   return "<h2>Consolidation</h2>\n<p>1/Φ = 1/Φ0 − λ ln{(P*/P0*) [1 − exp(−(P1*/P*)^α)]^(1/α)}, fitted to the "
-         "first "
-         "loading; errors are those of one sample and do not hold the scatter between samples.</p>\n" +
+         "first loading; errors are those of one sample and do not include the scatter between samples.</p>\n" +
          html_table(table);
 }
 
@@ -212,7 +211,8 @@ std::string plots_section(const FittedConsolidation& fitted, Run<Dim>& run) {
     if (!scattering.back().refusal.empty())
       run.warnings.push_back("I(k) at " + name + ": no law is drawn: " + scattering.back().refusal);
   }
-  add(forces_plot(forces, ForceKind::normal, ForceUnit::mean), "Distribution of normal forces, sign kept.");
+  add(forces_plot(forces, ForceKind::normal, ForceUnit::mean),
+      "Distribution of normal forces, with their sign.");
   add(scattering_plot(scattering), "Intensity scattered by the grains, and the law of fractal aggregates.");
   return out + "</div>\n";
 }
@@ -221,10 +221,10 @@ template <int Dim>
 std::string pictures_section(const Run<Dim>& run) {
   std::string out = "<h2>Force networks</h2>\n";
   for (std::size_t k = 0; k < run.shown.size(); ++k)
-    out += html_figure(draw_sheet<Dim>({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
-                       "Forces at " + pressure_text(run.shown[k]) + ", " +
-                           fs::path(run.shown_files[k]).filename().string() +
-                           ": lines join the centres of grains that interact, as wide as the force is large.");
+    out += html_figure(
+        draw_sheet<Dim>({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
+        "Forces at " + pressure_text(run.shown[k]) + ", " + fs::path(run.shown_files[k]).filename().string() +
+            ": lines join the centres of grains that interact; their width is proportional to the force.");
   return out;
 }
 
@@ -255,7 +255,7 @@ std::string page_of(Run<Dim>& run) {
   const std::string unit = stress_unit(run.first->units, Dim, run.first->packing.law.adheres());
   body += "<h2>Moduli</h2>\n<p>In " +
           (unit == "F_0/a" || unit == "F_0/a^2" ? kPressureUnit<Dim> : html_text(unit)) +
-          "; ± are bounds of what solving and rounding leave.</p>\n" + html_table(run.elasticity);
+          "; ± are bounds of the errors that solving and rounding leave.</p>\n" + html_table(run.elasticity);
   body += groups + provenance_section(run);
   if (!run.first->scene.empty()) body += "<h2>Scene</h2>\n<pre>" + html_text(run.first->scene) + "</pre>\n";
   return html_page(title, body);

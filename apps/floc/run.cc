@@ -80,7 +80,7 @@ int run_seeds(const RunArguments& arguments) {
                  scene.load);  // a bad path is reported once, before any sample starts
   if (!scene.is_random())
     throw InputError("--seeds " + arguments.seeds,
-                     "all samples would be the same: the scene starts from a state at rest; expected "
+                     "all samples would be the same, because the scene starts from a state at rest; expected "
                      "assembly.agitation, or one run");
   const std::string& directory = arguments.directory;
   const ClaimedDirectory claim(directory, existing_of(arguments), "runs");
@@ -111,28 +111,29 @@ Command add_run(CommandLine program) {
   app.add_flag("--overwrite", arguments->overwrite, "replace the run in the directory").excludes(resume);
   const Option seed =
       app.add_option("--seed", arguments->seed, "seed of the random numbers, instead of run.seed");
-  const Option seeds = app.add_option("--seeds", arguments->seeds,
-                                      "A..B: an ensemble, one sample a seed in a directory seed-N of its own")
-                           .excludes(seed);
+  const Option seeds =
+      app.add_option("--seeds", arguments->seeds,
+                     "A..B: an ensemble with one sample per seed, each in its own directory seed-N")
+          .excludes(seed);
   app.add_option("--jobs", arguments->jobs, "samples that run at the same time").needs(seeds).between(1, 1024);
-  app.add_option("--threads", arguments->threads, "threads; results are the same for any number")
+  app.add_option("--threads", arguments->threads, "number of threads; results do not depend on it")
       .between(1, 1024);
   app.add_option("--set", arguments->overrides,
                  "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
-  const Option track_contacts = app.add_option("--track-contacts", arguments->track_contacts,
-                                               "record in DIR/contacts.csv which contacts open and close "
-                                               "inside steps, looking each DT of simulated "
-                                               "time (at least each 500 time steps)")
-                                    .positive();
-  app.add_flag("--track-energy", arguments->track_energy,
-               "keep in DIR/energy.csv the account of the energy: work of the boundary, what is stored, what "
-               "is lost and "
-               "in what; needs equilibrium.finish = \"dynamic\", and some 20 times the time")
+  const Option track_contacts =
+      app.add_option("--track-contacts", arguments->track_contacts,
+                     "record in DIR/contacts.csv which contacts open and close inside steps, checking every DT "
+                     "of simulated time (at least every 500 time steps)")
+          .positive();
+  app.add_flag(
+         "--track-energy", arguments->track_energy,
+         "record the energy account in DIR/energy.csv: the work of the boundary, the energy stored, and the "
+         "energy lost to each cause; needs equilibrium.finish = \"dynamic\", and takes about 20 times as long")
       .excludes(track_contacts);
   app.add_flag("--no-timing", arguments->no_timing,
                "leave the column seconds of path.csv empty, so that equal runs are equal files");
-  app.add_option("--until", arguments->until, "stop after the equilibrium of this number").non_negative();
+  app.add_option("--until", arguments->until, "stop after the equilibrium with this number").non_negative();
   return {app,
           [arguments] { return arguments->seeds.empty() ? run_scene(*arguments) : run_seeds(*arguments); }};
 }

@@ -12,7 +12,8 @@ namespace floc {
 namespace fs = std::filesystem;
 
 std::string table_of_run(const std::string& directory) {
-  if (!fs::is_directory(directory)) throw InputError(directory, "is no directory: expected one of floc run");
+  if (!fs::is_directory(directory))
+    throw InputError(directory, "is not a directory: expected a directory of floc run");
   const std::vector<std::string> tables = tables_of(directory);
   if (tables.size() != 1 || fs::path(tables.front()).parent_path() != fs::path(directory + "/").parent_path())
     throw InputError(directory, fmt::format("holds {} samples: expected the directory of one, such as {}",
@@ -44,7 +45,7 @@ std::vector<std::string> states_of_inputs(const std::vector<std::string>& inputs
     for (const int step : steps) files.push_back(state_file(input, step));
   }
   if (!steps.empty() && !has_directory)
-    throw InputError("--steps", "expects a directory of floc run, and there are only files");
+    throw InputError("--steps", "expects a directory of floc run, but only files are given");
   return files;
 }
 

@@ -70,11 +70,11 @@ Command add_scene(CommandLine program) {
   CommandLine check =
       app.add_subcommand("check", "list every fault; print the dimensionless groups and the cost");
   check.add_option("SCENE", arguments->path, "scene file (TOML)").required();
-  check.add_option("--set", arguments->overrides, "key.path=value, instead of what the file says")
+  check.add_option("--set", arguments->overrides, "key.path=value: replaces what the file says")
       .one_argument_each();
   add_format_option(check, arguments->format);
   CommandLine start = app.add_subcommand("new", "write a commented starting scene NAME.toml");
-  start.add_option("NAME", arguments->name, "its name; - is stdout").required();
+  start.add_option("NAME", arguments->name, "name of the scene; - is stdout").required();
   return {app, [arguments, check] {
             return check.parsed() ? check_scene(*arguments) : start_scene(arguments->name);
           }};

@@ -37,7 +37,7 @@ RunDirectory open_directory(const RunArguments& arguments, Existing existing, co
     if (begun.empty() || begun == options.text) throw;
     const std::vector<std::string> changes = scene_changes(options.text, "here", begun, "there");
     throw InputError("", fmt::format("{}; {}", error.what(),
-                                     changes.empty() ? "the scenes differ in comments or layout alone"
+                                     changes.empty() ? "the scenes differ only in comments or layout"
                                                      : fmt::format("changed: {}", fmt::join(changes, "; "))));
   }
 }

@@ -23,8 +23,8 @@ PackingPicture<Dim> increments_of(const std::string& file, const State<Dim>& sta
   const auto response = step_response(network, moduli.response, step);
   if (!response)
     throw InputError(file,
-                     "a mechanism strains the cell at no cost, so no forces answer a step of stress (floc "
-                     "modes names it): --forces increment expects a packing that holds");
+                     "a mechanism strains the cell at no cost, so no forces balance a step of stress (floc "
+                     "modes lists it): --forces increment expects a packing without such mechanisms");
   return increment_forces(state.packing, network, *response);
 }
 

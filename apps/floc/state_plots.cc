@@ -238,8 +238,8 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
                                            : static_stress(packing).trace() / Dim;
   if (sample.pressures.empty() || !(unit > 0.0))
     throw InputError(place,
-                     "has no particle pressures to plot: no grain is held, or there is neither adhesion nor "
-                     "a pressure to measure them in");
+                     "has no particle pressures to plot: no grain carries forces, or there is neither adhesion "
+                     "nor pressure to give them a unit");
   for (double& p : sample.pressures) p /= unit;
   return sample;
 }

@@ -39,7 +39,8 @@ Command add_structure(CommandLine program) {
       "solid fraction");
   const auto command = std::make_shared<StructureCommand>();
   add_states_argument(app, command->files);
-  app.add_flag("--average", command->average, "a last row for all states together, as samples of one");
+  app.add_flag("--average", command->average,
+               "add a last row for all states together, as samples of one ensemble");
   app.add_option("--fit-range", command->fit_range,
                  "LOW,HIGH: wave numbers fitted, in 2 pi over the largest diameter")
       .delimiter(',')
@@ -50,38 +51,43 @@ Command add_structure(CommandLine program) {
       .positive()
       .show_default();
   app.add_option("--cells-per-wave", command->scattering.cells_per_wave,
-                 "mesh cells for each wave length of the largest wave number, at least 4")
+                 "mesh cells per wavelength at the largest wave number, at least 4")
       .between(4.0, 1000.0)
       .show_default();
-  app.add_option("--intensity", command->intensity, "file for I(k), a row a bin of k");
-  app.add_option("--pair-correlation", command->pairs, "file for g(r), a row a bin of r");
-  app.add_option("--reach", command->reach, "of g(r), in largest diameters").positive().show_default();
+  app.add_option("--intensity", command->intensity, "file for I(k), one row per bin of k");
+  app.add_option("--pair-correlation", command->pairs, "file for g(r), one row per bin of r");
+  app.add_option("--reach", command->reach, "largest r of g(r), in largest diameters")
+      .positive()
+      .show_default();
   app.add_option("--gaps", command->gaps,
                  "file for z(h), neighbours within a gap h: rattlers as found, and pushed against the others");
   app.add_option("--prediction", command->prediction,
-                 "file for P and z that the first state would have at the solid fraction of each, shrunk or "
-                 "expanded as a whole");
-  app.add_option("--pores", command->pores, "file for the pores (3D: balls in the voids), a row each");
+                 "file for P and z that the first state would have if it were uniformly shrunk or expanded to "
+                 "the solid fraction of each state");
+  app.add_option("--pores", command->pores, "file for the pores (3D: balls in the voids), one row each");
   app.add_option("--map", command->map,
-                 "file for the local solid fraction, a row a mesh cell (3D: a Voronoi cell)");
+                 "file for the local solid fraction, one row per mesh cell (3D: Voronoi cell)");
   app.add_option("--map-size", command->map_size, "mesh cells along each lattice vector")
       .delimiter(',')
       .expected(2)
       .between(1, 10000)
       .show_default();
-  app.add_option(
-      "--porosity", command->porosity,
-      "file for the porosity of cubes about the centre of the cell against their size, and of the cell "
-      "itself shrunk about it");
-  app.add_option("--probes", command->n_probes, "sizes of these").between(1, 10000).show_default();
+  app.add_option("--porosity", command->porosity,
+                 "file for the porosity of cubes about the centre of the cell against their size, and of the "
+                 "cell itself, shrunk about its centre");
+  app.add_option("--probes", command->n_probes, "number of sizes of these cubes")
+      .between(1, 10000)
+      .show_default();
   app.add_option(
       "--profile", command->profile,
-      "file for solid fraction, coordination and particle pressure in slices of the cell, a row each");
+      "file for solid fraction, coordination and particle pressure in slices of the cell, one row each");
   app.add_option("--profile-axis", command->profile_axis,
-                 "lattice vector that the slices follow each other along")
+                 "lattice vector along which the slices follow each other")
       .one_of({"x", "y", "z"})
       .show_default();
-  app.add_option("--slices", command->n_slices, "of a profile").between(1, 100000).show_default();
+  app.add_option("--slices", command->n_slices, "number of slices of the profile")
+      .between(1, 100000)
+      .show_default();
   add_format_option(app, command->format);
   return {app, [command] { return run_structure(*command); }};
 }

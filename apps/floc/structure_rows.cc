@@ -255,7 +255,8 @@ void add_prediction(const std::string& file, const State<Dim>& state, Series& se
     series.affine = AffineReference<Dim>(state.packing, rattlers_of(state));
   const auto* reference = std::get_if<AffineReference<Dim>>(&series.affine);
   if (reference == nullptr)
-    throw InputError(file, "has another dimension than the first state: no prediction follows from that one");
+    throw InputError(file,
+                     "differs in dimension from the first state, from which no prediction follows for it");
   const double phi = solid_fraction(state.packing);
   const AffinePrediction p = reference->at(phi);
   series.prediction.rows.push_back({series.reference, file, phi, static_stress(state.packing).trace() / Dim,
@@ -277,7 +278,8 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
   require_periodic(packing, "structure is measured", file);
   if (series.dimension == 0) series.dimension = Dim;
   if (command.average && series.dimension != Dim)
-    throw InputError(file, "has another dimension than the states before it: an average takes states of one");
+    throw InputError(
+        file, "differs in dimension from the states before it: an average takes states of one dimension");
   StructureRow row;
   row.file = file;
   row.dimension = Dim;

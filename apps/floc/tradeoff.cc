@@ -133,21 +133,20 @@ void print_tradeoff(Table table, const std::string& format) {
 int run_tradeoff(TradeoffCommand& command) {
   const Scene scene = read_scene(command.scene, command.overrides);
   if (scene.dimension != 2)
-    throw InputError(command.scene,
-                     fmt::format("scene.dimension = {}: expected 2; what settings cost and gain is "
-                                 "measured for disks alone",
-                                 scene.dimension));
+    throw InputError(
+        command.scene,
+        fmt::format(
+            "scene.dimension = {}: expected 2; costs and errors of settings are measured for disks only",
+            scene.dimension));
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const Tradeoff tradeoff = study_tradeoff(scene, command.options);
-  std::cerr
-      << "not varied on their own: power control is what finish = dynamic does, and the force loop has double "
-         "precision only\n";
+  std::cerr << "not varied separately: power control, which is what finish = dynamic does, and the precision "
+               "of the force loop, which is always double\n";
   for (const std::string& message : tradeoff.left_out) std::cerr << "left out: " << message << '\n';
   if (tradeoff.settings.empty()) {
     std::cerr << "floc: " << command.scene
-              << ": nothing could be compared: not even one sample at the finest settings was made; --budget "
-                 "may be too "
-                 "small\n";
+              << ": nothing could be compared: not even one sample could be made at the strictest settings; "
+                 "--budget may be too small\n";
     return kNotConverged;
   }
   print_tradeoff(table_of({scene.name, stiffness_of(scene)}, tradeoff, command.observables), command.format);
@@ -162,18 +161,20 @@ Command add_tradeoff(CommandLine program) {
       "tradeoff", "Run a scene at several accuracies: the error of its results against their cost");
   const auto command = std::make_shared<TradeoffCommand>();
   app.add_option("SCENE", command->scene, "scene file (TOML)").required();
-  app.add_option("--budget", command->options.budget, "seconds it may take, of one core")
+  app.add_option("--budget", command->options.budget, "seconds that it may take, on one core")
       .positive()
       .show_default();
-  app.add_option("--samples", command->options.max_samples, "most samples, with seeds from the scene's own on")
+  app.add_option("--samples", command->options.max_samples,
+                 "largest number of samples, with seeds that count up from the scene's own")
       .between(1, 10000)
       .show_default();
   app.add_option("--set", command->overrides, "KEY=VALUE: change one key of the scene").one_argument_each();
-  app.add_option("--observables", command->observables, "those wanted: phi, B, lambda, ... [all]")
+  app.add_option("--observables", command->observables, "observables to compare: phi, B, lambda, ... [all]")
       .delimiter(',')
       .one_argument_each()
       .one_of(observable_names());
-  app.add_option("--plot", command->plot, "F.svg: error against cost; its data and script beside it");
+  app.add_option("--plot", command->plot,
+                 "F.svg: error against cost; data and gnuplot script are written beside it");
   add_format_option(app, command->format);
   return {app, [command] { return run_tradeoff(*command); }};
 }

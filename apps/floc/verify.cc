@@ -53,8 +53,8 @@ Criterion check_mass(const std::string& file, const State<Dim>& state) {
     if (error <= result.value) continue;
     result.value = error;
     result.where = fmt::format(
-        "mass {:.6g} of grain {}, whose radius is {:.6g}, is not {:.6g} as the scene's density "
-        "makes it",
+        "mass {:.6g} of grain {}, whose radius is {:.6g}, is not the {:.6g} that follows from the scene's "
+        "density",
         g.mass[i], i, g.radius[i], expected);
   }
   result.holds = result.value <= kRelative;
@@ -81,14 +81,13 @@ int verify(const VerifyArguments& arguments) {
 
 Command add_verify(CommandLine program) {
   CommandLine app =
-      program.add_subcommand("verify", "Recompute from the file alone whether a state is an equilibrium");
+      program.add_subcommand("verify", "Recompute from the file alone whether a state is in equilibrium");
   const auto arguments = std::make_shared<VerifyArguments>();
   add_states_argument(app, arguments->files);
   add_format_option(app, arguments->format);
   app.footer(
-      "Prints what was found of each state; floc help columns verify explains the columns. The exit code is 5 "
-      "if\n"
-      "a criterion does not hold.");
+      "Prints what was found for each state; floc help columns verify explains the columns. The exit code is 5 "
+      "if\na criterion does not hold.");
   return {app, [arguments] { return verify(*arguments); }};
 }
 

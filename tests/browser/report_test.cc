@@ -42,7 +42,7 @@ TEST_F(Report, HoldsEverythingInOneFile) {
 }
 
 TEST_F(Report, RefusesWhatIsNoRun) {
-  EXPECT_THAT(floc("report small.toml -o r.html").err, HasSubstr("is no directory"));
+  EXPECT_THAT(floc("report small.toml -o r.html").err, HasSubstr("is not a directory"));
   const Outcome ensemble = floc("report " + source_directory() + "/data/tables/demo -o r.html");
   EXPECT_EQ(ensemble.code, 4);
   EXPECT_THAT(ensemble.err, HasSubstr("holds 8 samples"));
@@ -50,7 +50,7 @@ TEST_F(Report, RefusesWhatIsNoRun) {
               HasSubstr("state-0000.h5"));
   std::filesystem::copy(file("run"), file("cut"), std::filesystem::copy_options::recursive);
   std::filesystem::remove(file("cut/state-0008.h5"));
-  EXPECT_THAT(floc("report cut -o r.html").err, HasSubstr("holds 8 states, and path.csv has 9 rows"));
+  EXPECT_THAT(floc("report cut -o r.html").err, HasSubstr("holds 8 states, but path.csv has 9 rows"));
   write_text(file("cut/state-0008.h5"), "no state");
   const Outcome broken = floc("report cut -o r.html");
   EXPECT_EQ(broken.code, 4);

@@ -211,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadBox{"protocol = \"direct\"", "protocol = \"aggregation\"", "in a [box] the pressure acts at once"},
         BadBox{"kinetic_pressure = 0.02", "kinetic_pressure = -1", "expected a kinetic pressure >= 0"},
         BadBox{"kinetic_pressure = 0.02", "agitation = 2", "the gas of a [box] has a kinetic_pressure"},
-        BadBox{"to = 0.2", "to = 0.2\ninertial_number_cap = 0.1", "a [box] has walls, no cell"},
+        BadBox{"to = 0.2", "to = 0.2\ninertial_number_cap = 0.1", "a [box] has walls and no cell"},
         BadBox{"to = 0.2", "control = \"oedometric\"\nto = 0.2", "load.0.control: gives axis 1 a length"},
         BadBox{"to = 0.2", "control = \"triaxial\"\nstrain = 0.1", "load.0.control: gives axis 3 a length"},
         BadBox{"to = 0.2", "control = \"axes\"\naxes = [{stress = 1}, {as = 1}, {strain = 0.1}]",

@@ -254,7 +254,7 @@ TEST_F(Campaigns, StartFromACommentedFile) {
   EXPECT_THAT(table.columns(), ElementsAre("case", "contact.friction.coefficient", "seed", "n_states",
                                            "expected_seconds", "directory"));
   EXPECT_EQ(table.n_rows(), 6);
-  EXPECT_THAT(checked.err, HasSubstr("2 cases of 3 seeds: 6 runs, expected to take"));
+  EXPECT_THAT(checked.err, HasSubstr("2 cases with 3 seeds: 6 runs, expected to take"));
   EXPECT_EQ(floc("campaign new sweep").code, 4);
   fs::create_directory(file("below"));
   ASSERT_EQ(floc("campaign new below/own --scene small.toml").code, 0);
@@ -336,13 +336,14 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
       {head + "[[collect]]\ntable = \"compare\"\ncolumns = [\"n_kept\"]\n",
        {"c.toml:4: collect.0.before: expected the one state to compare with"}},
       {head + phi + "[[collect]]\ntable = \"moduli\"\ncolumns = [\"phi\"]\n",
-       {"c.toml:7: columns has phi, which is collected from path (", "c.toml:4) already"}},
+       {"c.toml:7: columns has phi, which is already collected from path (",
+        "c.toml:4): expected each column from one table"}},
       {head + phi + "[[fit]]\nlaw = \"cycle\"\n", {"c.toml:8: fit.0.law = ", "expected \"consolidation\""}},
       {head + phi + "[[reference]]\nof = \"z\"\nstate = \"last\"\nvalue = 1\nsource = \"\"\n",
        {"c.toml:7: of = \"z\": expected a column that a [[collect]] names"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nvalue = 1\n",
        {"c.toml:7: reference.0.state is missing",
-        "reference.0.source is missing: expected where the value is from"}},
+        "reference.0.source is missing: expected where the value comes from"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nstate = \"last\"\nvalue = 1\nerror = -1\nsource = \"x\"\n",
        {"c.toml:11: reference.0.error = -1: expected a number >= 0"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nstate = \"all\"\nvalue = 1\nsource = \"x\"\n",

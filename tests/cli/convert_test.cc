@@ -72,10 +72,10 @@ TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
   };
   expect(4, "nowhere.csv: No such file",
          {scratch.file("nowhere.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,0;0,4"});
-  expect(4, "g.xyz: its format is not recognised; say one of state (state file of floc, .h5), csv",
+  expect(4, "g.xyz: its format is not recognised; name one of state (state file of floc, .h5), csv",
          {scratch.file("g.xyz"), out});
-  expect(4, "\"lammps\" is no format", {scratch.file("g.xyz"), out, "--from", "lammps"});
-  expect(4, "--law: \"stiffness\" is no parameter", {scratch.file("g.csv"), out, "--law", "stiffness=1"});
+  expect(4, "\"lammps\" is not a format", {scratch.file("g.xyz"), out, "--from", "lammps"});
+  expect(4, "--law: \"stiffness\" is not a parameter", {scratch.file("g.csv"), out, "--law", "stiffness=1"});
   expect(4, "--cell: \"4:\"",
          {scratch.file("g.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,4:;0,4"});
   expect(4, "--columns: \"x\"", {scratch.file("g.csv"), out, "--columns", "x"});
@@ -83,7 +83,7 @@ TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
          {scratch.file("g.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,0;0,4"});
   expect(4, "s.pdb: expected a name that ends in one of .h5 (state: state file of floc), .vtu",
          {kJambashbulk, scratch.file("s.pdb")});
-  expect(4, "--to: \"pdb\" is no format", {kJambashbulk, out, "--to", "pdb"});
+  expect(4, "--to: \"pdb\" is not a format", {kJambashbulk, out, "--to", "pdb"});
   expect(4, "--stress: has 1 numbers, expected 2", {kJambashbulk, out, "--stress", "1"});
   expect(4, "leave out --law", {kJambashbulk, out, "--law", "normal.stiffness=2"});
   expect(1, "cannot be written", {kJambashbulk, scratch.file("g.csv/s.h5")});

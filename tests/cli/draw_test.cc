@@ -147,13 +147,14 @@ TEST_F(Draw, RefusesInWordsWhatItCannotDraw) {
   write_state(file("spheres.h5"), busy_state<3>());
   const std::pair<const char*, const char*> refusals[] = {
       {"draw run/state-0004.h5 -o s.svg --view 10,20",
-       "run/state-0004.h5: is 2D: --view, --slab and --sphere-size are of spheres"},
+       "run/state-0004.h5: is 2D: --view, --slab and --sphere-size apply to spheres"},
       {"draw spheres.h5 -o s.svg --view 10", "--view 10: expected AZIMUTH,ELEVATION"},
-      {"draw spheres.h5 -o s.svg --view 10,91", "elevation of the view = 91 degrees: between -90 and 90"},
+      {"draw spheres.h5 -o s.svg --view 10,91",
+       "elevation of the view = 91 degrees: must be between -90 and 90"},
       {"draw spheres.h5 -o s.svg --slab w,0,1", "--slab w,0,1: expected AXIS,FROM,TO"},
       {"draw spheres.h5 -o s.svg --slab z,0.6,0.4", "slab from 0.6 to 0.4: fractions of the cell"},
       {"draw spheres.h5 -o s.svg --slab x,0.98,0.99", "spheres.h5: has no grain whose centre lies in --slab"},
-      {"draw spheres.h5 -o s.svg --sphere-size 2", "sphere size = 2 of the true one: between 0 and 1"},
+      {"draw spheres.h5 -o s.svg --sphere-size 2", "sphere size = 2 of the true one: must be between 0 and 1"},
       {"draw spheres.h5 -o s.svg --compare run/state-0004.h5",
        "run/state-0004.h5: is 2D, and spheres.h5 is 3D"},
   };

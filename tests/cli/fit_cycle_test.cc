@@ -33,7 +33,7 @@ TEST(FitCycle, PrintsWhatEachPressureKeeps) {
 TEST(FitCycle, OfALoadingAloneIsRefusedInWords) {
   const Outcome o = fit_cycle("P_star,phi\n1,0.5\n3,0.6\n");
   EXPECT_EQ(o.code, 3);
-  EXPECT_THAT(o.err, HasSubstr("no cycle: no pressure comes back"));
+  EXPECT_THAT(o.err, HasSubstr("no cycle: no pressure is reached both on loading and on the unloading"));
 }
 
 }  // namespace

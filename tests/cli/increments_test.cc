@@ -114,11 +114,11 @@ TEST_F(Increments, OfSpheresHaveThreeComponents) {
 TEST_F(Increments, AreRefusedInWordsWhereOneFileCannotHoldThem) {
   const Outcome mixed = moduli("square.h5 cubic.h5 --increments out.csv");
   EXPECT_EQ(mixed.code, 4);
-  EXPECT_THAT(mixed.err, HasSubstr("cubic.h5: has another dimension than the states before it"));
+  EXPECT_THAT(mixed.err, HasSubstr("cubic.h5: differs in dimension from the states before it"));
   EXPECT_THAT(written(), SizeIs(3));
   const Outcome several = moduli("square.h5 --increments out.csv --rolling-stiffness 1,2");
   EXPECT_EQ(several.code, 4);
-  EXPECT_THAT(several.err, HasSubstr("--increments: expects one rolling stiffness at most"));
+  EXPECT_THAT(several.err, HasSubstr("--increments: expects at most one rolling stiffness"));
   EXPECT_EQ(moduli("square.h5 --increments none/out.csv").code, 1);
 }
 

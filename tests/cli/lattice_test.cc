@@ -165,7 +165,7 @@ TEST_F(LatticeCommand, RefusesInWordsWhatCannotBe) {
       {"disks.h5 --matrix 0.05 --stiffness grain=-1", "must be > 0", 4},
       {"disks.h5 --matrix 0.05 --load sideways", "expected compression", 4},
       {"disks.h5 --matrix 0.05 --load stress:1,2", "3 numbers", 4},
-      {"disks.h5 --matrix 0.05 --load stress:0,0,0", "no load", 4},
+      {"disks.h5 --matrix 0.05 --load stress:0,0,0", "is not a load", 4},
       {"disks.h5 --matrix 0.05 --axis z", "expected x or y", 4},
       {"disks.h5 --matrix 0.05 --map map.gif", ".svg, .pdf or .png", 4},
       {"disks.h5 --matrix 0.05 --curve c.csv", "--strength", 4},

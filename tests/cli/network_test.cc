@@ -123,7 +123,7 @@ TEST_F(Network, WritesParticleStressesThatAddUp) {
   EXPECT_NEAR(trace, whole, 1e-12 * std::abs(whole));
   const Outcome mixed = network("square.h5 spheres.h5 --particle-stress p.csv");
   EXPECT_EQ(mixed.code, 4);
-  EXPECT_THAT(mixed.err, HasSubstr("spheres.h5: has another dimension"));
+  EXPECT_THAT(mixed.err, HasSubstr("spheres.h5: differs in dimension"));
 }
 
 TEST_F(Network, TellsTheForceCarryingStructureOfSpheres) {

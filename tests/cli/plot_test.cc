@@ -279,7 +279,7 @@ TEST_F(PlotCommand, RoseDiagramsHoldAllContactsThatPress) {
   write_state(file("spheres.h5"), busy_state<3>());
   const Outcome spheres = floc("plot spheres.h5 --show fabric -o rose.svg");
   EXPECT_EQ(spheres.code, 4);
-  EXPECT_THAT(spheres.err, HasSubstr("is 3D: a rose diagram is of disks"));
+  EXPECT_THAT(spheres.err, HasSubstr("is 3D: a rose diagram is for disks"));
 }
 
 TEST_F(PlotCommand, BadInputIsNamed) {

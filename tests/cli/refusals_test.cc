@@ -80,7 +80,7 @@ const Refusal kOfPackings[] = {
     {"several_into_one_file",
      {{"g.csv", kGrains}, {"h.csv", kGrains}},
      {"convert g.csv h.csv p.h5 --columns radius=r --cell '5,0;0,5' " + kLaw},
-     "p.h5: is no directory: 2 packings can only go into one"},
+     "p.h5: is not a directory: 2 packings can only be written into a directory"},
     {"contacts_of_several",
      {{"g.csv", kGrains}, {"h.csv", kGrains}, {"d/x", ""}},
      {"convert g.csv h.csv d --columns radius=r --cell '5,0;0,5' " + kLaw + " --contacts c.csv"},
@@ -96,11 +96,11 @@ const Refusal kOfPackings[] = {
     {"no_law",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius=r --cell '5,0;0,5' "},
-     "g.csv: it does not say the contact law: give --law"},
+     "g.csv: it holds no contact law: give --law"},
     {"no_cell",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius=r " + kLaw},
-     "g.csv: it does not say the cell: give --cell"},
+     "g.csv: it holds no cell: give --cell"},
     {"no_grains", {{"g.csv", "x,y,r\n"}}, {kConvert}, "g.csv: has no grains"},
     {"cell_of_one_vector",
      {{"g.csv", kGrains}},
@@ -121,11 +121,11 @@ const Refusal kOfPackings[] = {
     {"unknown_format",
      {{"g.csv", kGrains}},
      {kConvert + " --from abacus"},
-     "--from: \"abacus\" is no format; they are "},
+     "--from: \"abacus\" is not a format; the formats are "},
     {"unknown_format_to",
      {{"g.csv", kGrains}},
      {kConvert + " --to abacus"},
-     "--to: \"abacus\" is no format; they are "},
+     "--to: \"abacus\" is not a format; the formats are "},
     {"slanted_beyond_images",
      {{"g.csv", "x,y,r\n0,0,0.5005\n"}},
      {"convert g.csv p.h5 --columns radius=r --cell '1,0;1e10,1' " + kLaw},
@@ -133,7 +133,7 @@ const Refusal kOfPackings[] = {
     {"state_with_a_law",
      {{"g.csv", kGrains}},
      {kConvert, "convert p.h5 q.h5 " + kLaw},
-     "p.h5: a state says all of itself: leave out --law"}};
+     "p.h5: a state file holds all of this itself: leave out --law"}};
 INSTANTIATE_TEST_SUITE_P(Packings, Refused, ::testing::ValuesIn(kOfPackings),
                          [](const auto& test) { return std::string(test.param.name); });
 
@@ -161,7 +161,7 @@ const Refusal kOfFormats[] = {
     {"jam_options",
      {{"g.txt", kJam + "0.1 , 0.2 , 0.5 ,\n}\n"}},
      {"convert g.txt --from jambashbulk p.h5 " + kLaw},
-     "jamBashbulk says law, cell and columns itself"},
+     "a file of jamBashbulk holds law, cell and columns itself"},
     {"jam_3d",
      {{"g.txt", kJam}},
      {"convert g.txt --from jambashbulk p.h5 --dimension 3"},
@@ -189,7 +189,8 @@ const Refusal kOfFormats[] = {
     {"dump_box",
      {{"g.dump", replaced(kDump, "pp pp pp", "pp pp")}},
      {"convert g.dump p.h5 " + kLaw},
-     "g.dump:5: \"ITEM: BOX BOUNDS pp pp\", expected BOX BOUNDS [xy xz yz] and three periodicities as pp"},
+     "g.dump:5: \"ITEM: BOX BOUNDS pp pp\", expected BOX BOUNDS [xy xz yz] and three boundary styles such as "
+     "pp"},
     {"dump_item",
      {{"g.dump", replaced(kDump, "ITEM: NUMBER OF ATOMS", "ITEM: NUMBERS")}},
      {"convert g.dump p.h5 " + kLaw},
@@ -197,8 +198,8 @@ const Refusal kOfFormats[] = {
     {"dump_no_number",
      {{"g.dump", replaced(kDump, "ITEM: NUMBER OF ATOMS\n1\n", "")}},
      {"convert g.dump p.h5 " + kLaw},
-     "the frame does not say its number of rows and its box"},
-    {"vtu_no_xml", {{"g.vtu", "<VTKFile>"}}, {"convert g.vtu --from vtu p.h5 " + kLaw}, "g.vtu: is no XML: "},
+     "the frame does not give its number of rows and its box"},
+    {"vtu_no_xml", {{"g.vtu", "<VTKFile>"}}, {"convert g.vtu --from vtu p.h5 " + kLaw}, "g.vtu: is not XML: "},
     {"vtu_big_endian",
      {{"g.vtu", replaced(kVtu, "type=\"Un", "byte_order=\"BigEndian\" type=\"Un")}},
      {"convert g.vtu p.h5 " + kLaw},
@@ -214,11 +215,11 @@ const Refusal kOfFormats[] = {
     {"vtu_offset",
      {{"g.vtu", replaced(kVtu, "Name=\"radius\">0.5", "Name=\"radius\" format=\"appended\" offset=\"99\">")}},
      {"convert g.vtu p.h5 " + kLaw},
-     "array PointData/radius: offset = 99 is behind the data"},
+     "array PointData/radius: offset = 99 lies beyond the data"},
     {"vtu_appended",
      {{"g.vtu", replaced(kVtu, "</UnstructuredGrid>", "</UnstructuredGrid><AppendedData encoding=\"raw\">")}},
      {"convert g.vtu p.h5 " + kLaw},
-     "g.vtu: its AppendedData do not end"},
+     "g.vtu: its AppendedData has no end"},
     {"vtu_vertex",
      {{"g.vtu", replaced(kVtu, "</Piece>",
                          "<Cells><DataArray type=\"Int64\" Name=\"connectivity\">7</DataArray><DataArray "
@@ -235,15 +236,15 @@ const Refusal kOfFormats[] = {
     {"yade_no_law",
      {{"g.txt", kYade}},
      {"convert g.txt p.h5 --cell '5,0;0,5'"},
-     "g.txt: it does not say the contact law: give --law"},
+     "g.txt: it holds no contact law: give --law"},
     {"yade_interactions_without_a_law",
      {{"g.txt", kYade}, {"i.txt", "# id1 id2\n0 1\n"}},
      {"convert g.txt p.h5 --cell '5,0;0,5' --contacts i.txt"},
-     "i.txt: its interactions do not say kn, ks and tan_phi: give --law"},
+     "i.txt: its interactions lack kn, ks and tan_phi: give --law"},
     {"yade_contact_columns",
      {{"g.txt", kYade}},
      {"convert g.txt p.h5 " + kLaw + " --contact-columns id1=a"},
-     "--contact-columns: the interactions of YADE name their columns themselves"}};
+     "--contact-columns: interactions of YADE name their columns themselves; leave this option out"}};
 INSTANTIATE_TEST_SUITE_P(FilesOfOtherPrograms, Refused, ::testing::ValuesIn(kOfFormats),
                          [](const auto& test) { return std::string(test.param.name); });
 
@@ -266,15 +267,15 @@ const Refusal kOfCommands[] = {
      {{"h.csv", "x,y,z,r\n0,0,0,0.5\n"}},
      {"convert h.csv q.h5 --columns radius=r --cell '5,0,0;0,5,0;0,0,5' " + kLaw,
       "draw q.h5 -o p.svg --slab z,0.5,1"},
-     "q.h5: has no grain whose centre lies in --slab z,0.5,1: expected a slab that holds some"},
+     "q.h5: has no grain whose centre lies in --slab z,0.5,1: expected a slab that holds at least one"},
     {"draw_width",
      {{"g.csv", kGrains}},
      {kConvert, "draw p.h5 -o p.png --resolution 0.001"},
-     "floc draw: resolution = 0.001 pixels per inch: between 10 and 2400"},
+     "floc draw: resolution = 0.001 pixels per inch: must be between 10 and 2400"},
     {"draw_steps_of_files",
      {{"g.csv", kGrains}},
      {kConvert, "draw p.h5 -o p.svg --steps 1"},
-     "--steps: expects a directory of floc run, and there are only files"},
+     "--steps: expects a directory of floc run, but only files are given"},
     {"draw_no_run",
      {{"d/x", ""}},
      {"draw d -o p.svg"},
@@ -295,7 +296,7 @@ const Refusal kOfCommands[] = {
     {"increments_of_bounds",
      {{"g.csv", kGrains}},
      {kConvert, "moduli p.h5 --method bounds --increments i.csv"},
-     "--increments: expects --method factor, the forces of the others being approximate"},
+     "--increments: expects --method factor, because the forces of the other methods are approximate"},
     {"tolerance_of_zero",
      {{"g.csv", kGrains}},
      {kConvert, "moduli p.h5 --tolerance 0"},
@@ -370,10 +371,9 @@ TEST(RefusedRun, FindsWhatIsNotItsOwn) {
     EXPECT_EQ(o.code, 4) << o.err;
     return o.err;
   };
-  EXPECT_THAT(
-      refusal("--seed 9"),
-      HasSubstr("d/state-0000.h5: was made by another scene or seed (9 here, 1 there): a run can only be "
-                "continued with the scene, settings and seed it began with"));
+  EXPECT_THAT(refusal("--seed 9"),
+              HasSubstr("d/state-0000.h5: was made with another scene or seed (9 here, 1 there): a run can "
+                        "only be continued with the scene, settings and seed it began with"));
   write_text(scratch.file("d/contacts.csv"), "step,colour\n");
   EXPECT_THAT(refusal("--track-contacts 10"),
               HasSubstr("d/contacts.csv:1: columns are not those of this version of floc: step,colour"));
@@ -391,7 +391,7 @@ TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
   write_state(scratch.file("d/checkpoint/checkpoint.h5"), state, R"({"colour": 1})");
   const Outcome o = run_floc(run + "1", scratch.path());
   EXPECT_EQ(o.code, 4) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("d/checkpoint/checkpoint.h5: is no checkpoint of this version: "));
+  EXPECT_THAT(o.err, HasSubstr("d/checkpoint/checkpoint.h5: is not a checkpoint of this version: "));
 }
 
 /// Samples that begin with a saved state at rest are all the same, and a study makes its own.
@@ -420,9 +420,8 @@ pressure = 0.01
 )");
   const Outcome seeds = run_floc("run s.toml --seeds 1..2 -o e", scratch.path());
   EXPECT_EQ(seeds.code, 4);
-  EXPECT_THAT(seeds.err,
-              HasSubstr("--seeds 1..2: all samples would be the same: the scene starts from a state at "
-                        "rest; expected assembly.agitation, or one run"));
+  EXPECT_THAT(seeds.err, HasSubstr("--seeds 1..2: all samples would be the same, because the scene starts from "
+                                   "a state at rest; expected assembly.agitation, or one run"));
   const Outcome study = run_floc("tradeoff s.toml", scratch.path());
   EXPECT_EQ(study.code, 4);
   EXPECT_THAT(study.err, HasSubstr("expected \"direct\" or \"aggregation\": samples and their sizes are made"));

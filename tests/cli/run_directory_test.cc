@@ -75,7 +75,7 @@ TEST_F(RunDirectoryOf, OtherSeedsScenesAndMissingNumbersIsRefusedByFileName) {
   fs::copy(file("other/state-0003.h5"), file("mixed/state-0003.h5"), fs::copy_options::overwrite_existing);
   expect_refused("mixed/state-0003.h5: was made with seed 4, the states before it with 3");
   fs::copy(file("scene/state-0003.h5"), file("mixed/state-0003.h5"), fs::copy_options::overwrite_existing);
-  expect_refused("mixed/state-0003.h5: was made by another scene than the states before it");
+  expect_refused("mixed/state-0003.h5: was made from a different scene than the states before it");
   fs::copy(file("run/state-0002.h5"), file("mixed/state-0003.h5"), fs::copy_options::overwrite_existing);
   expect_refused("mixed/state-0003.h5: is state 2 of its run, not 3 as its name says");
   fs::remove(file("mixed/state-0003.h5"));
@@ -88,8 +88,9 @@ TEST_F(RunDirectoryOf, AnEnsembleHasOneScene) {
   ASSERT_EQ(floc("run small.toml -o samples/seed-2 --seed 2 --until 2 --set grains.count=30").code, 0);
   const Outcome o = floc("fit consolidation samples");
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.err,
-              HasSubstr("samples/seed-2/state-0000.h5: was made by another scene than the samples before it"));
+  EXPECT_THAT(
+      o.err,
+      HasSubstr("samples/seed-2/state-0000.h5: was made from a different scene than the samples before it"));
 }
 
 TEST_F(RunDirectoryOf, ACutRowIsRefusedUntilResumeHasMendedIt) {
@@ -100,7 +101,7 @@ TEST_F(RunDirectoryOf, ACutRowIsRefusedUntilResumeHasMendedIt) {
     write_text(file("cut/path.csv"), whole.substr(0, whole.size() - cut));
     const Outcome refused = floc("fit elastic cut");
     EXPECT_EQ(refused.code, 4) << cut;
-    EXPECT_THAT(refused.err, HasSubstr("cut/path.csv: its last row is cut")) << cut;
+    EXPECT_THAT(refused.err, HasSubstr("cut/path.csv: its last row is incomplete")) << cut;
     ASSERT_EQ(floc("run small.toml -o cut --resume").code, 0);
     EXPECT_EQ(rows_without_seconds(file("cut/path.csv")), rows_without_seconds(file("run/path.csv"))) << cut;
   }

@@ -64,10 +64,10 @@ struct Doubtful {
 
 TEST(SceneCheck, WarnsOfWhatWillNotComeOutAsMeant) {
   const Doubtful scenes[] = {
-      {"equilibrium.force=1e-17", "equilibrium.force = 1e-17: doubles do not hold it"},
+      {"equilibrium.force=1e-17", "equilibrium.force = 1e-17: double precision cannot reach it"},
       {"equilibrium.moment=1e-10", "equilibrium.moment = 1e-10: Newton steps end at 1e-08"},
       {"contact.adhesion.range=0.4", "contact.adhesion.range = 0.4: longer than the smallest radius, 0.25"},
-      {"grains.count=100000000", "days of one core"},
+      {"grains.count=100000000", "days on one core"},
   };
   for (const Doubtful& scene : scenes) {
     const Outcome o = run_floc("scene check " + kDemo + " --set " + scene.change);

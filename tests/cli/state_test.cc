@@ -101,7 +101,7 @@ TEST(BadState, OfAnotherFormatVersionOrShapeIsRefusedWithExitCode4) {
                                   file.group("cell");
                                   file.array("cell/matrix", {2, 2}, std::vector<std::int32_t>(4, 1));
                                 }),
-                 ":/cell/matrix: holds no real numbers");
+                 ":/cell/matrix: holds values of another type, expected real numbers");
 }
 
 TEST(BadState, CutShortOrForeignIsRefusedWithExitCode4) {

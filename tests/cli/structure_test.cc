@@ -129,7 +129,7 @@ TEST_F(Structure, OfBothDimensionsHasNeitherOneFileNorAnAverage) {
   for (const char* what : {"--pores p.csv", "--map m.csv", "--average"}) {
     const Outcome o = structure(std::string("frames.h5 spheres.h5 ") + what);
     EXPECT_EQ(o.code, 4) << what;
-    EXPECT_THAT(o.err, HasSubstr("spheres.h5: has another dimension than the states before it")) << what;
+    EXPECT_THAT(o.err, HasSubstr("spheres.h5: differs in dimension from the states before it")) << what;
     EXPECT_EQ(structure(std::string("spheres.h5 frames.h5 ") + what).code, 4) << what;
   }
   EXPECT_EQ(structure("frames.h5 spheres.h5").code, 0);

@@ -45,7 +45,7 @@ TEST(TradeoffCommand, MeasuresEverySettingAgainstTheStrictest) {
   }
   EXPECT_TRUE(strict);
   EXPECT_TRUE(bounds);
-  EXPECT_THAT(o.err, HasSubstr("the force loop has double precision only"));
+  EXPECT_THAT(o.err, HasSubstr("the precision of the force loop, which is always double"));
   for (const char* file : {"t.svg", "t.dat", "t.gp"})
     EXPECT_TRUE(std::filesystem::exists(scratch.file(file))) << file;
 }
@@ -62,7 +62,7 @@ TEST(TradeoffCommand, SaysWhatABudgetDidNotAllow) {
   const Outcome o =
       run_floc("tradeoff " + source_directory() + "/data/scenes/demo.toml --budget 0.2 --format csv");
   EXPECT_EQ(o.code, 3);
-  EXPECT_THAT(o.err, HasSubstr("broken off at the end of the budget"));
+  EXPECT_THAT(o.err, HasSubstr("stopped at the end of the budget"));
   EXPECT_THAT(o.err, HasSubstr("--budget may be too small"));
 }
 
@@ -184,7 +184,7 @@ TEST(ModuliWithinAnAccuracy, AreRefusedInWordsWhereTheyCannotBe) {
     return run_floc("moduli out/state-0001.h5 --format csv --accuracy " + options, scratch.path());
   };
   EXPECT_EQ(refusal("1e-15").code, 4);
-  EXPECT_THAT(refusal("1e-15").err, HasSubstr("must be at least 1e-14, which rounding leaves"));
+  EXPECT_THAT(refusal("1e-15").err, HasSubstr("must be at least 1e-14, the error that rounding leaves"));
   EXPECT_EQ(refusal("C=0.1").code, 4);
   EXPECT_THAT(refusal("C=0.1").err,
               HasSubstr("--accuracy C=0.1: expected X, B=X or G=X with X a relative error"));
@@ -197,7 +197,7 @@ TEST(ModuliWithinAnAccuracy, AreRefusedInWordsWhereTheyCannotBe) {
   const Outcome beyond = refusal("1.1e-14");
   EXPECT_EQ(beyond.code, 3);
   EXPECT_THAT(beyond.err,
-              HasSubstr("no method tells B and G as accurately as asked: the error bounds of the factor"));
+              HasSubstr("no method gives B and G as accurately as asked: the error bounds of the factor"));
   EXPECT_THAT(beyond.out, HasSubstr(",factor,"));
 }
 

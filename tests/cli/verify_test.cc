@@ -90,7 +90,7 @@ TEST(Verify, NamesTheContactsWhoseGapOrForceIsNotThatOfThePositions) {
       verify_spoiled([](State<2>& s) { s.packing.contacts[5].normal = s.packing.contacts[6].normal; }),
       "geometry", "grains ");
   expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].normal_force *= 1.001; }), "law", "law");
-  expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].kn = 2.0; }), "law", "in a stiffness");
+  expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].kn = 2.0; }), "law", "by a stiffness");
 }
 
 TEST(Verify, MeasuresAgainstTheStressAndTheTolerancesAskedFor) {

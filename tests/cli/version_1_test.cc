@@ -35,8 +35,9 @@ TEST(FilesOfVersion1, ThatAreCheckpointsAreRefusedInWords) {
   fs::copy(version_1("checkpoint.h5"), scratch.file("run/checkpoint/checkpoint.h5"));
   const Outcome resumed = run_floc("run " + version_1("scene.toml") + " -o run --resume", scratch.path());
   EXPECT_EQ(resumed.code, 4);
-  EXPECT_THAT(resumed.err, HasSubstr("checkpoint.h5:/progress: is a checkpoint of version 1 of the files"));
-  EXPECT_THAT(resumed.err, HasSubstr("remove the checkpoint to go on from the last equilibrium saved"));
+  EXPECT_THAT(resumed.err,
+              HasSubstr("checkpoint.h5:/progress: is a checkpoint in version 1 of the file format"));
+  EXPECT_THAT(resumed.err, HasSubstr("remove the checkpoint to continue from the last equilibrium saved"));
 }
 
 }  // namespace

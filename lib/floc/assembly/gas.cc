@@ -241,7 +241,8 @@ std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector
     if (sweep > kMaxSweeps)
       throw InputError(
           "assembly",
-          fmt::format("solid_fraction: grains without overlap got stuck at {:.3f} of their size", scale));
+          fmt::format("solid_fraction: grains could be grown without overlap only to {:.3f} of their size",
+                      scale));
     shuffle(hard, diameter, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
     const bool grown = at_size > 0 || all_free(hard, static_cast<int>(diameter.size()), scale);
     at_size += grown && scale == 1.0;

@@ -154,10 +154,10 @@ void vibrate(Packing<Dim>& packing, const Vibration& vibration, RandomStream& ra
   for (Vec<Dim>& x : g.position) x *= vibration.dilation;
   packing.contacts.clear();
   if (const std::size_t overlaps = find_pairs(packing.cell, g, 0.0).size(); overlaps > 0)
-    throw InputError("assembly.vibration",
-                     fmt::format("dilation = {}: {} pairs of grains still overlap, expected a "
-                                 "dilation that parts all",
-                                 vibration.dilation, overlaps));
+    throw InputError(
+        "assembly.vibration",
+        fmt::format("dilation = {}: {} pairs of grains still overlap, expected a dilation that separates all",
+                    vibration.dilation, overlaps));
   agitate(packing, 1.0, random);
   collide(packing, vibration.collisions);
   for (int i = 0; i < g.size(); ++i) {

@@ -130,7 +130,7 @@ std::optional<RunOutcome> outcome_of(const std::string& directory) {
   if (!fs::is_regular_file(file)) return std::nullopt;
   const CsvTable table = CsvTable::read(file);
   if (table.n_rows() != 1)
-    throw InputError(file, fmt::format("has {} rows, expected the one of a run", table.n_rows()));
+    throw InputError(file, fmt::format("has {} rows, expected the one row of a run", table.n_rows()));
   return RunOutcome{static_cast<int>(table.integer(0, table.column("exit_code"))),
                     table.text(0, table.column("command")), table.text(0, table.column("words")),
                     table.number(0, table.column("seconds"))};
@@ -158,10 +158,9 @@ Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plan
     const CasePlan& plan = plans[static_cast<std::size_t>(run.case_number)];
     const CsvTable path = CsvTable::read(place + "/path.csv");
     if (path.n_rows() != static_cast<int>(plan.states.size()))
-      throw InputError(path.place(),
-                       fmt::format("has {} states, and the campaign plans {}: plan again, in another "
-                                   "directory where the scene has changed",
-                                   path.n_rows(), plan.states.size()));
+      throw InputError(path.place(), fmt::format("has {} states, but the campaign plans {}: plan again, in "
+                                                 "another directory if the scene has changed",
+                                                 path.n_rows(), plan.states.size()));
     std::map<int, StateCells> states;
     for (int k = 0; k < static_cast<int>(campaign.collections.size()); ++k)
       collect(campaign, k, chosen_states(campaign.collections[static_cast<std::size_t>(k)].states, one, plan),

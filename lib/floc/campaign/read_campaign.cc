@@ -94,7 +94,7 @@ std::vector<SceneChange> read_changes(Part& part, const std::string& key, Need n
                          part.source.place_of(part.reader.path_of(key + "." + leaf.key), leaf.node)});
     else
       refuse(part.source, part.reader.path_of(key + "." + leaf.key), *leaf.node,
-             "a number, a text, true, false, or a list of such");
+             "a number, a string, true, false, or a list of such");
   }
   return changes;
 }
@@ -106,7 +106,7 @@ std::vector<GridAxis> read_grid(TableReader& root, SceneSource& source) {
   for (const Leaf& leaf : leaves_of(*source.root().get("grid")->as_table())) {
     if (!is_list(*leaf.node)) {
       refuse(source, "grid." + leaf.key, *leaf.node,
-             "a list of values of this key of the scene, numbers or texts, at least one");
+             "a list of values of this key of the scene, numbers or strings, at least one");
       continue;
     }
     GridAxis& axis = axes.emplace_back(GridAxis{leaf.key, {}, source.place_of("grid." + leaf.key, leaf.node)});
@@ -199,7 +199,8 @@ Collection read_collection(Part& part) {
                                              part.reader.path_of("columns")));
   if (collection.table == "path")
     part.reader.refuse("options",
-                       part.reader.path_of("options") + ": path.csv is made by floc run: expected none");
+                       part.reader.path_of("options") +
+                           ": path.csv is made by floc run, so no options apply; expected no such key");
   else
     collection.options = part.reader.texts("options", "a list of words of the command line");
   const bool compares = collection.table == "compare";
@@ -211,7 +212,7 @@ Collection read_collection(Part& part) {
                         fmt::format("{}: expected the one state to compare with, such as {{step = 1}}",
                                     part.reader.path_of("before")));
   } else {
-    part.reader.refuse("before", part.reader.path_of("before") + ": expected with table = \"compare\" alone");
+    part.reader.refuse("before", part.reader.path_of("before") + ": expected only with table = \"compare\"");
   }
   return collection;
 }
@@ -236,12 +237,12 @@ Reference read_reference(Part& part) {
     t.fault("state", t.path_of("state") +
                          " is missing: expected one state, such as \"last\" or {branch = "
                          "\"load\", P_star = 0.1}, or fit = the law of a [[fit]]");
-  if (!reference.fit.empty()) t.refuse("state", t.path_of("state") + ": expected of a column, not of a fit");
+  if (!reference.fit.empty()) t.refuse("state", t.path_of("state") + ": expected for a column, not for a fit");
   reference.value = t.number("value", kAnyNumber).value_or(0.0);
   reference.deviation = t.number("error", kNotNegative, Need::optional).value_or(0.0);
   constexpr IntegerRule kSamples{1, 1'000'000, "the number of samples that error is the standard deviation of"};
   reference.n_samples = static_cast<int>(t.integer("samples", kSamples, Need::optional).value_or(1));
-  reference.source = t.text("source", "where the value is from").value_or("");
+  reference.source = t.text("source", "where the value comes from").value_or("");
   return reference;
 }
 
@@ -288,8 +289,8 @@ void check_collections(const Campaign& campaign, SceneSource& source) {
       if (one.table == other.table && one.options == other.options && one.table != "compare") continue;
       for (const std::string& column : other.columns)
         if (std::count(one.columns.begin(), one.columns.end(), column) > 0)
-          source.fault_at(other.place, fmt::format("columns has {}, which is collected from {} ({}) already: "
-                                                   "expected a column from one table and with the same options",
+          source.fault_at(other.place, fmt::format("columns has {}, which is already collected from {} ({}): "
+                                                   "expected each column from one table, with the same options",
                                                    column, one.table, one.place));
     }
 }
@@ -307,7 +308,8 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
   TableReader head = root.table("campaign", "a table with scene and seeds");
   if (head) {
     Part part{head, *source.root().get("campaign")->as_table(), source};
-    campaign.name = part.reader.text("name", "a text", Need::optional).value_or(fs::path(path).stem().string());
+    campaign.name =
+        part.reader.text("name", "a string", Need::optional).value_or(fs::path(path).stem().string());
     if (const auto name = part.reader.text("scene", "the scene file of all runs, beside this one"))
       campaign.scene_file = (fs::path(path).parent_path() / *name).string();
     campaign.seeds = read_seeds(part);
@@ -319,7 +321,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
   const auto listed = read_all(root, source, "case", "tables [[case]] with set", [](Part& part) {
     CampaignCase one;
     one.place = part.place();
-    one.label = part.reader.text("name", "a text", Need::optional).value_or("");
+    one.label = part.reader.text("name", "a string", Need::optional).value_or("");
     one.changes = read_changes(part, "set", Need::required);
     return one;
   });
@@ -333,7 +335,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
   check_collections(campaign, source);
   check_references(campaign, source);
   if (campaign.cases.size() * campaign.seeds.size() > kMaxRuns)
-    source.fault_at(path, fmt::format("has {} cases of {} seeds: expected at most {} runs",
+    source.fault_at(path, fmt::format("has {} cases with {} seeds: expected at most {} runs",
                                       campaign.cases.size(), campaign.seeds.size(), kMaxRuns));
   source.throw_faults();
   campaign.scene = read_file(campaign.scene_file);

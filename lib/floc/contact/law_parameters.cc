@@ -113,10 +113,9 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
     refuse(bool(twisting), "twisting", kDoNotResist);
   }
   if (normal.holds<HertzRepulsion>()) {
-    refuse(
-        bool(adhesion) && !adhesion.holds<CapillaryAdhesion>(), "adhesion",
-        ": spheres under contact.normal.law = \"hertz\" do not adhere but by liquid; expected no such table, "
-        "law = \"capillary\", or contact.normal = {law = \"linear\", stiffness}");
+    refuse(bool(adhesion) && !adhesion.holds<CapillaryAdhesion>(), "adhesion",
+           ": spheres under contact.normal.law = \"hertz\" adhere only by liquid; expected no such table, law "
+           "= \"capillary\", or contact.normal = {law = \"linear\", stiffness}");
     refuse(damping.holds<ViscousDamping>(), "damping",
            ".restitution: under contact.normal.law = \"hertz\" damping follows the stiffness; "
            "expected contact.damping = {critical_fraction}");

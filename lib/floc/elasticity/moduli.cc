@@ -98,13 +98,15 @@ void derive_constants(double scale, Moduli& m) {
 void check_errors(bool resolved, double tolerance, Moduli& m) {
   if (!resolved) {
     m.warnings.push_back(
-        "rounding leaves no digit of the moduli, by the factor of the rigidity matrix either: none are given");
+        "rounding leaves no digit of the moduli correct, even with the factor of the rigidity matrix: none are "
+        "given");
     m.C.setConstant(std::numeric_limits<double>::quiet_NaN());
     m.B = m.B_S = m.G = m.isotropy_defect = m.C(0, 0);
     return;
   }
   if (!std::isfinite(m.B_error + m.G_error)) {
-    m.warnings.push_back("no error bound can be given beside mechanisms and negative eigenvalues together");
+    m.warnings.push_back(
+        "no error bound can be given where there are both mechanisms and negative eigenvalues");
     return;
   }
   const double relative =
@@ -120,7 +122,7 @@ void add_warnings(Moduli& m) {
                                      m.n_coupled_mechanisms));
   if (m.n_mechanisms > m.n_coupled_mechanisms)
     m.warnings.push_back(
-        fmt::format("{} mechanism(s) that do not couple to strain; the moduli do not feel them",
+        fmt::format("{} mechanism(s) that do not couple to strain; they do not affect the moduli",
                     m.n_mechanisms - m.n_coupled_mechanisms));
   if (m.n_negative > 0)
     m.warnings.push_back(
@@ -130,7 +132,7 @@ void add_warnings(Moduli& m) {
         fmt::format("{} contact(s) slide or yield; the moduli treat them as elastic", m.n_mobilised));
   if (std::isfinite(m.condition) && m.condition > kWarnCondition)
     m.warnings.push_back(fmt::format(
-        "condition number {:.1e}: soft modes decide the moduli; see those with prestress", m.condition));
+        "condition number {:.1e}: soft modes dominate the moduli; see the moduli with prestress", m.condition));
 }
 
 template <int Dim>

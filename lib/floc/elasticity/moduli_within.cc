@@ -47,8 +47,8 @@ std::vector<std::string> ModuliAccuracy::validate() const {
   std::vector<std::string> faults;
   const auto check = [&](const char* name, double asked) {
     if (!(asked >= kMinError))
-      faults.push_back(fmt::format("accuracy of {} = {}: must be at least {}, which rounding leaves", name,
-                                   asked, kMinError));
+      faults.push_back(fmt::format("accuracy of {} = {}: must be at least {}, the error that rounding leaves",
+                                   name, asked, kMinError));
   };
   check("B", B);
   check("G", G);

@@ -212,8 +212,8 @@ void check_independence(const LawEstimate& estimate, ConsolidationFit& fit) {
   const bool is_rounding = fit.rms < 1e-9;
   if (is_rounding || correlation < 2.0 / std::sqrt(static_cast<double>(n))) return;
   fit.warnings.push_back(fmt::format(
-      "neighbouring residuals are correlated ({:.2f}): the curve moves in steps, or not by this law, and its "
-      "standard errors are too small; the scatter between samples is the better measure",
+      "neighbouring residuals are correlated ({:.2f}): the curve moves in steps, or does not follow this law, "
+      "and its standard errors are too small; the scatter between samples is the better measure",
       correlation));
 }
 

@@ -406,7 +406,7 @@ CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples
   }
   const auto solution = solve(kept.residuals);
   if (!view || !solution) {
-    fit.refusal = "no start leads to a solution: the void ratio does not follow the law";
+    fit.refusal = "no starting point leads to a solution: the void ratio does not follow the law";
     return fit;
   }
   CompactionEstimate estimate = estimate_of(kept, *solution);

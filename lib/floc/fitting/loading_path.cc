@@ -52,7 +52,7 @@ std::optional<PathFault> path_fault(const std::vector<PathRow>& rows) {
       continue;
     }
     if (rows[i].branch.empty()) {
-      if (change == 0.0) return PathFault{row, "another pressure than in the row before"};
+      if (change == 0.0) return PathFault{row, "a pressure other than that of the row before"};
       continue;
     }
     const int step = change > 0.0 ? 1 : change < 0.0 ? -1 : 0;

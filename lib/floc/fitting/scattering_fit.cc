@@ -84,7 +84,7 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   fit.high = data.back().k;
   const auto solution = solve(data);
   if (!solution) {
-    fit.refusal = "no start leads to a solution: the intensity does not follow the law";
+    fit.refusal = "no starting point leads to a solution: the intensity does not follow the law";
     return fit;
   }
   const int dof = fit.n_points - ScatteringResidual::kParameters;
@@ -101,12 +101,11 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   fit.parameters[2].identified = fit.parameters[1].identified;  // a slope beyond a length that is anywhere
   const double xi = *fit.parameters[1].value;
   if (xi * fit.low > 2.0 * std::numbers::pi)
-    fit.warnings.push_back(
-        fmt::format("the intensity does not level off: xi = {:.4g} is beyond the largest wave "
-                    "length fitted, {:.4g}",
-                    xi, 2.0 * std::numbers::pi / fit.low));
+    fit.warnings.push_back(fmt::format(
+        "the intensity does not level off: xi = {:.4g} is beyond the largest wavelength fitted, {:.4g}", xi,
+        2.0 * std::numbers::pi / fit.low));
   if (xi * fit.high < 4.0 * std::numbers::pi)
-    fit.warnings.push_back("there is hardly a range of wave lengths below xi: dF says little");
+    fit.warnings.push_back("hardly any wavelengths lie below xi: dF says little");
   if (fit.chi_square > kFarOff)
     fit.warnings.push_back(
         fmt::format("the intensity does not follow the law: {:.3g} times the scatter of speckles",

@@ -53,7 +53,7 @@ void write_to_stream(const std::string& path,
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), opened_(-1) {
-  if (path_.empty()) throw InputError("\"\"", "expected the name of a file to write, and it is empty");
+  if (path_.empty()) throw InputError("\"\"", "expected the name of a file to write, but it is empty");
   if (is_stream(path_)) {
     temporary_ = std::make_unique<TemporaryFile>();
     return;

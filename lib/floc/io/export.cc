@@ -46,7 +46,7 @@ const ExportFormat& find_export_format(const std::string& keyword, const std::st
   }
   if (keyword.empty())
     throw InputError(path, fmt::format("expected a name that ends in one of {}, or --to", known));
-  throw InputError("--to", fmt::format("\"{}\" is no format; they are {}", keyword, known));
+  throw InputError("--to", fmt::format("\"{}\" is not a format; the formats are {}", keyword, known));
 }
 
 }  // namespace floc

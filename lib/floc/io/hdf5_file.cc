@@ -192,7 +192,7 @@ Handle open_array(hid_t file, const std::string& place, const std::string& path,
                                         fmt::join(shape, ", ")));
   const Handle type(checked(H5Dget_type(dataset)), H5Tclose);
   if (H5Tget_class(type) != NativeType<T>::kClass)
-    throw InputError(place, fmt::format("holds no {}, as expected", NativeType<T>::kName));
+    throw InputError(place, fmt::format("holds values of another type, expected {}", NativeType<T>::kName));
   check_length(
       file, place,
       std::accumulate(shape.begin(), shape.end(), static_cast<double>(H5Tget_size(type)), std::multiplies<>()));
@@ -386,7 +386,7 @@ std::string Hdf5Reader::text(const std::string& path) const {
   const Handle type(checked(H5Dget_type(dataset)), H5Tclose);
   const Handle space(checked(H5Dget_space(dataset)), H5Sclose);
   if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
-    throw InputError(place(path), "is not a text");
+    throw InputError(place(path), "is not a string");
   return read_text(type, [&](hid_t memory, void* buffer) {
     return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
   });
@@ -397,7 +397,7 @@ bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name)
 }
 
 void Hdf5Reader::attribute(const std::string& path, const std::string& name, std::string& value) const {
-  const Handle attribute = open_attribute(file_, place(path), path, name, H5T_STRING, "a text");
+  const Handle attribute = open_attribute(file_, place(path), path, name, H5T_STRING, "a string");
   const Handle type(checked(H5Aget_type(attribute)), H5Tclose);
   value = read_text(type, [&](hid_t memory, void* buffer) { return H5Aread(attribute, memory, buffer); });
 }

@@ -29,7 +29,7 @@ Imported read_own_state(const std::string& path, const ImportOptions& options) {
   if (options.law || !options.cell.empty() || !options.contacts.empty() || !options.columns.empty() ||
       !options.contact_columns.empty() || options.index || options.dimension)
     throw InputError(path,
-                     "a state says all of itself: leave out --law, --cell, --columns, --contacts, "
+                     "a state file holds all of this itself: leave out --law, --cell, --columns, --contacts, "
                      "--contact-columns, --index, --dimension");
   Imported imported;
   imported.state = read_state(path);
@@ -49,11 +49,13 @@ const std::vector<ImportFormat>& import_formats() {
       {"csv", "one grain a line, columns x, y[, z] and radius or diameter[, mass, id]", is_csv,
        read_csv_packing},
       {"vtu", "VTK's unstructured grid, points with a radius", is_vtu, read_vtu},
-      {"lammps-dump", "LAMMPS' dump custom, contacts of dump local", is_lammps_dump, read_lammps_dump},
-      {"lammps-data", "LAMMPS' data file, atom_style sphere", is_lammps_data, read_lammps_data},
+      {"lammps-dump", "LAMMPS dump of style custom, contacts from a dump of style local", is_lammps_dump,
+       read_lammps_dump},
+      {"lammps-data", "LAMMPS data file, atom_style sphere", is_lammps_data, read_lammps_data},
       {"yade", "spheres x y z r written by a script of YADE, and interactions", is_yade_text, read_yade_text},
       {"extended-xyz", "extended XYZ with Lattice, pos and radius", is_extended_xyz, read_extended_xyz},
-      {"jambashbulk", "text of the jamBashbulk code (2D, linear repulsion)", is_jambashbulk, read_jambashbulk},
+      {"jambashbulk", "text file of the jamBashbulk code (2D, linear repulsion)", is_jambashbulk,
+       read_jambashbulk},
   };
   return formats;
 }
@@ -65,8 +67,8 @@ const ImportFormat& find_import_format(const std::string& keyword, const std::st
     known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", format.keyword, format.description);
   }
   if (keyword.empty())
-    throw InputError(path, fmt::format("its format is not recognised; say one of {} with --from", known));
-  throw InputError("--from", fmt::format("\"{}\" is no format; they are {}", keyword, known));
+    throw InputError(path, fmt::format("its format is not recognised; name one of {} with --from", known));
+  throw InputError("--from", fmt::format("\"{}\" is not a format; the formats are {}", keyword, known));
 }
 
 }  // namespace floc

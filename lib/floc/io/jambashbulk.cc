@@ -86,7 +86,7 @@ void find_packing(const std::string& path, Lines& lines, int index) {
   while (lines.next())
     if (is_header(lines.line()) && n_packings++ == index) return;
   if (n_packings == 0)
-    throw InputError(path, "no packing of jamBashbulk in it: no line \"N = ... ,L1= { ...\"");
+    throw InputError(path, "holds no packing of jamBashbulk: no line \"N = ... ,L1= { ...\"");
   throw InputError(path, fmt::format("index = {}, but it holds packings 0 to {}", index, n_packings - 1));
 }
 
@@ -123,8 +123,9 @@ Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell
 void refuse_options(const std::string& path, const ImportOptions& options) {
   if (options.law || !options.cell.empty() || !options.contacts.empty() || !options.columns.empty() ||
       !options.contact_columns.empty())
-    throw InputError(
-        path, "jamBashbulk says law, cell and columns itself: leave out --law, --cell, --columns, --contacts");
+    throw InputError(path,
+                     "a file of jamBashbulk holds law, cell and columns itself: leave out --law, --cell, "
+                     "--columns, --contacts");
   if (options.dimension.value_or(2) != 2) throw InputError(path, "jamBashbulk is two-dimensional");
   if (options.units != "reduced") throw InputError(path, "jamBashbulk is in reduced units");
 }

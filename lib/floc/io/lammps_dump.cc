@@ -78,7 +78,7 @@ class FrameSearch {
     if (!begun.empty()) pass(trimmed(begun));
     if (begins_) pass_timestep("");
     if (timesteps_.empty())
-      throw InputError(path, "no frame of a LAMMPS dump in it: no line \"ITEM: TIMESTEP\"");
+      throw InputError(path, "holds no frame of a LAMMPS dump: no line \"ITEM: TIMESTEP\"");
   }
 
   int n_frames() const { return static_cast<int>(timesteps_.size()); }
@@ -131,7 +131,7 @@ void read_box(const FrameText& dump, std::size_t at, Frame& frame) {
   if (tokens.size() != (tilted ? 6u : 3u) || (tilted && (tokens[1] != "xz" || tokens[2] != "yz")))
     throw InputError(
         dump.place(at),
-        fmt::format("\"{}\", expected BOX BOUNDS [xy xz yz] and three periodicities as pp", dump[at]));
+        fmt::format("\"{}\", expected BOX BOUNDS [xy xz yz] and three boundary styles such as pp", dump[at]));
   frame.flags = fmt::format("{}", fmt::join(tokens.end() - 3, tokens.end(), " "));
   frame.box_place = dump.place(at);
   std::array<std::vector<double>, 3> rows;
@@ -182,7 +182,7 @@ Frame read_frame(const FrameText& dump, const std::string& items) {
     }
   }
   if (n < 0 || frame.box_place.empty())
-    throw InputError(dump.place(at), "the frame does not say its number of rows and its box");
+    throw InputError(dump.place(at), "the frame does not give its number of rows and its box");
   frame.table = CsvTable(dump.path(), tokenize(dump[at].substr(6 + items.size())));
   for (std::size_t row = at + 1; row <= at + static_cast<std::size_t>(n); ++row) {
     const std::string what = fmt::format("row {} of {}", row - at, n);

@@ -95,8 +95,8 @@ class LawText {
     const std::string key(trimmed(assignment.substr(0, equals)));
     const std::vector<std::string> keys = all_keys();
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      throw InputError(place_,
-                       fmt::format("\"{}\" is no parameter of a law; they are {}", key, fmt::join(keys, ", ")));
+      throw InputError(place_, fmt::format("\"{}\" is not a parameter of a law; the parameters are {}", key,
+                                           fmt::join(keys, ", ")));
     if (equals == std::string_view::npos)
       throw InputError(place_, fmt::format("{} has no value, expected {}=...", key, key));
     if (!values_.emplace(key, trimmed(assignment.substr(equals + 1))).second)
@@ -125,7 +125,7 @@ const DeclaredModel& model_given(const std::string& place, const LawText& given,
   for (const std::string& key : keys)
     if (!has_key(model, key))
       throw InputError(place,
-                       fmt::format("{}.{}: {} = {} has no such number", slot.key, key, name, model.keyword));
+                       fmt::format("{}.{}: {} = {} has no such parameter", slot.key, key, name, model.keyword));
   return model;
 }
 

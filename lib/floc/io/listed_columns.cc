@@ -101,8 +101,8 @@ void check_columns(const std::string& option, const std::string& what, const std
                    const std::map<std::string, std::string>& given) {
   for (const auto& [name, column] : given)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(option,
-                       fmt::format("\"{}\" is no column of a {}: {}", name, what, fmt::join(known, ", ")));
+      throw InputError(option, fmt::format("\"{}\" is not a column of a {}; the columns are {}", name, what,
+                                           fmt::join(known, ", ")));
 }
 
 }  // namespace

@@ -214,10 +214,10 @@ class ListedContacts {
     const double gap = gap_of(c);
     if (gap >= 0.0 && gap >= packing_.law.range() && force_of(row) <= kNoForce * largest_force_) {
       if (!row.force && !row.normal_force)
-        throw InputError(row.place.text(),
-                         fmt::format("the gap is {}, where the law does not act, and no normal_force says "
-                                     "otherwise",
-                                     gap));
+        throw InputError(
+            row.place.text(),
+            fmt::format("the gap is {}, at which the law does not act, and no normal_force says otherwise",
+                        gap));
       ++counts_.n_neighbors;
       return std::nullopt;
     }
@@ -296,8 +296,7 @@ class ListedContacts {
     const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
     if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthest) return;
     throw InputError(listed_.grains[c.i].place.text(),
-                     fmt::format("is more than 1e9 cells away from {}, which it is said to "
-                                 "touch",
+                     fmt::format("is more than 1e9 cells away from {}, which it touches according to the list",
                                  listed_.grains[c.j].place.text()));
   }
 
@@ -306,11 +305,10 @@ class ListedContacts {
     const double distance = branch(packing_, c).norm();
     const bool chosen = !row.image || c.image != row.image->template head<Dim>();
     if (chosen && distance >= half_width_)
-      throw InputError(
-          row.place.text(),
-          fmt::format("the contact is {:.6g} long, not below half the cell ({:.6g}): the list has to "
-                      "say which image of the grain it is with",
-                      distance, half_width_));
+      throw InputError(row.place.text(),
+                       fmt::format("the contact is {:.6g} long, not below half the cell ({:.6g}): the list has "
+                                   "to say which image of the second grain touches the first",
+                                   distance, half_width_));
     if (!can_touch(c))
       throw InputError(row.place.text(),
                        fmt::format("grains {} and {} carry a force of {:.6g}, but even their nearest images "
@@ -373,9 +371,10 @@ void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
     const Wide image = c.image.template cast<std::int64_t>() + moved[c.i].template cast<std::int64_t>() -
                        moved[c.j].template cast<std::int64_t>();
     if (static_cast<double>(image.cwiseAbs().maxCoeff()) > kFarthest)
-      throw InputError(listed.grains[c.i].place.text(),
-                       fmt::format("is more than 1e9 cells away from {}, which it is said to touch",
-                                   listed.grains[c.j].place.text()));
+      throw InputError(
+          listed.grains[c.i].place.text(),
+          fmt::format("is more than 1e9 cells away from {}, which it touches according to the list",
+                      listed.grains[c.j].place.text()));
     c.image = image.template cast<int>();
   }
 }
@@ -409,13 +408,13 @@ int dimension_of(const std::vector<ListedGrain>& grains, const ImportOptions& op
 }
 
 const LawParameters& required_law(const std::string& path, const ImportOptions& options) {
-  if (!options.law) throw InputError(path, "it does not say the contact law: give --law");
+  if (!options.law) throw InputError(path, "it holds no contact law: give --law");
   return *options.law;
 }
 
 Imported assemble(const ListedPacking& listed) {
   if (listed.grains.empty()) throw InputError(listed.place, "has no grains");
-  if (listed.cell.empty()) throw InputError(listed.place, "it does not say the cell: give --cell");
+  if (listed.cell.empty()) throw InputError(listed.place, "it holds no cell: give --cell");
   if (listed.cell.size() == 2) return assemble_in<2>(listed);
   if (listed.cell.size() == 3) return assemble_in<3>(listed);
   throw InputError(listed.cell_place, "the cell has to have two vectors, or three in 3D");

@@ -398,7 +398,7 @@ auto read_content(const std::string& path, const std::string& content_path, cons
     const Hdf5Reader file(path, content_path);
     return read(file, read_header(file));
   } catch (const Hdf5Failure& e) {
-    throw InputError(path, fmt::format("is damaged under its seal: {}", e.what()));
+    throw InputError(path, fmt::format("is damaged although its checksum is right: {}", e.what()));
   }
 }
 
@@ -441,9 +441,9 @@ std::string read_progress(const std::string& path) {
     if (header.version < 2)
       throw InputError(
           file.place("progress"),
-          fmt::format("is a checkpoint of version {} of the files, which tells less than this floc needs "
-                      "to go on from inside a step: let the floc that wrote it finish the step, or "
-                      "remove the checkpoint to go on from the last equilibrium saved",
+          fmt::format("is a checkpoint in version {} of the file format, which holds less than this floc needs "
+                      "to continue inside a step: finish the step with the floc that wrote it, or remove the "
+                      "checkpoint to continue from the last equilibrium saved",
                       header.version));
     return file.text("progress");
   });

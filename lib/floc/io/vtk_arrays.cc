@@ -119,16 +119,16 @@ VtkArrays::VtkArrays(const std::string& path, const std::string& content) : docu
     const std::size_t end = content.rfind("</AppendedData>");
     const std::size_t mark = content.find('_', content.find('>', begin));
     if (end == std::string::npos || mark == std::string::npos || mark > end)
-      throw InputError(path, "its AppendedData do not end");
+      throw InputError(path, "its AppendedData has no end");
     d.appended_raw = content.substr(begin, mark - begin).find("\"raw\"") != std::string::npos;
     d.appended = content.substr(mark + 1, end - mark - 1);
     text = content.substr(0, begin) + content.substr(end + std::strlen("</AppendedData>"));
   }
   const pugi::xml_parse_result parsed = d.xml.load_buffer(text.data(), text.size());
   if (!parsed)
-    throw InputError(path, fmt::format("is no XML: {} at byte {}", parsed.description(), parsed.offset));
+    throw InputError(path, fmt::format("is not XML: {} at byte {}", parsed.description(), parsed.offset));
   const pugi::xml_node file = d.xml.child("VTKFile");
-  if (!d.grid()) throw InputError(path, "is no VTKFile with an UnstructuredGrid");
+  if (!d.grid()) throw InputError(path, "is not a VTKFile with an UnstructuredGrid");
   if (std::strcmp(file.attribute("byte_order").as_string("LittleEndian"), "LittleEndian") != 0)
     throw InputError(path, "byte_order = BigEndian, expected LittleEndian");
   if (file.attribute("compressor"))
@@ -179,7 +179,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   if (format == "appended") {
     const auto offset = static_cast<std::size_t>(array.attribute("offset").as_ullong());
     if (offset > d.appended.size())
-      throw InputError(here, fmt::format("offset = {} is behind the data", offset));
+      throw InputError(here, fmt::format("offset = {} lies beyond the data", offset));
     block = std::string_view(d.appended).substr(offset);
     if (!d.appended_raw) block = decoded = from_base64(block.substr(0, encoded_size(block, d.header_size)));
   } else if (format == "binary") {

@@ -100,7 +100,7 @@ std::vector<ListedContact> read_interactions(const CsvTable& table, int dimensio
 /// The one law that the interactions share, as far as it is one.
 LawParameters law_of(const CsvTable& table, const std::string& path) {
   if (!table.has("kn") || !table.has("ks") || !table.has("tan_phi") || table.n_rows() == 0)
-    throw InputError(path, "its interactions do not say kn, ks and tan_phi: give --law");
+    throw InputError(path, "its interactions lack kn, ks and tan_phi: give --law");
   const auto mean = [&](const std::string& name) {
     double sum = 0.0;
     for (int row = 0; row < table.n_rows(); ++row) sum += table.number(row, table.column(name));
@@ -110,7 +110,7 @@ LawParameters law_of(const CsvTable& table, const std::string& path) {
   for (int row = 1; row < table.n_rows(); ++row)
     if (table.number(row, friction) != table.number(0, friction))
       throw InputError(table.place(row),
-                       fmt::format("tan_phi = {}, but {} above: one law has one coefficient, give --law",
+                       fmt::format("tan_phi = {}, but {} above: one law has one coefficient; give --law",
                                    table.text(row, friction), table.text(0, friction)));
   LawParameters law;
   law.normal = LinearRepulsion{mean("kn")};
@@ -122,7 +122,8 @@ LawParameters law_of(const CsvTable& table, const std::string& path) {
 
 void check_no_contact_columns(const ImportOptions& options) {
   if (!options.contact_columns.empty())
-    throw InputError("--contact-columns", "the interactions of YADE name their columns themselves");
+    throw InputError("--contact-columns",
+                     "interactions of YADE name their columns themselves; leave this option out");
 }
 
 /// Whether a file has rows without a line that names their columns.

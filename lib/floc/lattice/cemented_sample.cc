@@ -147,10 +147,9 @@ class Cementing {
       if (reached >= wanted || reached >= 1.0 - out_.grain_content - 1e-12) break;
     }
     if (reached < wanted - 1e-12)
-      throw InputError(
-          "", fmt::format("matrix = {:.6g} cannot be reached: beside a grain content of {:.4g} the bridges "
-                          "of {} neighbours can take {:.4g} at most",
-                          wanted, out_.grain_content, out_.n_bridges, reached));
+      throw InputError("", fmt::format("matrix = {:.6g} cannot be reached: beside a grain content of {:.4g} "
+                                       "the bridges between {} pairs of neighbours can take {:.4g} at most",
+                                       wanted, out_.grain_content, out_.n_bridges, reached));
     std::sort(covered.begin(), covered.end(), [](const CoveredNode& a, const CoveredNode& b) {
       return a.width != b.width ? a.width < b.width : a.node < b.node;
     });

@@ -63,7 +63,7 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
     const Weakest weakest = weakest_of(network, solution, options.strength, gone);
     if (weakest.factor == kNever) {
       path.end =
-          path.broken.empty() ? "no element is in tension that could break" : "no further element can break";
+          path.broken.empty() ? "no element that could break is in tension" : "no further element can break";
       break;
     }
     const Breakage next{weakest.element, weakest.factor * solution.strain[axis],

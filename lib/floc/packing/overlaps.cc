@@ -34,7 +34,7 @@ std::string overlap_warning(const Packing<Dim>& packing) {
   const Overlaps found = measure_overlaps(packing);
   if (found.deep_share == 0.0) return {};
   return fmt::format(
-      "{:.2g} % of the contacts overlap by more than a tenth of a radius, the deepest by {:.3g} of it: Hertz' "
+      "{:.2g} % of the contacts overlap by more than a tenth of a radius, the deepest by {:.3g} of it: Hertz's "
       "law is for small overlaps",
       100.0 * found.deep_share, found.largest);
 }
@@ -45,7 +45,7 @@ void require_small_overlaps(const std::string& place, const Packing<Dim>& packin
   const Overlaps found = measure_overlaps(packing);
   if (found.mean > kDeepestMean)
     throw InputError(place, fmt::format("contacts overlap by {:.3g} of a radius in the mean, expected at most "
-                                        "{}: Hertz' law is for small overlaps",
+                                        "{}: Hertz's law is for small overlaps",
                                         found.mean, kDeepestMean));
 }
 

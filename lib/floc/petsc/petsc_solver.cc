@@ -87,12 +87,15 @@ std::string words_for(KSPConvergedReason reason, PetscInt steps) {
   const std::string after = " after " + std::to_string(steps) + " steps of conjugate gradients";
   switch (reason) {
     case KSP_DIVERGED_INDEFINITE_MAT:
-      return "the stiffness matrix is not positive: a motion of the grains gains energy, found" + after;
+      return "the stiffness matrix is not positive definite (a motion of the grains releases energy): found" +
+             after;
     case KSP_DIVERGED_INDEFINITE_PC:
-      return "the preconditioner is not positive, as of a stiffness matrix that is not, found" + after;
+      return "the preconditioner is not positive definite, probably because the stiffness matrix is not: "
+             "found" +
+             after;
     case KSP_DIVERGED_DTOL:
     case KSP_DIVERGED_ITS:
-      return "the forces that are left no longer fall" + after;
+      return "the remaining forces no longer fall" + after;
     default:
       return std::string("PETSc gave up (") + KSPConvergedReasons[reason] + ")" + after;
   }

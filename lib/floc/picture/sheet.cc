@@ -220,12 +220,13 @@ std::vector<std::string> SheetOptions::validate() const {
   const auto demand = [&faults](bool holds, const std::string& fault) {
     if (!holds) faults.push_back(fault);
   };
-  demand(width >= 50.0 && width <= 5000.0, fmt::format("width = {} points: between 50 and 5000", width));
-  demand(columns >= 1, fmt::format("columns = {}: at least 1", columns));
+  demand(width >= 50.0 && width <= 5000.0,
+         fmt::format("width = {} points: must be between 50 and 5000", width));
+  demand(columns >= 1, fmt::format("columns = {}: must be at least 1", columns));
   demand(line_width > 0.0 && line_width <= 2.0,
-         fmt::format("line width = {} mean diameters: above 0, at most 2", line_width));
+         fmt::format("line width = {} mean diameters: must be above 0 and at most 2", line_width));
   demand(!resolution || (*resolution >= 10.0 && *resolution <= 2400.0),
-         fmt::format("resolution = {} pixels per inch: between 10 and 2400", resolution.value_or(0.0)));
+         fmt::format("resolution = {} pixels per inch: must be between 10 and 2400", resolution.value_or(0.0)));
   for (const std::string& fault : view.validate()) faults.push_back(fault);
   return faults;
 }

@@ -13,12 +13,12 @@ std::vector<std::string> View::validate() const {
     if (!holds) faults.push_back(fault);
   };
   demand(azimuth >= -360.0 && azimuth <= 360.0,
-         fmt::format("azimuth of the view = {} degrees: between -360 and 360", azimuth));
+         fmt::format("azimuth of the view = {} degrees: must be between -360 and 360", azimuth));
   demand(elevation >= -90.0 && elevation <= 90.0,
-         fmt::format("elevation of the view = {} degrees: between -90 and 90", elevation));
+         fmt::format("elevation of the view = {} degrees: must be between -90 and 90", elevation));
   if (sphere_size)
     demand(*sphere_size >= 0.0 && *sphere_size <= 1.0,
-           fmt::format("sphere size = {} of the true one: between 0 and 1", *sphere_size));
+           fmt::format("sphere size = {} of the true one: must be between 0 and 1", *sphere_size));
   return faults;
 }
 

@@ -35,7 +35,7 @@ std::string progress_text(const RunPoint& point) {
 }
 
 RunPoint parse_progress(const std::string& text, const std::string& place) {
-  return members_from_json<RunPoint>(text, place, "is no checkpoint of this version", kMembers);
+  return members_from_json<RunPoint>(text, place, "is not a checkpoint of this version", kMembers);
 }
 
 }  // namespace floc

@@ -59,7 +59,7 @@ void require_empty(const std::string& path, Existing existing, const std::string
 
 /// The path, once it is a directory that may be locked.
 const std::string& prepared(const std::string& path, Existing existing, const std::string& runs) {
-  if (path.empty()) throw InputError("\"\"", "expected the name of a directory, and it is empty");
+  if (path.empty()) throw InputError("\"\"", "expected the name of a directory, but it is empty");
   if (path == "-") throw InputError(path, "is standard output, expected the name of a directory");
   if (fs::exists(path) && !fs::is_directory(path)) throw InputError(path, "is a file, expected a directory");
   // Of one that is held the holder is named.

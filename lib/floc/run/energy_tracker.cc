@@ -70,10 +70,9 @@ template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory) {
   if (options.relaxation.finish != Finish::dynamic)
-    throw InputError(
-        "--track-energy",
-        "Newton steps may end the equilibria of this scene, and no motion leads along them; expected "
-        "equilibrium.finish = \"dynamic\"");
+    throw InputError("--track-energy",
+                     "Newton steps may complete the equilibria of this scene, and they follow no motion whose "
+                     "energy could be recorded; expected equilibrium.finish = \"dynamic\"");
   for (const LoadStage& stage : options.load)
     if (stage.shear != 0.0)
       throw InputError("--track-energy",

@@ -39,7 +39,8 @@ void require_same_scene(const Origin& found, const Origin& expected, const std::
                         const std::string& reference) {
   if (found.dimension != expected.dimension || found.scene != expected.scene)
     throw InputError(
-        file, fmt::format("was made by another scene than {}: expected the states of one run", reference));
+        file,
+        fmt::format("was made from a different scene than {}: expected the states of one run", reference));
 }
 
 /// A path.csv that was cut has a last line without its end.
@@ -48,7 +49,7 @@ void require_whole_table(const std::string& directory) {
   if (!fs::exists(table)) return;
   const std::string text = read_file(table);
   if (!text.empty() && text.back() != '\n')
-    throw InputError(table, "its last row is cut; floc run --resume makes it again of the state");
+    throw InputError(table, "its last row is incomplete; floc run --resume restores it from the state");
 }
 
 }  // namespace

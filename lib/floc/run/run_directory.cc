@@ -64,10 +64,10 @@ void RunDirectory::check_scene(const std::string& file, const RunOptions& option
   std::visit(
       [&](const auto& state) {
         if (state.scene != options.text || state.provenance.seed != options.seed)
-          throw InputError(
-              file, fmt::format("was made by another scene or seed ({} here, {} there): a run can only be "
-                                "continued with the scene, settings and seed it began with",
-                                options.seed, state.provenance.seed));
+          throw InputError(file,
+                           fmt::format("was made with another scene or seed ({} here, {} there): a run can "
+                                       "only be continued with the scene, settings and seed it began with",
+                                       options.seed, state.provenance.seed));
       },
       read_state(file));
 }

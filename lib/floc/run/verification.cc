@@ -139,7 +139,7 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
     if (!(error <= result.limit))
       violations.add(error, fmt::format("{} by {:.2g}", name_of(recomputed, c), error));
     else if (!same_state)
-      violations.add(0.0, fmt::format("{} in a stiffness", name_of(recomputed, c)));
+      violations.add(0.0, fmt::format("{} by a stiffness", name_of(recomputed, c)));
   }
   result.where = violations.worst_first();
   result.holds = result.where.empty();

@@ -192,8 +192,9 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
     choice.refused_key = key;
     choice.refusal =
         std::isfinite(floor)
-            ? fmt::format("expected at least {:.2g}, the smallest error of it in the shipped table", floor)
-            : "expected another observable: the shipped table has no error of it";
+            ? fmt::format("expected at least {:.2g}, the smallest error that the shipped table has for it",
+                          floor)
+            : "expected another observable: the shipped table has no error for it";
     return choice;
   }
   for (const Candidate& c : candidates)

@@ -95,10 +95,9 @@ void check_overlaps(TableReader& root, const Scene& scene) {
   const auto check = [&](TableReader& t, const char* key, double pressure) {
     const double kappa = hertz_kappa(scene, pressure);
     if (pressure > 0 && kappa < kLeastKappa)
-      t.fault(key,
-              fmt::format("{} = {}: kappa = (E~/P)^(2/3) = {:.3g}, expected at least {}: spheres would overlap "
-                          "too far for Hertz' law",
-                          t.path_of(key), pressure, kappa, kLeastKappa));
+      t.fault(key, fmt::format("{} = {}: kappa = (E~/P)^(2/3) = {:.3g}, expected at least {}: spheres would "
+                               "overlap too far for Hertz's law",
+                               t.path_of(key), pressure, kappa, kLeastKappa));
   };
   for_each_pressure(root, scene, check, [](const LoadStage&) { return false; });
 }

@@ -68,10 +68,10 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
     const std::string which = stage.is_isotropic() ? "" : fmt::format(" on axis {}", stage.axis + 1);
     const std::string end = fmt::format("end of '{}' after {} steps", stage.name, n);
     if (driven.kind == AxisLoad::strain)
-      groups.push_back({"strain", driven.end, fmt::format("logarithmic{}, {}", which, end)});
+      groups.push_back({"strain", driven.end, fmt::format("logarithmic strain{}, {}", which, end)});
     if (stage.shear != 0.0)
       groups.push_back({"strain", stage.shear,
-                        fmt::format("of shear of the planes across axis {}, {}", stage.axis + 1, end)});
+                        fmt::format("shear strain of the planes across axis {}, {}", stage.axis + 1, end)});
     if (driven.kind == AxisLoad::stress)
       groups.push_back({name, driven.end / unit, fmt::format("{}{}, {}", meaning, which, end)});
     from = after_stage(from, stage);
@@ -93,8 +93,8 @@ void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   const double grain = std::numbers::pi / 6.0 * a * a * a;
   const Bridge<> bridge = law.bridge(0.5 * a, 0.5 * a, share * grain / kBridgesPerGrain);
   groups.push_back({"V_l/V_s", share, "volume of the liquid over that of the grains"});
-  groups.push_back({"l/a", 1.0 / (bridge.decay * a), "decay length of a bridge, three to each grain"});
-  groups.push_back({"hm/a", bridge.reach / a, "gap at which it breaks"});
+  groups.push_back({"l/a", 1.0 / (bridge.decay * a), "decay length of a bridge, with three bridges per grain"});
+  groups.push_back({"hm/a", bridge.reach / a, "gap at which such a bridge breaks"});
 }
 
 /// Of elastic spheres: overlaps go as 1/kappa, the pressure between surfaces as kappa^(-1/2).
@@ -112,7 +112,7 @@ void add_spheres(const Scene& scene, Groups& groups) {
   add_pressures(scene, E, "P/E~", "P/E~", groups);
   // Where z Phi = 4, of a contact that carries the mean force.
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
-                    "largest pressure between surfaces at the highest pressure, of the mean force"});
+                    "largest pressure between surfaces under the mean force, at the highest pressure"});
 }
 
 /// A number of the law over what makes it dimensionless, named after its symbol; nothing of those that scale

@@ -25,8 +25,7 @@ void refuse_settings(TableReader& root) {
   TableReader equilibrium = root.table("equilibrium", "", TableReader::Need::optional);
   TableReader run = root.table("run", "", TableReader::Need::optional);
   const auto refuse = [](TableReader& t, const char* key) {
-    t.refuse(key,
-             fmt::format("{}: [accuracy] chooses it; expected either the one or the other", t.path_of(key)));
+    t.refuse(key, fmt::format("{}: [accuracy] chooses it; expected one or the other", t.path_of(key)));
   };
   for (const char* key : {"force", "moment", "stress", "energy", "patience"}) refuse(equilibrium, key);
   const auto finish = equilibrium.text("finish", "a string", TableReader::Need::optional);
@@ -37,24 +36,22 @@ void refuse_settings(TableReader& root) {
 void check_table_covers(TableReader& t, const Scene& scene) {
   const std::optional<double> kappa = stiffness_number(scene);
   if (scene.dimension != 2)
-    t.fault(
-        "",
-        "[accuracy]: expected a scene in two dimensions, of which the shipped table was measured; here give "
-        "the settings themselves ([equilibrium], run.time_step)");
+    t.fault("",
+            "[accuracy]: expected a scene in two dimensions, like those that the shipped table was measured "
+            "on; here give the settings themselves ([equilibrium], run.time_step)");
   else if (scene.assembly.box)
-    t.fault(
-        "",
-        "[accuracy]: expected a scene with a periodic [cell], as those that the shipped table was measured of");
+    t.fault("",
+            "[accuracy]: expected a scene with a periodic [cell], like those that the shipped table was "
+            "measured on");
   else if (!kappa)
     t.fault("",
             "[accuracy]: expected a scene with contact.adhesion; the shipped table was measured on cohesive "
             "grains");
   else if (!covers_stiffness(shipped_accuracy_table(), *kappa))
     t.fault("",
-            fmt::format(
-                "[accuracy]: a K_N/F0 = {:g} is outside of the range of the shipped table, {:g} to a factor "
-                "of ten; expected the settings themselves ([equilibrium], run.time_step)",
-                *kappa, shipped_accuracy_table().empty() ? 0.0 : shipped_accuracy_table()[0].kappa));
+            fmt::format("[accuracy]: a K_N/F0 = {:g} is outside the range of the shipped table, {:g} to within "
+                        "a factor of ten; here give the settings themselves ([equilibrium], run.time_step)",
+                        *kappa, shipped_accuracy_table().empty() ? 0.0 : shipped_accuracy_table()[0].kappa));
 }
 
 /// Writes what was chosen into the scene, so that its text says what is run even when the table is another one.

@@ -19,7 +19,7 @@ constexpr NumberRule kDiameter{[](double x) { return x > 0; }, "a positive numbe
 std::vector<double> read_list_file(const std::string& path, SceneSource& source) {
   std::vector<double> values;
   std::ifstream in(path);
-  if (!in) source.fault_at(path, "cannot be read: expected one diameter a line");
+  if (!in) source.fault_at(path, "cannot be read: expected one diameter per line");
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
@@ -34,14 +34,14 @@ std::vector<double> read_list_file(const std::string& path, SceneSource& source)
                         fmt::format("'{}': expected a positive number", token));
     }
   }
-  if (in.eof() && values.empty()) source.fault_at(path, "holds no diameters: expected one a line");
+  if (in.eof() && values.empty()) source.fault_at(path, "holds no diameters: expected one per line");
   return values;
 }
 
 void read_list(TableReader& t, SceneSource& source, const std::string& directory, DiameterDistribution& d) {
   if (t.has("values")) {
     d.values = t.numbers("values", {kDiameter.holds, "an array of positive numbers (length)"});
-  } else if (const auto file = t.text("file", "the name of a file with one diameter a line")) {
+  } else if (const auto file = t.text("file", "the name of a file with one diameter per line")) {
     d.values = read_list_file((std::filesystem::path(directory) / *file).string(), source);
   }
   if (d.values.empty()) return;
@@ -95,7 +95,7 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
     case Kind::bidisperse:
       read_sizes(t, "small", "large", d);
       d.share_of_large = t.number("share_of_large", {[](double x) { return x >= 0 && x <= 1; },
-                                                     "a number share of large grains, 0 to 1"})
+                                                     "the number fraction of large grains, 0 to 1"})
                              .value_or(0);
       break;
     case Kind::list:

@@ -50,7 +50,7 @@ void apply_changes(TableReader& t, const LoadStage& stage, LawParameters& law) {
     double* number = law_number(law, key);
     if (!number) {
       t.fault("set",
-              fmt::format("{}.set.{}: the scene's contact law has no such number; the nearest it has is {}",
+              fmt::format("{}.set.{}: the scene's contact law has no such parameter; the nearest it has is {}",
                           t.path(), key, nearest_key(key, law_keys(law))));
       return;
     }
@@ -77,12 +77,13 @@ AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_s
 /// `axes = [{stress = ..}, {strain = ..}, {as = 1}]`.
 std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   std::vector<AxisLoad> axes;
-  const char* expectation = "an array of one table an axis, {stress = ..}, {strain = ..} or {as = 1}";
+  const char* expectation = "an array of one table per axis, {stress = ..}, {strain = ..} or {as = 1}";
   std::vector<TableReader> tables = t.tables("axes", expectation);
   if (t && (!t.has("axes") || static_cast<int>(tables.size()) != dimension))
-    t.fault("axes", fmt::format("{} has {} tables: expected {}, one an axis, {{stress = ..}}, {{strain = ..}} "
-                                "or {{as = 1}}",
-                                t.path_of("axes"), tables.size(), dimension));
+    t.fault("axes",
+            fmt::format(
+                "{} has {} tables: expected {}, one per axis, {{stress = ..}}, {{strain = ..}} or {{as = 1}}",
+                t.path_of("axes"), tables.size(), dimension));
   for (TableReader& axis : tables) {
     const auto as = axis.integer("as", {1, 3, "the number of an axis before this one"}, Need::optional);
     const bool known = as && *as <= static_cast<std::int64_t>(axes.size());
@@ -277,7 +278,7 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
   for (std::size_t a = 0; a < stage.axes.size(); ++a) {
     if (stage.axes[a].kind == AxisLoad::strain)
       return t.fault(
-          key, fmt::format("{}: gives axis {} a length, and walls are under a stress or at rest; expected "
+          key, fmt::format("{}: gives axis {} a length, but walls are under a stress or at rest; expected "
                            "stresses, and box.boundary = \"fixed\" for axes that keep their length",
                            t.path_of(key), a + 1));
     if (stage.axes[a].kind == AxisLoad::stress && box.boundary[a] != BoxSide::walls)
@@ -314,9 +315,9 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
       stage.axes.assign(from.size(), AxisLoad{});  // a fault has been recorded
     }
   }
-  stage.steps_per_decade = t.number(
-      "steps_per_decade", {is_steps_per_decade, "a number of steps a factor ten of pressure, in (0, 1000]"},
-      Need::optional);
+  stage.steps_per_decade =
+      t.number("steps_per_decade",
+               {is_steps_per_decade, "a number of steps per decade of pressure, in (0, 1000]"}, Need::optional);
   if (const auto steps =
           t.integer("steps", {1, kMaxSteps, "a whole number of steps, 1 to 10000"}, Need::optional))
     stage.steps = static_cast<int>(*steps);
@@ -330,8 +331,8 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
   if (box) check_walls(t, *box, stage);
   apply_changes(t, stage, law);
   if (stage.cell.strain_rate_cap && !law.adheres())
-    t.fault("strain_rate_cap", fmt::format("{}: counts in T0 = sqrt(a m/F0), and the grains do not adhere; "
-                                           "expected inertial_number_cap",
+    t.fault("strain_rate_cap", fmt::format("{}: is in units of 1/T0, T0 = sqrt(a m/F0), but the grains do not "
+                                           "adhere; expected inertial_number_cap",
                                            t.path_of("strain_rate_cap")));
   check_zero_stress(t, stage, has_end, law, scene.relaxation.inertial_number_cap.has_value());
   check_kept_stress(t, from, stage, law);
@@ -345,7 +346,7 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
 CellResponse read_cell_response(TableReader& t, bool boxed) {
   if (boxed) {
     for (const char* key : {"inertial_number_cap", "strain_rate_cap", "cell_mass"})
-      t.refuse(key, fmt::format("{}: a [box] has walls, no cell; expected no such key", t.path_of(key)));
+      t.refuse(key, fmt::format("{}: a [box] has walls and no cell; expected no such key", t.path_of(key)));
     CellResponse response;
     response.wall_speed = t.number("speed",
                                    {positive,

@@ -123,7 +123,7 @@ std::optional<Vibration> read_vibration(TableReader& assembly) {
       t.number("dilation", {[](double x) { return x >= 1 && x <= 2; }, "a factor of all lengths, 1 to 2"})
           .value_or(1);
   vibration.collisions = t.number("collisions", {[](double x) { return x > 0 && x <= 1e6; },
-                                                 "a number of collisions a grain, to 1e6"})
+                                                 "a number of collisions per grain, at most 1e6"})
                              .value_or(1);
   t.refuse_other_keys();
   return vibration;
@@ -200,7 +200,8 @@ void read_equilibrium(TableReader& root, Scene& scene) {
   relaxation.max_time = t.number("max_time", {positive, "a positive number (in sqrt(a m/F1))"}, Need::optional)
                             .value_or(relaxation.max_time);
   relaxation.patience =
-      t.number("patience", {positive, "a positive number (of the time a packing has to stay still)"},
+      t.number("patience",
+               {positive, "a positive number (factor on the time that a packing has to stay still)"},
                Need::optional)
           .value_or(relaxation.patience);
   relaxation.finish = kFinishes[finish.value_or(0)];
@@ -236,8 +237,8 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
   if (!contact) return;
   for (TableReader* t : {&cell, &assembly})
     if (t->has("strain_rate_cap") && !t->has("inertial_number_cap") && !cohesive)
-      t->fault("strain_rate_cap", fmt::format("{}: counts in T0 = sqrt(a m/F0), and the scene has no adhesion; "
-                                              "expected inertial_number_cap",
+      t->fault("strain_rate_cap", fmt::format("{}: is in units of 1/T0, T0 = sqrt(a m/F0), but the scene has "
+                                              "no adhesion; expected inertial_number_cap",
                                               t->path_of("strain_rate_cap")));
   if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation) return;
   if (!cohesive || (scene.law.adhesion && scene.law.range() == 0))

@@ -27,20 +27,20 @@ void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
   for (const auto& [key, value] : {std::pair("force", t.force), {"moment", t.moment}, {"stress", t.stress}}) {
     if (value <= kRounding)
       warnings.push_back(
-          fmt::format("equilibrium.{} = {}: doubles do not hold it; rounding of the forces leaves about {}, so "
-                      "that steps end by equilibrium.max_time alone",
+          fmt::format("equilibrium.{} = {}: double precision cannot reach it; rounding of the forces leaves "
+                      "about {}, so that steps end only at equilibrium.max_time",
                       key, value, kRounding));
     else if (value < newton && !scene.assembly.box)
       warnings.push_back(
-          fmt::format("equilibrium.{} = {}: Newton steps end at {}; a step that they do not bring below by "
-                      "chance goes on until equilibrium.max_time",
+          fmt::format("equilibrium.{} = {}: Newton steps end at {}; a step whose residual they do not happen "
+                      "to bring lower goes on until equilibrium.max_time",
                       key, value, newton));
   }
   if (scene.relaxation.finish == Finish::dynamic && t.energy < kLeastEnergy)
-    warnings.push_back(fmt::format(
-        "equilibrium.energy = {}: with finish = \"dynamic\" rounding keeps grains moving at about {}, "
-        "so that steps end by equilibrium.max_time alone",
-        t.energy, kLeastEnergy));
+    warnings.push_back(
+        fmt::format("equilibrium.energy = {}: with finish = \"dynamic\" rounding keeps grains moving at about "
+                    "{}, so that steps end only at equilibrium.max_time",
+                    t.energy, kLeastEnergy));
 }
 
 void warn_of_range(const Scene& scene, Warnings& warnings) {
@@ -68,21 +68,24 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   law.water_content = most_water(scene, law.water_content);
   if (law.water_content == 0.0)
     warnings.push_back(
-        "contact.adhesion.water_content = 0: the grains are dry; with however little liquid they attract with "
-        "all of gamma's force, which does not depend on the volume of a bridge");
+        "contact.adhesion.water_content = 0: the grains are dry; with any liquid, however little, they attract "
+        "with the full force of gamma, which does not depend on the volume of a bridge");
   else if (!law.acts())
-    warnings.push_back("contact.adhesion.contact_angle = 90: the liquid does not pull; the grains are as dry");
+    warnings.push_back(
+        "contact.adhesion.contact_angle = 90: the liquid does not attract; the grains behave as if they were "
+        "dry");
   // Of three bridges to each of equal grains, V_b over R'^3.
   constexpr double kMerging = 0.1;
   const double filled = law.liquid_volume(4.0 / 3.0 * std::numbers::pi) / kBridgesPerGrain;
   if (filled > kMerging)
-    warnings.push_back(fmt::format(
-        "contact.adhesion.water_content = {}: with three bridges to each grain they hold {:.2g} R^3, "
-        "and from {} R^3 on bridges merge, which this law does not know",
-        law.water_content, filled, kMerging));
+    warnings.push_back(
+        fmt::format("contact.adhesion.water_content = {}: with three bridges per grain each bridge holds "
+                    "{:.2g} R^3, and from {} R^3 on bridges merge, which this law does not describe",
+                    law.water_content, filled, kMerging));
   if (scene.assembly.box)
     warnings.push_back(
-        "contact.adhesion.law = \"capillary\": contacts with walls are dry, liquid bridges are between grains");
+        "contact.adhesion.law = \"capillary\": contacts with walls are dry; liquid bridges form only between "
+        "grains");
 }
 
 /// sqrt(a m/F1) at a pressure.
@@ -110,8 +113,8 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   const double least = std::log(loosest / phi) / (scene.dimension * rate) / unit;
   if (least > r.max_time)
     warnings.push_back(
-        fmt::format("cell.{} = {}: compressing the gas from solid_fraction = {} takes at least {:.3g} "
-                    "sqrt(a m/F1), and equilibrium.max_time = {} gives a step up before",
+        fmt::format("cell.{} = {}: compressing the gas from solid_fraction = {} takes at least {:.3g} sqrt(a "
+                    "m/F1), but a step is given up after equilibrium.max_time = {}",
                     r.strain_rate_cap ? "strain_rate_cap" : "inertial_number_cap",
                     r.strain_rate_cap ? *r.strain_rate_cap : *r.inertial_number_cap, phi, least, r.max_time));
 }
@@ -120,15 +123,14 @@ void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
   const bool sticks = scene.law.damping || scene.law.friction;
   if (scene.assembly.protocol == AssemblyOptions::Protocol::aggregation && !sticks)
     warnings.push_back(
-        "assembly.protocol = \"aggregation\": without contact.damping and contact.friction nothing takes "
-        "energy "
-        "out of collisions, so that grains part again; expected one of these tables");
+        "assembly.protocol = \"aggregation\": without contact.damping and contact.friction collisions "
+        "dissipate no energy, so that grains separate again; expected one of these tables");
 }
 
 void warn_of_cost(const Scene& scene, Warnings& warnings) {
   constexpr double kDay = 86400.0, kLong = 30.0 * kDay;
   if (const double cost = expected_cost(scene); cost > kLong)
-    warnings.push_back(fmt::format("the path is expected to take {:.3g} days of one core", cost / kDay));
+    warnings.push_back(fmt::format("the path is expected to take {:.3g} days on one core", cost / kDay));
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ double ContactChanges<Dim>::largest_displacement() const {
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) {
   if (!before.walls.empty() || !after.walls.empty())
-    return "walls around the grains: contacts are compared in periodic cells only";
+    return "the grains are between walls: contacts are compared only in periodic cells";
   if (before.grains.size() != after.grains.size())
     return fmt::format("{} grains against {}: expected states of the same grains", before.grains.size(),
                        after.grains.size());
@@ -124,7 +124,7 @@ std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) 
       return fmt::format("grain {} has radius {:.10g} against {:.10g}: expected states of the same grains", i,
                          before.grains.radius[i], after.grains.radius[i]);
   if (!is_lattice_choice<Dim>(lattice_choice(before.cell, after.cell)))
-    return "cells that no strain and choice of lattice vectors take into each other";
+    return "no strain and choice of lattice vectors takes one cell into the other";
   return {};
 }
 

@@ -77,7 +77,7 @@ class Study {
     const SamplePath pilot = make_sample(run_options(small, plain, scene_.seed), {}, nullptr, deadline_);
     const double speed = -start.left() / expected_cost(small);
     options_.progress(
-        fmt::format("{} grains, as the scene has them: {:.1f} s", small.grains.count, -start.left()));
+        fmt::format("{} grains with the settings of the scene: {:.1f} s", small.grains.count, -start.left()));
     if (!pilot.whole() || scene_.grains.diameter.kind == DiameterDistribution::Kind::list) return;
     const int wanted = scene_.grains.count;
     while (scene_.grains.count > kMinGrains &&
@@ -153,7 +153,7 @@ class Study {
 
   void fail(std::size_t i, std::uint64_t seed, const SamplePath& path) {
     left_out_.push_back(fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed,
-                                    path.out_of_time ? "broken off at the end of the budget" : path.failure));
+                                    path.out_of_time ? "stopped at the end of the budget" : path.failure));
     if (path.out_of_time) return;
     skipped_.insert(i);  // where one sample fails the others may
   }

@@ -139,7 +139,7 @@ TEST_F(CsvPacking, NamesWhatIsMissingOrMalformed) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("vector 2 has 3 components, expected 2")));
   options_ = good;
   options_.columns = {{"r", "radius"}};
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("\"r\" is no column of a grain")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("\"r\" is not a column of a grain")));
   options_ = good;
   options_.index = 1;
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("holds one packing")));

@@ -217,8 +217,8 @@ TEST_F(VtuEncodings, NameWhatIsWrong) {
   std::string compressed = file(ascii_points_, "format=\"ascii\">0.5 1");
   compressed.insert(compressed.find(" byte_order"), " compressor=\"vtkZLibDataCompressor\"");
   expect_refusal(compressed, "save it without compression");
-  expect_refusal("<VTKFile type=\"UnstructuredGrid\"><Piece>", "is no XML");
-  expect_refusal("<VTKFile type=\"PolyData\"/>", "is no VTKFile with an UnstructuredGrid");
+  expect_refusal("<VTKFile type=\"UnstructuredGrid\"><Piece>", "is not XML");
+  expect_refusal("<VTKFile type=\"PolyData\"/>", "is not a VTKFile with an UnstructuredGrid");
 }
 
 void expect_refusal(Imported (*read)(const std::string&, const ImportOptions&), const std::string& text,

@@ -38,7 +38,7 @@ TEST(Hdf5Reader, RefusesNumbersWhereATextIsExpected) {
   writer.close();
   const Hdf5Reader reader("s.h5", scratch.file("s.h5"));
   EXPECT_THAT([&] { (void)reader.text("scene"); },
-              ThrowsMessage<InputError>(HasSubstr("s.h5:/scene: is not a text")));
+              ThrowsMessage<InputError>(HasSubstr("s.h5:/scene: is not a string")));
 }
 
 }  // namespace

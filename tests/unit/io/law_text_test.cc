@@ -51,7 +51,7 @@ TEST(LawText, NamesWhatIsWrongAndWhatWasExpected) {
   const auto refusal = [](const std::string& text) { return [text] { parse_law("--law", text); }; };
   EXPECT_THAT(refusal(""), ThrowsMessage<InputError>(HasSubstr("--law: normal.stiffness is missing")));
   EXPECT_THAT(refusal("normal.stifness=1"),
-              ThrowsMessage<InputError>(HasSubstr("\"normal.stifness\" is no parameter")));
+              ThrowsMessage<InputError>(HasSubstr("\"normal.stifness\" is not a parameter")));
   EXPECT_THAT(refusal("normal.stiffness"), ThrowsMessage<InputError>(HasSubstr("has no value")));
   EXPECT_THAT(refusal("normal.stiffness=stiff"),
               ThrowsMessage<InputError>(HasSubstr("\"stiff\", expected a finite")));
@@ -63,8 +63,9 @@ TEST(LawText, NamesWhatIsWrongAndWhatWasExpected) {
               ThrowsMessage<InputError>(HasSubstr("friction.stiffness is missing")));
   EXPECT_THAT(refusal("normal.modulus=1,normal.poisson=0.3,friction.coefficient=0.5,friction.stiffness=1"),
               ThrowsMessage<InputError>(HasSubstr("friction.stiffness: under contact.normal.law = \"hertz\"")));
-  EXPECT_THAT(refusal("normal.stiffness=1,normal.modulus=1"),
-              ThrowsMessage<InputError>(HasSubstr("normal.modulus: normal.law = linear has no such number")));
+  EXPECT_THAT(
+      refusal("normal.stiffness=1,normal.modulus=1"),
+      ThrowsMessage<InputError>(HasSubstr("normal.modulus: normal.law = linear has no such parameter")));
   EXPECT_THAT(refusal("normal.stiffness=1,adhesion.range=0.1"),
               ThrowsMessage<InputError>(HasSubstr("adhesion.force is missing")));
   EXPECT_THAT(refusal("normal.stiffness=1,damping.restitution=0.5,damping.mass=heavy"),

@@ -291,9 +291,9 @@ TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
   ASSERT_NE(at, std::string::npos);
   content[at] = 'X';
   std::ofstream(scratch.file("s.h5"), std::ios::binary) << test::sealed(content);
-  EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("s.h5: is damaged under its seal"));
+  EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("s.h5: is damaged although its checksum is right"));
   EXPECT_THAT([&] { read_progress(scratch.file("s.h5")); },
-              ThrowsMessage<InputError>(HasSubstr("s.h5: is damaged under its seal")));
+              ThrowsMessage<InputError>(HasSubstr("s.h5: is damaged although its checksum is right")));
 }
 
 /// States that can be written but that no run can produce: the reader has to name the dataset.

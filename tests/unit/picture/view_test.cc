@@ -49,8 +49,9 @@ TEST(Camera, LooksAlongTheDirectionOfItsAngles) {
 TEST(View, FaultsAreNamedWithTheirValue) {
   View view = from(10.0, 95.0);
   view.sphere_size = 2.0;
-  EXPECT_THAT(view.validate(), ElementsAre(HasSubstr("elevation of the view = 95 degrees: between -90 and 90"),
-                                           HasSubstr("sphere size = 2")));
+  EXPECT_THAT(view.validate(),
+              ElementsAre(HasSubstr("elevation of the view = 95 degrees: must be between -90 and 90"),
+                          HasSubstr("sphere size = 2")));
   EXPECT_TRUE(View().validate().empty());
 }
 

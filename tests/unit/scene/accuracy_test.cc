@@ -68,7 +68,7 @@ TEST(Accuracy, BelowAllMeasuredErrorsNothingIsGuaranteed) {
 }
 
 TEST(Accuracy, WhatWasNotMeasuredIsNotGuaranteed) {
-  EXPECT_THAT(choice({{"forces", 0.5}}).refusal, HasSubstr("has no error of it"));
+  EXPECT_THAT(choice({{"forces", 0.5}}).refusal, HasSubstr("has no error for it"));
 }
 
 TEST(Accuracy, TheReasonNamesSettingsCostAndErrors) {
@@ -158,14 +158,15 @@ TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
 TEST(AccuracyOfAScene, RefusesErrorsBelowThoseOfTheTable) {
   EXPECT_THAT(refusal(kScene + "[accuracy]\nphi = 1e-14\n"),
               testing::AllOf(HasSubstr("s.toml:21: accuracy.phi = 1e-14: expected at least"),
-                             HasSubstr("the smallest error of it in the shipped table")));
+                             HasSubstr("the smallest error that the shipped table has for it")));
   EXPECT_THAT(refusal(kScene, {"accuracy.phi=1e-14"}), HasSubstr("--set accuracy.phi=1e-14: "));
 }
 
 TEST(AccuracyOfAScene, RefusesGrainsTheTableSaysNothingOf) {
   EXPECT_THAT(
       refusal(kScene + "[accuracy]\nphi = 0.01\n", {"contact.normal.stiffness=1e9"}),
-      HasSubstr("a K_N/F0 = 1e+09 is outside of the range of the shipped table, 100000 to a factor of ten"));
+      HasSubstr(
+          "a K_N/F0 = 1e+09 is outside the range of the shipped table, 100000 to within a factor of ten"));
   std::string cohesionless = kScene;
   cohesionless.erase(cohesionless.find("adhesion"),
                      std::string("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}").size());
@@ -177,7 +178,7 @@ TEST(AccuracyOfAScene, RefusesGrainsTheTableSaysNothingOf) {
 TEST(AccuracyOfAScene, IsAskedForInsteadOfSettingsNotBesideThem) {
   const std::string asked = kScene + "[accuracy]\nphi = 0.01\n";
   EXPECT_THAT(refusal(asked, {"run.time_step=0.2"}),
-              HasSubstr("run.time_step: [accuracy] chooses it; expected either the one or the other"));
+              HasSubstr("run.time_step: [accuracy] chooses it; expected one or the other"));
   EXPECT_THAT(refusal(asked, {"equilibrium.force=1e-4"}),
               HasSubstr("equilibrium.force: [accuracy] chooses it"));
   EXPECT_THAT(refusal(asked, {"equilibrium.finish=dynamic"}),

@@ -213,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"[[load]]", "[[load]]\ninertial_number_cap = 1e-3\nstrain_rate_cap = 0.05",
                  "load.0.inertial_number_cap: expected either this or strain_rate_cap, not both"},
         BadScene{"[[load]]", "[[load]]\nset = {adhesion.force = 0}\nstrain_rate_cap = 0.05",
-                 "load.0.strain_rate_cap: counts in T0"},
+                 "load.0.strain_rate_cap: is in units of 1/T0"},
         BadScene{"protocol = \"aggregation\"", "protocol = \"direct\"",
                  "assembly.agitation: grains start at rest"},
         BadScene{"agitation = 9.5\n", "", "assembly.agitation is missing"},
@@ -221,14 +221,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"steps_per_decade = 8", "", "load.0.steps_per_decade is missing"},
         BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nsteps = 3", "load.0.steps: expected either"},
         BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nset = {adhesion = {forc = 0}}",
-                 "load.0.set.adhesion.forc: the scene's contact law has no such number; the nearest it has is "
-                 "adhesion.force"},
+                 "load.0.set.adhesion.forc: the scene's contact law has no such parameter; the nearest it has "
+                 "is adhesion.force"},
         BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nset = {normal.stiffness = -2}",
                  "contact.normal.stiffness = -2: must be positive"},
-        BadScene{
-            "steps_per_decade = 8", "steps_per_decade = 1e9",
-            "load.0.steps_per_decade = 1000000000: expected a number of steps a factor ten of pressure, in "
-            "(0, 1000]"},
+        BadScene{"steps_per_decade = 8", "steps_per_decade = 1e9",
+                 "load.0.steps_per_decade = 1000000000: expected a number of steps per decade of pressure, in "
+                 "(0, 1000]"},
         BadScene{"steps_per_decade = 8", "steps = 1000000000",
                  "load.0.steps = 1000000000: expected a whole number"},
         BadScene{"count = 40", "count = 99999999999",
@@ -294,7 +293,7 @@ TEST(ReadScene, WithoutAdhesionTheBuiltInCapIsAnInertialNumber) {
 TEST(ReadScene, CohesionlessScenesNeedACapThatDoesNotCountInAdhesionTimes) {
   std::string text = with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}\n", "");
   text.replace(text.find("protocol = \"aggregation\"\nagitation = 9.5"), 40, "protocol = \"direct\"       \n");
-  EXPECT_THAT(faults(text), HasSubstr("cell.strain_rate_cap: counts in T0"));
+  EXPECT_THAT(faults(text), HasSubstr("cell.strain_rate_cap: is in units of 1/T0"));
   text.replace(text.find("strain_rate_cap"), 15, "inertial_number_cap");
   EXPECT_EQ(faults(text), "");
   EXPECT_THAT(faults(text, {"load.0.to=0"}), HasSubstr("nothing holds grains without adhesion together"));

@@ -27,7 +27,7 @@ void require_equilibrium(const NamedState& s, bool force) {
   if (faults.empty()) return;
   if (!force)
     throw EquilibriumError(s.name + ": this state is not in equilibrium: " + faults +
-                           "; force=True computes moduli all the same");
+                           "; force=True computes moduli anyway");
   warn(s.name, "this state is not in equilibrium: " + faults);
 }
 

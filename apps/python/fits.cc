@@ -61,7 +61,7 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
   if (bootstrap != 0 && bootstrap < 2)
     throw InputError("bootstrap", fmt::format("is {}, expected 2 or more, or 0 for none", bootstrap));
   if (P0 && !(*P0 > 0.0)) throw InputError("P0", fmt::format("is {}, expected a positive pressure", *P0));
-  if (P0 && window) throw InputError("P0", "goes without window, which says the same");
+  if (P0 && window) throw InputError("P0", "cannot be combined with window: expected one of them");
   ConsolidationArguments arguments;
   arguments.law = law;
   arguments.protocol = protocol;

@@ -98,7 +98,8 @@ void run(const std::string& scene_file, const std::string& directory, const std:
          std::optional<std::uint64_t> seed, std::optional<int> threads, std::optional<int> until,
          std::optional<double> track_contacts, bool track_energy, bool resume, bool overwrite, bool timing,
          const py::object& told, double interval) {
-  if (resume && overwrite) throw InputError("resume", "goes without overwrite: expected one of them");
+  if (resume && overwrite)
+    throw InputError("resume", "cannot be combined with overwrite: expected one of them");
   RunArguments arguments;
   arguments.scene = scene_file;
   arguments.directory = directory;

@@ -44,21 +44,21 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     strains : {"diagonal", "full"}
         With "diagonal" shear strains are clamped; "full" takes every component, which adds the shear moduli.
     prestress : bool
-        Adds the geometric terms of the forces (those of F_T left out); the stress is the Cauchy stress.
+        Adds the geometric terms of the forces (except those of F_T); the stress is the Cauchy stress.
     tolerance : float, optional
         Relative error wanted of B and G [1e-10].
     method : {"factor", "single-factor", "iterative", "bounds"}
         The last three are approximate and come with errors.
     accuracy : float or dict, optional
-        Relative errors of B and G that are good enough, ``1e-3`` or ``{"B": 1e-3}``: the cheapest method that keeps them.
+        Relative errors of B and G that are good enough, ``1e-3`` or ``{"B": 1e-3}``; takes the cheapest method that keeps them.
     force_tolerance : float, optional
-        Cohesionless: a contact below this force carries nothing, in units of max(F0, P a^(d-1)) [1e-5].
+        Cohesionless packings: a contact below this force, in units of max(F0, P a^(d-1)), carries nothing [1e-5].
     rolling_stiffness : float or sequence of float, optional
-        K_R of every touching contact in place of its own (force length). A row for each of a sequence.
+        K_R of every touching contact in place of its own (force length). One row per value of a sequence.
     tables : sequence of str
         "increments": for each contact what a unit of isotropic and of deviatoric stress changes in it.
     force : bool
-        Also of states that are not in equilibrium, which are refused otherwise.
+        Accepts states that are not in equilibrium, which are refused otherwise.
 
     Returns
     -------
@@ -69,7 +69,7 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     EquilibriumError
         If the state is not in equilibrium, unless `force`.
     NumericalError
-        If there are no moduli, or not as accurate as asked.
+        If there are no moduli, or none as accurate as asked.
     InputError
 
     Notes
@@ -93,12 +93,12 @@ def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_wid
     ----------
     state : State, path-like, or a sequence of them
     zero_force : float, optional
-        A normal force below this is zero, in units of max(F0, P a^(d-1)) [the force tolerance of the state].
+        Normal forces below this count as zero, in units of max(F0, P a^(d-1)) [the force tolerance of the state].
     least_contacts : int, optional
-        Contacts above that force which hold a grain of the force-carrying structure [2 where a contact carries a
+        Fewest contacts above that force for a grain of the force-carrying structure [2 where a contact carries a
         tangential force, else d + 1].
     unit : {"mean", "F0", "P"}, bin_width : float
-        Of the table "pdf".
+        Unit and bin width of the table "pdf".
     groups : sequence of {"bonds", "phases"}
         Further columns.
     near_zero : float, shuffles : int, pressure_bin_width : float
@@ -131,7 +131,7 @@ def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cel
     ----------
     state : State, path-like, or a sequence of them
     average : bool
-        Adds a last row for all states together, as samples of one.
+        Adds a last row for all states together, as samples of one ensemble.
     fit_range : (float, float)
         Wave numbers fitted, in 2 pi over the largest diameter.
     largest_k, cells_per_wave, reach, map_size, probes, profile_axis, slices
@@ -163,10 +163,10 @@ def compare(before, after, *, rigid_tolerance=0.01, tables=()):
     ----------
     before, after : State or path-like
     rigid_tolerance : float
-        A contact in which nothing moved: its two points are within this, in largest diameters, and the grains turned
-        alike to within this, in radians.
+        Tolerance of a contact that moves as rigid: how far its two contact points may part, in largest diameters, and
+        how much the rotations of its grains may differ, in radians.
     tables : sequence of str
-        "displacements" (a row a grain) and "contacts" (a row a contact: kept, lost or gained).
+        "displacements" (one row per grain) and "contacts" (one row per contact: kept, lost or gained).
 
     Returns
     -------
@@ -184,7 +184,7 @@ def compare(before, after, *, rigid_tolerance=0.01, tables=()):
 
 
 def chain(n, R, kn, kt, kr, bend=0.0):
-    """Compliances of a chain of equal disks, closed forms beside the solved network, as ``floc chain`` prints them.
+    """Compliances of a chain of equal disks, closed forms and the solved network, as ``floc chain`` prints them.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ class InputError(Error, ValueError):
 
 
 class FileError(Error, OSError):
-    """A file could not be written: the disk is full, or the directory not writable."""
+    """A file could not be written: the disk is full, or the directory is not writable."""
 
 
 class NumericalError(Error, ArithmeticError):

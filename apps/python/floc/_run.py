@@ -14,7 +14,7 @@ from ._state import read
 
 @dataclasses.dataclass(frozen=True)
 class Progress:
-    """How far a run is."""
+    """How far a run has come."""
 
     step: int  #: number of the equilibrium that is being made, or was just saved
     n_steps: int  #: equilibria of the whole run
@@ -31,7 +31,7 @@ class Run:
     def __init__(self, directory):
         self.directory = pathlib.Path(directory)
         if not self.directory.is_dir():
-            raise InputError(f"{directory}: is no directory: expected one of floc run")
+            raise InputError(f"{directory}: is not a directory: expected a directory of floc run")
 
     @property
     def states(self):
@@ -62,8 +62,8 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
         track_contacts=None, track_energy=False, resume=False, overwrite=False, timing=True):
     """Assembles a packing, brings it to equilibrium and loads it as a scene says, as ``floc run`` does.
 
-    Ctrl-C, or an exception that `on_progress` raises, stops the run at a checkpoint; ``resume=True`` goes on from there
-    to the same bits. Other threads go on meanwhile. Signals reach the main thread of Python alone.
+    Ctrl-C, or an exception that `on_progress` raises, stops the run at a checkpoint; ``resume=True`` continues from
+    there, bit for bit. Other threads keep running meanwhile. Only the main thread of Python receives signals.
 
     Parameters
     ----------
@@ -80,13 +80,13 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
     seed, threads, until : int, optional
         As ``--seed``, ``--threads`` and ``--until`` (the last equilibrium to make).
     track_contacts : float, optional
-        Records in contacts.csv which contacts open and close, looking each so much of simulated time.
+        Records in contacts.csv which contacts open and close, checking at this interval of simulated time.
     track_energy : bool
-        Keeps the account of the energy in energy.csv.
+        Records the energy account in energy.csv.
     resume, overwrite : bool
-        Goes on with the run in the directory (harmless on a first one), or replaces it.
+        Continues the run in the directory (harmless on a first one), or replaces it.
     timing : bool
-        Whether path.csv says how long each step took; without, equal runs are equal files.
+        Whether path.csv says how long each step took; without it, equal runs are equal files.
 
     Returns
     -------
@@ -95,7 +95,7 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
     Raises
     ------
     InputError
-        Naming file, line and key for a scene that cannot be run; for a directory that holds a run.
+        If the scene cannot be run (the message names file, line and key) or the directory holds a run already.
     NumericalError
         If a step does not converge; the run can be resumed.
     KeyboardInterrupt

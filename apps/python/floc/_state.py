@@ -12,7 +12,7 @@ def _documented(name, words):
 
 
 class State(_core.State):
-    """One packing with its contacts, as a state file holds it. Nothing of it can be changed.
+    """One packing with its contacts, as a state file holds it. It cannot be changed.
 
     Arrays are views of the memory of the state: they cost nothing, cannot be written to, and keep the state alive
     for as long as they are there. Lengths, forces and masses are in the units of the state (``units``). Forces and
@@ -20,8 +20,8 @@ class State(_core.State):
     """
 
     position = _documented("position", "(n, d) centres of the grains, inside the cell (length).")
-    position_low = _documented("position_low", "(n, d) what the centres lie beside ``position``, less than half a unit "
-                               "in its last place (length); None where they lie on it.")
+    position_low = _documented("position_low", "(n, d) offsets of the centres from ``position``, less than half a unit "
+                               "in its last place (length); None where there are none.")
     velocity = _documented("velocity", "(n, d) velocities without the affine part of the cell (length/time).")
     radius = _documented("radius", "(n,) radii (length).")
     mass = _documented("mass", "(n,) masses.")
@@ -57,7 +57,7 @@ class State(_core.State):
     walls = _documented("walls", "Walls of a box: dicts of axis, side, position, velocity, mass; empty in a periodic cell.")
     path = _documented("path", "Where the state stands on its load path: step, branch, time, n_steps, ending.")
     scene = _documented("scene", "Text of the scene, empty for a packing of another program.")
-    provenance = _documented("provenance", "Who made the state of what: program, commit, compiler, seed, parent_sha256, source.")
+    provenance = _documented("provenance", "Origin of the state: program, commit, compiler, seed, parent_sha256, source.")
 
     @property
     def void_ratio(self):
@@ -89,10 +89,10 @@ class Packing(State):
     @classmethod
     def from_arrays(cls, position, radius, cell, law, contacts=None, *, mass=None, stress=None, tolerance=None,
                     units="reduced", drop_tensile=False):
-        """A packing of any program, for moduli and all else, as ``floc convert`` makes one of files.
+        """Makes a packing from arrays of any program, for moduli and all else, as ``floc convert`` makes one from files.
 
-        What contacts do not say follows from the law: forces that are given are kept to the last digit, springs are
-        stretched to them. Without contacts these are the pairs that interact by the law.
+        What contacts do not say follows from the law: forces that are given are kept to the last digit, and springs are
+        stretched to them. Without `contacts`, the pairs that interact by the law are taken.
 
         Parameters
         ----------
@@ -128,7 +128,7 @@ class Packing(State):
         Raises
         ------
         InputError
-            Naming the array, the index, the value and what was expected.
+            If the arrays are not a packing; the message names the array, the index, the value and what was expected.
 
         Warns
         -----
@@ -160,7 +160,7 @@ def read(path):
     Raises
     ------
     InputError
-        If the file is missing, damaged, of another version, or no state, naming the dataset.
+        If the file is missing, damaged, of another version, or not a state; the message names the dataset.
     """
     return State(_core.read(os.fspath(path)))
 

@@ -1,7 +1,7 @@
 """Laws fitted to arrays or tables, as ``floc fit`` fits them.
 
 Curves are given as arrays, as columns of a data frame, or as the name of a table or of a directory of ``floc run``,
-which is read as the command reads it. A fit that the data do not allow is an answer and no exception: ``refusal`` then
+which is read as the command reads it. A fit that the data do not allow is an answer, not an exception: ``refusal`` then
 says why.
 """
 import os
@@ -40,7 +40,7 @@ class Fit:
     refusal : str or None
         Why there is no fit.
     warnings : list of str
-        What to know before using it; not of every law.
+        What to know before using the fit; not every law gives them.
     """
 
     def __init__(self, values):
@@ -93,21 +93,22 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     law : {"full", "log", "power"}
         Regime II is "log", regime III "power", both "full".
     window : (float, float), optional
-        Pressures to fit on [found].
+        Lowest and highest pressure to fit [found from the data].
     P0 : float, optional
-        Fit from the pressure nearest to this one to the last [found].
+        Fit from the pressure nearest to this one to the last [found from the data].
     protocol : {"published"}, optional
-        P0* on the grid and held, the mean of the samples fitted.
+        Holds P0* at a pressure of the curve and fits the mean of the samples.
     loading : {"first", "virgin"}
-        "virgin": also what later loadings add beyond the largest pressure before.
+        "first": the first loading; "virgin": also later loadings beyond the largest pressure before.
     weights : {"uniform", "relative", "scatter"}, optional
     loss : {"squared", "huber", "cauchy"}
     bootstrap : int
-        Number of resampled fits for errors beside [none].
+        Number of resampled fits, which give errors of their own [none].
     seed : int
-        Of these.
+        Seed of the resampling.
     stress : {"driven", "mean"}, columns : dict
-        Of tables alone: the stress that P* is of in an oedometer; columns by the names P_star, phi, void_ratio, branch.
+        For tables only: the stress from which P* of an oedometric test is computed; columns by the names P_star, phi,
+        void_ratio, branch.
 
     Returns
     -------
@@ -117,7 +118,7 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     Raises
     ------
     InputError
-        Naming array, index and value for what is no path.
+        If the input is not a path; the message names array, index and value.
 
     Notes
     -----
@@ -136,12 +137,12 @@ def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=N
     Parameters
     ----------
     pressure, solid_fraction, void_ratio, branch, columns
-        As of `consolidation`.
+        As in `consolidation`.
 
     Returns
     -------
     list of Fit
-        One a reloading branch.
+        One per reloading branch.
     """
     samples = _samples(pressure, solid_fraction, void_ratio, branch)
     return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=columns or {})]
@@ -153,14 +154,15 @@ def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, stat
     Parameters
     ----------
     pressure, solid_fraction, void_ratio, branch, columns
-        As of `consolidation`; the pressures are P.
+        As in `consolidation`; the pressures are P.
     state : path-like, optional
-        State file whose computed modulus stands beside the fit [of tables, that of the branch, if it lies beside them].
+        State file whose computed modulus is given beside the fit [for tables, that of the branch, if it lies beside
+        them].
 
     Returns
     -------
     list of Fit
-        One an unloading branch.
+        One per unloading branch.
     """
     samples = _samples(pressure, solid_fraction, void_ratio, branch)
     fits = _core.fit_elastic(samples, columns=columns or {}, state="" if state is None else os.fspath(state))
@@ -168,17 +170,17 @@ def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, stat
 
 
 def cycle(pressure, solid_fraction=None, *, void_ratio=None, branch=None, columns=None):
-    """What cycles of pressure leave: change of Phi, and their work.
+    """What pressure cycles leave behind: the change of Phi, and their work.
 
     Parameters
     ----------
     pressure, solid_fraction, void_ratio, branch, columns
-        As of `consolidation`; the pressures are P.
+        As in `consolidation`; the pressures are P.
 
     Returns
     -------
     dict of arrays
-        The columns of ``floc fit cycle``, a row each pressure of a cycle.
+        The columns of ``floc fit cycle``, one row per pressure of a cycle.
     """
     return _core.fit_cycle(_samples(pressure, solid_fraction, void_ratio, branch), columns=columns or {})
 
@@ -195,9 +197,9 @@ def dynamic_compaction(e, p, sc, se, *, p_D=None, eta_m=None, plateau="p", p_0=N
     eta_m : float, optional
         eta* at which (1 - e_r)/e_r = s_m [0.045].
     plateau : {"p", "p_crit"}
-        Pressure that the plateau is taken at.
+        Pressure at which the plateau is evaluated.
     p_0 : float, optional
-        Smallest pressure of the plateau fitted.
+        Smallest pressure at which the plateau is fitted.
 
     Returns
     -------
@@ -220,16 +222,16 @@ def force_distribution(forces, *, form="all", threshold=None, draws=None, seed=N
         Normal forces, positive in compression; or those of a state.
     form : {"all", "tails", "power-exponential", "quadratic-exponential"}
     threshold : float, optional
-        Size of a force where tails begin [the mean of its sign].
+        Magnitude of the force at which the tails begin [the mean of the forces of that sign].
     draws : int, optional
         Samples drawn from the fit for its p-value [200].
     seed : int, optional
-        Of these [1].
+        Seed of these draws [1].
 
     Returns
     -------
     list of Fit
-        One a form.
+        One per form.
     """
     if isinstance(forces, (str, os.PathLike)):
         forces = read(forces)

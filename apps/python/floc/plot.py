@@ -1,4 +1,4 @@
-"""Pictures of packings with matplotlib, in axes of yours."""
+"""Pictures of packings with matplotlib, in your own axes."""
 import numpy as np
 
 from ._errors import InputError
@@ -12,7 +12,7 @@ _GRAIN, _OUTLINE = "#EFEFEF", "#A6A6A6"
 
 
 def forces(state, ax=None, *, width=2.0, grains=True, plane=(0, 1), zero=1e-5):
-    """Draws the force network of a state: a line a contact, as wide as the force is large.
+    """Draws the force network of a state: one line per contact, as wide as the force is large.
 
     Blue is compression, orange tension, green an attraction across a gap, thin and grey a contact without force. A
     contact across the periodic boundary is drawn at both of its ends.
@@ -21,15 +21,15 @@ def forces(state, ax=None, *, width=2.0, grains=True, plane=(0, 1), zero=1e-5):
     ----------
     state : State or path-like
     ax : matplotlib.axes.Axes, optional
-        New ones without.
+        Axes to draw in [new ones].
     width : float
         Width of the root mean square of the forces, in points.
     grains : bool
-        Whether grains are drawn below.
+        Whether grains are drawn below the lines.
     plane : (int, int)
-        Axes of space drawn across and up; of a packing of spheres, which is looked at along the third.
+        Axes of space drawn across and up; a packing of spheres is seen along the third.
     zero : float
-        Forces below this part of the root mean square have the width of none.
+        Forces below this part of the root mean square are drawn like a contact without force.
 
     Returns
     -------
@@ -41,7 +41,7 @@ def forces(state, ax=None, *, width=2.0, grains=True, plane=(0, 1), zero=1e-5):
     InputError
         If `plane` does not name two axes of the packing.
     ImportError
-        Without matplotlib.
+        If matplotlib is not installed.
     """
     try:
         import matplotlib.pyplot as plt

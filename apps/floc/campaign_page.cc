@@ -209,9 +209,26 @@ std::map<int, CampaignRun> drawn_runs(const Campaign& campaign, const std::strin
   return drawn;
 }
 
+/// How many cases a page has pictures of: those of hundreds would make it slow to open.
+constexpr std::size_t kMostPictures = 24;
+
+/// As the page shows them, beside each other. Spheres are images: as vectors each sample would take megabytes.
+template <int Dim>
+SheetOptions picture_options() {
+  SheetOptions options;
+  if (Dim == 3) options.width = 240.0, options.resolution = 100.0, options.as_image = true;
+  return options;
+}
+
 std::string pictures_section(const CampaignPage& page) {
   std::string out;
+  // Spread over the cases where there are too many.
+  const std::size_t n = page.drawn.size(), spread = std::max(n, kMostPictures);
+  std::size_t k = 0;
   for (const auto& [number, run] : page.drawn) {
+    const bool shown = (k + 1) * kMostPictures / spread > k * kMostPictures / spread;
+    ++k;
+    if (!shown) continue;
     const int step = drawn_state(page.planned.plans[static_cast<std::size_t>(number)]);
     const std::string file = state_file(page.directory + "/" + run.directory, step);
     const std::string caption =
@@ -219,13 +236,16 @@ std::string pictures_section(const CampaignPage& page) {
                     page.planned.campaign.cases[static_cast<std::size_t>(number)].label, run.seed, step);
     out += std::visit(
         [&]<int Dim>(const State<Dim>& state) {
-          return html_figure(draw_sheet<Dim>({picture_of(file, state, Shown::equilibrium)}, {}), caption);
+          return html_figure(
+              draw_sheet<Dim>({picture_of(file, state, Shown::equilibrium)}, picture_options<Dim>()), caption);
         },
         read_state(file));
   }
   if (out.empty()) return "";
-  return "<h2>One sample of each case</h2>\n<p>Lines join the centres of grains that interact; their width is "
-         "proportional to the force.</p>\n<div class=\"pictures\">\n" +
+  return (n > kMostPictures ? fmt::format("<h2>One sample of {} of the {} cases</h2>", kMostPictures, n)
+                            : std::string("<h2>One sample of each case</h2>")) +
+         "\n<p>Lines join the centres of grains that interact; their width is proportional to the force.</p>\n"
+         "<div class=\"pictures\">\n" +
          out + "</div>\n";
 }
 

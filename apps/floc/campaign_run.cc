@@ -20,15 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-volatile std::sig_atomic_t g_signal = 0;
-volatile std::sig_atomic_t g_child = 0;
-
-/// A run writes its checkpoint on SIGTERM, which this process only passes on.
-void pass_on(int signal) {
-  g_signal = signal;
-  if (g_child > 0) ::kill(g_child, SIGTERM);
-}
-
 struct Arguments {
   std::string scene;
   std::vector<std::string> overrides;
@@ -55,16 +46,6 @@ TableCommand table_command(const std::string& text) {
   for (std::string word; words >> word;) command.words.push_back(word);
   if (command.words.empty()) throw InputError("--table " + text, "expected a command after the file");
   return command;
-}
-
-/// Runs this program once more and waits for it. @return its exit code, of a signal 128 and its number
-int run_floc(const std::vector<std::string>& arguments, const ChildOptions& options) {
-  const pid_t child = start_floc(arguments, options);
-  g_child = child;
-  if (g_signal != 0) ::kill(child, SIGTERM);
-  const int code = wait_for(child);
-  g_child = 0;
-  return code;
 }
 
 /// What the last line of a log says.
@@ -115,8 +96,7 @@ int run_sample(const Arguments& arguments) {
   if (failed) throw IoError(arguments.directory, "cannot make the directory: " + failed.message());
   fs::remove(fs::path(arguments.directory) / kOutcomeFile);
   fs::remove(fs::path(arguments.directory) / kFailureFile);
-  std::signal(SIGINT, pass_on);
-  std::signal(SIGTERM, pass_on);
+  pass_signals_on();
 
   const std::string log = arguments.directory + ".log";
   std::vector<std::string> words = {"run", arguments.scene};
@@ -128,12 +108,12 @@ int run_sample(const Arguments& arguments) {
   if (outcome.exit_code != kDone) outcome.command = "run";
   const double before = children_seconds();
   for (const TableCommand& table : tables) {
-    if (outcome.exit_code != kDone || g_signal != 0) break;
+    if (outcome.exit_code != kDone || was_signalled()) break;
     outcome.exit_code = make_table(table, arguments, log);
     if (outcome.exit_code != kDone) outcome.command = table.words.front();
   }
   outcome.seconds = children_seconds() - before;
-  if (g_signal != 0) return kInterrupted;  // to be taken up again: no outcome
+  if (was_signalled()) return kInterrupted;  // to be taken up again: no outcome
   if (outcome.exit_code != kDone) outcome.words = words_of(outcome.exit_code, log);
   write_csv(arguments.directory + "/" + kOutcomeFile, table_of(outcome));
   if (outcome.exit_code != kDone)

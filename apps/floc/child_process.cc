@@ -15,6 +15,14 @@
 namespace floc {
 namespace {
 
+volatile std::sig_atomic_t g_signal = 0;
+volatile std::sig_atomic_t g_child = 0;
+
+void pass_on(int signal) {
+  g_signal = signal;
+  if (g_child > 0) ::kill(g_child, SIGTERM);
+}
+
 /// Puts a file in the place of one of the standard streams.
 bool redirect(const std::string& file, int flags, int stream) {
   if (file.empty()) return true;
@@ -61,6 +69,25 @@ int wait_for(pid_t child) {
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return exit_code_of(status);
+}
+
+void pass_signals_on() {
+  std::signal(SIGINT, pass_on);
+  std::signal(SIGTERM, pass_on);
+}
+
+bool was_signalled() {
+  return g_signal != 0;
+}
+
+int run_floc(const std::vector<std::string>& arguments, const ChildOptions& options) {
+  const pid_t child = start_floc(arguments, options);
+  g_child = child;
+  // It may have come before the child was known.
+  if (was_signalled()) ::kill(child, SIGTERM);
+  const int code = wait_for(child);
+  g_child = 0;
+  return code;
 }
 
 }  // namespace floc

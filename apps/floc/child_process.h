@@ -28,6 +28,17 @@ int exit_code_of(int status);
 /// Waits for a child, through signals. @return as exit_code_of()
 int wait_for(pid_t child);
 
+/// From here on SIGINT and SIGTERM do not end this process, but go to the child that run_floc() waits for as SIGTERM,
+/// on which a run writes its checkpoint.
+void pass_signals_on();
+
+/// Whether such a signal has come.
+bool was_signalled();
+
+/// Starts this program once more and waits for it. @return as exit_code_of()
+/// @throws IoError as start_floc()
+int run_floc(const std::vector<std::string>& arguments, const ChildOptions& options);
+
 /// Path of this program.
 std::string this_program();
 

@@ -39,5 +39,6 @@ Command add_draw(CommandLine program);
 Command add_plot(CommandLine program);
 Command add_report(CommandLine program);
 Command add_tradeoff(CommandLine program);
+Command add_demo(CommandLine program);
 
 }  // namespace floc

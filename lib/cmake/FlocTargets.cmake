@@ -87,6 +87,6 @@ function(floc_add_library name)
   target_include_directories(floc_${name} ${scope}
     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   target_link_libraries(floc_${name} ${scope} ${ARG_LIBS})
-  install(TARGETS floc_${name} EXPORT flocTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(TARGETS floc_${name} EXPORT flocTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library)
   set_property(GLOBAL APPEND PROPERTY FLOC_LIBRARIES floc_${name})
 endfunction()

@@ -5,6 +5,7 @@
 """
 import argparse
 import glob
+import gzip
 import os
 import re
 import shutil
@@ -57,8 +58,8 @@ def faults_of_completion(directory):
 
 
 def faults_of_pages(directory, floc):
-    pages = {os.path.basename(name): open(name, encoding="utf-8").read()
-             for name in glob.glob(f"{directory}/man/man1/*.1")}
+    pages = {os.path.basename(name).removesuffix(".gz"): gzip.open(name, "rt", encoding="utf-8").read()
+             for name in glob.glob(f"{directory}/man/man1/*.1.gz")}
     commands = re.findall(r"^  ([a-z]+) ", said(floc, "--help").stdout.split("Subcommands:")[1], re.MULTILINE)
     for command in commands:
         text = pages.get(f"floc-{command}.1", "").replace("\\-", "-")
@@ -71,7 +72,7 @@ def faults_of_pages(directory, floc):
         print("NOT TESTED: no groff is installed, so no man page was formatted")
         return
     for name in sorted(pages):
-        warnings = said("groff", "-man", "-ww", "-Tascii", f"{directory}/man/man1/{name}").stderr
+        warnings = said("groff", "-man", "-ww", "-Tascii", input=pages[name]).stderr
         if warnings:
             yield f"groff warns of {name}: {warnings}"
 

@@ -10,11 +10,12 @@ endfunction()
 
 run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/prefix" --config "${CONFIG}")
 run("${WORK_DIR}/prefix/bin/floc" --version)
+run("${WORK_DIR}/prefix/bin/floc" scene check "${WORK_DIR}/prefix/share/floc/scenes/demo.toml")
 run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}"
   "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix" "-DCMAKE_BUILD_TYPE=${CONFIG}")
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config "${CONFIG}")
 run("${WORK_DIR}/build/consumer" "${WORK_DIR}/tiny")
-foreach(file IN ITEMS man/man1/floc.1 man/man1/floc-fit.1 bash-completion/completions/floc zsh/site-functions/_floc)
+foreach(file IN ITEMS man/man1/floc.1.gz man/man1/floc-fit.1.gz bash-completion/completions/floc zsh/site-functions/_floc)
   if(NOT EXISTS "${WORK_DIR}/prefix/share/${file}")
     message(FATAL_ERROR "share/${file} is not installed")
   endif()

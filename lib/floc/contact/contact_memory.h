@@ -6,7 +6,7 @@ namespace floc {
 
 /// Numbers that a contact remembers under a model, in `dim` dimensions.
 template <class Model>
-consteval int memory_size(int dim) {
+constexpr int memory_size(int dim) {
   int n = 0;
   if constexpr (requires { Model::kMemory; })
     for (const Memory& m : Model::kMemory) n += n_components(m.kind, dim);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 /// What a slot of a contact law says of itself, once: its keyword, its numbers and choices, and what a contact
 /// remembers for it. Validation, scenes, changes along a load path, law texts, state files, kernels and
 /// dimensionless groups all iterate over these declarations.
@@ -65,6 +67,17 @@ struct Choice {
   int (*get)(const Model&);
   void (*set)(Model&, int);
 };
+
+/// get() and set() of a choice that a member of the model holds as an enumeration. Functions and not lambdas: a
+/// model declares its choices before its own definition is complete.
+template <class Model, auto kMember>
+int chosen(const Model& model) {
+  return static_cast<int>(model.*kMember);
+}
+template <class Model, auto kMember>
+void choose(Model& model, int keyword) {
+  model.*kMember = static_cast<std::remove_reference_t<decltype(model.*kMember)>>(keyword);
+}
 
 /// How a remembered quantity transforms.
 enum class MemoryKind {

@@ -16,7 +16,7 @@ namespace floc {
 
 /// The most that any model of a slot remembers, of those for this dimension.
 template <class... Models>
-consteval int widest_memory(const LawSlot<Models...>*, int dim) {
+constexpr int widest_memory(const LawSlot<Models...>*, int dim) {
   int widest = 0;
   const auto widen = [&](int model_dimension, int size) {
     if ((model_dimension == 0 || model_dimension == dim) && size > widest) widest = size;
@@ -46,7 +46,7 @@ using ContactMemory = Eigen::Matrix<double, MemoryLayout<Dim>::kSize, 1>;
 
 /// Place in the layout of number k of a law's packed memory.
 template <class Law, int Dim>
-consteval int memory_place(int k) {
+constexpr int memory_place(int k) {
   constexpr int n_normal = memory_size<typename Law::NormalModel>(Dim);
   constexpr int n_friction = memory_size<typename Law::TangentialModel>(Dim);
   constexpr int n_rolling = memory_size<typename Law::RollingModel>(Dim);
@@ -61,7 +61,7 @@ consteval int memory_place(int k) {
 
 /// Whether number k of a law's packed memory is the first of a vector in the tangent plane of a 3D contact.
 template <class Law, int Dim>
-consteval bool begins_tangent(int k) {
+constexpr bool begins_tangent(int k) {
   int at = 0;
   bool begins = false;
   const auto look_at = [&]<class Model>(std::type_identity<Model>) {

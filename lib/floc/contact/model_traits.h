@@ -5,7 +5,7 @@ namespace floc {
 
 /// Dimension that a model is for, 0: any.
 template <class Model>
-consteval int dimension_of() {
+constexpr int dimension_of() {
   if constexpr (requires { Model::kDimension; }) return Model::kDimension;
   return 0;
 }

@@ -56,16 +56,7 @@ void CsvTable::add_row(int line, const std::vector<std::string>& cells) {
     throw InputError(fmt::format("{}:{}", place_, line),
                      fmt::format("has {} cells, expected {} as the header has", cells.size(), columns_.size()));
   lines_.push_back(line);
-  for (const std::string& cell : cells) {
-    characters_ += cell;
-    ends_.push_back(characters_.size());
-  }
-}
-
-std::string_view CsvTable::cell(int row, int column) const {
-  const std::size_t k = row * columns_.size() + column;
-  const std::size_t begin = k == 0 ? 0 : ends_[k - 1];
-  return std::string_view(characters_).substr(begin, ends_[k] - begin);
+  for (const std::string& cell : cells) cells_.push_back(cell);
 }
 
 CsvTable CsvTable::read(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "floc/base/double_double.h"
+#include "floc/base/packed_strings.h"
 
 namespace floc {
 
@@ -56,13 +57,12 @@ class CsvTable {
   const std::string& place() const { return place_; }
 
  private:
-  std::string_view cell(int row, int column) const;
+  std::string_view cell(int row, int column) const { return cells_[row * columns_.size() + column]; }
 
   std::string place_;
   std::vector<std::string> columns_;
-  std::vector<int> lines_;         ///< of each row
-  std::string characters_;         ///< of all cells, one after the other: a table may have millions
-  std::vector<std::size_t> ends_;  ///< of each cell in them
+  std::vector<int> lines_;  ///< of each row
+  PackedStrings cells_;     ///< row by row
 };
 
 }  // namespace floc

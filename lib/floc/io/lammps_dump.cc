@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "floc/base/error.h"
+#include "floc/base/packed_strings.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
 #include "floc/io/contact_file.h"
@@ -28,10 +29,7 @@ class FrameText {
   /// @param first  line of the file that it begins on, from 1
   FrameText(std::string path, int first) : path_(std::move(path)), first_(first) {}
 
-  void add(std::string_view line) {
-    characters_.append(line);
-    ends_.push_back(characters_.size());
-  }
+  void add(std::string_view line) { lines_.push_back(line); }
 
   const std::string& path() const { return path_; }
   int number(std::size_t at) const { return first_ + static_cast<int>(at); }
@@ -39,14 +37,11 @@ class FrameText {
 
   /// The line, which has to be there. @param what  what is expected in it
   std::string_view line(std::size_t at, const std::string& what) const {
-    if (at < ends_.size()) return (*this)[at];
-    throw InputError(path_, fmt::format("ends at line {}, expected {}", number(ends_.size()) - 1, what));
+    if (at < lines_.size()) return lines_[at];
+    throw InputError(path_, fmt::format("ends at line {}, expected {}", number(lines_.size()) - 1, what));
   }
 
-  std::string_view operator[](std::size_t at) const {
-    const std::size_t begin = at == 0 ? 0 : ends_[at - 1];
-    return std::string_view(characters_).substr(begin, ends_[at] - begin);
-  }
+  std::string_view operator[](std::size_t at) const { return lines_[at]; }
 
   std::int64_t integer(std::size_t at, const std::string& what) const {
     if (const auto value = parse_number<std::int64_t>(line(at, what))) return *value;
@@ -56,8 +51,7 @@ class FrameText {
  private:
   std::string path_;
   int first_;
-  std::string characters_;         ///< of all lines, one after the other
-  std::vector<std::size_t> ends_;  ///< of each line in them
+  PackedStrings lines_;
 };
 
 /// Goes through the frames of a dump, which may be longer than fits the memory, and keeps the last that is wanted.

@@ -8,17 +8,13 @@
 
 #include "floc/geometry/separation.h"
 #include "floc/neighbors/pairs.h"
+#include "floc/neighbors/unlisted_pairs.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
-
-template <int Dim>
-NeighborPair<Dim> pair_of(const Contact<Dim>& c) {
-  return {c.i, c.j, c.image};
-}
 
 /// The contacts between grains, and the pairs closer than `reach` that are none, as contacts without memory; all
 /// with their gaps, in order.
@@ -27,17 +23,9 @@ std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) 
   std::vector<Contact<Dim>> found;
   for (const Contact<Dim>& c : packing.contacts)
     if (!packing.is_wall(c.j)) found.push_back(c);
-  const std::vector<Contact<Dim>> known = found;
-  auto next = known.begin();
   const Cell<Dim> cell = search_cell(packing.cell, packing.walls, largest_diameter(packing.grains) + reach);
-  for (const NeighborPair<Dim>& pair : find_pairs(cell, packing.grains, reach)) {
-    while (next != known.end() && precedes(pair_of(*next), pair)) ++next;
-    if (next != known.end() && pair_of(*next) == pair) continue;
-    Contact<Dim>& c = found.emplace_back();
-    c.i = pair.i;
-    c.j = pair.j;
-    c.image = pair.image;
-  }
+  const std::vector<Contact<Dim>> others = unlisted_pairs(packing, find_pairs(cell, packing.grains, reach));
+  found.insert(found.end(), others.begin(), others.end());
   std::sort(found.begin(), found.end(), precedes<Contact<Dim>>);
   for (Contact<Dim>& c : found)
     c.gap = surface_gap<Dim>(exact_branch(packing, c), packing.grains.radius[c.i], packing.grains.radius[c.j]);

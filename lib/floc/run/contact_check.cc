@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "floc/neighbors/interacting_pairs.h"
+#include "floc/neighbors/unlisted_pairs.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/liquid.h"
 
@@ -48,25 +48,6 @@ void add_forces(const Packing<Dim>& packing, double tolerance, ContactCheck& che
   }
 }
 
-template <int Dim>
-NeighborPair<Dim> canonical_pair(const Contact<Dim>& c) {
-  const NeighborPair<Dim> pair{c.i, c.j, c.image};
-  return is_canonical(pair) ? pair : swapped(pair);
-}
-
-/// Contacts in the order of their canonical pairs, which is their own unless a file lists them otherwise. Their
-/// numbers alone: a copy of millions takes room.
-template <int Dim>
-std::vector<int> canonical_order(const std::vector<Contact<Dim>>& contacts) {
-  std::vector<int> order(contacts.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto before = [&](int a, int b) {
-    return precedes(canonical_pair(contacts[a]), canonical_pair(contacts[b]));
-  };
-  if (!std::is_sorted(order.begin(), order.end(), before)) std::sort(order.begin(), order.end(), before);
-  return order;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -78,17 +59,9 @@ double distance_error(const Packing<Dim>& packing) {
 
 template <int Dim>
 std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>& packing, double open) {
-  const std::vector<int> order = canonical_order(packing.contacts);
-  auto next = order.begin();
-  std::vector<Contact<Dim>> missing;
-  for (const NeighborPair<Dim>& pair : interacting_pairs(packing)) {
-    while (next != order.end() && precedes(canonical_pair(packing.contacts[*next]), pair)) ++next;
-    if (next != order.end() && canonical_pair(packing.contacts[*next]) == pair) continue;
-    Contact<Dim> c;
-    c.i = pair.i, c.j = pair.j, c.image = pair.image;
-    refresh_contact(packing, c);
-    if (c.gap < law_of(packing, c).range() - open) missing.push_back(c);
-  }
+  std::vector<Contact<Dim>> missing = unlisted_pairs(packing, interacting_pairs(packing));
+  for (Contact<Dim>& c : missing) refresh_contact(packing, c);
+  std::erase_if(missing, [&](const Contact<Dim>& c) { return !(c.gap < law_of(packing, c).range() - open); });
   return missing;
 }
 

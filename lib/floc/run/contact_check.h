@@ -1,23 +1,11 @@
 #pragma once
 
 #include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
-#include "floc/packing/contact_order.h"
 #include "floc/packing/packing.h"
 
 namespace floc {
-
-/// The same for a pair and for the same pair with its grains, or opposite images, exchanged.
-using PairIdentity = std::tuple<int, int, std::vector<int>>;
-
-template <class Pair>
-PairIdentity identity(Pair pair) {
-  if (!is_canonical(pair)) pair = swapped(std::move(pair));
-  return {pair.i, pair.j, {pair.image.begin(), pair.image.end()}};
-}
 
 /// The law of a contact: that between grains, or that of the walls.
 template <int Dim>

@@ -6,17 +6,29 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "floc/elasticity/stability.h"
 #include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/contact_order.h"
 #include "floc/packing/liquid.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/run/contact_check.h"
 
 namespace floc {
 namespace {
+
+/// The same for a pair and for the same pair with its grains, or opposite images, exchanged.
+using PairIdentity = std::tuple<int, int, std::vector<int>>;
+
+template <class Pair>
+PairIdentity identity(Pair pair) {
+  if (!is_canonical(pair)) pair = swapped(std::move(pair));
+  return {pair.i, pair.j, {pair.image.begin(), pair.image.end()}};
+}
 
 constexpr std::size_t kMaxListed = 5;  ///< how many violations a message names
 

@@ -60,10 +60,10 @@ struct CapillaryAdhesion {
   static constexpr const char* kForms[] = {"exponential", "rational", nullptr};
   static constexpr const char* kFormations[] = {"gap", "contact", nullptr};
   static constexpr Choice<CapillaryAdhesion> kChoices[] = {
-      {"form", kForms, [](const CapillaryAdhesion& a) { return static_cast<int>(a.form); },
-       [](CapillaryAdhesion& a, int form) { a.form = static_cast<BridgeForm>(form); }},
-      {"formation", kFormations, [](const CapillaryAdhesion& a) { return static_cast<int>(a.formation); },
-       [](CapillaryAdhesion& a, int when) { a.formation = static_cast<BridgeFormation>(when); }}};
+      {"form", kForms, chosen<CapillaryAdhesion, &CapillaryAdhesion::form>,
+       choose<CapillaryAdhesion, &CapillaryAdhesion::form>},
+      {"formation", kFormations, chosen<CapillaryAdhesion, &CapillaryAdhesion::formation>,
+       choose<CapillaryAdhesion, &CapillaryAdhesion::formation>}};
   static constexpr Memory kMemory[] = {
       {"bridge_volume", MemoryKind::scalar, Unit::volume,
        "volume of the liquid bridge, 0 without one; negative where it has broken and its liquid is not yet "

@@ -37,8 +37,8 @@ struct ViscousDamping {
        "a restitution coefficient e_N in (0, 1]", "restitution coefficient"}};
   static constexpr const char* kMassRules[] = {"effective", "grain", nullptr};
   static constexpr Choice<ViscousDamping> kChoices[] = {
-      {"mass", kMassRules, [](const ViscousDamping& d) { return static_cast<int>(d.mass_rule); },
-       [](ViscousDamping& d, int rule) { d.mass_rule = static_cast<DampingMass>(rule); }}};
+      {"mass", kMassRules, chosen<ViscousDamping, &ViscousDamping::mass_rule>,
+       choose<ViscousDamping, &ViscousDamping::mass_rule>}};
 
   /// Damping coefficient c of a pair (force * time/length).
   /// @param normal  of a stiffness that does not vary

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace floc {
+
+/// A list of strings kept one after the other in one piece of memory: a table may have millions of cells.
+class PackedStrings {
+ public:
+  std::size_t size() const { return ends_.size(); }
+
+  void push_back(std::string_view text) {
+    characters_.append(text);
+    ends_.push_back(characters_.size());
+  }
+
+  /// Valid until the next push_back().
+  std::string_view operator[](std::size_t k) const {
+    const std::size_t begin = k == 0 ? 0 : ends_[k - 1];
+    return std::string_view(characters_).substr(begin, ends_[k] - begin);
+  }
+
+ private:
+  std::string characters_;         ///< of all strings
+  std::vector<std::size_t> ends_;  ///< of each string in them
+};
+
+}  // namespace floc

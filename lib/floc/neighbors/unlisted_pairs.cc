@@ -1,0 +1,52 @@
+#include "floc/neighbors/unlisted_pairs.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "floc/packing/contact_order.h"
+
+namespace floc {
+namespace {
+
+template <int Dim>
+NeighborPair<Dim> canonical_pair(const Contact<Dim>& c) {
+  const NeighborPair<Dim> pair{c.i, c.j, c.image};
+  return is_canonical(pair) ? pair : swapped(pair);
+}
+
+/// Contacts in the order of their canonical pairs, which is their own unless a file lists them otherwise. Their
+/// numbers alone: a copy of millions takes room.
+template <int Dim>
+std::vector<int> canonical_order(const std::vector<Contact<Dim>>& contacts) {
+  std::vector<int> order(contacts.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto before = [&](int a, int b) {
+    return precedes(canonical_pair(contacts[a]), canonical_pair(contacts[b]));
+  };
+  if (!std::is_sorted(order.begin(), order.end(), before)) std::sort(order.begin(), order.end(), before);
+  return order;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Contact<Dim>> unlisted_pairs(const Packing<Dim>& packing,
+                                         const std::vector<NeighborPair<Dim>>& pairs) {
+  const std::vector<int> order = canonical_order(packing.contacts);
+  auto next = order.begin();
+  std::vector<Contact<Dim>> unlisted;
+  for (const NeighborPair<Dim>& pair : pairs) {
+    while (next != order.end() && precedes(canonical_pair(packing.contacts[*next]), pair)) ++next;
+    if (next != order.end() && canonical_pair(packing.contacts[*next]) == pair) continue;
+    Contact<Dim>& c = unlisted.emplace_back();
+    c.i = pair.i;
+    c.j = pair.j;
+    c.image = pair.image;
+  }
+  return unlisted;
+}
+
+template std::vector<Contact<2>> unlisted_pairs(const Packing<2>&, const std::vector<NeighborPair<2>>&);
+template std::vector<Contact<3>> unlisted_pairs(const Packing<3>&, const std::vector<NeighborPair<3>>&);
+
+}  // namespace floc

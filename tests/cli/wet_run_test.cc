@@ -2,9 +2,8 @@
 
 #include <string>
 
-#include "support/places.h"
-#include "support/run_program.h"
-#include "support/scratch_directory.h"
+#include "support/kill_and_resume.h"
+#include "support/wet_scene.h"
 
 namespace floc::test {
 namespace {
@@ -20,6 +19,18 @@ TEST(WetRun, ComesToRestWhereTheirPullAloneHoldsAGrain) {
   ASSERT_EQ(made.code, 0) << made.err;
   const Outcome verified = run_floc("verify out/state-*.h5", scratch.path());
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+}
+
+TEST(WetRun, GivesTheSameFilesForTwoThreads) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("wet.toml"), kWetScene);
+  ASSERT_EQ(run_floc("run wet.toml -o one", scratch.path()).code, 0);
+  ASSERT_EQ(run_floc("run wet.toml -o two --threads 2", scratch.path()).code, 0);
+  expect_same_results(scratch.file("one"), scratch.file("two"), 3);
+}
+
+TEST(WetRun, SurvivesTenKillsWithoutATrace) {
+  kill_and_resume(10, 12, std::string(kWetScene) + "[run]\nseed = 3\ncheckpoint_every = 0.02\n", 3);
 }
 
 }  // namespace

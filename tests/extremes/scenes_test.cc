@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/run_program.h"
+#include "support/wet_scene.h"
 
 /// Small scenes with a parameter at an end of its range, each run, verified from its files and taken to moduli
 /// by the program: equilibria that verify, in finite numbers, or a refusal in words.
@@ -157,6 +158,19 @@ const Extreme kExtremes[] = {
     {"spheres_1_to_5",
      {"grains.diameter={distribution=\"bidisperse\",small=0.2,large=1.0,share_of_large=0.3}"},
      kSpheres},
+    {"wet_w_1e_minus_6", {"load.0.set.adhesion.water_content=1e-6"}, kWetScene},
+    {"wet_w_0_03", {"load.0.set.adhesion.water_content=0.03"}, kWetScene},
+    {"wet_angle_85", {"contact.adhesion.contact_angle=85"}, kWetScene},
+    {"wet_1_to_10",
+     {"grains.diameter={distribution=\"bidisperse\",small=2e-4,large=2e-3,share_of_large=0.2}"},
+     kWetScene},
+    {"wet_stiff", {"contact.normal.stiffness=1e5", "contact.friction.stiffness=1e5"}, kWetScene},
+    {"wet_P_1e_minus_4", {"load.1.to=0.02"}, kWetScene},
+    {"wet_P_10", {"load.1.to=2000"}, kWetScene},
+    {"wet_rational", {"contact.adhesion.form=rational"}, kWetScene},
+    {"wet_formed_on_contact", {"contact.adhesion.formation=contact"}, kWetScene},
+    {"wet_mu_0", {"contact.friction.coefficient=0"}, kWetScene},
+    {"two_wet_spheres", {"grains.count=2"}, kWetScene},
     {"triaxial_steps_of_1e_minus_5", {"load.0.strain=5e-5", "load.0.strain_step=1e-5"}, kTriaxial},
     {"triaxial_P_1e_minus_4", {"assembly.pressure=1e-4"}, kTriaxial},
     {"triaxial_P_10", {"assembly.pressure=10"}, kTriaxial},

@@ -173,6 +173,8 @@ std::vector<std::string> written_states(const std::string& extension) {
   add(test::busy_state<3>());
   add(test::boxed_state<2>());
   add(test::boxed_state<3>());
+  add(test::wet_state<2>());
+  add(test::wet_state<3>());
   return seeds;
 }
 
@@ -255,7 +257,7 @@ std::vector<std::string> contact_seeds() {
       "id1\tid2\tforce1\tforce2\n0\t2\t-0.5\t-0.9\n"};
 }
 std::vector<std::string> law_seeds() {
-  return {law_text(law()), "normal.stiffness=1"};
+  return {law_text(law()), law_text(test::wet_state<3>().packing.law), "normal.stiffness=1"};
 }
 
 }  // namespace

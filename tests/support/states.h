@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "floc/neighbors/find_contacts.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/state.h"
@@ -94,6 +95,19 @@ State<Dim> boxed_state() {
   p.contacts = {overlap, low, high};
   refresh_contacts(p);
   measure(s);
+  return s;
+}
+
+/// The grains of busy_state() with liquid bridges instead of what else acts between them.
+template <int Dim>
+State<Dim> wet_state() {
+  State<Dim> s = busy_state<Dim>();
+  Packing<Dim>& p = s.packing;
+  p.law.rolling.reset();
+  p.law.twisting.reset();
+  p.law.adhesion = CapillaryAdhesion{0.3, 20.0, 0.01, 2.6, BridgeForm::rational, BridgeFormation::contact};
+  find_contacts(p);
+  s.n_bridges_unsettled = 3;
   return s;
 }
 

@@ -172,15 +172,9 @@ TEST(StateFile, OfDisksUnderALawOfSpheresIsRefused) {
 TYPED_TEST(StateFile, KeepsTheLiquidOfAWetPacking) {
   constexpr int kDim = TypeParam::value;
   const ScratchDirectory scratch;
-  State<kDim> s = busy_state<kDim>();
-  s.packing.law.rolling.reset();
-  s.packing.law.twisting.reset();
-  write_state(scratch.file("dry.h5"), s);
+  write_state(scratch.file("dry.h5"), busy_state<kDim>());
   EXPECT_EQ(read_file(scratch.file("dry.h5")).find("surface_tension"), std::string::npos);
-  s.packing.law.adhesion =
-      CapillaryAdhesion{0.3, 20.0, 0.01, 2.6, BridgeForm::rational, BridgeFormation::contact};
-  find_contacts(s.packing);
-  s.n_bridges_unsettled = 3;
+  const State<kDim> s = wet_state<kDim>();
   ASSERT_GT(bridge_volume(s.packing, s.packing.contacts[0]), 0.0);
   write_state(scratch.file("s.h5"), s);
   EXPECT_NE(read_file(scratch.file("s.h5")).find("surface_tension"), std::string::npos);

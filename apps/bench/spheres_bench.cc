@@ -1,6 +1,6 @@
 // Contact updates per second of spheres: elastic ones (Hertz, Mindlin friction, damping) and linear ones, size by
-// size and for each instruction set; and sticky ones between walls beside the same without walls. Time is that of
-// the processor:
+// size and for each instruction set; wet ones; and sticky ones between walls beside the same without walls. Time is
+// that of the processor:
 //   floc_bench --benchmark_filter='spheres|box'
 
 #include <benchmark/benchmark.h>
@@ -12,6 +12,7 @@
 
 #include "floc/assembly/box_options.h"
 #include "floc/assembly/gas.h"
+#include "floc/neighbors/find_contacts.h"
 #include "floc/packing/tile.h"
 #include "floc/relaxation/relaxer.h"
 #include "step_bench.h"
@@ -21,7 +22,7 @@ namespace {
 
 constexpr int kUnit = 500;  ///< grains of the packing that larger ones are tiled from
 
-enum Law { kHertz, kLinear, kLinearRolling };
+enum Law { kHertz, kLinear, kLinearRolling, kWet };
 
 /// In units of the diameter, the mass and E~ of a grain, or its K_N.
 LawParameters law_of(int which) {
@@ -36,6 +37,8 @@ LawParameters law_of(int which) {
   law.damping = ViscousDamping{0.1, DampingMass::effective};
   law.friction = CoulombFriction{0.3, 0.8};
   if (which == kLinearRolling) law.rolling = RollingSpring{0.005, 1e-4};
+  // Water between grains of 1 to 2 mm: K_N a/f0 = 3300, P a^2/f0 = 0.33.
+  if (which == kWet) law.adhesion = CapillaryAdhesion{9.65e-5, 0.0, 0.007, 2.6};
   return law;
 }
 
@@ -48,9 +51,16 @@ Packing<3> relaxed_from_gas(int which) {
   RelaxationOptions options;
   options.inertial_number_cap = 0.03;
   const double pressure = which == kHertz ? std::pow(8395.0, -1.5) : 1e-4;
-  Relaxer<3> relaxer(options, make_gas<3>(grains, law_of(which), 0.45, random), Vec<3>::Constant(pressure));
-  while (relaxer.advance() == RelaxationStatus::running) continue;
-  return relaxer.packing();
+  const auto relaxed = [&](Packing<3> packing) {
+    Relaxer<3> relaxer(options, std::move(packing), Vec<3>::Constant(pressure));
+    while (relaxer.advance() == RelaxationStatus::running) continue;
+    return relaxer.packing();
+  };
+  if (which != kWet) return relaxed(make_gas<3>(grains, law_of(which), 0.45, random));
+  Packing<3> packing = relaxed(make_gas<3>(grains, law_of(kLinear), 0.45, random));
+  packing.law = law_of(kWet);
+  find_contacts(packing);
+  return relaxed(std::move(packing));
 }
 
 /// That of a law, tiled to at least n grains; each is made once.
@@ -71,7 +81,7 @@ void spheres(benchmark::State& state) {
 BENCHMARK(spheres)
     ->ArgNames({"grains", "law", "instructions"})
     ->ArgsProduct({{4000, 108000},
-                   {kHertz, kLinear, kLinearRolling},
+                   {kHertz, kLinear, kLinearRolling, kWet},
                    {static_cast<int>(InstructionSet::avx512)}})
     ->ArgsProduct({{4000},
                    {kHertz},

@@ -8,13 +8,13 @@
 
 namespace floc {
 
-/// Clusters of grains joined by contacts or by tails (docs/physics.md, "Assembly and loading"): number of
-/// connected components of the interactions, a lone grain being one.
+/// Number of clusters of grains joined by contacts or by tails (docs/physics.md, "Assembly and loading"):
+/// connected components of the interactions, where a lone grain counts as one.
 template <int Dim>
 int count_clusters(const Packing<Dim>& packing);
 
 /// The second stage of the type 2 assembly: agitated grains in a fixed cell collide and stick until they are
-/// one cluster. State to state in chunks, like Relaxer.
+/// one cluster. It goes from state to state in chunks, like Relaxer.
 template <int Dim>
 class Aggregation {
  public:
@@ -31,7 +31,7 @@ class Aggregation {
   Packing<Dim> packing() && { return std::move(packing_); }
   int n_clusters() const { return n_clusters_; }
   double skin() const { return skin_; }
-  /// That of the last chunk.
+  /// Simulated time of the last chunk.
   double chunk_time() const;
 
  private:

@@ -30,11 +30,11 @@ struct AssemblyOptions {
   };
   Protocol protocol = Protocol::direct;
   double solid_fraction = 0.0;  ///< of the gas, or of the saved packing
-  /// V0/V*, V* = sqrt(F0 D0/m), or sqrt(P a^Dim/m) where no adhesion reaches across a gap: of the aggregation
-  /// protocol, and of others, where zero leaves grains at rest.
+  /// V0/V*, V* = sqrt(F0 D0/m), or sqrt(P a^Dim/m) where no adhesion reaches across a gap: for the aggregation
+  /// protocol, and for others, where zero leaves grains at rest.
   double agitation = 0.0;
   double pressure = 0.0;  ///< first pressure (unit of stress of the scene)
-  /// Coefficient while grains are put together, where not that of the material.
+  /// Friction coefficient while grains are put together, where it is not that of the material.
   std::optional<double> friction;
   CellResponse cell;                   ///< while grains are put together
   std::optional<Vibration> vibration;  ///< of a saved packing, or of one put together from a gas

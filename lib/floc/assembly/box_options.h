@@ -15,7 +15,7 @@ enum class BoxSide {
 
 /// A box that grains are put together in, in place of a periodic cell.
 struct BoxOptions {
-  /// Of the box at the start (length); proportions where the solid fraction of the gas is given.
+  /// Sides of the box at the start (length); mere proportions where the solid fraction of the gas is given.
   Vec<3> sides = Vec<3>::Ones();
   std::array<BoxSide, 3> boundary = {BoxSide::walls, BoxSide::walls, BoxSide::walls};
   double mass = 1.0;              ///< of a wall, in masses of the largest grain

@@ -30,7 +30,7 @@ class ClusterFlight {
     RotationVector<Dim> spin = RotationVector<Dim>::Zero();
     Mat<kRotations<Dim>> inertia = Mat<kRotations<Dim>>::Zero();  ///< about the centre
     double fastest_spin = 0.0;                                    ///< that it ever has in free flight
-    double reach = 0.0;                                           ///< of its farthest grain's centre
+    double reach = 0.0;                                           ///< distance of its farthest grain's centre
     bool winds = false;                                           ///< around the cell
   };
 
@@ -39,7 +39,7 @@ class ClusterFlight {
   double time_to_meet(const Packing<Dim>& packing, double nearest) const;
 
   std::vector<int> cluster_of_;  ///< of each grain
-  std::vector<Vec<Dim>> place_;  ///< of each grain beside the others of its cluster, unwrapped from the cell
+  std::vector<Vec<Dim>> place_;  ///< of each grain among those of its cluster, unwrapped from the cell
   std::vector<Cluster> clusters_;
   double inner_energy_ = 0.0;
 };

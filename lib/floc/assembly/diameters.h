@@ -10,7 +10,7 @@ struct DiameterDistribution {
     uniform,     ///< P(d) constant from min to max
     constant,    ///< all of one size
     bidisperse,  ///< two sizes
-    list,        ///< one diameter a grain
+    list,        ///< one diameter per grain
     power_law,   ///< P(d) ~ d^-exponent from min to max
     lognormal,   ///< ln d normal about ln median, cut off at min and max
   };
@@ -18,7 +18,7 @@ struct DiameterDistribution {
   double min = 0.0;             ///< the small size of bidisperse; the size of constant
   double max = 0.0;             ///< the large size of bidisperse
   double share_of_large = 0.5;  ///< bidisperse: number share of large grains
-  std::vector<double> values;   ///< list: one diameter a grain
+  std::vector<double> values;   ///< list: one diameter per grain
   double exponent = 0.0;        ///< power_law
   double median = 0.0;          ///< lognormal, of the distribution before it is cut off
   double sigma = 0.0;           ///< lognormal: standard deviation of ln d, before it is cut off
@@ -33,9 +33,9 @@ inline constexpr double kUniformByArea = 2.0;
 /// Exact: 0 gives min and 1 gives max. @param share  0 to 1
 double diameter_quantile(const DiameterDistribution& distribution, double share);
 
-/// n diameters in ascending order of their share: equally spaced quantiles, the first min and the last max, so
-/// that the sample has the distribution's moments, and its largest grain is exactly the unit of length that P*
-/// and kappa are made of. A list is returned as it is.
+/// n diameters in ascending order: equally spaced quantiles, the first min and the last max, so that the sample
+/// has the distribution's moments, and its largest grain is exactly the unit of length of P* and kappa. A list
+/// is returned as it is.
 std::vector<double> equally_spaced_diameters(const DiameterDistribution& distribution, int n);
 
 /// Share of the lognormal distribution that lies between min and max, before it is cut off there.

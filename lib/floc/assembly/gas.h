@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Beyond these a fluid of disks, or of spheres, is too dense for grains to be placed at random without overlap.
+/// Above these solid fractions a fluid is too dense for grains to be placed at random without overlap.
 inline constexpr double kDensestGasOfDisks = 0.6;
 inline constexpr double kDensestGasOfSpheres = 0.49;
 
@@ -14,8 +14,8 @@ inline constexpr double kDensestGasOfSpheres = 0.49;
 std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random);
 
 /// Grains at rest without overlap in a square (cubic) cell at the given solid fraction: placed one by one at
-/// random, then shuffled by hard-sphere Monte Carlo moves until the placing is forgotten. Above about 0.4
-/// (0.3 in 3D) they are placed smaller and grow to size during the moves.
+/// random, then shuffled by hard-sphere Monte Carlo moves until their first places are forgotten. Above about
+/// 0.4 (0.3 in 3D) they are placed smaller and grow to size during the moves.
 ///
 /// @throws InputError if the grains do not reach their size without overlap: the solid fraction is too high.
 template <int Dim>
@@ -23,8 +23,8 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
                       RandomStream& random);
 
 /// The same in a box with walls, centres a radius or more from them. Velocities have one magnitude, random
-/// directions and no total momentum; density times squared speed is the kinetic pressure of the box, whatever
-/// the magnitude that taking the momentum out leaves to single grains.
+/// directions and no total momentum; density times mean squared speed is the kinetic pressure of the box,
+/// however taking the momentum out changes the speeds of single grains.
 /// @param solid_fraction  of the box; 0: its sides are lengths
 /// @throws InputError if the box is too small for a grain, or as make_gas()
 template <int Dim>

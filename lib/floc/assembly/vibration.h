@@ -8,11 +8,11 @@ namespace floc {
 /// How a packing is shaken before it is compressed again.
 struct Vibration {
   double dilation = 1.0;    ///< of all lengths first, so that no grain touches another
-  double collisions = 0.0;  ///< a grain, two of them in each event
+  double collisions = 0.0;  ///< per grain; each event counts for two grains
 };
 
 /// Lets hard, smooth grains move freely in a cell at rest and collide elastically, event by event, until each
-/// has collided so often in the mean. Exact but for rounding; contacts of the packing are not touched.
+/// has had that many collisions on average. Exact up to rounding; contacts of the packing are not touched.
 /// @pre no two grains overlap, and some move
 template <int Dim>
 void collide(Packing<Dim>& packing, double collisions);

@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// The number of a decimal text, where a double is not precise enough: the nearest double and
-/// what is left. Texts of up to 17 significant digits are those of a double, which programs print so: nothing
-/// is left.
+/// The number that a decimal text represents, for use where a double is not precise enough: the nearest double
+/// and the remainder. Texts of up to 17 significant digits are taken as doubles that a program has printed:
+/// their remainder is zero.
 ///
 /// @param text     a decimal number that parse_number<double>() reads
 /// @param nearest  what it read

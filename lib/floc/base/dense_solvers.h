@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Decompositions of small dense matrices by Eigen, compiled once: each takes seconds wherever it is
-/// instantiated.
+/// Decompositions of small dense matrices by Eigen, compiled here once because each takes seconds to compile
+/// wherever it is instantiated.
 
 /// Eigenvalues, ascending, and the eigenvectors that belong to them, in columns.
 struct SymmetricEigen {
@@ -17,17 +17,17 @@ struct SymmetricEigen {
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 /// The eigenvalues alone, ascending.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
-/// Those of a symmetric tridiagonal matrix. @param beside  the diagonal, one shorter
+/// Those of a symmetric tridiagonal matrix. @param beside  the off-diagonal, one entry shorter
 Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside);
 
 /// Solution of a symmetric system, definite or not.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
-/// The x that makes |columns x - y| least; the smallest of many that do.
+/// The x that minimises |columns x - y|; the smallest one where there are many.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
-/// An orthonormal basis of all of space whose first columns span the given ones, of which it returns the first
-/// `count`.
+/// The first `count` columns of an orthonormal basis of the whole space whose leading columns span the given
+/// ones.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
 
 /// A = Q R by Householder reflections: y -> R^-1 Q^T y, and R^-1. @pre the columns are independent

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Sets of the numbers below n, each alone at first, that joins make larger (union-find with path halving). A
-/// set is named by its smallest member, so names do not depend on the order of the joins.
+/// The numbers below n in disjoint sets: each is alone at first, joins merge sets (union-find with path
+/// halving). A set is named by its smallest member, so names do not depend on the order of the joins.
 class DisjointSets {
  public:
   explicit DisjointSets(int n) : parent_(n), n_sets_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -18,7 +18,7 @@ class DisjointSets {
     return i;
   }
 
-  /// @return whether they were apart
+  /// @return whether they were in different sets
   bool join(int i, int j) {
     i = root(i), j = root(j);
     if (i == j) return false;

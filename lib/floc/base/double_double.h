@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// A double-double number: the unevaluated sum of two doubles, |low| <= half a unit in the last place of
-/// `high`: about 106 bits. For differences that cancel, where a double is too short (Dekker 1971; Hida, Li and
-/// Bailey 2001, "sloppy" forms).
+/// A double-double number: the unevaluated sum of two doubles with |low| <= half a unit in the last place of
+/// `high`, which makes about 106 bits. For differences that cancel, where a double is too short (Dekker 1971;
+/// Hida, Li and Bailey 2001, "sloppy" forms).
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;
@@ -21,7 +21,7 @@ inline DoubleDouble exact_sum(double p, double q) {
   return {sum, (p - (sum - q_taken)) + (q - q_taken)};
 }
 
-/// p q without error (but for underflow).
+/// p q without error (except for underflow).
 inline DoubleDouble exact_product(double p, double q) {
   const double product = p * q;
   return {product, std::fma(p, q, -product)};

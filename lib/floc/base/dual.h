@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// A number with its derivatives by N variables: evaluating a formula on duals evaluates its derivatives with
-/// it (forward mode). Comparisons compare values alone, so that a branch is taken as for the value.
+/// A number with its derivatives by N variables: evaluating a formula on duals also evaluates its derivatives
+/// (forward mode). Comparisons compare the values alone, so that branches are taken as for plain numbers.
 template <int N>
 struct Dual {
   double value = 0.0;
@@ -16,7 +16,7 @@ struct Dual {
   constexpr Dual() = default;
   /// A constant.
   constexpr Dual(double constant) : value(constant) {}  // NOLINT: as a double stands for a number anywhere else
-  /// The variable of this number.
+  /// The variable with this number, at this value.
   constexpr Dual(double at, int variable) : value(at) { derivative[variable] = 1.0; }
 
   constexpr Dual& operator+=(const Dual& q) { return *this = *this + q; }
@@ -63,7 +63,7 @@ struct Dual {
   }
 
  private:
-  /// A function value with its derivatives by the duals that it was evaluated on.
+  /// A function value with its derivatives, by the chain rule from those of its arguments.
   static constexpr Dual chain(double value, const Dual& p, double by_p) {
     Dual out(value);
     for (int k = 0; k < N; ++k) out.derivative[k] = by_p * p.derivative[k];
@@ -78,7 +78,7 @@ struct Dual {
 
 }  // namespace floc
 
-/// What Eigen has to know to take duals as elements.
+/// What Eigen has to know to use duals as matrix elements.
 template <int N>
 struct Eigen::NumTraits<floc::Dual<N>> : Eigen::NumTraits<double> {
   using Real = floc::Dual<N>;

@@ -15,7 +15,7 @@ class InputError : public std::runtime_error {
       : std::runtime_error(place.empty() ? problem : place + ": " + problem) {}
 };
 
-/// Something outside floc failed while it wrote or read: disk full, directory not writable. Exit code 1.
+/// Something outside floc failed during reading or writing: disk full, directory not writable. Exit code 1.
 class IoError : public std::runtime_error {
  public:
   IoError(const std::string& place, const std::string& problem) : std::runtime_error(place + ": " + problem) {}

@@ -7,8 +7,8 @@
 #include <type_traits>
 
 /// The few operations a contact law needs beyond arithmetic, for every number type it is evaluated on:
-/// `double`, a dual number (Ceres' Jet), or a pack of doubles, the comparisons of which give masks with a
-/// `blend` of their own.
+/// `double`, a dual number (like Ceres' Jet), or a pack of doubles, whose comparisons give masks with a `blend`
+/// of their own.
 namespace floc::lanes {
 
 /// `when ? a : b`, lane by lane where the number type has lanes.
@@ -42,8 +42,8 @@ inline double times_power_of_two(double p, double shifted) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(p) + (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
 
-/// exp(x) of x <= 0 to two units in the last place, the same on every processor: a power of two times a series
-/// of exp(r), |r| <= ln(2)/2. Below x = -690 it stays at exp(-690).
+/// exp(x) for x <= 0 to two units in the last place, the same on every processor: a power of two times a series
+/// for exp(r), |r| <= ln(2)/2. Below x = -690 it stays at exp(-690).
 template <class T>
 inline T exp_of_negative(const T& x) {
   if constexpr (std::is_same_v<T, double> || requires { T::kWidth; }) {

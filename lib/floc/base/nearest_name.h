@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// The candidate that takes the fewest letters inserted, removed or replaced to become `name` (Levenshtein
-/// distance), the first of several; empty without candidates. For messages about names that are not known.
+/// The candidate that `name` turns into with the fewest letters inserted, removed or replaced (Levenshtein
+/// distance), the first of several; empty without candidates. For messages about unknown names.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace floc

@@ -10,7 +10,7 @@ namespace floc {
 /// @throws InputError with the system's words if it is missing or cannot be read.
 std::string read_file(const std::string& path);
 
-/// Passes the content of a file to `take`, piece by piece, where it need not be in memory as a whole.
+/// Passes the content of a file to `take` piece by piece, for content that is not needed in memory as a whole.
 /// @throws InputError as read_file()
 void read_pieces(const std::string& path, const std::function<void(std::string_view)>& take);
 

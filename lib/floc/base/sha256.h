@@ -8,11 +8,11 @@
 
 namespace floc {
 
-/// SHA-256 of bytes that come piece by piece (FIPS 180-4).
+/// SHA-256 (FIPS 180-4) of bytes that arrive piece by piece.
 class Sha256 {
  public:
   void update(std::string_view bytes);
-  /// 64 lower-case hexadecimal digits of all bytes so far. Nothing can be added afterwards.
+  /// Digest of all bytes so far: 64 lower-case hexadecimal digits. Nothing can be added afterwards.
   std::string digits();
 
  private:
@@ -22,7 +22,7 @@ class Sha256 {
   std::uint64_t n_bytes_ = 0;
 };
 
-/// SHA-256 of some bytes, as Sha256::digits().
+/// SHA-256 of some bytes, as given by Sha256::digits().
 std::string sha256(std::string_view bytes);
 
 /// SHA-256 of a file's content. @throws InputError if it cannot be read.

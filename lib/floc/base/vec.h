@@ -24,7 +24,7 @@ inline constexpr int kDofs = Dim + kRotations<Dim>;
 template <int Dim, class T = double>
 using RotationVector = Eigen::Matrix<T, kRotations<Dim>, 1>;
 
-/// Number of diagonal strains of a cell, and of components of the symmetric strain.
+/// Number of components of a symmetric strain or stress: 3 in 2D, 6 in 3D.
 template <int Dim>
 inline constexpr int kSymmetric = Dim*(Dim + 1) / 2;
 

@@ -53,16 +53,16 @@ struct CampaignFit {
 struct Reference {
   std::string quantity;           ///< column collected, or parameter of a fit
   std::string fit;                ///< its law; empty: a column
-  std::vector<SceneChange> when;  ///< values of keys that the cases meant have; empty: all cases
+  std::vector<SceneChange> when;  ///< values of keys in the cases it applies to; empty: all cases
   StateChoice state;              ///< of a column
   double value = 0.0;
-  double deviation = 0.0;  ///< standard deviation between its samples; of one sample: its standard error
+  double deviation = 0.0;  ///< standard deviation between its samples; for one sample, its standard error
   int n_samples = 1;
   std::string source;
   std::string place;  ///< file and line, for messages
 };
 
-/// Many runs of one scene: some keys have other values, and every case has a sample a seed.
+/// Many runs of one scene: some keys have other values, and every case has one sample per seed.
 struct Campaign {
   std::string name;
   std::string scene_file;
@@ -75,7 +75,7 @@ struct Campaign {
   std::vector<Reference> references;
 };
 
-/// The value of a key in a case, as TOML writes it; empty where the case leaves the scene's.
+/// The value of a key in a case, as TOML writes it; empty where the case keeps the scene's.
 inline std::string value_of(const CampaignCase& one, const std::string& key) {
   std::string value;
   for (const SceneChange& change : one.changes)

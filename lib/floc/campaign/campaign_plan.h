@@ -19,7 +19,7 @@ struct PlannedState {
 struct CasePlan {
   std::vector<PlannedState> states;
   int threads = 1;
-  double cost = 0.0;  ///< expected, of a run: seconds on one core, to a factor of two
+  double cost = 0.0;  ///< expected cost of a run: seconds on one core, to a factor of two
 };
 
 /// One run: a case with a seed.
@@ -29,22 +29,22 @@ struct CampaignRun {
   std::string directory;  ///< below that of the campaign: runs/LABEL/seed-N
 };
 
-/// Plans each case of a campaign, and holds the states that are collected and compared against what it reaches.
-/// @throws InputError naming the line of the campaign: for a case that is no valid scene, for several seeds where all
-/// make the same sample, for states that a case does not have
+/// Plans each case of a campaign, and checks that it reaches the states that are collected and compared.
+/// @throws InputError naming the line of the campaign: for a case that is not a valid scene, for several seeds
+/// where all make the same sample, for states that a case does not have
 std::vector<CasePlan> plan_cases(const Campaign& campaign);
 
 /// All runs, seeds changing first.
 std::vector<CampaignRun> runs_of(const Campaign& campaign);
 
-/// The numbers of the states that are meant, ascending.
-/// @throws InputError naming the line of the campaign, and what there is, if a state is not there
+/// The numbers of the chosen states, ascending.
+/// @throws InputError naming the line of the campaign, and the states there are, if one does not exist
 std::vector<int> chosen_states(const StateChoice& choice, const CampaignCase& one, const CasePlan& plan);
 
-/// Whether a reference is one of this case: its keys have these values there.
+/// Whether a reference applies to this case: its keys have these values there.
 bool is_meant(const Reference& reference, const CampaignCase& one);
 
-/// Text of the scene for a directory of its own: what it names relative to its file is named in full.
+/// Text of the scene for use in another directory: what it names relative to its file is named in full.
 std::string portable_scene(const Campaign& campaign);
 
 }  // namespace floc

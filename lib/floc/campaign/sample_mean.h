@@ -9,7 +9,7 @@ namespace floc {
 struct SampleMean {
   int n = 0;
   double mean = 0.0;
-  std::optional<double> deviation;  ///< standard deviation (n - 1 in the denominator); nothing of one sample
+  std::optional<double> deviation;  ///< standard deviation (n - 1 in the denominator); absent for one sample
   double low = 0.0, high = 0.0;     ///< the smallest and the largest
 
   /// deviation/sqrt(n)
@@ -22,17 +22,17 @@ SampleMean mean_of_samples(const std::vector<double>& values);
 struct ReferenceMean {
   int n = 1;
   double mean = 0.0;
-  double deviation = 0.0;  ///< of its samples; of n = 1: the standard error of the mean
+  double deviation = 0.0;  ///< of its samples; for n = 1 the standard error of the mean
 };
 
 /// Two means side by side.
 struct Difference {
   double value = 0.0;             ///< mean - reference
-  std::optional<double> allowed;  ///< 2.6 sqrt(s^2/n + s_ref^2/n_ref); nothing without a deviation s
+  std::optional<double> allowed;  ///< 2.6 sqrt(s^2/n + s_ref^2/n_ref); absent without a deviation s
   bool agrees = false;            ///< abs(value) <= allowed
 };
 
-/// Normal errors leave the interval of 2.6 standard errors in one of a hundred comparisons.
+/// Normal errors leave the interval of 2.6 standard errors in one out of a hundred comparisons.
 Difference difference_of(const SampleMean& mean, const ReferenceMean& reference);
 
 }  // namespace floc

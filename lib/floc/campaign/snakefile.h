@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// A Snakefile of a campaign: one rule a run, one a derived table, one for the page. It calls `program` alone.
+/// A Snakefile of a campaign: a rule per run, one per derived table, one for the page. It calls only `program`.
 /// @param program  path of floc; `snakemake --config floc=PATH` takes another
 std::string snakefile_of(const Campaign& campaign, const std::vector<CasePlan>& plans,
                          const std::string& program);

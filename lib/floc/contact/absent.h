@@ -2,8 +2,8 @@
 
 namespace floc {
 
-/// Marks a slot that a law leaves empty. Each slot has a tag of its own: two empty members of one type could
-/// not share an address, and would cost bytes.
+/// Marks a slot that a law leaves empty. Each slot has a tag of its own: two empty members of the same type
+/// could not share an address, and would cost bytes.
 template <int Tag>
 struct Absent {
   bool operator==(const Absent&) const = default;

@@ -23,8 +23,8 @@ inline V capped(const V& spring, const T& limit) {
   }
 }
 
-/// An incremental spring whose force is capped at coefficient * FNe, FNe the ELASTIC part of the normal force:
-/// what friction and rolling resistance have in common. @param memory  the spring, updated. @return its force
+/// An incremental spring whose force is capped at coefficient * FNe, with FNe the ELASTIC part of the normal
+/// force: what friction and rolling resistance share. @param memory  the spring, updated. @return its force
 template <class V, class T>
 inline V respond_capped(double coefficient, double stiffness, const T& elastic, const V& increment, T* memory) {
   Eigen::Map<V> spring(memory);
@@ -32,7 +32,7 @@ inline V respond_capped(double coefficient, double stiffness, const T& elastic, 
   return T(stiffness) * spring;
 }
 
-/// Whether such a spring is at its cap, to a relative tolerance: it slides as soon as it is pushed on.
+/// Whether such a spring is at its cap, to a relative tolerance: it slides as soon as it is pushed further.
 template <class V>
 inline bool capped_is_mobilised(double coefficient, double stiffness, double elastic, const double* memory,
                                 double tolerance) {

@@ -30,12 +30,12 @@ struct ContactMotion {
   T twist = T(0);
 };
 
-/// What a contact does to its grains. On j act +normal along n and -shear; on i the opposite. On i act the
-/// moments -rolling and -twisting n besides that of the shear force, on j the opposite.
+/// Forces of a contact on its grains. On j act +normal along n and -shear; on i the opposite. On i act the
+/// moments -rolling and -twisting n, besides that of the shear force; on j the opposite.
 template <int Dim, class T = double>
 struct ContactForces {
   NormalResponse<T> normal;        ///< static normal response
-  T viscous;                       ///< dashpot force, compression positive; no part of the static force
+  T viscous;                       ///< dashpot force, compression positive; not part of the static force
   Shear<Dim, T> shear;             ///< tangential force on i, in the contact's frame (force)
   RotationVector<Dim, T> rolling;  ///< moment on j (force * length)
   T twisting = T(0);               ///< of spheres, moment on j about n (force * length)
@@ -50,7 +50,7 @@ struct ContactStiffness {
   double twisting = 0.0;  ///< K_tw (force * length), 0 when they do not touch
 };
 
-/// What laws have of a pair beside its geometry, where they have nothing.
+/// Pair parameters, besides the geometry, of laws that have none.
 struct NoPairParameters {};
 
 namespace detail {
@@ -76,18 +76,18 @@ struct ContactLaw {
   static constexpr bool kHoldsLiquid = floc::kHoldsLiquid<Adhesion>;
   /// Whether the damping coefficient has to be multiplied by the root of the stiffness.
   static constexpr bool kDampingFollowsStiffness = kFollowsNormalStiffness<Damping>;
-  /// Dimensions that the law is for, 0: any.
+  /// Dimension that the law is for; 0: any.
   static constexpr int kDimension =
       std::max({kDimensionOf<Normal>, kDimensionOf<Tangential>, kDimensionOf<Twisting>});
 
-  /// Whether the law reads those numbers of a pair; they are loaded for no other.
+  /// Whether the law reads these numbers of a pair; they are loaded only for laws that do.
   static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
   || requires { requires Adhesion::kNeedsReducedRadius; };
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
   || requires { requires Adhesion::kNeedsReducedMass; };
 
-  /// Numbers of a pair that differ from pair to pair and hold while its memory does, none for most laws: they
-  /// are found once (pair_parameters()) and not for every force.
+  /// Numbers that differ from pair to pair and hold as long as a pair's memory does; most laws have none. They
+  /// are found once (pair_parameters()), not for every force.
   template <class T = double>
   using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
 
@@ -119,7 +119,7 @@ struct ContactLaw {
 
   /// Whether surfaces at this gap belong to the contact list.
   bool interacts(double gap) const { return gap < 0.0 || gap < range(); }
-  /// The same of a contact, which stays as long as it holds liquid.
+  /// The same for a contact, which stays as long as it holds liquid.
   template <int Dim>
   bool interacts(double gap, [[maybe_unused]] const PackedMemory<kMemorySize<Dim>>& memory) const {
     if constexpr (kHoldsLiquid)
@@ -127,7 +127,7 @@ struct ContactLaw {
     return interacts(gap);
   }
 
-  /// The numbers of a pair of grains of these radii.
+  /// The parameters of a pair of grains with these radii.
   template <int Dim>
   PairParameters<> pair_parameters([[maybe_unused]] double radius_i, [[maybe_unused]] double radius_j,
                                    [[maybe_unused]] const PackedMemory<kMemorySize<Dim>>& memory) const {
@@ -136,7 +136,7 @@ struct ContactLaw {
     else
       return {};
   }
-  /// The same as they act now, of a pair that has not moved since its memory was updated.
+  /// These parameters as they act now, for a pair that has not moved since its memory was updated.
   template <int Dim>
   PairParameters<> acting(const PairParameters<>& parameters,
                           [[maybe_unused]] const PackedMemory<kMemorySize<Dim>>& memory) const {
@@ -185,7 +185,7 @@ struct ContactLaw {
   }
 
   /// Damping coefficient of a pair of grains, 0 without damping: (force * time/length), or that over the root
-  /// of a stiffness where damping follows it.
+  /// of a stiffness where damping follows the stiffness.
   double damping_coefficient([[maybe_unused]] const CollisionMass& mass) const {
     if constexpr (kHasDamping) return damping.coefficient(mass, repulsion);
     return 0.0;
@@ -216,7 +216,7 @@ struct ContactLaw {
     return forces;
   }
 
-  /// Stiffnesses a contact has in the network (nothing sliding).
+  /// Stiffnesses of a contact in the network (nothing sliding).
   template <int Dim>
   ContactStiffness stiffness(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory,
                              const PairParameters<>& parameters = {}) const {
@@ -230,13 +230,13 @@ struct ContactLaw {
     return touching(of_stiffness(elastic, repulsion.stiffness_at_force(pair, elastic)));
   }
 
-  /// No contact of such a pair is stiffer than that under a load.
+  /// No contact of such a pair is stiffer than this under that load.
   ContactStiffness stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     return touching(of_stiffness(0.0, repulsion.stiffness_bound(pair, load)));
   }
 
   /// Which springs of a touching contact are at their caps. Nothing else in the program decides what slides.
-  /// @param tolerance  relative, of what counts as being at the cap
+  /// @param tolerance  relative distance below the cap that still counts as being at it
   template <int Dim>
   Mobilised mobilised(double elastic, const PackedMemory<kMemorySize<Dim>>& memory, double tolerance) const {
     Mobilised m;
@@ -265,7 +265,7 @@ struct ContactLaw {
   }
 
  private:
-  /// Response of which the elastic force and K_N are known.
+  /// Response when only the elastic force and K_N are known.
   NormalResponse<double> of_stiffness(double elastic, double k_n) const {
     NormalResponse<double> response{elastic, 0.0, k_n};
     if constexpr (requires { repulsion.shear_ratio(); })
@@ -289,7 +289,7 @@ struct ContactLaw {
     return nullptr;
   }
 
-  /// Of surfaces that touch.
+  /// Stiffnesses when the surfaces touch.
   ContactStiffness touching(const NormalResponse<double>& response) const {
     ContactStiffness k{response.stiffness, 0.0, 0.0};
     if constexpr (kHasFriction) k.tangential = friction.stiffness(response);

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Numbers that a contact remembers under a model, in `dim` dimensions.
+/// How many numbers a contact remembers under a model, in `dim` dimensions.
 template <class Model>
 constexpr int memory_size(int dim) {
   int n = 0;

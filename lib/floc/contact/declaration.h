@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-/// What a slot of a contact law says of itself, once: its keyword, its numbers and choices, and what a contact
+/// What a model of a contact law declares, once: its keyword, its numbers and choices, and what a contact
 /// remembers for it. Validation, scenes, changes along a load path, law texts, state files, kernels and
 /// dimensionless groups all iterate over these declarations.
 namespace floc {
@@ -20,7 +20,7 @@ enum class Unit {
   pressure,           ///< (force/length^2)
 };
 
-/// Which values a number may have; all are finite besides.
+/// Values that a number may have; all must also be finite.
 enum class Requirement {
   positive,
   not_negative,
@@ -52,14 +52,14 @@ struct Number {
   double Model::*member;
   Unit unit;
   const char* symbol;       ///< in formulas, "K_N"
-  Requirement requirement;  ///< of any value it ever has
+  Requirement requirement;  ///< on any value it ever has
   const char* expectation;  ///< what a scene has to give, in words
-  const char* meaning;      ///< in a line
-  /// What a scene has to begin with, where that is stricter: zero may switch a slot off later.
+  const char* meaning;      ///< in one line
+  /// Requirement on the value in a scene, where that is stricter: zero may switch a slot off later.
   Requirement at_first = requirement;
 };
 
-/// One choice among keywords, optional in a scene: the first where nothing is said.
+/// One choice among keywords, optional in a scene: the first one where nothing is said.
 template <class Model>
 struct Choice {
   const char* key;
@@ -81,10 +81,10 @@ void choose(Model& model, int keyword) {
 
 /// How a remembered quantity transforms.
 enum class MemoryKind {
-  scalar,    ///< a number: the same whichever way round the pair is read
+  scalar,    ///< a number, the same whichever way round the pair is read
   tangent,   ///< a displacement of j against i in the tangent plane, in the contact's frame
   rotation,  ///< a rotation of i against j; in 3D one about an axis in the tangent plane
-  twist,  ///< in 3D, a rotation of i against j about the normal: the same whichever way round the pair is read
+  twist,  ///< in 3D, a rotation of i against j about the normal, the same whichever way round the pair is read
 };
 
 /// One quantity that a contact remembers under a model.
@@ -95,18 +95,18 @@ struct Memory {
   const char* meaning;  ///< in words
 };
 
-/// Whether it lies in the tangent plane, and turns with it.
+/// Whether a quantity lies in the tangent plane, and turns with it.
 constexpr bool is_tangential(MemoryKind kind) {
   return kind == MemoryKind::tangent || kind == MemoryKind::rotation;
 }
 
-/// Numbers it takes: a 2D tangent and a 2D rotation are numbers, their 3D counterparts vectors of space.
+/// Numbers that it takes: 2D tangents and rotations are one number, their 3D counterparts vectors in space.
 constexpr int n_components(MemoryKind kind, int dim) {
   return is_tangential(kind) && dim == 3 ? 3 : 1;
 }
 
-/// What each component is multiplied by when i and j are exchanged. A 2D tangent displacement changes its sign
-/// and so does the tangent it is measured along, which turns round with the normal.
+/// Factor of each component when i and j are exchanged. A 2D tangent displacement changes sign, and so does the
+/// tangent along which it is measured, which turns round with the normal.
 constexpr double parity(MemoryKind kind, int dim) {
   if (!is_tangential(kind)) return 1.0;
   return kind == MemoryKind::tangent && dim == 2 ? 1.0 : -1.0;

@@ -26,25 +26,25 @@ struct DeclaredChoice {
 /// A model that a slot can hold.
 struct DeclaredModel {
   std::string keyword;
-  bool is_default;  ///< meant where a scene names no model
-  /// Its numbers are in every state file, zero where a law has another model, as they have always been.
+  bool is_default;  ///< taken where a scene names no model
+  /// Its numbers are in every state file, as in older ones: zero where a law has another model.
   bool is_in_every_file;
   std::vector<DeclaredNumber> numbers;
   std::vector<DeclaredChoice> choices;
-  /// Puts the model into the slot of a law, its numbers zero, its choices the first.
+  /// Puts the model into the slot of a law, with its numbers zero and its choices the first.
   void (*choose)(LawParameters&);
 
   const DeclaredNumber* number(const std::string& number_key) const;
 };
 
-/// Whether a law that holds this model too has no more faults between its slots than without: it goes together
-/// with them.
+/// Whether a law has no more faults between its slots with this model than without: the model goes together
+/// with the others.
 bool fits(const DeclaredModel& model, LawParameters law);
 
 struct DeclaredSlot {
   std::string key;                    ///< of its table in a scene
   bool optional;                      ///< a law may leave it empty
-  std::vector<DeclaredModel> models;  ///< without its absence
+  std::vector<DeclaredModel> models;  ///< absence not among them
 
   /// Index in `models` of what this slot of a law holds, -1 if nothing.
   int present(const LawParameters& law) const;
@@ -72,7 +72,7 @@ struct LawChoice {
 
 std::vector<LawChoice> choices_of(const LawParameters& law);
 
-/// Makes a choice of the model that a slot holds. @pre it has a choice of that key with so many keywords
+/// Makes a choice of the model that a slot holds. @pre it has a choice of that key with enough keywords
 void choose(LawParameters& law, const std::string& slot, const std::string& key, int chosen);
 
 }  // namespace floc

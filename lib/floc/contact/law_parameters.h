@@ -19,15 +19,15 @@
 
 namespace floc {
 
-/// Why the models of a law cannot be used together, or where they are.
+/// Why the models of a law cannot be used together, or not in this dimension.
 struct LawFault {
   std::string slot;   ///< that is to blame
   std::string words;  ///< "contact.SLOT...: requirement"
 };
 
 /// A contact law as a scene or a saved state names it: a model with its numbers in each slot, absent where
-/// nothing is said. THE lists of models: what is listed here is known to scenes, law texts, state files and the
-/// law table (law_table.h), which turns a LawParameters into the composed type.
+/// nothing is said. These are THE lists of models: what is listed here is known to scenes, law texts, state
+/// files and the law table (law_table.h), which turns a LawParameters into the composed type.
 struct LawParameters {
   LawSlot<LinearRepulsion, HertzRepulsion> normal;
   LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion, CapillaryAdhesion> adhesion;
@@ -49,32 +49,32 @@ struct LawParameters {
 
   bool operator==(const LawParameters&) const = default;
 
-  /// F0 of laws that have one for all pairs, 0 without adhesion and of liquid bridges.
+  /// F0 of laws with one value for all pairs; 0 without adhesion and for liquid bridges.
   double pull_off_force() const;
-  /// F0 of two grains of a radius, 0 without adhesion.
+  /// F0 of two grains of this radius, 0 without adhesion.
   double pull_off_force(double radius) const;
   /// Whether anything attracts.
   bool adheres() const { return pull_off_force(1.0) > 0.0; }
-  /// Largest gap at which the law acts; adhesion of zero force acts nowhere. 0 of liquid bridges, whose reach
-  /// is that of their volumes (packing/liquid.h).
+  /// Largest gap at which the law acts; adhesion of zero force acts nowhere. 0 for liquid bridges, whose reach
+  /// depends on their volumes (packing/liquid.h).
   double range() const;
   /// The adhesion of liquid bridges, null where there is none or it has no liquid.
   const CapillaryAdhesion* liquid() const;
-  /// Modulus that a pressure is measured against where nothing adheres: K_N/a^(Dim-2) of linear contacts of
-  /// grains of diameter a, E/(1 - nu^2) of Hertz' (force/length^(Dim-1)).
+  /// Modulus that a pressure is compared with where nothing adheres: K_N/a^(Dim-2) for linear contacts of
+  /// grains of diameter a, E/(1 - nu^2) for Hertz contacts (force/length^(Dim-1)).
   double contact_modulus(int dim, double diameter) const;
 
   /// Whether the stiffness of a contact grows with its overlap.
   bool stiffness_varies() const;
 
-  /// Whether friction carries anything.
+  /// Whether friction can carry any force.
   bool resists_sliding() const;
 
   /// Every fault as "key = value: requirement"; empty when the law can be used.
   std::vector<std::string> validate() const;
-  /// Those of models that do not go together: what is left where every number is right.
+  /// Faults of models that do not go together: those that remain when every number is right.
   std::vector<LawFault> faults_between_slots() const;
-  /// Models that are for another dimension, as faults.
+  /// Faults of models that are for another dimension.
   std::vector<LawFault> faults_in_dimension(int dimension) const;
 };
 

@@ -9,17 +9,17 @@
 ///   1. write it as a header in its slot's folder: a struct that declares its numbers and its memory
 ///      (declaration.h) and has the functions of its slot as templates on the number type (see
 ///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
-///   2. add it to its slot in law_parameters.h; the table below is the product of the slots and finds it by
-///   itself;
-///   3. give the conformance suite a set of sample numbers in tests/support/laws.h, and write a unit test with
-///   a closed
-///      form.
+///   2. add it to its slot in law_parameters.h; the table below is the product of the slots and finds it
+///      by itself;
+///   3. give the conformance suite a set of sample numbers
+///      in tests/support/laws.h, and write a unit test
+///      with a closed form.
 namespace floc {
 
-/// Which compositions are compiled. Grains that slide freely need not roll; a twisting spring goes with a rolling
-/// one, which can be given nothing to carry. Friction and damping that follow the stiffness along the normal go
+/// Which compositions are compiled. Grains that slide freely need not roll; a twisting spring goes with a
+/// rolling one, which may be one that carries nothing. Friction and damping that follow the normal stiffness go
 /// with a stiffness that varies, others with one that does not; elastic spheres of varying stiffness adhere by
-/// liquid alone and do not resist rolling, nor do other grains with liquid bridges.
+/// liquid alone and do not resist rolling; nor do other grains with liquid bridges.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 inline constexpr bool kIsCompiled = (kIsAbsent<Twisting> || !kIsAbsent<Rolling>)&&(
     kStiffnessVaries<Normal>
@@ -47,8 +47,8 @@ struct Joined<LawList<Laws...>> {
 template <class... A, class... B, class... Rest>
 struct Joined<LawList<A...>, LawList<B...>, Rest...> : Joined<LawList<A..., B...>, Rest...> {};
 
-/// All compositions of one model a slot that are compiled: the slots still to be chosen from, then the models
-/// chosen.
+/// All compiled compositions of one model per slot: the models chosen so far, then the slots still to choose
+/// from.
 template <class Models, class... Slots>
 struct Compositions;
 template <class... M>
@@ -71,13 +71,13 @@ using AnyContactLaw =
                          decltype(LawParameters::damping), decltype(LawParameters::friction),
                          decltype(LawParameters::rolling), decltype(LawParameters::twisting)>::Type::Variant;
 
-/// The composed law of a scene or saved state. Adhesion of zero force is no adhesion, a coefficient of zero no
-/// friction and no resistance to rolling or twisting: such a spring could carry nothing, and must not stiffen
-/// the network either.
+/// The composed law of a scene or saved state. Adhesion of zero force becomes no adhesion; a coefficient of
+/// zero becomes no friction, or no resistance to rolling or twisting: such a spring could carry nothing, and
+/// must not stiffen the network either.
 /// @pre parameters.validate() is empty.
 AnyContactLaw compose_law(const LawParameters& parameters);
 
-/// The same law with a friction spring in any case, one that can carry nothing where the law has none.
+/// The same law, always with a friction spring: one that can carry nothing where the law has none.
 AnyContactLaw compose_with_friction(const LawParameters& parameters);
 
 }  // namespace floc

@@ -9,12 +9,12 @@
 #include "floc/contact/law_parameters.h"
 #include "floc/contact/model_traits.h"
 
-/// Where the quantities that contacts remember are kept in a contact, and in the arrays of pairs in motion:
-/// each slot has a place of its own, wide enough for any of its models, so that a change of the law moves
-/// nothing. A law evaluates, loads and stores the numbers of its own models alone.
+/// Where remembered quantities are kept in a contact, and in the arrays of pairs in motion: each slot has a
+/// place of its own, wide enough for any of its models, so that a change of the law moves nothing. A law
+/// evaluates, loads and stores only the numbers of its own models.
 namespace floc {
 
-/// The most that any model of a slot remembers, of those for this dimension.
+/// The most numbers that any model of a slot remembers, among those for this dimension.
 template <class... Models>
 constexpr int widest_memory(const LawSlot<Models...>*, int dim) {
   int widest = 0;
@@ -79,7 +79,7 @@ constexpr bool begins_tangent(int k) {
   return Dim == 3 && begins;
 }
 
-/// Calls visit(k, place) for each number of a law's packed memory, unrolled, k and place being integral
+/// Calls visit(k, place) for each number of a law's packed memory, unrolled; k and place are integral
 /// constants.
 template <class Law, int Dim, class Visit>
 [[gnu::always_inline]] inline void for_each_memory(const Visit& visit) {
@@ -89,7 +89,7 @@ template <class Law, int Dim, class Visit>
   (std::make_integer_sequence<int, Law::template kMemorySize<Dim>>{});
 }
 
-/// What a contact remembers for a law.
+/// What a contact remembers under a law, packed.
 template <class Law, int Dim>
 PackedMemory<Law::template kMemorySize<Dim>> packed_memory(const ContactMemory<Dim>& all) {
   PackedMemory<Law::template kMemorySize<Dim>> packed;

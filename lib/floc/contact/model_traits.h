@@ -1,9 +1,9 @@
 #pragma once
 
-/// What models of a contact law say of themselves where it is not the rule.
+/// What models of a contact law declare where they depart from the rule.
 namespace floc {
 
-/// Dimension that a model is for, 0: any.
+/// Dimension that a model is for; 0: any.
 template <class Model>
 constexpr int dimension_of() {
   if constexpr (requires { Model::kDimension; }) return Model::kDimension;
@@ -30,13 +30,13 @@ inline constexpr bool kFollowsNormalStiffness = requires {
   requires Model::kFollowsNormalStiffness;
 };
 
-/// Whether the adhesion is that of liquid bridges, of which contacts remember the volumes.
+/// Whether the adhesion is that of liquid bridges, whose volumes contacts remember.
 template <class Model>
 inline constexpr bool kHoldsLiquid = requires {
   requires Model::kHoldsLiquid;
 };
 
-/// Whether the numbers of a model are in the state files of laws that have it, and in no others.
+/// Whether the numbers of a model are only in the state files of laws that have it.
 template <class Model>
 inline constexpr bool kIsInItsOwnFilesOnly = requires {
   requires Model::kIsInItsOwnFilesOnly;

@@ -2,8 +2,8 @@
 
 namespace floc {
 
-/// Static normal response of a contact at one gap. All that slots know of each other: friction and rolling read
-/// `elastic`, because their caps do not depend on the adhesion (docs/physics.md, "Friction").
+/// Static normal response of a contact at one gap. It is all that slots know of each other: friction and
+/// rolling read `elastic`, because their caps do not depend on the adhesion (docs/physics.md, "Friction").
 template <class T>
 struct NormalResponse {
   T elastic;                 ///< elastic repulsion FNe, >= 0 (force)

@@ -7,7 +7,7 @@ inline double reduced(double p, double q) {
   return p * q / (p + q);
 }
 
-/// The masses of a collision that damping may be taken with (viscous_damping.h).
+/// The masses of a collision that damping may refer to (viscous_damping.h).
 struct CollisionMass {
   double effective;  ///< m_i m_j/(m_i + m_j)
   double grain;      ///< twice that, the mass of a grain among equals
@@ -16,11 +16,11 @@ struct CollisionMass {
     const double effective = reduced(mass_i, mass_j);
     return {effective, 2.0 * effective};
   }
-  /// Against a wall, which no grain moves, both are the grain's own.
+  /// Against a wall, which no grain moves, both are the grain's own mass.
   static CollisionMass against_wall(double mass) { return {mass, mass}; }
 };
 
-/// What a law may ask of two surfaces. Reduced radius and mass are there for laws that need them
+/// What a law may need to know of two surfaces. Reduced radius and mass are there for laws that need them
 /// (`kNeedsReducedRadius`, `kNeedsReducedMass` of a model), zero for others.
 template <class T = double>
 struct PairGeometry {

@@ -6,14 +6,14 @@
 
 namespace floc {
 
-/// Bounds of the bulk and shear moduli of a network (docs/physics.md, "Bounds"), as stress
+/// Bounds on the bulk and shear moduli of a network (docs/physics.md, "Bounds"), as stress
 /// (force/length^(Dim-1)).
 struct Bounds {
-  /// Affine motion without rotations: sum K_N r^2/(Dim^2 V), and its shear analogue. Upper bounds of B_C and of
+  /// Affine motion without rotations: sum K_N r^2/(Dim^2 V), and its shear analogue. Upper bounds on B_C and on
   /// G = (C11 + C22 - 2 C12)/4 (3D: its mean over the three pairs of axes).
   double B_voigt = 0.0;
   double G_voigt = 0.0;
-  /// V P^2/sum(F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R) with the state's own forces: a lower bound of B_S if they
+  /// V P^2/sum(F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R) with the state's own forces: a lower bound on B_S if they
   /// balance, the stress is isotropic and no distant attraction acts (these are left out of the sum). 0 at P =
   /// 0.
   double B_reuss = 0.0;

@@ -38,14 +38,14 @@ double chain_rolling_compliance(int n, const ChainStiffness& k);
 ///
 ///   (n-1)/K_T + (n-1) (4 n^2 - 11 n + 6) R^2 / (3 K_R)
 ///
-/// For large n the cantilever l^3/(3 EI), EI = 2 R K_R, l = 2 (n-1) R.
+/// For large n that of a cantilever, l^3/(3 EI), EI = 2 R K_R, l = 2 (n-1) R.
 /// @throws InputError if n < 2, or R or a stiffness is not positive.
 double end_disk_deflection(int n, double R, const ChainStiffness& k);
 
-/// A number and the bound of its error.
+/// A number and a bound on its error.
 struct BoundedValue {
   double value;
-  double error;  ///< |value - exact| is below; infinite where no digit is left
+  double error;  ///< |value - exact| is below this; infinite where no digit is left
 
   bool resolved() const { return error < value; }
 };
@@ -60,7 +60,7 @@ struct SolvedChain {
 };
 
 /// Directions of the n - 1 branches of a chain of n disks bent evenly: each is turned by `bend` (radians)
-/// against the one before; 0: straight along x.
+/// relative to the one before; 0: straight along x.
 std::vector<Vec<2>> bent_chain(int n, double bend);
 
 /// @param branches  unit vectors from each disk to the next, one or more, that do not lead back to the start

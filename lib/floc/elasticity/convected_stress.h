@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Component of a symmetric tensor that a strain unknown does work on.
+/// The component of a symmetric tensor that is conjugate to a strain unknown.
 template <int Dim>
 double conjugate(const Mat<Dim>& tensor, int column) {
   return (tensor.transpose() * unit_strain<Dim>(column)).trace();

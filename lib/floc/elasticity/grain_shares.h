@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Grains shared out among processes by where they are. Each process has consecutive blocks of rows, one a
-/// grain; those of one process are neighbours in space, and so are those that follow each other.
+/// Grains shared out among processes by position. Each process has consecutive blocks of rows, one per grain;
+/// the grains of one process are neighbours in space, and so are consecutive ones.
 struct GrainShares {
   std::vector<int> grain;  ///< of each block
   std::vector<int> block;  ///< of each grain; -1: it has none
@@ -16,10 +16,10 @@ struct GrainShares {
   int n_processes() const { return static_cast<int>(first.size()) - 1; }
 };
 
-/// By recursive bisection across the longest side, each time into shares as large as the numbers of processes
-/// on both sides ask for. The same on every process: ties go by the number of the grain.
+/// By recursive bisection across the longest side, each time into shares in proportion to the numbers of
+/// processes on both sides. The same on every process: ties are broken by the number of the grain.
 /// @param centres      of all grains, in the cell or not (length)
-/// @param taken        one entry a grain: whether it gets a block
+/// @param taken        one entry per grain: whether it gets a block
 /// @param n_processes  >= 1
 template <int Dim>
 GrainShares share_out(const std::vector<Vec<Dim>>& centres, const std::vector<bool>& taken, int n_processes);

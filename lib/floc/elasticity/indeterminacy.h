@@ -10,11 +10,11 @@ struct Indeterminacy {
   /// h = components - unknowns + null modes: the dimension of the null space of the equilibrium matrix.
   int degree = 0;
   int n_components = 0;  ///< of contact forces that have a stiffness: normal, tangential, rolling, twisting
-  int n_unknowns = 0;    ///< kDofs a grain that has contacts, and the strains of the cell
+  int n_unknowns = 0;    ///< kDofs per grain with contacts, and the strains of the cell
   int n_null_modes = 0;  ///< k: motions free by structure, mechanisms, strains that cost nothing
 };
 
-/// Of a network with its diagonal strains (3 N_b + 2 unknowns in 2D, 6 N_b + 3 in 3D) or all symmetric ones.
+/// For a network with its diagonal strains (3 N_b + 2 unknowns in 2D, 6 N_b + 3 in 3D) or all symmetric ones.
 /// @param response  of the same network, over these strains at least, without prestress
 template <int Dim>
 Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const ElasticResponse& response,

@@ -15,7 +15,7 @@ enum class ModeKind {
   unstable,        ///< negative eigenvalue
   mechanism,       ///< zero to rounding, beyond the motions that are free by structure
   near_mechanism,  ///< below max |F_N|/r: prestress of the size the state carries could lift or drop it
-  elastic,         ///< above
+  elastic,         ///< above that
 };
 
 /// "unstable", "mechanism", "near-mechanism", "elastic".
@@ -32,9 +32,9 @@ struct Mode {
   /// (sum u_i^2)^2/(n sum u_i^4) over the n grains that take part in the network: 1 if all move alike, 1/n if
   /// one moves.
   double participation = 0.0;
-  /// Volume times the stress it gives per unit amplitude, one entry a strain unknown (force * length/length):
-  /// its coupling to strain. A mode takes coupling * coupling^T/(eigenvalue volume) off the affine moduli; all
-  /// together leave C.
+  /// Volume times the stress that it gives per unit amplitude, one entry per strain unknown (force *
+  /// length/length): its coupling to strain. A mode takes coupling * coupling^T/(eigenvalue volume) off the
+  /// affine moduli; all modes together leave C.
   Eigen::VectorXd coupling;
   double softens_B = 0.0;  ///< what it takes off the affine bulk modulus (stress)
   double softens_G = 0.0;  ///< off the affine shear modulus (C11 + C22 - 2 C12)/4 (stress)
@@ -49,8 +49,8 @@ struct ModeOptions {
   /// Number of modes. By default all that are not elastic, but no fewer than 10 and no more than 100.
   std::optional<int> count;
   /// Eigenvalues within this of zero, in units of the largest contact stiffness, are mechanisms. They are sums
-  /// of squares over the contacts, into which the rounding of K does not enter: near-mechanisms show their
-  /// eigenvalue down to here, and mechanisms are seen at 1e-19 and below.
+  /// of squares over the contacts, which the rounding of K does not enter: near-mechanisms show their
+  /// eigenvalues down to this bound, and mechanisms are seen at 1e-19 and below.
   double mechanism_bound = 1e-16;
   Ordering ordering = Ordering::amd;
 };
@@ -69,8 +69,8 @@ struct SoftModes {
 template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
 
-/// Number of near-mechanisms: of the eigenvalues up to max |F_N|/r, by inertia, those that are no free motions,
-/// no mechanisms and not negative.
+/// Number of near-mechanisms: eigenvalues up to max |F_N|/r, counted by inertia, that belong neither to free
+/// motions nor to mechanisms and are not negative.
 /// @param response  of the same network, strains clamped or not, without prestress
 template <int Dim>
 int count_near_mechanisms(const ContactNetwork<Dim>& network, const ElasticResponse& response);

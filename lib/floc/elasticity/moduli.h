@@ -13,13 +13,13 @@ namespace floc {
 
 class ParallelSolver;
 
-/// How much is spent on moduli.
+/// How moduli are computed, and so at what cost.
 enum class ModuliMethod {
   factor,         ///< Cholesky factor in double precision, error bounds
   single_factor,  ///< in single precision, refined in double: half the memory, error estimates
   iterative,      ///< conjugate gradients from the last state's solution, with its factor: error estimates
   bounds,         ///< the middle between the bounds of the network: nothing is solved, the error is a bound
-  petsc,          ///< conjugate gradients of PETSc's, on one process or many: error estimates
+  petsc,          ///< conjugate gradients by PETSc, on one process or many: error estimates
 };
 
 struct ModuliOptions {
@@ -35,15 +35,15 @@ struct ModuliOptions {
   /// Rolling stiffness given to every touching contact in place of its own (force * length).
   std::optional<double> rolling_stiffness;
   Ordering ordering = Ordering::automatic;
-  /// The packing was brought to equilibrium under no stress: what its forces leave of one is residual, and
+  /// The packing was brought to equilibrium under no stress: any stress that its forces leave is residual, and
   /// bounds no modulus (B_reuss = 0).
   bool unloaded = false;
-  /// Relative error wanted of B and G. A warning says where their error bounds stay above it.
+  /// Relative error wanted in B and G. A warning is given where their error bounds stay above it.
   double tolerance = 1e-10;
   /// Bytes that a factor may take; see Moduli::failure.
   double largest_factor = std::numeric_limits<double>::infinity();
 
-  /// The contacts that moduli are those of: rattlers removed, the rolling stiffness asked for.
+  /// The contacts that moduli are computed from: without rattlers, with the rolling stiffness asked for.
   template <int Dim>
   ContactNetwork<Dim> loaded_network(const Packing<Dim>& packing) const;
 
@@ -51,7 +51,7 @@ struct ModuliOptions {
   std::vector<std::string> validate() const;
 };
 
-/// What the moduli of a network rest on beside its contacts.
+/// What the moduli of a network depend on besides its contacts.
 template <int Dim>
 struct NetworkLoad {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static, compression positive (force/length^(Dim-1))
@@ -60,7 +60,7 @@ struct NetworkLoad {
   int n_mobilised = 0;                 ///< contacts that slide or yield, which the network takes as elastic
 };
 
-/// What a packing says of it. @param unloaded  see ModuliOptions
+/// The same, taken from a packing. @param unloaded  see ModuliOptions
 template <int Dim>
 NetworkLoad<Dim> network_load(const Packing<Dim>& packing, bool unloaded);
 
@@ -71,7 +71,7 @@ struct Moduli {
   double B = 0.0;    ///< B_C: mean of the diagonal block of C, strain-controlled
   double B_S = 0.0;  ///< 1/(sum of the compliances of the diagonal block), stress-controlled
   double G = 0.0;    ///< (C11 + C22 - 2 C12)/4; in 3D its mean over the pairs of axes
-  /// Bounds of the errors that solving and rounding leave in C (entry by entry), B, B_S and G, in their units:
+  /// Bounds on the errors that solving and rounding leave in C (entry by entry), B, B_S and G, in their units:
   /// see ElasticResponse::error. Infinite where none can be given.
   Eigen::MatrixXd C_error;
   double B_error = 0.0;
@@ -81,7 +81,7 @@ struct Moduli {
   Bounds bounds;
   int n_negative = 0;    ///< negative eigenvalues of K, strains included
   int n_mechanisms = 0;  ///< vanishing eigenvalues of K beyond free motions found by structure
-  /// Those of them that strain the cell at no cost: the moduli along them are zero.
+  /// Mechanisms among them that strain the cell at no cost: the moduli along them are zero.
   int n_coupled_mechanisms = 0;
   int n_rattlers = 0;
   int n_free_rollers = 0;
@@ -94,21 +94,21 @@ struct Moduli {
   std::optional<double> G_without_prestress;
   /// The response without prestress, of loaded_network(): mechanisms, increments and backbone follow from it.
   ElasticResponse response;
-  /// What gave them: the factor where that of the options had to be left for it. The others count neither
-  /// negative eigenvalues nor mechanisms, and their errors are estimates or, with bounds, half the distance.
+  /// The method used: the factor, where that of the options failed. The others count neither negative
+  /// eigenvalues nor mechanisms; their errors are estimates or, with bounds, half the distance.
   ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< of refinement
   std::vector<std::string> warnings;
-  /// Why there are no moduli, in words, and then all but the bounds is without meaning; empty where there are.
+  /// Why there are no moduli, in words; all but the bounds is then meaningless. Empty where there are some.
   std::string failure;
-  /// Predicted size of the factor (bytes), where that is why; else 0.
+  /// Predicted size of the factor (bytes), where that is the reason; else 0.
   double factor_bytes = 0.0;
 };
 
-/// Moduli of a state in which nothing slides or yields. Without prestress C = relaxed K/V. With it, the
-/// Cauchy stress sigma responds to the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) + sigma tr
-/// E: for diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the relaxed
-/// Hessian of the energy in ln L, so B gains P and G nothing over H. Where the stress is not isotropic this is
+/// Moduli of a state in which nothing slides or yields. Without prestress C = relaxed K/V. With it, the Cauchy
+/// stress sigma responds to the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) + sigma tr E: for
+/// diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the relaxed Hessian
+/// of the energy in ln L, so relative to H, B gains P and G nothing. Where the stress is not isotropic this is
 /// not symmetric; the symmetric part is given.
 /// A vanishing modulus, one that its error bound does not distinguish from zero, is given as zero and counted
 /// as a coupled mechanism. Moduli that have lost all digits are NaN, with a warning.
@@ -118,11 +118,11 @@ template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                     const ModuliOptions& options);
 
-/// The same of options.loaded_network(packing) under the stress that the packing carries.
+/// The same for options.loaded_network(packing) under the stress that the packing carries.
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
 
-/// By ModuliMethod::petsc, whatever the options name: all processes of the solver call it, with the same
+/// By ModuliMethod::petsc, whatever method the options name: all processes of the solver call it, with the same
 /// arguments, and get the same moduli.
 /// @param centres  of the grains, which divide them among the processes (length)
 template <int Dim>
@@ -130,14 +130,14 @@ template <int Dim>
                                     const NetworkLoad<Dim>& load, const ModuliOptions& options,
                                     ParallelSolver& solver);
 
-/// The same for each of several rolling stiffnesses (>= 0, force * length) in place of the one of the options,
+/// The same for each of several rolling stiffnesses (>= 0, force * length) in place of that of the options,
 /// with one symbolic factorisation for all.
 template <int Dim>
 [[nodiscard]] std::vector<Moduli> elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options,
                                                  const std::vector<double>& rolling_stiffness);
 
-/// Moduli of one state after the other, such as those of a path: with ModuliMethod::iterative each starts from
-/// the solution of the one before, if it has as many grains.
+/// Moduli of one state after another, such as those of a path: with ModuliMethod::iterative each starts from
+/// the solution of the one before, if it has the same number of grains.
 template <int Dim>
 class ModuliSequence {
  public:

@@ -8,28 +8,28 @@
 
 namespace floc {
 
-/// Relative errors that solving may leave in B and G at most; infinite: any.
+/// Largest relative errors that solving may leave in B and G; infinite: any.
 struct ModuliAccuracy {
   double B = std::numeric_limits<double>::infinity();
   double G = std::numeric_limits<double>::infinity();
 
-  /// Whether the errors that moduli come with are within. A modulus that is known to vanish has no
-  /// relative error, and is.
+  /// Whether the errors that come with moduli are within these. A modulus that is known to vanish has no
+  /// relative error, and counts as within.
   bool met_by(const Moduli& moduli) const;
-  /// Every fault as "name = value: requirement": one of the two is asked for, and no less than rounding leaves.
+  /// Every fault as "name = value: requirement": one of the two is asked for, no less than rounding leaves.
   std::vector<std::string> validate() const;
 };
 
-/// Methods of which a state needs no other state, the cheapest first. Those of a path of 60 grains took 0.15,
+/// Methods that need no other state, the cheapest first. For the states of a path of 60 grains they took 0.15,
 /// 5.0 and 5.9 ms, and ModuliMethod::iterative 14 ms (`floc tradeoff`, data/tables/tradeoff); for large
-/// packings the factor is the cheaper of the two (0.010 against 0.012 s at N = 1400, 1.3 against 4.1 s at
-/// 90 000, dense, one core).
+/// packings the factor is the cheaper of the two (0.010 against 0.012 s at N = 1400, 1.3 against 4.1 s at 90
+/// 000, dense, one core).
 std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains);
 
-/// Moduli by the cheapest of these methods whose own errors are within what is asked: bounds where they are
-/// those of B (no prestress, nothing in tension across a gap, equal principal stresses) and nothing else is
-/// wanted, a single-precision factor where it finds no mechanism, the full factor otherwise. The last is
-/// given even where it is not within, see `accuracy.met_by()`.
+/// Moduli by the cheapest of these methods whose own errors are within what is asked: the bounds where they
+/// bound B (no prestress, nothing in tension across a gap, equal principal stresses) and nothing else is
+/// wanted, a single-precision factor where it finds no mechanism, the full factor otherwise. The last is given
+/// even where its errors are not within, see `accuracy.met_by()`.
 /// @param options  of the solution; method and tolerance are chosen
 /// @pre options.validate() and accuracy.validate() are empty
 template <int Dim>

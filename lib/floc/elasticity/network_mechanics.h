@@ -10,10 +10,10 @@
 
 namespace floc {
 
-/// What each contact of a network does in a small step, isotropic and deviatoric.
+/// Response of each contact of a network to a small step, isotropic and deviatoric.
 template <int Dim>
 struct ContactMechanics {
-  /// Nothing where a mechanism leaves the stress without a solution.
+  /// Absent where a mechanism leaves the stress without a solution.
   std::optional<StepResponse<Dim>> isotropic;
   std::optional<StepResponse<Dim>> deviatoric;  ///< likewise
   Percolation percolation;
@@ -27,18 +27,18 @@ ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, cons
 /// How determined a contact network is, in numbers (docs/physics.md, "Stability and mechanisms").
 struct NetworkMechanics {
   double rattler_fraction = 0.0;  ///< x0
-  /// Touching contacts a grain that is no rattler, times 2; contacts of rattlers left out.
+  /// Twice the touching contacts per grain that is not a rattler; contacts of rattlers are left out.
   double z_star = 0.0;
   /// G/(K_N Phi (1 - x0)) with the mean K_N of touching contacts, in 3D times the largest diameter so that it
-  /// has no dimension; nothing without contacts.
+  /// has no dimension; absent without contacts.
   std::optional<double> G_star;
-  int n_dead_ends = 0;   ///< grains that hang on a single contact, or on a chain of such
-  int n_components = 0;  ///< connected parts beside them
+  int n_dead_ends = 0;   ///< grains that hang on a single contact, or on a chain of such grains
+  int n_components = 0;  ///< connected parts besides them
   Indeterminacy indeterminacy;
   std::optional<double> energy_share_95;  ///< isotropic step, see StepResponse
   std::optional<double> energy_share_95_deviatoric;
   std::optional<double> backbone_share;  ///< contacts of the mechanical backbone over all
-  /// Contacts of the scalar backbone over all; nothing without contacts.
+  /// Contacts of the scalar backbone over all; absent without contacts.
   std::optional<double> scalar_backbone_share;
   int n_percolating = 0;  ///< directions in which the network winds around the cell
 };

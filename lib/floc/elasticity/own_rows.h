@@ -9,11 +9,11 @@
 
 namespace floc {
 
-/// The rows of K that one process holds, those of its grains, and the contacts that these take part in; over
-/// `unit` and in unknowns made alike: rotations times the grain's size (see ReducedUnknowns). Unknowns that are
-/// not solved for have a one on the diagonal and nothing beside it, so that all blocks are of one size. Where K
-/// cannot have negative eigenvalues, a shift of its diagonal, far below every stiffness that resists a strain, holds
-/// mechanisms, which carry no load; what it takes from the solution, refinement by balance() gives back.
+/// The rows of K that one process holds, those of its grains, and the contacts in which these take part;
+/// divided by `unit`, in unknowns made alike: rotations times the grain's size (see ReducedUnknowns). Unknowns
+/// that are not solved for have a one on the diagonal and zeros elsewhere, so that all blocks have one size.
+/// Where K cannot have negative eigenvalues, a shift of its diagonal, far below every stiffness that resists a
+/// strain, holds mechanisms, which carry no load; refinement by balance() makes up for its effect.
 template <int Dim>
 class OwnRows {
  public:
@@ -23,12 +23,12 @@ class OwnRows {
   OwnRows(const ContactNetwork<Dim>& network, const std::vector<bool>& kept, const GrainShares& shares,
           int process, double unit, const ResponseOptions& options);
 
-  /// Hands these rows to the solver, with the rigid motions as what coarse grids have to represent.
+  /// Hands these rows to the solver, with the rigid motions, which coarse grids have to represent.
   /// @param centres  of all grains (length)
   /// @return the largest entry of their diagonal
   double assemble(const std::vector<Vec<Dim>>& centres, ParallelSolver& solver) const;
 
-  /// Unknowns of this process, and these with the unknowns of the grains of others that they touch: u below.
+  /// Unknowns of this process, and these with the unknowns of other processes' grains that they touch: u below.
   Eigen::Index n_own() const { return kDofs<Dim> * static_cast<Eigen::Index>(n_grains_); }
   Eigen::Index n_at_hand() const { return kDofs<Dim> * static_cast<Eigen::Index>(at_hand_.size()); }
 
@@ -36,14 +36,14 @@ class OwnRows {
     Eigen::VectorXd net;  ///< forces -(K u + the load of the boundary) on the unknowns of this process
     double energy = 0.0;  ///< (A u + B)^T k (A u + B) of the contacts that this process counts
   };
-  /// Under a unit of one boundary unknown.
+  /// Balance under a unit of one boundary unknown.
   Balance balance(const Eigen::VectorXd& u, int boundary) const;
 
   struct Energies {
     Eigen::MatrixXd stiffness;  ///< (A u_b + B_b)^T k (A u_c + B_c), see SpringSystem
     Eigen::MatrixXd rounding;   ///< what rounding of the contacts' geometry can do to it
   };
-  /// Of the contacts that this process counts, each of which one process does.
+  /// Over the contacts that this process counts; each contact is counted by one process.
   /// @param u  the response to a unit of each boundary unknown
   Energies energies(const std::vector<Eigen::VectorXd>& u) const;
 

@@ -15,7 +15,7 @@ struct ReducedUnknowns {
   Eigen::VectorXd length;    ///< of each row: unknown of K = length * value here
 };
 
-/// @param kept  one entry an unknown of K, see FreeMotions::kept
+/// @param kept  one entry per unknown of K, see FreeMotions::kept
 template <int Dim>
 ReducedUnknowns reduce_unknowns(const ContactNetwork<Dim>& network, const std::vector<bool>& kept);
 

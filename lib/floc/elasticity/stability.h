@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// How far a test of stability may go. Whatever it takes is predicted before it starts.
+/// How far a test of stability may go. The cost of a test is predicted before it starts.
 struct StabilityOptions {
   double largest_factor = 4e9;    ///< bytes
   double most_operations = 1e12;  ///< of a factor, or of an iterative test: minutes of one core
@@ -18,24 +18,24 @@ struct StabilityOptions {
   double bound = 1e-4;
 };
 
-/// What is known of the stability of a state.
+/// What is known about the stability of a state.
 struct Stability {
   /// Negative eigenvalues of the stiffness matrix: 0 for a stable state; no value where it was not tested, or
-  /// where an iterative test did not get as far as the bound asked for. An iterative test that finds one says 1
-  /// and looks for no other.
+  /// where an iterative test did not get as far as the bound asked for. An iterative test that finds one gives
+  /// 1 and looks for no other.
   std::optional<int> n_negative;
   /// How the test was made and how far it goes, or why there was none, in words; empty where the count is that
   /// of a factor.
   std::string note;
 
-  /// No sign of instability: what has not been tested is no reason to refuse a state.
+  /// No sign of instability: that a state has not been tested is no reason to refuse it.
   bool may_be_stable() const { return n_negative.value_or(0) == 0; }
 };
 
 /// Negative eigenvalues of the stiffness matrix of a network, grains and diagonal strains, after rigid
-/// translations, rattlers and free rollers are removed. Mechanisms do not count. Inertia alone: a Cholesky
-/// factor that succeeds says that there is none, else the negative pivots of L D L^T are counted; a network
-/// without negative stiffness needs neither. Where a factor would be too dear, Lanczos' method looks for a
+/// translations, rattlers and free rollers are removed. Mechanisms do not count. By inertia alone: a Cholesky
+/// factor that succeeds shows that there is none, else the negative pivots of L D L^T are counted; a network
+/// without negative stiffness needs neither. Where a factor would be too expensive, Lanczos' method looks for a
 /// direction of negative curvature (test_positivity()).
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
@@ -46,15 +46,15 @@ template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const Mat<Dim>& stress,
                                   const StabilityOptions& options = {});
 
-/// The same of a packing without its rattlers, see ModuliOptions::loaded_network(). Without prestress only
+/// The same for a packing without its rattlers, see ModuliOptions::loaded_network(). Without prestress only
 /// distant attractions can make it unstable.
 template <int Dim>
 [[nodiscard]] Stability stability(const Packing<Dim>& packing, bool prestress = false,
                                   const StabilityOptions& options = {});
 
-/// The test that a packing at rest has to pass to be an equilibrium. Under liquid bridges it has the geometric terms:
-/// they pull over gaps of a size with their decay length, so that what a pull resists across, F/r, may be more than
-/// what it gains along. A tail of attraction is so short that there they are left out.
+/// The test that a packing at rest has to pass to be an equilibrium. With liquid bridges it includes the
+/// geometric terms: they pull across gaps comparable to their decay length, so the stiffness F/r across a pull
+/// may exceed the negative one along it. A tail of attraction is so short that there these terms are left out.
 template <int Dim>
 [[nodiscard]] Stability stability_at_rest(const Packing<Dim>& packing);
 

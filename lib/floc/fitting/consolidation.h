@@ -28,7 +28,7 @@ struct ConsolidationOptions {
   /// on its own: the full law from the end of the plateau on, the line on regime II, the power law on regime
   /// III.
   std::optional<std::pair<double, double>> window;
-  /// P0* is the first pressure fitted, held, rather than where the plateau meets the line of regime II.
+  /// P0* is held at the first pressure fitted, instead of where the plateau meets the line of regime II.
   bool hold_P0 = false;
   Weighting weighting = Weighting::automatic;
   Loss loss = Loss::squared;
@@ -62,7 +62,7 @@ struct ConsolidationFit {
   ConsolidationLaw law = ConsolidationLaw::full;
   double window_low = 0.0, window_high = 0.0;  ///< first and last pressure fitted
   std::vector<int> used;                       ///< indices of the points fitted
-  std::optional<Regimes> regimes;              ///< of the whole curve; absent with a window by hand
+  std::optional<Regimes> regimes;              ///< of the whole curve; absent with a given window
   int n_plateau = 0;                           ///< points before the window taken as the plateau of regime I
   double plateau_high = 0.0;                   ///< last pressure of the plateau, 0 without one
   std::vector<FittedParameter> parameters;     ///< the free ones first
@@ -92,12 +92,12 @@ struct ConsolidationFit {
 
 /// Fits a consolidation law by (weighted, robust) least squares in 1/Phi.
 ///
-/// Standard errors: of a single curve from the covariance at the solution, scaled by the residual variance; of
-/// a mean of three samples or more from their scatter, carried through the fit sample by sample, so that errors
-/// correlated along the curve are counted. Where regimes were searched for, the spread of the results over
-/// their probable places is added. Intervals: Student's t in ln(parameter) or 1/Phi; of alpha and Phi_max the
-/// profile likelihood. Bootstrap: resampled samples of a mean (one less than there are, which makes the
-/// variance unbiased), resampled residuals of a single curve. Where the data stop before P1*, alpha, P1* and
+/// Standard errors: for a single curve from the covariance at the solution, scaled by the residual variance;
+/// for a mean of three samples or more from their scatter, carried through the fit sample by sample, so that
+/// errors correlated along the curve are counted. Where regimes were searched for, the spread of the results
+/// over their probable places is added. Intervals: Student's t in ln(parameter) or 1/Phi; for alpha and Phi_max
+/// the profile likelihood. Bootstrap: resampled samples for a mean (one fewer than there are, which makes the
+/// variance unbiased), resampled residuals for a single curve. Where the data stop before P1*, alpha, P1* and
 /// Phi_max are given as bounds. Too few points, points of regime I alone, or a density that does not grow with
 /// pressure are refused in words.
 /// @pre all pressures and solid fractions are positive and finite, pressures grow.

@@ -41,9 +41,9 @@ struct LawSolution {
 /// 1/Phi of a law at ln P; `log_P_first` is that of the first point it was solved on.
 double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_P, double log_P_first);
 
-/// Starts by linear projection on a grid of the nonlinear parameters, the best few followed to their minimum
-/// and the best of these refined to rounding by Levenberg-Marquardt (Ceres). Absent when no start has a
-/// positive lambda (A): the density does not grow with pressure.
+/// Starts are found by linear projection on a grid of the nonlinear parameters; the best few are followed to
+/// their minimum and the best of these is refined to rounding by Levenberg-Marquardt (Ceres). Absent when no
+/// start has a positive lambda (A): the density does not grow with pressure.
 /// @pre more points than parameters.
 [[nodiscard]] std::optional<LawSolution> solve_law(ConsolidationLaw law, const LawPoints& points);
 
@@ -61,8 +61,8 @@ double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_
 /// Moves theta to the nearest minimum. @return the sum of squares there
 double minimize_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta);
 
-/// What the line of regime II and the power law leave, from their linear projection alone. Absent if the
-/// density does not grow with pressure.
+/// Sums of squares left by the line of regime II and by the power law, from their linear projection alone.
+/// Absent if the density does not grow with pressure.
 [[nodiscard]] std::optional<double> residual_of_line(const LawPoints& points);
 [[nodiscard]] std::optional<double> residual_of_power_law(const LawPoints& points);
 

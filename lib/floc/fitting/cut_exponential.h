@@ -16,14 +16,14 @@ CutSample cut_sample(const std::vector<double>& values, double low, double high)
 
 /// An exponent of P(x) ~ exp(-b x), over one unit of x.
 struct ExponentEstimate {
-  bool found = false;  ///< false with fewer than ten values, or where no exponent is the likeliest
+  bool found = false;  ///< false with fewer than ten values, or where the likelihood has no maximum
   int n = 0;           ///< values
-  double b = 0.0;      ///< of a window of finite width it may have either sign
+  double b = 0.0;      ///< for windows of finite width it may have either sign
   double error = 0.0;  ///< standard error, from Fisher's information
 };
 
-/// Maximum likelihood of one exponent that several windows share, each cut to its width, given how many values
-/// fall into each: sum of n (m(b) - mean) = 0, with m(b) = 1/b - w/(exp(b w) - 1) the mean in a window of width w.
+/// Maximum likelihood of one exponent shared by several windows, each cut to its width, given how many values
+/// are in each: sum of n (m(b) - mean) = 0, with m(b) = 1/b - w/(exp(b w) - 1) the mean in a window of width w.
 [[nodiscard]] ExponentEstimate fit_exponent(const std::vector<CutSample>& windows);
 
 }  // namespace floc

@@ -18,19 +18,19 @@ struct CompactedSample {
   double se;  ///< k_n/d, > 0, unit of p
 };
 
-/// The pressure that the plateau of a sample is taken at.
+/// The pressure at which the plateau of a sample is taken.
 enum class PlateauPressure {
   own,       ///< p of the sample
   critical,  ///< p_crit = sc^2/se, which is p where eta* = 1: as the law is printed
 };
 
-/// What the law is fitted with. The reference values are chosen, not fitted, because the law has the same form
-/// for any of them.
+/// Reference values of the law. They are chosen, not fitted, because the law has the same form for any of
+/// them.
 struct CompactionReference {
   double p_D = 0.01;     ///< pressure at which the plateau is e_min + De, unit of p; 0.01 MPa in [SVI2024]
   double eta_m = 0.045;  ///< eta* at which (1 - e_r)/e_r = s_m; that of [SVI2024]
-  /// Smallest pressure of the plateau fitted. If not positive: none is too small for `own`; for `critical`
-  /// p_D, below which the published plateau soon has a pole.
+  /// Smallest pressure of the plateau fitted. If not positive: for `own` none is too small; for `critical` it
+  /// is p_D, below which the published plateau soon has a pole.
   double p_0 = 0.0;
   PlateauPressure plateau = PlateauPressure::own;
 };
@@ -56,7 +56,7 @@ struct CompactionErrorParts {
   std::string name;      ///< of the parameter
   double scatter = 0.0;  ///< between repeated runs or, without any, of the residuals
   double law = 0.0;      ///< what the law misses by more than repeated runs scatter; 0 without any
-  double plateau = 0.0;  ///< of which samples count as beside the plateau
+  double plateau = 0.0;  ///< from which samples count as beside the plateau
 };
 
 /// What a fit of the law found, or why there is none.
@@ -80,10 +80,10 @@ struct CompactionFit {
 ///
 /// Samples beside the plateau are flagged and not fitted: those above it, or off the law at eta* > 1, where it
 /// is all plateau, by more than four deviations of the residuals, measured by a robust fit of all. Standard
-/// errors: from the covariance at the solution, scaled by the residual variance, and from what the parameters
-/// change by where samples count as beside the plateau at 2.5 or at 6 deviations. Intervals: Student's t in
-/// e_min, 1/De, C and the logarithms of the others; of A and a the profile likelihood. Refused with fewer than
-/// eight samples; parameters that the samples do not identify are said and have no value.
+/// errors: from the covariance at the solution, scaled by the residual variance, and from the change of the
+/// parameters when samples count as beside the plateau at 2.5 or at 6 deviations. Intervals: Student's t in
+/// e_min, 1/De, C and the logarithms of the others; for A and a the profile likelihood. Refused with fewer than
+/// eight samples; parameters that the samples do not identify are named and have no value.
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);
 

@@ -25,16 +25,16 @@ struct ElasticFit {
 
 /// Bulk modulus from dPhi/Phi = dP/B: the straight line ln Phi = ln Phi_0 + P/B by least squares.
 ///
-/// A branch that is curved beyond its scatter has no one modulus. Then B is that of the longest straight part at
-/// one end of it, four pressures at least: straight within its scatter, or with moduli between neighbouring
-/// pressures that are within 15 % of B, all of which its interval then contains. Without such a part B is not
-/// identified. phi_unloaded is identified where the part reaches the lowest pressure. Refused with fewer than
-/// three points, or if Phi does not fall as P does.
+/// A branch that is curved beyond its scatter has no single modulus. Then B is that of the longest straight
+/// part at one end of it, at least four pressures: straight within its scatter, or with moduli between
+/// neighbouring pressures that are within 15 % of B, all of which its interval then contains. Without such a
+/// part B is not identified. phi_unloaded is identified where the part reaches the lowest pressure. Refused
+/// with fewer than three points, or if Phi does not fall as P does.
 /// @param P    pressures, >= 0, growing or falling   @param phi  solid fractions, in (0, 1); as many
 [[nodiscard]] ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& phi);
 
-/// Gives up B, and says why, where moduli computed from the states at the ends of the points fitted lie beyond its
-/// interval altogether.
+/// Gives up B, and says why, if the moduli computed from the states at both ends of the points fitted lie
+/// entirely outside its interval.
 void hold_against(double B_first, double B_last, ElasticFit& fit);
 
 }  // namespace floc

@@ -9,10 +9,10 @@ namespace floc {
 /// not be symmetric.
 struct FittedParameter {
   std::string name;
-  std::optional<double> value;           ///< absent when the data bound it only
+  std::optional<double> value;           ///< absent when the data only bound it
   std::optional<double> standard_error;  ///< absent for a held parameter
   std::optional<double> low95, high95;   ///< 95 % interval; a bound where there is no value
-  bool identified = true;                ///< known to within a factor ten either way
+  bool identified = true;                ///< known to within a factor of ten either way
 };
 
 /// exp(c), from c and its standard error; the interval is symmetric in c.
@@ -29,7 +29,7 @@ FittedParameter from_value(const std::string& name, double value, double error, 
 /// A parameter that was given, not fitted.
 FittedParameter held_at(const std::string& name, double value);
 
-/// A parameter of which the data give at most a lower bound.
+/// A parameter for which the data give at most a lower bound.
 FittedParameter bounded_below(const std::string& name, std::optional<double> low);
 
 }  // namespace floc

@@ -39,7 +39,7 @@ struct ForceFit {
   double mean = 0.0;                        ///< force that f is measured in; threshold of a tail
   double log_likelihood = 0.0;              ///< of f, nats
   double distance = 0.0;  ///< Kolmogorov-Smirnov: largest difference of the cumulative distributions
-  double p_value = 0.0;   ///< share of samples drawn from the fit and fitted themselves that lie as far away
+  double p_value = 0.0;   ///< share of samples drawn from the fit, and fitted in turn, that lie as far away
 
   bool found() const { return refusal.empty(); }
 };

@@ -33,7 +33,7 @@ struct Quantity {
   std::string name;
   bool is_inverse;  ///< the parameter is 1/value, else exp(value)
   double value;
-  Eigen::VectorXd gradient;  ///< of `value` to the coordinates
+  Eigen::VectorXd gradient;  ///< of `value` by the coordinates
 
   double parameter() const;
 };
@@ -50,7 +50,7 @@ struct Covariance {
 /// (J^T J)^-1 times the residual variance.
 Covariance covariance_from_residuals(const LawEstimate& estimate);
 
-/// From the samples that the points are the mean of: the deviation of each is carried through the linearised
+/// From the samples whose mean the points are: the deviation of each is carried through the linearised
 /// fit.
 /// @param deviations  of 1/Phi from the mean, points of plateau and window x samples; two samples or more
 Covariance covariance_from_samples(const LawEstimate& estimate, const Eigen::MatrixXd& deviations);

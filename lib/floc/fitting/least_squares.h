@@ -52,7 +52,7 @@ class ResidualFunction {
 template <int kParameters>
 double descend(const ResidualFunction& function, Eigen::VectorXd& theta);
 
-/// Residuals whose derivatives are those of their code.
+/// Residuals with automatic derivatives.
 /// @tparam Residual  has `kParameters` and `T operator()(const T* theta)` on any scalar
 template <class Residual>
 class DifferentiatedResiduals final : public ResidualFunction {

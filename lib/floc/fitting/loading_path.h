@@ -14,7 +14,7 @@ inline constexpr double kSamePressure = 1e-3;
 enum class PathLoad {
   isotropic,
   oedometric,  ///< one axis is driven, the others keep their lengths; P_star may be the driven stress
-  other,       ///< axes are loaded differently otherwise: no consolidation
+  other,       ///< axes are loaded differently in another way: no consolidation
 };
 
 /// One row of a path table.
@@ -30,10 +30,10 @@ enum class PathStep {
   zero_pressure,  ///< P* = 0
   first_loading,  ///< assembly and the first loading
   unloading,
-  reloading,     ///< up to the largest pressure before
-  later_virgin,  ///< of a later loading, beyond the largest pressure before
+  reloading,     ///< up to the largest earlier pressure
+  later_virgin,  ///< of a later loading, beyond the largest earlier pressure
   hold,          ///< pressure kept
-  test,          ///< axes are loaded differently, and it is no oedometer
+  test,          ///< axes are loaded differently, not as in an oedometer
 };
 
 /// Steps of all rows by their pressures alone; a row that turns back begins a new branch.
@@ -45,9 +45,9 @@ struct PathFault {
   std::string expected;
 };
 
-/// The first row that breaks its branch: in a run of rows of one name pressures grow, or fall, strictly, or are
-/// all the same (a hold); without names no pressure is repeated. Rows loaded differently by axis break none: what
-/// a strained axis carries may fall. Absent if there is none.
+/// The first row that breaks its branch: in a run of rows with one name pressures must strictly grow, strictly
+/// fall, or all be the same (a hold); without names no pressure is repeated. Rows with different loads on the
+/// axes break none: what a strained axis carries may fall. Absent if there is none.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 
 /// Rows that consolidation is fitted to.

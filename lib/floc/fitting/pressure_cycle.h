@@ -7,23 +7,23 @@
 
 namespace floc {
 
-/// Work that pressure does on a packing along a path, a unit volume of its grains (stress):
+/// Work that pressure does on a packing along a path, per unit volume of its grains (stress):
 ///
 ///   -integral of P d(1/Phi), by the trapezoidal rule between the points
 ///
-/// times the volume of a grain, pi a^3/6 of spheres, the work on a grain. Of a cycle from P0 up and back to P0
-/// this is the integral of (1/Phi_up - 1/Phi_down) dP less P0 (1/Phi_end - 1/Phi_start).
+/// times the volume of a grain, pi a^3/6 for spheres, it is the work on a grain. For a cycle from P0 up and
+/// back to P0 this is the integral of (1/Phi_up - 1/Phi_down) dP less P0 (1/Phi_end - 1/Phi_start).
 double work_of_path(const ConsolidationCurve& path);
 
 /// A loading and the unloading after it.
 struct PressureCycle {
   Loading up;    ///< from where the pressure begins to grow to where it turns
   Loading down;  ///< from where it turns
-  /// Pressures that both have (to 0.1 %), ascending, the turn left out, and Phi there. Phi_down - Phi_up is what
-  /// the cycle has compacted for good.
+  /// Pressures that both have (to 0.1 %), ascending, without the turn, and Phi there. Phi_down - Phi_up is the
+  /// compaction that the cycle leaves for good.
   std::vector<double> P, phi_up, phi_down;
-  /// work_of_path() of both, from the lowest pressure that both have and back to it; nothing of a cycle that has
-  /// none.
+  /// work_of_path() of both, from the lowest pressure that both have and back to it; absent if they have none
+  /// in common.
   std::optional<double> work;
 };
 

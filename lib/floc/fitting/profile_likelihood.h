@@ -10,12 +10,12 @@ struct ProfileInterval {
   std::optional<double> low, high;
 };
 
-/// What the ends of such an interval are searched with.
+/// Settings of the search for the ends of such an interval.
 struct ProfileSearch {
   double center;             ///< the coordinate at the solution
   double least;              ///< sum of squares there
   double allowed;            ///< sum of squares at the ends of the interval, > least
-  double low_end, high_end;  ///< beyond these the coordinate says nothing any more
+  double low_end, high_end;  ///< beyond these the coordinate no longer means anything
   double step;               ///< first step away from the solution, > 0
 };
 

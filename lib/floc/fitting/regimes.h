@@ -31,11 +31,11 @@ struct Regimes {
   int end_of_two = 0;                      ///< index after the last point of regime II
 };
 
-/// Change-point search by least squares. The end of the plateau is that split into a constant and the full law
-/// (or the line, where that explains more) which leaves least by the Bayesian information criterion, the level
-/// of the plateau being one that the law has between its last point and the next; the onset of III is that
-/// split of the rest into a line and a power law. Places are weighted by exp(-criterion/2). Absent if no split
-/// leaves three points to regime II.
+/// Change-point search by least squares. The end of the plateau is the split into a constant and the full law
+/// (or the line, where that explains more) that leaves least by the Bayesian information criterion, the level
+/// of the plateau being one that the law takes between its last point and the next; the onset of III is the
+/// split of the rest into a line and a power law that leaves least. Places are weighted by exp(-criterion/2).
+/// Absent if no split leaves three points to regime II.
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 
 /// True if the points distinguish the full law, whose solution on them is given, from the line of regime II.
@@ -50,7 +50,7 @@ struct Regimes {
 /// False for a solution of the full law that has lost regime II: fewer than three points before its P1*.
 [[nodiscard]] bool keeps_regime_two(ConsolidationLaw law, const LawPoints& points, const LawSolution& solution);
 
-/// Regime II needs this many pressures before its slope is one.
+/// Fewest pressures in regime II from which its slope is taken.
 inline constexpr int kMinInRegimeTwo = 3;
 
 }  // namespace floc

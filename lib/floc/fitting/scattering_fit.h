@@ -12,7 +12,7 @@ namespace floc {
 struct ScatteredPoint {
   double k;                ///< > 0 (1/length)
   double I;                ///< > 0 (length^2)
-  std::int64_t n_vectors;  ///< independent wave vectors it is the mean of, >= 1
+  std::int64_t n_vectors;  ///< independent wave vectors that I is the mean of, >= 1
 };
 
 /// A fit of the scattering law of fractal aggregates of finite size (docs/physics.md, "Structure"), or why

@@ -7,8 +7,8 @@ namespace floc {
 /// Volume (in 2D area) that a ball and a box have in common, in closed form.
 ///
 /// The part of a unit sphere beyond three planes x = a, y = b, z = c >= 0 has, by the divergence theorem, the
-/// volume (S - a A_a - b A_b - c A_c)/3: A are its flat faces, parts of disks beyond two lines, and S is its part
-/// of the sphere, by the theorem of Gauss and Bonnet. A box is a sum of eight such parts with signs.
+/// volume (S - a A_a - b A_b - c A_c)/3: A are its flat faces, parts of disks beyond two lines, and S is its
+/// part of the sphere, by the Gauss-Bonnet theorem. A box is a signed sum of eight such parts.
 /// @param centre, radius  of the ball (length)   @param low, high  corners of the box, its edges along the axes
 /// (length); an axis from -infinity to infinity is not bounded
 /// Absolute rounding error of some 1e-15 radius^Dim.

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Number of components of a tangential displacement: along the one tangent in 2D; in 3D a vector of space that
-/// stays normal to n, which has no preferred pair of tangents and needs none.
+/// Number of components of a tangential displacement: in 2D one, along the tangent; in 3D the three of a vector
+/// in space that stays normal to n, for which no pair of tangents has to be chosen.
 template <int Dim>
 inline constexpr int kShearComponents = Dim == 2 ? 1 : 3;
 
@@ -42,7 +42,7 @@ inline RotationVector<3, T> moment(const Vec<3, T>& arm, const Vec<3, T>& force)
   return cross<T>(RotationVector<3, T>(arm), force);
 }
 
-/// Component of a relative displacement that is tangential, in the contact's frame.
+/// The tangential component of a relative displacement, in the contact's frame.
 template <class T>
 inline Shear<2, T> to_shear(const Vec<2, T>& n, const Vec<2, T>& displacement) {
   return Shear<2, T>(tangent(n).dot(displacement));
@@ -52,7 +52,7 @@ inline Shear<3, T> to_shear(const Vec<3, T>& n, const Vec<3, T>& displacement) {
   return displacement - n * n.dot(displacement);
 }
 
-/// The vector of space of a tangential quantity given in the contact's frame.
+/// The vector in space of a tangential quantity given in the contact's frame.
 template <class T>
 inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
   return tangent(n) * shear[0];
@@ -62,7 +62,7 @@ inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
   return shear;
 }
 
-/// Part of a relative rotation that rolls: all of it in 2D, in 3D what is normal to n.
+/// The part of a relative rotation that rolls: in 2D all of it, in 3D the part normal to n.
 template <class T>
 inline RotationVector<2, T> rolling_part(const Vec<2, T>&, const RotationVector<2, T>& rotation) {
   return rotation;
@@ -74,8 +74,8 @@ inline RotationVector<3, T> rolling_part(const Vec<3, T>& n, const RotationVecto
 
 /// Carries the history of a contact (its tangential or rolling spring) from the frame of normal n0 to that of
 /// n1. In 2D the frame turns with the normal and the scalar stays as it is; in 3D the vector is turned by the
-/// smallest rotation that takes n0 to n1, and about the normal by the mean spin of the two grains: without
-/// both, a rigidly rotating pair would change its force.
+/// smallest rotation that takes n0 to n1, then about the normal by the mean spin of the two grains. Without
+/// both, the force of a rigidly rotating pair would change.
 ///
 /// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
 template <class T>

@@ -4,16 +4,16 @@
 
 namespace floc {
 
-/// How the frame of a 3D contact turns in a short step, for tangential quantities that a contact remembers: by
-/// the smallest rotation that takes the old normal n0 to the new, n1, then about n1 by the mean rotation of the
-/// two grains. Lengths stay as they are, and the angle about the normal is right to second order. Powers of the
-/// turn (radians) from the sixth on are left out: neither root nor division is needed.
+/// How the frame of a 3D contact turns in a short step, for the tangential quantities that a contact remembers:
+/// by the smallest rotation that takes the old normal n0 to the new one, n1, then about n1 by the mean rotation
+/// of the two grains. Lengths stay as they are, and the angle about the normal is right to second order. Powers
+/// of the turn (radians) from the sixth on are left out, so that no root or division is needed.
 template <class T>
 class FrameTurn {
  public:
   FrameTurn() = default;
-  /// @param normal           now
-  /// @param displacement     of the branch in the step, over its length now
+  /// @param normal           after the step
+  /// @param displacement     of the branch in the step, over its length after it
   /// @param twice_rotation   sum of the rotations of the two grains (radians)
   FrameTurn(const Vec<3, T>& normal, const Vec<3, T>& displacement, const RotationVector<3, T>& twice_rotation)
       : n_(normal) {
@@ -30,7 +30,7 @@ class FrameTurn {
     sin_ = T(2) * half_angle * scale;
   }
 
-  /// Between the old normal and the new, of length 1 but for the square of the angle between them.
+  /// Half way between the old normal and the new, of length 1 up to the square of the angle between them.
   const Vec<3, T>& mean_normal() const { return mean_normal_; }
 
   /// @param v  normal to the old normal

@@ -8,23 +8,23 @@
 
 namespace floc {
 
-/// The same lattice by shorter vectors: row a of `cell.matrix` is the sum over b of combination(a, b) times
-/// lattice vector b of the cell it was made from.
+/// The same lattice spanned by shorter vectors: row a of `cell.matrix` is the sum over b of combination(a, b)
+/// times lattice vector b of the cell it was made from.
 template <int Dim>
 struct ReducedLattice {
   Cell<Dim> cell;
   Mat<Dim, std::int64_t> combination = Mat<Dim, std::int64_t>::Identity();
   bool is_original = true;
 
-  /// Image in the original lattice that displaces as `image` does in this one.
+  /// Image in the original lattice with the same displacement as `image` in this one.
   Vec<Dim, std::int64_t> original(const Vec<Dim, int>& image) const {
     return combination.transpose() * image.template cast<std::int64_t>();
   }
 };
 
-/// Reduction of Lagrange and Gauss, pair by pair in 3D: each vector is shortened by whole multiples of the
-/// others until none gets shorter. A search of neighbours that goes by the widths of the cell then stays short
-/// however slanted it is given. Lattices of short vectors are left as they are.
+/// Lagrange-Gauss reduction, pair by pair in 3D: each vector is shortened by whole multiples of the others
+/// until none gets shorter. A neighbour search whose length depends on the widths of the cell then stays short,
+/// however slanted the given cell. Lattices of short vectors are left as they are.
 template <int Dim>
 ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
   ReducedLattice<Dim> lattice{cell};

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// A point whose coordinates are double-double numbers: an absolute double alone resolves half a unit in its
-/// last place, which matters to a stiff contact (at 40 a from the origin 4e-15 a: 4e-6 F0 at kappa = 1e9).
+/// A point whose coordinates are double-double numbers: a double alone resolves them to half a unit in the last
+/// place, which matters to a stiff contact (at 40 a from the origin 4e-15 a, or 4e-6 F0 at kappa = 1e9).
 template <int Dim>
 struct DoubleDoubleVec {
   DoubleDouble component[Dim];

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// p q^-1 of two upper triangular matrices, by substitution: entries of diagonal matrices are plain quotients.
+/// p q^-1 of two upper triangular matrices, by substitution: for diagonal matrices plain quotients.
 template <int Dim>
 Mat<Dim> right_quotient(const Mat<Dim>& p, const Mat<Dim>& q) {
   Mat<Dim> x = Mat<Dim>::Zero();

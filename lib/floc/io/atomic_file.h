@@ -11,10 +11,10 @@
 
 namespace floc {
 
-/// Replaces the content of a file: it is written to `path` + ".part", which commit() syncs, renames over `path`,
-/// and syncs the directory. Whatever happens meanwhile, even a power cut, `path` holds all of the old content or
-/// all of the new. What goes to a device, to a pipe or, for "-", to standard output is collected in a temporary
-/// file first.
+/// Replaces the content of a file: it is written to `path` + ".part", which commit() syncs and renames over
+/// `path`, then syncs the directory. Whatever happens meanwhile, even a power cut, `path` holds all of the old
+/// content or all of the new. Output to a device, to a pipe or, for "-", to standard output is collected in a
+/// temporary file first.
 class AtomicFile {
  public:
   /// @throws InputError for an empty path
@@ -25,9 +25,9 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Of the file that holds the content before commit(). Others may write it, too.
+  /// Path of the file that holds the content before commit(). Others may write it, too.
   const std::string& working_path() const { return temporary_ ? temporary_->path() : part_->path(); }
-  /// Of the same file, open for reading and writing.
+  /// Descriptor of the same file, open for reading and writing.
   int descriptor() const { return temporary_ ? temporary_->descriptor() : opened_.get(); }
 
   /// Adds to the end. @throws IoError
@@ -46,7 +46,7 @@ class AtomicFile {
   Descriptor opened_;
 };
 
-/// The same with bytes that are there as a whole; what goes to a stream is written at once.
+/// The same with bytes that are all there already; what goes to a stream is written at once.
 /// @throws InputError, IoError as AtomicFile does
 void write_bytes_atomically(const std::string& path, std::string_view bytes);
 

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// What read_state() reads, of a file whose seal another process has checked (SealedFile): the caller answers for
-/// that.
+/// Reads what read_state() reads, from a file whose seal another process has checked (SealedFile): the caller
+/// answers for that.
 AnyState read_checked_state(const std::string& path);
 
 }  // namespace floc

@@ -43,7 +43,7 @@ class CsvTable {
   std::string text(int row, int column) const { return std::string(cell(row, column)); }
   bool is_empty(int row, int column) const { return cell(row, column).empty(); }
 
-  /// @throws InputError naming file, line, column and value if it is not a finite number, or no integer.
+  /// @throws InputError naming file, line, column and value if it is not a finite number, or not an integer.
   double number(int row, int column) const;
   /// The same with the digits that a double cannot hold: see decimal().
   DoubleDouble double_double_number(int row, int column) const;

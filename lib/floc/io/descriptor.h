@@ -22,17 +22,17 @@ class Descriptor {
 
   bool valid() const { return fd_ >= 0; }
   int get() const { return fd_; }
-  /// Closes now, to learn of errors that only show then.
+  /// Closes it now, to learn of errors that only show then.
   bool close();
 
  private:
   int fd_;
 };
 
-/// An empty file of its own in the directory of temporary files, removed at the end.
+/// A new, empty file in the directory of temporary files, removed at the end.
 class TemporaryFile {
  public:
-  /// @throws IoError with the system's words if there can be none
+  /// @throws IoError with the system's words if it cannot be made
   TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -45,7 +45,7 @@ class TemporaryFile {
   Descriptor descriptor_;
 };
 
-/// Writes at the present place. @return false with errno where the system refuses
+/// Writes at the present position. @return false with errno where the system refuses
 bool write_all(int fd, std::string_view bytes);
 
 }  // namespace floc

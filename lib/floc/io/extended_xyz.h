@@ -10,9 +10,9 @@ namespace floc {
 bool is_extended_xyz(const std::string& path);
 
 /// Reads a frame of an extended XYZ file: Lattice="ax ay az bx by bz cx cy cz" (or `options.cell`), and
-/// Properties with pos:R:3 and radius (or diameter) and, if there, mass and id, as read_grains() names them. Of
-/// several frames `options.index`, counted from 0, is read, by default the last. A packing of dimension_of()
-/// two takes x, y of the first two vectors. `options.law` is required; `options.contacts` may name a csv file,
+/// Properties with pos:R:3 and radius (or diameter) and, if present, mass and id, named as in read_grains(). Of
+/// several frames `options.index`, counted from 0, is read, by default the last. In 2D, by dimension_of(), x
+/// and y of the first two vectors are taken. `options.law` is required; `options.contacts` may name a csv file,
 /// as in read_csv_packing().
 /// @throws InputError naming file and line.
 Imported read_extended_xyz(const std::string& path, const ImportOptions& options);

@@ -9,12 +9,12 @@
 
 namespace floc {
 
-/// The library failed: the disk is full or, in reading, the file is damaged inside.
+/// The library failed: the disk is full or, when reading, the file is damaged inside.
 class Hdf5Failure : public std::runtime_error {
  public:
   Hdf5Failure(const std::string& what, int error) : std::runtime_error(what), error_(error) {}
 
-  /// errno, where a call of the system failed.
+  /// errno, where a system call failed.
   int error() const { return error_; }
 
  private:
@@ -28,7 +28,7 @@ using Shape = std::vector<std::uint64_t>;
 /// Members throw Hdf5Failure if the HDF5 library fails.
 class Hdf5Writer {
  public:
-  /// @param path  of the file, which begins anew
+  /// @param path  of the file; an older one is replaced
   explicit Hdf5Writer(const std::string& path);
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
@@ -39,7 +39,7 @@ class Hdf5Writer {
   void array(const std::string& path, const Shape& shape, const std::vector<double>& values);
   void array(const std::string& path, const Shape& shape, const std::vector<std::int32_t>& values);
   void array(const std::string& path, const Shape& shape, const std::vector<std::uint8_t>& values);
-  /// An array by blocks of rows, so that there is no second copy of all that it holds.
+  /// Writes an array by blocks of rows, so that there is no second copy of all that it holds.
   /// @param fill  is given the number of the first row of a block, and its values to set
   template <class T>
   void rows(const std::string& path, const Shape& shape,
@@ -52,7 +52,7 @@ class Hdf5Writer {
   void attribute(const std::string& path, const std::string& name, std::int64_t value);
   void attribute(const std::string& path, const std::string& name, std::uint64_t value);
 
-  /// A second name for an array that is there; it takes no room.
+  /// A second name for an array that exists; it takes no room.
   void link(const std::string& path, const std::string& second_path);
 
   /// Completes the file. Nothing can be added afterwards.
@@ -62,8 +62,8 @@ class Hdf5Writer {
   std::int64_t file_;  ///< -1: closed
 };
 
-/// Reads an HDF5 file. Every fault of its content is an InputError that names file and dataset. The file has to be
-/// known to be whole: the HDF5 library can crash on a damaged one.
+/// Reads an HDF5 file. Every fault of its content is an InputError that names file and dataset. The file must
+/// be known to be whole: the HDF5 library can crash on a damaged one.
 class Hdf5Reader {
  public:
   /// @param place  name of the file in messages
@@ -84,7 +84,7 @@ class Hdf5Reader {
   void array(const std::string& path, const Shape& shape, std::vector<double>& values) const;
   void array(const std::string& path, const Shape& shape, std::vector<std::int32_t>& values) const;
   void array(const std::string& path, const Shape& shape, std::vector<std::uint8_t>& values) const;
-  /// The same by blocks of rows.
+  /// Reads an array by blocks of rows.
   /// @param take  is given the number of the first row of a block, and its values
   template <class T>
   void rows(const std::string& path, const Shape& shape,

@@ -10,10 +10,10 @@
 
 namespace floc {
 
-/// What a file of another program may leave unsaid, and the user says.
+/// What a file of another program may leave out, and the user supplies.
 struct ImportOptions {
   std::optional<LawParameters> law;
-  /// Lattice vectors, one a row (length); their number is the dimension.
+  /// Lattice vectors, one per row (length); their number is the dimension.
   std::vector<std::vector<double>> cell;
   /// Column of the grains for each of our names ("x" -> "X"); a name left out is its own column.
   std::map<std::string, std::string> columns;

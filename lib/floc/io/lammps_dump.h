@@ -15,10 +15,10 @@ bool is_lammps_dump(const std::string& path);
 /// Reads grains from a file of LAMMPS' `dump custom`: columns x y [z] (or xu yu zu; or scaled, xs or xsu),
 /// radius or diameter and, if present, id and mass; `options.columns` renames them. The box may be triclinic;
 /// it has to be periodic (pp) unless `options.cell` replaces it. Of several frames `options.index`, counted
-/// from 0, is read, by default the last. A packing of dimension_of() two takes x, y and their part of the box.
+/// from 0, is read, by default the last. In 2D, by dimension_of(), x, y and their part of the box are taken.
 ///
-/// `options.contacts` may name a file of contacts: see read_contact_file(). Of a `dump local` the frame of the same
-/// time step is read. Its columns are named after computes, so that `options.contact_columns` says which is which of those of read_contacts():
+/// `options.contacts` may name a file of contacts: see read_contact_file(). Of a `dump local` the frame of the
+/// same time step is read; its columns are named after computes, which `options.contact_columns` translates:
 ///
 ///   compute pair all property/local patom1 patom2 cutoff radius
 ///   compute force all pair/local fx fy fz p1 p2 p3 cutoff radius
@@ -30,8 +30,8 @@ bool is_lammps_dump(const std::string& path);
 /// @throws InputError naming file and line.
 Imported read_lammps_dump(const std::string& path, const ImportOptions& options);
 
-/// Contacts of the `dump local` named by `options.contacts`, of its last frame of a time step or, without one, of
-/// the last.
+/// Contacts of the `dump local` named by `options.contacts`, from its last frame of a given time step or,
+/// without one, from its last frame.
 /// @throws InputError naming file and line.
 std::vector<ListedContact> read_dump_contacts(const ImportOptions& options, int dimension,
                                               std::optional<std::int64_t> timestep);

@@ -11,8 +11,8 @@ namespace floc {
 /// and every parameter, zero where it is absent.
 void write_law(Hdf5Writer& file, const LawParameters& law, const std::string& group = "law");
 
-/// @throws InputError naming file and attribute for an unknown keyword, a parameter no law can have, or a law
-/// that is not for packings of this dimension.
+/// @throws InputError naming file and attribute for an unknown keyword, a parameter that no law can have, or a
+/// law that is not for packings of this dimension.
 LawParameters read_law(const Hdf5Reader& file, int dimension, const std::string& group = "law");
 
 }  // namespace floc

@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// A table whose columns go by our names.
+/// A table whose columns are found by our names.
 class NamedColumns {
  public:
   /// @param names  column of the table for each of our names; a name left out is its own column
@@ -29,23 +29,23 @@ class NamedColumns {
   std::map<std::string, std::string> names_;
 };
 
-/// Grains of a table with columns x, y[, z] and radius (or r, or diameter) and, if present, x_low, y_low[, z_low]
-/// (what centres lie beside those doubles), mass and id (else the row, counted from 0).
-/// @throws InputError naming file, line and column: a column that is missing, a number that is none, a radius
-/// or mass that is not positive.
+/// Grains of a table with columns x, y[, z] and radius (or r, or diameter) and, if present, x_low, y_low[,
+/// z_low] (offsets of the centres from those doubles), mass and id (else the row, counted from 0).
+/// @throws InputError naming file, line and column: a missing column, a value that is not a number, a radius or
+/// mass that is not positive.
 std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 
 /// Contacts of a table with columns id1, id2 and, if present,
-///   image1..      cells by which id2 is displaced; with `dimension` components as everything numbered here
+///   image1..      cells by which id2 is displaced; with `dimension` components like everything numbered here
 ///   force1..      force on id1; if shear_force1.. is there too, the normal part alone
-///   normal_force, shear_force1..  in place of it, or the tangential force on id1 besides force1..
+///   normal_force, shear_force1..  instead of it, or the tangential force on id1 besides force1..
 ///   rolling_moment (2D) or rolling_moment1..3, on id1
 ///   twisting_moment (3D), on id1 about the normal from id1 to id2
 ///   kn, kt, kr    stiffnesses
 /// @throws InputError naming file, line and column.
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension);
 
-/// @throws InputError naming `option` if a key of `given` is no column of a grain, or of a contact.
+/// @throws InputError naming `option` if a key of `given` is not a column of a grain, or of a contact.
 void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given);
 void check_contact_columns(const std::string& option, const std::map<std::string, std::string>& given);
 

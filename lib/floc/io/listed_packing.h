@@ -41,8 +41,8 @@ struct ListedContact {
 /// A packing as a file lists it.
 struct ListedPacking {
   std::string place;       ///< the file
-  std::string cell_place;  ///< where its cell was said, for messages
-  /// Lattice vectors, one a row (length); their number is the dimension.
+  std::string cell_place;  ///< where its cell was given, for messages
+  /// Lattice vectors, one per row (length); their number is the dimension.
   std::vector<std::vector<double>> cell;
   LawParameters law;
   std::string units;
@@ -56,18 +56,18 @@ struct ListedPacking {
 /// otherwise.
 int dimension_of(const std::vector<ListedGrain>& grains, const ImportOptions& options);
 
-/// The law of `--law`. @throws InputError naming `path` and what of it does not say the law.
+/// The law of `--law`. @throws InputError naming `path`, whose file does not say the law, if there is none.
 const LawParameters& required_law(const std::string& path, const ImportOptions& options);
 
 /// Puts a packing together: identifiers become indices, grains are brought into the cell, contacts are
-/// completed by the law and sorted, springs stretched to the forces that were given. Forces are kept to the
-/// last digit: what of `force` is along the branch is normal force, the rest tangential. Listed neighbours that do
-/// not touch, carry nothing and are out of the law's reach are left out; an image at which two grains cannot
-/// touch gives way to the nearest one.
-/// @throws InputError naming place, value and what was expected: no grains, an identifier given twice, a cell
-/// that spans no volume; a contact of a grain that is not there, listed twice, out of the law's reach where no force is listed at all, with a force where no image of
-/// the grains comes near, that pulls under a law without adhesion (unless `drop_tensile`), or without an image
-/// where the branch is half the cell or longer, so that two images are as near.
+/// completed by the law and sorted, springs are stretched to the forces that were given. Forces are kept to the
+/// last digit: the part of `force` along the branch is normal force, the rest tangential. Listed neighbours
+/// that do not touch, carry nothing and are out of the law's reach are left out; an image at which two grains
+/// cannot touch gives way to the nearest one.
+/// @throws InputError naming place, value and what was expected: no grains, a repeated identifier, a cell
+/// without volume; a contact of an unknown grain, listed twice, out of the law's reach where no force is listed
+/// at all, with a force though no image of the grains is near, that pulls under a law without adhesion (unless
+/// `drop_tensile`), or without an image where a branch of half the cell or more leaves two as near.
 Imported assemble(const ListedPacking& listed);
 
 }  // namespace floc

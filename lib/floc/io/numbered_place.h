@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Where one of many things of a file is, for messages: what is before its number, which all share, and that
-/// number. A file may hold millions.
+/// Where one of many things in a file is, for messages: the text before its number, which all of them share,
+/// and that number. A file may hold millions.
 class NumberedPlace {
  public:
   NumberedPlace() = default;

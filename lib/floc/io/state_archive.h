@@ -57,7 +57,7 @@ struct ArchiveItem<Eigen::Quaterniond> {
   static void set(Eigen::Quaterniond& q, int k, double value) { (k == 0 ? q.w() : q.vec()[k - 1]) = value; }
 };
 
-/// One row an item; items of one component make a flat array.
+/// One row per item; items of one component make a flat array.
 inline Shape shape_of(std::size_t n, int components) {
   if (components == 1) return {n};
   return {n, static_cast<std::uint64_t>(components)};
@@ -130,12 +130,12 @@ class WritingArchive {
   int dim_;
 };
 
-/// Reads it back. Arrays of another shape and numbers that are not finite are refused as InputError.
+/// Reads it back. Arrays of another shape and numbers that are not finite are refused with an InputError.
 class ReadingArchive {
  public:
   explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}
 
-  /// Fills one member of each of `items`, which already have their number.
+  /// Fills one member of each of `items`, whose number is already right.
   template <class Items, class Get>
   void rows(const Field& field, Items& items, const Get& get) {
     using Layout = ArchiveItem<std::remove_cvref_t<decltype(get(items.front()))>>;
@@ -189,7 +189,7 @@ class ReadingArchive {
   }
 
  private:
-  /// @param first  number of the first of the rows, each of so many components
+  /// @param first  number of the first of the rows, each with that many components
   template <class T>
   void check_finite(const Field& field, std::uint64_t first, std::size_t components,
                     std::span<const T> values) const {

@@ -16,7 +16,7 @@ inline constexpr int kStateVersion = 2;
 /// the same directory, synced, then renamed, so the file is whole or absent. Identical states give identical
 /// bytes.
 /// @pre contacts name grains of the state.
-/// @param progress  text stored beside the state, as a checkpoint needs to go on from inside a step; empty:
+/// @param progress  text stored beside the state, which a checkpoint needs to go on from inside a step; empty:
 /// none
 /// @throws IoError if the directory cannot be written or the disk is full; `path` is then as it was before.
 template <int Dim>

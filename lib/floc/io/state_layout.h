@@ -33,9 +33,9 @@ struct Field {
   const char* meaning;
 };
 
-/// The arrays of a state file, said once for writing and reading. `Archive` has rows(field, items, get) for one
-/// member of each item, column(field, values) for an array of its own, column_if_there(field, values, size) for
-/// one that a file holds only where it is not empty, matrix(field, m) and vector(field, v).
+/// The arrays of a state file, described once for writing and reading. `Archive` has rows(field, items, get)
+/// for one member of each item, column(field, values) for an array of its own, column_if_there(field, values,
+/// size) for one that a file holds only where it is not empty, matrix(field, m) and vector(field, v).
 template <class Archive, class Cell>
 void describe_cell(Archive& archive, Cell& cell) {
   archive.matrix({"cell/matrix", Quantity::length, "rows are the lattice vectors"}, cell.matrix);
@@ -122,7 +122,7 @@ void describe_contacts(Archive& archive, Contacts& contacts) {
       {"contacts/distant", flag, "attraction across a gap"}, [](auto& c) -> auto& { return c.distant; });
 }
 
-/// What contacts have besides under a law with resistance to twisting.
+/// What contacts have in addition under a law with resistance to twisting.
 template <class Archive, class Contacts>
 void describe_twisting(Archive& archive, Contacts& contacts) {
   using enum Quantity;

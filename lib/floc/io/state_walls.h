@@ -7,12 +7,12 @@
 /// The walls in a state file: group `walls` (docs/states.md).
 namespace floc {
 
-/// Walls, the law of their contacts, and what they are under; nothing where there are none.
+/// Writes the walls, the law of their contacts, and their load; nothing where there are none.
 template <int Dim>
 void write_walls(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& state);
 
-/// Into the packing of a state whose cell has been read.
-/// @throws InputError unless they come in pairs of an axis of a rectangular cell, a side apart
+/// Reads them into the packing of a state whose cell has been read.
+/// @throws InputError unless they come in pairs across an axis of a rectangular cell, one side apart
 template <int Dim>
 void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);
 

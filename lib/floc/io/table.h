@@ -14,7 +14,7 @@ enum class TableFormat { table, csv, json };
 /// One value of a table; monostate is an undefined one (empty in csv, null in json, "-" in a table).
 using TableValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
-/// A value of a table, undefined where there is none: no number, an empty text.
+/// A value of a table, undefined for a missing number or an empty text.
 TableValue or_undefined(const std::optional<double>& number);
 TableValue or_undefined(const std::string& text);
 

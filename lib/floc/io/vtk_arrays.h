@@ -11,7 +11,7 @@ namespace floc {
 /// the XML as base64 or raw bytes. Reads one piece of an unstructured grid.
 class VtkArrays {
  public:
-  /// @throws InputError naming the file if it is no such file.
+  /// @throws InputError naming the file if it is not such a file.
   VtkArrays(const std::string& path, const std::string& content);
   ~VtkArrays();
   VtkArrays(const VtkArrays&) = delete;

@@ -10,17 +10,17 @@ namespace floc {
 bool is_vtu(const std::string& path);
 
 /// Reads grains from the points of a VTU file (VTK's XML format, unstructured grid): the point arrays radius
-/// (or r, or diameter) and, if there, mass and id; `options.columns` renames them. If some cells are vertices,
-/// only their points are grains. ASCII, base64 and appended raw data, little endian, not compressed. The cell
-/// is the field array "cell" (lattice vectors, as vtu_text() writes them) or `options.cell`. `options.law` is
-/// required; `options.contacts` may name a csv file, as in read_csv_packing().
+/// (or r, or diameter) and, if present, mass and id; `options.columns` renames them. If some cells are
+/// vertices, only their points are grains. ASCII, base64 and appended raw data, little endian, not compressed.
+/// The cell is the field array "cell" (lattice vectors, as vtu_text() writes them) or `options.cell`.
+/// `options.law` is required; `options.contacts` may name a csv file, as in read_csv_packing().
 /// @throws InputError naming file and array.
 Imported read_vtu(const std::string& path, const ImportOptions& options);
 
-/// A VTU file in ASCII, every digit of its numbers. Points: the grains, each a vertex, with radius, mass and
-/// id. Lines: the contacts, with normal_force, shear_force (on the grain of lower index), gap, kn, kt, kr,
-/// distant and, where the law resists twisting, ktw. A contact across the side of the cell is cut: from each of its grains a line goes half its length,
-/// to a point that is no grain, has radius 0 and id -1. In 2D z = 0.
+/// A VTU file in ASCII, with every digit. Points: the grains, each a vertex, with radius, mass and id. Lines:
+/// the contacts, with normal_force, shear_force (on the grain of lower index), gap, kn, kt, kr, distant and,
+/// where the law resists twisting, ktw. A contact across a side of the cell is cut: from each of its grains a
+/// line goes half its length, to a point that is no grain, with radius 0 and id -1. In 2D z = 0.
 std::string vtu_text(const AnyState& state);
 
 }  // namespace floc

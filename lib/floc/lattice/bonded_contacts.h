@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// A bond as a contact of a packing: whom it joins, what it carries, how stiff it is.
+/// A bond as a contact of a packing: which grains it joins, what it carries, how stiff it is.
 template <int Dim>
 struct BondedContact {
   int i, j;
@@ -15,14 +15,14 @@ struct BondedContact {
   Vec<Dim> shear_force;        ///< on i (force)
   RotationVector<Dim> moment;  ///< of the bond on i, in 3D rolling and twisting (force * length)
   double kn, kt;               ///< (force/length)
-  double kr;            ///< against rolling, in 3D against twisting where it resists that (force * length)
+  double kr;            ///< against rolling, and in 3D against twisting where it resists it (force * length)
   bool twists = false;  ///< resists twisting (3D)
 };
 template <int Dim>
 using BondedContacts = std::vector<BondedContact<Dim>>;
 
-/// Gives a packing these contacts and a law that can carry them: linear springs as stiff as the mean, adhesion
-/// of twice the largest tension (bonds are cohesive, whatever they carry), friction and rolling resistance
+/// Gives a packing these contacts and a law that can carry them: linear springs of the mean stiffness, adhesion
+/// of twice the largest tension (bonds are cohesive, whatever they carry), and friction and rolling resistance
 /// where bonds resist shear or carry moments, with caps twice as high as any force.
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing);

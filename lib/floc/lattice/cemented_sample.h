@@ -15,8 +15,8 @@ enum class Phase : std::uint8_t { none, grain, matrix };
 
 struct CementOptions {
   double matrix_content = 0.0;  ///< rho_m: share of the volume that the matrix is to take, 0 to 1
-  /// Grains whose surfaces are closer than this are joined by a bridge (mean diameters, >= 0). Wider than the
-  /// gaps of a frictionless packing's contacts, narrower than those to second neighbours.
+  /// Grains whose surfaces are closer than this (in mean diameters, >= 0) are joined by a bridge. Wider than
+  /// the gaps of a frictionless packing's contacts, narrower than those to second neighbours.
   double bridge_gap = 0.05;
 
   /// Every fault as "name = value: requirement".
@@ -27,27 +27,27 @@ struct CementOptions {
 template <int Dim>
 struct CementedSample {
   Lattice<Dim> lattice;
-  Grains<Dim> grains;        ///< in the cell of the lattice: centres moved with it, radii by the same volume
+  Grains<Dim> grains;        ///< in the lattice's cell: centres moved with it, radii scaled with its volume
   std::vector<Phase> phase;  ///< of each node
-  /// Of each node that is not void, the grain of the nearest surface; -1 of others.
+  /// Of each node that is not void, the grain with the nearest surface; -1 of the others.
   std::vector<int> owner;
-  /// The image of that grain that is nearest: centre + owner_image * cell.matrix.
+  /// The nearest image of that grain: centre + owner_image * cell.matrix.
   std::vector<Vec<Dim, int>> owner_image;
   double grain_content = 0.0;   ///< rho_p, counted on the lattice
   double matrix_content = 0.0;  ///< rho_m, counted on the lattice
-  /// Of the bridges over R' = 2 R_i R_j/(R_i + R_j), one for all.
+  /// Width of the bridges over R' = 2 R_i R_j/(R_i + R_j), the same for all.
   double bridge_width = 0.0;
   int n_bridges = 0;  ///< pairs of grains that are joined, with or without a node between them
   double mean_diameter = 0.0;
-  double strain = 0.0;  ///< largest by which the packing was strained to fit the lattice
+  double strain = 0.0;  ///< largest component of the strain that fitted the packing to the lattice
 };
 
-/// Lays a packing on a lattice: nodes inside a grain, that of the deeper surface where two overlap; then
-/// straight bridges of width w R' between the centres of neighbours, w raised until the matrix has its content,
-/// one sort of the smallest w that covers each free node.
+/// Lays a packing on a lattice: first the nodes inside a grain (where two overlap, the one whose surface is
+/// deeper), then straight bridges of width w R' between the centres of neighbours, with w raised until the
+/// matrix has its content: one sort of the smallest w that covers each free node.
 /// @pre options.validate() is empty
-/// @throws InputError if the packing has walls, or the matrix content cannot be reached (it says the largest
-/// that can)
+/// @throws InputError if the packing has walls, or the matrix content cannot be reached (the message gives the
+/// largest that can)
 template <int Dim>
 CementedSample<Dim> cement(const Packing<Dim>& packing, Lattice<Dim> lattice, const CementOptions& options);
 

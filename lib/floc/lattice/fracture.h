@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// How strong elements are: the tension at which one of a kind breaks (force). Infinite: never.
+/// Strength of the elements: the tension at which those of each kind break (force). Infinite: never.
 struct ElementStrength {
   std::array<double, kElementKinds> tension{};  ///< by ElementKind
 
@@ -26,7 +26,7 @@ struct Breakage {
 
 struct FractureOptions {
   ElementStrength strength;
-  /// Ends where the stress has fallen to this share of the largest.
+  /// Ends when the stress has fallen to this share of the largest.
   double end_at = 0.2;
   int most_broken = 1'000'000;
   /// Called after each breakage; false stops.
@@ -35,16 +35,16 @@ struct FractureOptions {
 
 /// The breaking of a sample, one element at a time.
 struct FracturePath {
-  std::vector<Breakage> broken;  ///< in their order
-  double strength = 0.0;         ///< largest stress, in size, that it bore; 0 where nothing can break
+  std::vector<Breakage> broken;  ///< in order of breaking
+  double strength = 0.0;         ///< largest magnitude of the stress that it bore; 0 where nothing can break
   double strain_at_strength = 0.0;
   std::string end;  ///< why it ended, in words
 };
 
-/// Loads a sample by a stress along one axis in proportion, takes the first element that reaches its strength
-/// away, and solves again: the load needed may then be smaller (the sample gives way under a held stress) or
-/// larger. Every state is elastic, so the stress that breaks the next element is a plain scale.
-/// @param load  direction of the load, any size; `axis` the component that stress and strain are given of
+/// Loads a sample in proportion to `load`, removes the first element that reaches its strength, and solves
+/// again: the load then needed may be smaller (the sample gives way under a held stress) or larger. Every state
+/// is elastic, so the stress that breaks the next element follows by scaling.
+/// @param load  direction of the load, any magnitude; `axis`: the component that stress and strain are given of
 template <int Dim>
 [[nodiscard]] FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& solver,
                                     const LatticeLoad<Dim>& load, int axis, const FractureOptions& options);

@@ -22,7 +22,7 @@ struct LatticeBond {
 template <int Dim>
 struct Lattice {
   Cell<Dim> cell;
-  double spacing = 0.0;        ///< of neighbours, where it varies that of a regular lattice as dense (length)
+  double spacing = 0.0;        ///< of neighbours; where it varies, of an equally dense regular lattice (length)
   std::vector<Vec<Dim>> node;  ///< inside the cell
   std::vector<double> volume;  ///< of the cell of each node; their sum is that of the periodic cell
   std::vector<LatticeBond<Dim>> bonds;
@@ -30,14 +30,14 @@ struct Lattice {
   int n_nodes() const { return static_cast<int>(node.size()); }
 };
 
-/// The triangular lattice, rows of nodes along the first axis: six bonds a node, as long as the spacing, acting
-/// at their middles; hexagonal cells of area sqrt(3)/2 spacing^2.
+/// The triangular lattice, rows of nodes along the first axis: six bonds per node, as long as the spacing,
+/// whose forces act at their middles; hexagonal cells of area sqrt(3)/2 spacing^2.
 /// @param columns  nodes in a row, >= 1   @param rows  even, >= 2, sqrt(3)/2 spacing apart
 Lattice<2> triangular_lattice(int columns, int rows, double spacing);
 
-/// The triangular lattice that comes closest to a rectangular cell: numbers of columns and rows within 3 % of
-/// what the spacing asks for, so that the ratio of the sides is nearest to the cell's. It has the cell's area,
-/// and its sides differ from the cell's by some 1e-4: what is laid on it is strained by that.
+/// The triangular lattice that comes closest to a rectangular cell: its numbers of columns and rows, within 3 %
+/// of what the spacing asks for, make the ratio of its sides nearest to the cell's. It has the cell's area, and
+/// its sides differ from the cell's by some 1e-4: whatever is laid on it is strained by that.
 /// @throws InputError if the cell is not rectangular, or more than 1e8 nodes would be needed
 Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing);
 

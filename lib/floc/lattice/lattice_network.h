@@ -26,7 +26,7 @@ enum class BareContact {
   none,        ///< nothing
 };
 
-/// What ends at the border of the cell.
+/// How the cell ends at its border.
 enum class LatticeBoundary {
   periodic,        ///< nothing: the sample goes on
   plates,          ///< plates without friction on the faces across the loaded axis, other sides free
@@ -34,8 +34,8 @@ enum class LatticeBoundary {
   uniform_strain,  ///< all nodes at the border follow the strain
 };
 
-/// Stiffness of the elements, from the phases of their ends. A Hooke constant each, whatever the length, as in
-/// [RTV2010]; the interface of two springs of half a length in a row, which makes laminates exact.
+/// Stiffness of the elements, from the phases of their ends: one Hooke constant per kind, whatever the length,
+/// as in [RTV2010]; an interface is two springs of half the length in series, which makes laminates exact.
 struct ElementStiffness {
   double grain = 1.0;               ///< k_p (force/length), or E (stress) where `by_facet`
   double matrix = 1.0;              ///< k_m
@@ -45,12 +45,12 @@ struct ElementStiffness {
   double bending = 0.0;             ///< K_R/(K_N spacing^2)
   bool by_facet = false;            ///< k = E facet/length in place of a constant
   BareContact contact = BareContact::unilateral;
-  /// Bare elements no farther from the line between the grains' centres than this times R' = 2 R_i R_j/(R_i +
-  /// R_j) count, the others are void. Absent: all, a patch that depends on the resolution.
+  /// Bare elements count if they are no farther from the line between the grains' centres than this times R' =
+  /// 2 R_i R_j/(R_i + R_j); the others are void. Absent: all count, a patch that depends on the resolution.
   std::optional<double> patch;
 
   bool central() const { return shear == 0.0 && bending == 0.0; }
-  /// Of a kind of element (force/length, or stress).
+  /// Stiffness of a kind of element (force/length, or stress).
   double of(ElementKind kind) const;
   /// Every fault as "name = value: requirement".
   std::vector<std::string> validate() const;
@@ -68,7 +68,7 @@ struct LatticeElement {
   int bond = -1;    ///< of the lattice
 };
 
-/// What is left of a sample once it is a network of springs.
+/// A sample reduced to a network of springs.
 template <int Dim>
 struct LatticeNetwork {
   int n_nodes = 0;      ///< of the lattice; elements use its numbers
@@ -77,8 +77,8 @@ struct LatticeNetwork {
   double shear = 0.0;    ///< K_T/K_N of elements that are not unilateral
   double bending = 0.0;  ///< K_R/(K_N spacing^2), likewise
   std::vector<LatticeElement<Dim>> elements;
-  std::vector<bool> present;  ///< of each node: it has an element
-  /// Displacements beside the uniform strain that are held at zero: Dim entries a node, or empty: none.
+  std::vector<bool> present;  ///< of each node: whether it has an element
+  /// Displacements relative to the uniform strain that are held at zero: Dim entries per node, or empty: none.
   std::vector<bool> held;
   int n_removed = 0;  ///< nodes of grains or matrix that could carry nothing: cut off, or on a single line
   int n_islands = 0;  ///< parts apart from what carries the load, among these
@@ -89,16 +89,16 @@ struct LatticeNetwork {
   int count(ElementKind kind) const;
 };
 
-/// Elements between the nodes of a sample, without those that cannot carry anything however it is loaded: nodes
-/// cut off, nodes that hang on one element or (central) on a line, and parts that neither wind around the cell
-/// nor reach what holds it.
-/// @param axis  that plates load, from 0; ignored for other boundaries
+/// Elements between the nodes of a sample, without those that cannot carry anything however it is loaded: at
+/// nodes cut off, at nodes that hang on one element or (central) on a line, and in parts that neither wind
+/// around the cell nor reach what holds it.
+/// @param axis  that plates load along, from 0; ignored for other boundaries
 /// @pre stiffness.validate() is empty
 template <int Dim>
 LatticeNetwork<Dim> lattice_network(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                                     LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
-/// The same elements as a contact network, nodes as its grains: what `elasticity` takes.
+/// The same elements as a contact network, with the nodes as its grains: the input of `elasticity`.
 /// @param open  of each element, whether it is left out; empty: none
 template <int Dim>
 ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const std::vector<bool>& open = {});

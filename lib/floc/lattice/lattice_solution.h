@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// What loads a sample, component by component in the order of StrainSet::full; compression positive.
+/// Load on a sample, component by component in the order of StrainSet::full; compression positive.
 template <int Dim>
 struct LatticeLoad {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
@@ -33,7 +33,7 @@ struct LatticeSolution {
   std::vector<Vec<Dim>> shear_force;  ///< of each element on its node i; empty where all are central
   std::vector<RotationVector<Dim>> moment;  ///< likewise, of bending
   std::vector<bool> open;                   ///< of each element
-  std::vector<Vec<Dim>> displacement;       ///< of each node beside the uniform strain
+  std::vector<Vec<Dim>> displacement;       ///< of each node, relative to the uniform strain
   double energy = 0.0;
   RelaxationReport report;
 
@@ -42,7 +42,7 @@ struct LatticeSolution {
   Vec<Dim> force_on_i(const LatticeNetwork<Dim>& network, int element) const;
 };
 
-/// A network that is loaded, once or again and again: factor and active set stay from one load to the next.
+/// A network that is loaded once or repeatedly: factor and active set are kept from one load to the next.
 template <int Dim>
 class LatticeSolver {
  public:
@@ -54,11 +54,11 @@ class LatticeSolver {
   /// Between plates the load is the component along their axis alone.
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
-  /// Stress by a unit of each strain, grains and matrix relaxed, nothing opening or closing from the last
-  /// solution on: order of StrainSet::full (stress). @pre solve() was called
+  /// Stress per unit of each strain, with grains and matrix relaxed and nothing opening or closing since the
+  /// last solution: order of StrainSet::full (stress). @pre solve() was called
   Eigen::MatrixXd moduli();
 
-  /// Takes an element away for good.
+  /// Removes an element for good.
   void remove(int element) { springs_->remove_element(element); }
   int n_unknowns() const { return springs_->n_unknowns(); }
 

@@ -8,8 +8,8 @@
 namespace floc {
 
 /// Stress of each node, compression positive: sigma_a = -(1/V_a) sum over its elements of r x f, r from the
-/// node to where the element's force f on it acts; the symmetric part. Their mean by volume is the stress of
-/// the cell, void nodes being zero; held nodes carry what holds them, beside that.
+/// node to where the element's force f on it acts; the symmetric part. The mean over nodes, weighted by volume,
+/// is the stress of the cell, void nodes being zero; held nodes also carry what holds them.
 template <int Dim>
 std::vector<Mat<Dim>> node_stress(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& network,
                                   const LatticeSolution<Dim>& solution);
@@ -23,7 +23,7 @@ struct StressTail {
   std::optional<double> error = {};
 };
 
-/// How a stress component is distributed over nodes, in units of its mean over those of the sign of the load.
+/// Distribution of a stress component over nodes, in units of its mean over those with the sign of the load.
 struct StressDistribution {
   int n = 0;                 ///< nodes
   double mean = 0.0;         ///< over all of them (stress)

@@ -15,9 +15,9 @@ struct ModulusBounds {
   double voigt, hashin_shtrikman_upper, hashin_shtrikman_lower, reuss;  ///< (stress)
 };
 
-/// Bounds of the bulk and shear modulus of an isotropic composite of isotropic phases that stick together.
-/// Hashin and Shtrikman's take the stiffest and the softest phase as reference; with voids the lower ones
-/// vanish.
+/// Bounds on the bulk and shear modulus of an isotropic composite of isotropic phases that stick together.
+/// Those of Hashin and Shtrikman take the stiffest and the softest phase as reference; with voids the lower
+/// ones vanish.
 struct CompositeBounds {
   ModulusBounds K, G;
 };

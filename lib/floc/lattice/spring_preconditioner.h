@@ -14,13 +14,13 @@ class SpringPreconditioner {
   using Strains = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
 
   virtual ~SpringPreconditioner() = default;
-  /// Makes it for the rows that push or pull now, one entry a row.
+  /// Makes it for the rows that push or pull now, one entry per row.
   virtual void prepare(const std::vector<char>& active) = 0;
-  /// The strains that are free from now on.
+  /// Sets which strains are free from now on.
   virtual void set_free(const Eigen::Matrix<bool, kSymmetric<Dim>, 1>& free) = 0;
   /// Nodes, then strains; those that are not free stay zero.
   virtual Eigen::VectorXd apply(const Eigen::VectorXd& residual) const = 0;
-  /// Whether it is so near to the inverse that another one is not worth more than some 30 applications.
+  /// Whether it is so close to the inverse that remaking it is not worth more than some 30 applications.
   virtual bool is_exact() const = 0;
 };
 

@@ -9,13 +9,13 @@
 namespace floc {
 
 /// A lattice network as springs between nodes of `Size` unknowns each: Dim where all elements are central,
-/// which need no rotations, kDofs<Dim> otherwise, rotations then times the spacing. Nodes without elements have
-/// none.
+/// which need no rotations, otherwise kDofs<Dim>, with rotations multiplied by the spacing. Nodes without
+/// elements have no unknowns.
 template <int Dim, int Size>
 struct SpringRows {
   using OnNode = Eigen::Matrix<double, Size, 1>;
   using OnStrain = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
-  /// What a spring feels of its two ends: in an element's first row the overlap, shortening positive.
+  /// How the two ends of a spring act on it: in an element's first row on the overlap, shortening positive.
   struct Row {
     int i, j;           // nodes here
     OnNode on_i, on_j;  // zero for what is held; with i = j, `on_i` has both

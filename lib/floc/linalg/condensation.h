@@ -7,7 +7,7 @@ namespace floc {
 
 /// Springs between free unknowns u and boundary unknowns e, of energy 1/2 sum_r k_r (A u + B e)_r^2.
 struct SpringSystem {
-  Eigen::SparseMatrix<double, Eigen::RowMajor> on_free;                                ///< A: a row a spring
+  Eigen::SparseMatrix<double, Eigen::RowMajor> on_free;                                ///< A: a row per spring
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> on_boundary;  ///< B
   Eigen::VectorXd stiffness;  ///< k; negative ones are allowed
 };
@@ -17,44 +17,44 @@ struct ApproximateInverse {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< M^-1 b
   /// K and M are positive semidefinite: the refinement minimises the energy by conjugate gradients.
   bool definite = true;
-  /// Definite: lower bound of the eigenvalues of M^-1 K that do not vanish. 0: nothing is known, and no error
-  /// bound is given.
+  /// If definite: lower bound on the non-zero eigenvalues of M^-1 K. 0: nothing is known, and no error bound is
+  /// given.
   double smallest_ratio = 0.0;
-  /// Definite, and nothing is known of that bound: it is taken from the Ritz values of the refinement, which
-  /// makes the error an estimate. A soft motion that the loads hardly excite may be missed by both.
+  /// If definite and nothing is known of that bound: it is taken from the Ritz values of the refinement, which
+  /// makes the error an estimate. Both may miss a soft motion that the loads hardly excite.
   bool estimated_ratio = false;
-  /// Otherwise: upper bound of the 2-norm of K^-1; infinite if nothing is known.
+  /// If not definite: upper bound on the 2-norm of K^-1; infinite if nothing is known.
   double inverse_norm = 0.0;
 };
 
 struct CondensationOptions {
-  double tolerance = 1e-10;  ///< relative error wanted of the diagonal of the condensed stiffness
-  /// Of refinement; a good inverse needs one, each near-mechanism below its reach one more.
+  double tolerance = 1e-10;  ///< relative error wanted in the diagonal of the condensed stiffness
+  /// Steps of refinement; a good inverse needs one, and one more for each near-mechanism beyond its reach.
   int max_steps = 100;
   bool extended = true;  ///< residuals in extended precision; in double they are several times faster
-  int patience = 5;      ///< steps without gain before rounding is said to be reached
-  /// u to start from, a column a boundary unknown, such as the response of a neighbouring state; empty: u = 0.
+  int patience = 5;      ///< steps without gain after which rounding is taken to be reached
+  /// u to start from, one column per boundary unknown, such as the response of a nearby state; empty: u = 0.
   Eigen::MatrixXd start = {};
 };
 
 /// The stiffness of the boundary once the free unknowns have relaxed (Schur complement).
 struct Condensation {
   Eigen::MatrixXd stiffness;  ///< S: 1/2 e^T S e = min over u of the energy; its stationary value if indefinite
-  Eigen::MatrixXd error;      ///< bound of |S - exact|, entry by entry; infinite where none can be given
+  Eigen::MatrixXd error;      ///< bound on |S - exact|, entry by entry; infinite where none can be given
   Eigen::MatrixXd response;   ///< u for a unit of each boundary unknown
   double imbalance = 0.0;     ///< largest |A^T k (A u + B e)| over all unknowns and columns
   double load = 0.0;          ///< the same at u = 0
-  int steps = 0;              ///< of refinement, the worst column's
+  int steps = 0;              ///< of refinement, for the worst column
   bool converged = true;      ///< the tolerance was reached, by the bound or estimate at hand
 };
 
-/// Static condensation with residuals in extended precision taken spring by spring, so that neither the
-/// rounding of an assembled K nor that of its factor enters: these only slow the refinement.
+/// Static condensation with residuals in extended precision, taken spring by spring, so that the rounding of an
+/// assembled K or of its factor does not enter the result: it only slows the refinement.
 ///
-/// The error bound has two parts. What is left to relax is exactly r^T K^-1 r for the imbalance r, bounded by
-/// r^T M^-1 r over `smallest_ratio` (or |r|^2 |K^-1|). Rounding of the entries of A and B, taken as a few units
-/// in the last place, changes the energy by its derivative with respect to them at fixed u (and by the square
-/// of the change of each spring's elongation), no condition number entering.
+/// The error bound has two parts. The energy still to be relaxed is exactly r^T K^-1 r for the imbalance r,
+/// bounded by r^T M^-1 r over `smallest_ratio` (or |r|^2 |K^-1|). Rounding of the entries of A and B, taken as
+/// a few units in the last place, changes the energy by its derivative with respect to them at fixed u (and by
+/// the square of the change of each spring's elongation); no condition number enters.
 [[nodiscard]] Condensation condense(const SpringSystem& springs, const ApproximateInverse& inverse,
                                     const CondensationOptions& options);
 

@@ -12,10 +12,10 @@ enum class Ordering {
 };
 
 /// Place of each unknown of a symmetric matrix (lower triangle, column-major) in an order of elimination that
-/// keeps its Cholesky factor sparse: descendants in the elimination tree come before others, so that columns of
-/// one pattern are neighbours.
+/// keeps its Cholesky factor sparse: a postorder of the elimination tree, so that columns of the same pattern
+/// are neighbours.
 /// @param group  of each unknown, ascending from 0: unknowns of one group (a grain) are ordered together, which
-///               is faster by the square of its size and as good.
+///               is faster by the square of its size and just as good.
 /// @throws std::runtime_error when memory runs out.
 Eigen::VectorXi elimination_places(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group,
                                    Ordering ordering);

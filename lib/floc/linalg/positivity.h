@@ -6,11 +6,11 @@
 namespace floc {
 
 struct PositivityOptions {
-  /// Test goes on until an eigenvalue below minus this would have been seen.
+  /// The test goes on until an eigenvalue below minus this would have been seen.
   double bound = 1e-4;
   int max_steps = 10000;
-  /// Of an eigenvalue below the bound that is not seen: the start vector is drawn at random, and may happen to
-  /// lie across its eigenvector.
+  /// Probability of missing an eigenvalue below the bound: the start vector is drawn at random, and may happen
+  /// to be normal to its eigenvector.
   double oversight = 1e-6;
   /// Eigenvalues above minus this count as zero: mechanisms, and what rounding makes of them.
   double rounding = 1e-10;
@@ -18,15 +18,15 @@ struct PositivityOptions {
 
 /// What is known of the lowest eigenvalue of a symmetric matrix A.
 struct Positivity {
-  bool negative = false;  ///< one is below zero: a direction of negative curvature was found
-  /// Otherwise none is below minus this, but for the probability of an oversight.
+  bool negative = false;  ///< an eigenvalue is below zero: a direction of negative curvature was found
+  /// Otherwise none is below minus this, up to the probability of an oversight.
   double bound = 0.0;
   int steps = 0;  ///< products with A
 };
 
-/// Lanczos' method from a random vector, without a factor: three vectors are held. A negative pivot of the
-/// tridiagonal matrix, found as it grows, is a Rayleigh quotient below zero, and certain. Without any, [KW1992]
-/// bounds what k steps may have missed:
+/// Lanczos' method from a random vector, without a factor: only three vectors are held. A negative pivot of the
+/// tridiagonal matrix, seen as the matrix grows, is a Rayleigh quotient below zero and therefore certain.
+/// Without one, [KW1992] bounds what k steps may have missed:
 ///
 ///   lowest eigenvalue > -e * (spread of the spectrum),  e = (ln(1.648 sqrt(n)/oversight)/(2 k - 1))^2
 ///

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// An inverse of the stiffness K = A^T k A of the free unknowns of springs, and what was learnt of K on the
+/// An inverse of the stiffness K = A^T k A of the free unknowns of springs, and what was learnt about K on the
 /// way.
 struct SpringInverse {
   ApproximateInverse inverse;  ///< may refer to the factor it was made with
@@ -16,15 +16,15 @@ struct SpringInverse {
   int n_mechanisms = 0;        ///< vanishing eigenvalues of K
 };
 
-/// By Cholesky's factor of K, if there is one that can be trusted. One that succeeds on a K of a condition
-/// beyond some 1e12 cannot: it may hide a mechanism, and is too inaccurate to bound errors with.
+/// By a Cholesky factor of K, if there is one that can be trusted. One of a K whose condition number exceeds
+/// some 1e12 cannot: it may hide a mechanism, and is too inaccurate for error bounds.
 /// @param factor  holds K; `inverse` refers to it
 std::optional<SpringInverse> invert_positive(SymmetricFactor& factor);
 
-/// For a K on which invert_positive() fails. Springs without negative stiffness have a square root sqrt(k) A,
-/// which keeps the digits that K has lost and shows mechanisms by its rank (SuiteSparseQR). Else by L D L^T:
-/// eigenvalues within `mechanism_bound` of zero are counted as mechanisms, those below as negative, and a shift
-/// regularises the first.
+/// For a K on which invert_positive() fails. Without negative stiffnesses the springs have a square root
+/// sqrt(k) A, which keeps the digits that K has lost and shows mechanisms by its rank (SuiteSparseQR).
+/// Otherwise by L D L^T: eigenvalues within `mechanism_bound` of zero are counted as mechanisms, those below as
+/// negative, and a shift regularises the mechanisms.
 /// @param factor  holds K; `inverse` may refer to it
 SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound);
 

@@ -8,16 +8,16 @@
 
 namespace floc {
 
-/// What a Cholesky factor takes, known from the places of its entries alone.
+/// Cost of a Cholesky factor, known from the pattern of the matrix alone.
 struct FactorCost {
-  double bytes = 0.0;       ///< of the factor, the most of what is held
+  double bytes = 0.0;       ///< of the factor, most of the memory held
   double operations = 0.0;  ///< floating-point, of one factorization
 };
 
 /// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite
 /// matrices are factorized by supernodes; that a matrix is not positive definite is a result, not an error, and
-/// its eigenvalues can be counted. Lengths of the unknowns should be chosen so that A has a diagonal of order
-/// one: pivots and shifts are absolute.
+/// its eigenvalues can be counted. The unknowns should be scaled so that A has a diagonal of order one: pivots
+/// and shifts are absolute.
 class SymmetricFactor {
  public:
   explicit SymmetricFactor(Ordering ordering = Ordering::automatic);
@@ -25,15 +25,15 @@ class SymmetricFactor {
   SymmetricFactor(SymmetricFactor&&) noexcept;
   SymmetricFactor& operator=(SymmetricFactor&&) noexcept;
 
-  /// Sets A (lower triangle, column-major; entries above the diagonal are ignored). A matrix of the pattern of
-  /// the one before keeps its ordering and symbolic factors.
+  /// Sets A (lower triangle, column-major; entries above the diagonal are ignored). A matrix with the same
+  /// pattern as the one before keeps its ordering and symbolic factors.
   /// @param group  of each unknown, ascending: unknowns of one group (a grain) are ordered together, which is
-  ///               faster by the square of its size and as good. Empty: each is its own.
+  ///               faster by the square of its size and just as good. Empty: each is its own.
   /// @throws std::runtime_error when memory runs out.
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 
-  /// What factorize_positive() will take, by the symbolic analysis, which it then goes on from: nothing of the
-  /// size of the factor is allocated. L D L^T takes as many operations, one by one.
+  /// What factorize_positive() will take, from the symbolic analysis that it then continues: nothing of the
+  /// size of the factor is allocated. L D L^T takes as many operations, but one at a time.
   FactorCost predicted_cost();
 
   /// Factorizes A + shift * 1 as L L^T.
@@ -61,8 +61,8 @@ class SymmetricFactor {
   /// A * X.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& X) const;
 
-  /// Estimate of the condition number of A + shift in the 1-norm (Hager's method: a lower bound, seldom off by
-  /// 3).
+  /// Estimate of the condition number of A + shift in the 1-norm (Hager's method: a lower bound, seldom too low
+  /// by more than a factor of 3).
   /// @pre the last factorization succeeded.
   double condition_estimate() const;
 

@@ -13,26 +13,26 @@ enum class TangentMethod {
   diagonal,  ///< BiCGSTAB with the diagonal: no factor at all
 };
 
-/// What a tangent's unknowns are: those of the grains, the same number each, then the boundary's.
+/// The unknowns of a tangent: those of the grains, the same number each, then the boundary's.
 struct TangentLayout {
   int unknowns_a_grain = 1;
   int n_boundary = 0;
 };
 
-/// The method that is expected to be done first, and what it takes, by the symbolic analysis of the pattern:
-/// nothing of the size of a factor is allocated.
+/// The method expected to finish first, and its cost, from the symbolic analysis of the pattern: nothing of the
+/// size of a factor is allocated.
 struct TangentPlan {
   TangentMethod method = TangentMethod::lu;
   double seconds = 0.0;    ///< of one core, for the few matrices of one Newton solution
   bool lu_at_need = true;  ///< an LU factor can be afforded where the iteration does not converge
 };
 
-/// @param tangent  its pattern, which is symmetric; values do not matter
+/// @param tangent  only its pattern is read, which is symmetric
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout);
 
-/// Solves systems with the matrices of one Newton iteration after the other, all of one pattern and, the
-/// boundary's unknowns apart, close to symmetric and positive. Where many contacts slide they are not, and an LU
-/// factor takes over.
+/// Solves systems with the matrices of one Newton iteration after another, all of one pattern and, apart from
+/// the boundary's unknowns, close to symmetric and positive. Where many contacts slide they no longer are, and
+/// an LU factor takes over.
 class TangentSolver {
  public:
   TangentSolver(const TangentPlan& plan, const TangentLayout& layout);
@@ -42,7 +42,7 @@ class TangentSolver {
   /// @return false when it is singular to working precision or not finite
   [[nodiscard]] bool set_matrix(const Eigen::SparseMatrix<double>& tangent);
 
-  /// matrix * x = b, to rounding with an LU factor, else to 1e-8 of b; no value where neither gives one.
+  /// Solves matrix * x = b, to rounding with an LU factor, else to 1e-8 of b; no value where neither succeeds.
   [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b);
 
  private:

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Sparse LU of a general square matrix (UMFPACK). The ordering depends on the pattern alone and is kept while
-/// the pattern stays the same, so that a Newton iteration pays for it once and repeated runs give the same
-/// bits.
+/// Sparse LU factor of a general square matrix (UMFPACK). The ordering depends on the pattern alone and is kept
+/// while the pattern stays the same, so that a Newton iteration pays for it once and repeated runs give the
+/// same bits.
 class UnsymmetricFactor {
  public:
   UnsymmetricFactor();

@@ -29,8 +29,8 @@ struct AxisLoad {
 /// of `set`.
 struct LoadStage {
   std::string name;  ///< branch name: "load", "unload", ...
-  double to = 0.0;   ///< pressure (unit of stress of the scene), >= 0; nothing where the axes say it
-  /// Pressure grows by 10^(1/steps_per_decade) a step; the last may be shorter.
+  double to = 0.0;   ///< pressure (unit of stress of the scene), >= 0; unused where the axes are given
+  /// Pressure grows by 10^(1/steps_per_decade) per step; the last may be shorter.
   std::optional<double> steps_per_decade;
   std::optional<int> steps;  ///< or this many equal factors
   /// Changes of the contact law made when the stage starts: path below [contact] and value, e.g.
@@ -38,17 +38,17 @@ struct LoadStage {
   std::vector<std::pair<std::string, double>> set;
   CellResponse cell;                ///< during the stage
   std::string control;              ///< "oedometric", "triaxial", ...: how the axes are loaded
-  int axis = 0;                     ///< that is driven, from 0
+  int axis = 0;                     ///< the driven one, from 0
   std::vector<AxisLoad> axes = {};  ///< what each axis is brought to; empty: the pressure `to`
-  /// Simple shear, by the end: how far the planes across `axis` have moved along the first axis, over the length
+  /// Simple shear at the end: how far the planes across `axis` have moved along the first axis, over the length
   /// of `axis` at the start of the stage.
   double shear = 0.0;
 
   bool is_isotropic() const { return axes.empty(); }
 };
 
-/// Pressures of a stage that starts at `from`, the last exactly `stage.to`. From or to zero there is no factor:
-/// one step.
+/// Pressures of a stage that starts at `from`, the last exactly `stage.to`. From zero or to zero there is no
+/// such factor, and one step is made.
 std::vector<double> stage_pressures(double from, const LoadStage& stage);
 
 /// What one step of a stage imposes on an axis: its load at the end of the stage, and how much of the way to it
@@ -58,7 +58,7 @@ struct AxisStep {
   double share = 1.0;
 };
 
-/// What is known of the stress on each axis before a run: where a strain is imposed, nothing.
+/// What is known about the stress on each axis before a run: where a strain is imposed, nothing.
 using KnownStress = std::vector<std::optional<double>>;
 
 /// Whether the same known stress is on every axis.
@@ -67,12 +67,12 @@ bool is_isotropic(const KnownStress& stress);
 /// The known stresses after a stage.
 KnownStress after_stage(const KnownStress& from, const LoadStage& stage);
 
-/// How many steps a stage takes where its axes are loaded differently, from such stresses on.
+/// Number of steps of a stage whose axes are loaded differently, starting from these stresses.
 /// @pre steps are given where the number cannot follow from steps_per_decade
 int number_of_steps(const KnownStress& from, const LoadStage& stage);
 
-/// What is imposed where a turn has come to: stresses go by equal factors, where both ends are positive, else by
-/// equal differences; strains by equal amounts.
+/// What is imposed at the present point of a turn: stresses go by equal factors where both ends are positive,
+/// else by equal differences; strains by equal amounts.
 template <int Dim>
 LoadTarget<Dim> load_target(const std::vector<AxisStep>& axes, const Turn& turn);
 

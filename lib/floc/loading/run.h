@@ -29,7 +29,7 @@ struct RunPoint {
   std::string parent_sha256;                    ///< of the last saved state
   std::vector<double> last_sides, last_stress;  ///< of the last saved state: where a turn starts
   double last_offset = 0.0;  ///< of the lattice vector of a sheared axis where this step started (length)
-  Turn turn;                 ///< that this step is part of, where axes are loaded differently
+  Turn turn;                 ///< to which this step belongs, where axes are loaded differently
 };
 
 /// The point after a saved equilibrium: what a run continues from, with the packing of the state, when there is
@@ -38,21 +38,21 @@ struct RunPoint {
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const std::string& sha256);
 
-/// What a chunk of a run came to.
+/// Outcome of one chunk of a run.
 enum class RunEvent {
   chunk,        ///< nothing yet; between two chunks a run may be stopped and continued without a trace
   equilibrium,  ///< `state()` is the next equilibrium; save it, then call `saved()`
   gave_up,      ///< the present step does not converge; `report()` says what blocks
 };
 
-/// A whole run: assembly, then every equilibrium of the load path. It never touches a file: whoever drives it
-/// saves the states it makes.
+/// A whole run: assembly, then every equilibrium of the load path. It never touches a file: its caller saves
+/// the states it makes.
 template <int Dim>
 class Run {
  public:
   /// A run from its beginning. @throws InputError for options that cannot be run.
   explicit Run(RunOptions options);
-  /// A run from a point inside.
+  /// A run continued from a point inside.
   Run(RunOptions options, RunPoint point, Packing<Dim> packing);
 
   const std::vector<PlannedEquilibrium>& plan() const { return plan_; }
@@ -67,7 +67,7 @@ class Run {
   /// The equilibrium just reached.
   State<Dim> state() const;
   /// The state as it is now, without a copy: the run releases its packing, and has to get it back by
-  /// `restore_packing()` before anything else is asked of it.
+  /// `restore_packing()` before it is used again.
   State<Dim> release_state();
   void restore_packing(Packing<Dim> packing);
   /// Goes on to the next step. @param sha256 of the file the state was saved in
@@ -76,7 +76,7 @@ class Run {
   const RunPoint& point() const { return point_; }
   const Packing<Dim>& packing() const;
   const PlannedEquilibrium& target() const { return plan_[point_.step]; }
-  /// Mean of the stresses imposed, or carried where none is.
+  /// Mean of the stresses on the axes: imposed, or carried where none is imposed.
   double pressure() const;
   /// Progress of the present step.
   RelaxationReport report() const;

@@ -13,13 +13,13 @@ namespace floc {
 /// One equilibrium a run will make.
 struct PlannedEquilibrium {
   std::string branch;  ///< "assembly" or the name of the stage
-  double pressure;    ///< on every axis (unit of stress of the scene); nothing where `axes` say what is imposed
-  LawParameters law;  ///< with the changes made so far
-  CellResponse cell;  ///< where it differs from that of the run
+  double pressure;     ///< on every axis (unit of stress of the scene); unused where `axes` are given
+  LawParameters law;   ///< with the changes made so far
+  CellResponse cell;   ///< where it differs from that of the run
   std::optional<Vibration> vibration;  ///< before it
   int stage = -1;                      ///< of the load path, from 0; -1: of the assembly
   std::string control = {};            ///< how the axes are loaded
-  int axis = 0;                        ///< that is driven, from 0
+  int axis = 0;                        ///< the driven one, from 0
   std::vector<AxisStep> axes = {};     ///< empty: the pressure
   double shear = 0.0;       ///< of simple shear along the first axis: strain since the start of the stage
   double shear_step = 0.0;  ///< that of this step alone
@@ -29,12 +29,12 @@ struct PlannedEquilibrium {
 };
 
 /// All equilibria of a run, in order: those of the assembly (aggregation: P = 0, then the first pressure), then
-/// every step of every stage. Grains are put together under the friction of the assembly, where it has one. A
-/// packing that is shaken is one that was put together before or, of a gas, the first equilibrium; another
-/// follows at the same pressure. Stages that end at the same pressure on every axis go there from whatever
-/// stresses the axes have.
-/// @throws InputError if a stage changes something the law does not have, or a law without friction is to be
-/// given some for the assembly
+/// every step of every stage. Grains are put together under the friction of the assembly, where it has one.
+/// What is shaken is a saved packing or, after a gas, the first equilibrium; another equilibrium follows at the
+/// same pressure. Stages that end at the same pressure on every axis go there from whatever stresses the axes
+/// have.
+/// @throws InputError if a stage changes something that the law does not have, or if the assembly is to give
+/// friction to a law without any
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
                                          const std::vector<LoadStage>& load, int dimension = 2);
 

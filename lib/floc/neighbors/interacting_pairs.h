@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Pairs within the range of the law between them, sorted as contacts are: of grains, and of grains with walls,
+/// Pairs closer than the range of the law, sorted as contacts are: pairs of grains, and of grains with walls,
 /// whose numbers follow those of the grains.
 /// @throws InputError as find_pairs()
 template <int Dim>

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// What sharing the liquid of a packing out anew has changed.
+/// What sharing out the liquid of a packing anew has changed.
 struct LiquidChange {
   int n_formed = 0;  ///< pairs that have a bridge now and had none
   int n_broken = 0;  ///< pairs that had one, broken or not, and have none
@@ -12,14 +12,14 @@ struct LiquidChange {
   double largest = 0.0;  ///< change of the volume of a bridge, relative to what it was
 
   int n_changed() const { return n_formed + n_broken; }
-  /// Whether everything is where it was, but for rounding.
+  /// Whether everything is as it was, up to rounding.
   bool nothing() const { return n_changed() == 0 && largest < 1e-9; }
 };
 
-/// Shares the liquid of a packing out between its pairs of grains as they are now (share_liquid()): contacts that
-/// hold none and do not touch leave the list, pairs that come to hold some enter it, springs at rest. Where
-/// bridges form on contact alone, only those take part that touch or have a bridge. Forces are those of the new
-/// volumes. Does nothing under a law without liquid.
+/// Shares out the liquid of a packing between its pairs of grains as they are now (share_liquid()): contacts
+/// that hold none and do not touch leave the list; pairs that come to hold some enter it, with springs at rest.
+/// Where bridges form on contact alone, only pairs that touch or have a bridge take part. Forces are those of
+/// the new volumes. Does nothing under a law without liquid.
 ///
 /// @throws InputError as find_pairs()
 template <int Dim>

@@ -8,10 +8,10 @@
 
 namespace floc {
 
-/// Pairs of grains in contact, each once: of every grain the neighbours with a higher number, ascending. They
+/// Pairs of grains in contact, each once: for every grain the neighbours with a higher number, ascending. They
 /// are the blocks of K below its diagonal.
 struct ContactGraph {
-  std::vector<int> start;  ///< of each grain in `neighbour`, and the end
+  std::vector<int> start;  ///< where each grain's entries of `neighbour` begin, and the end
   std::vector<int> neighbour;
 };
 
@@ -41,7 +41,7 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   return graph;
 }
 
-/// Adds G^T D G of one contact, the one sum that every stiffness is assembled by. Rows of G are relative
+/// Adds G^T D G of one contact, the one sum by which every stiffness is assembled. Rows of G are relative
 /// motions, its columns the unknowns of i, of j and of the boundary.
 ///
 /// @param on_i, on_j  rows x kDofs; if i = j, `on_i` has both and `on_j` is zero

@@ -9,22 +9,22 @@ namespace floc {
 /// The force-carrying structure of a packing (docs/physics.md, "Force-carrying structure"): the interactions
 /// that carry a normal force, pull or push, between grains that are held.
 struct CarryingStructure {
-  std::vector<bool> rattler;  ///< one entry a grain: not held
+  std::vector<bool> rattler;  ///< one entry per grain: whether it is not held
   std::vector<int> contacts;  ///< indices in the contact list, ascending
-  std::vector<int> degree;    ///< one entry a grain: how many of these contacts it has
+  std::vector<int> degree;    ///< one entry per grain: how many of these contacts it has
   int n_rattlers = 0;
 
   int n_held() const { return static_cast<int>(rattler.size()) - n_rattlers; }
 };
 
-/// Fewest contacts that hold a grain: two where some contact carries a tangential force, else Dim + 1, which
-/// forces along the normals take to balance.
+/// Fewest contacts that hold a grain: two where some contact carries a tangential force, else Dim + 1, the
+/// number that forces along the normals take to balance.
 template <int Dim>
 int least_contacts(const Packing<Dim>& packing);
 
-/// Grains with fewer than `least` carrying contacts are removed, and their contacts with them, until none is
-/// left. Unlike find_rattlers(), contacts below `smallest_force` hold nothing.
-/// @param smallest_force  |F_N| of a carrying contact is above (force), >= 0   @param least  >= 1
+/// Grains with fewer than `least` carrying contacts are removed, and their contacts with them, until no such
+/// grain is left. Unlike in find_rattlers(), contacts below `smallest_force` hold nothing.
+/// @param smallest_force  |F_N| of a carrying contact exceeds it (force), >= 0   @param least  >= 1
 /// @pre the packing has no walls
 template <int Dim>
 CarryingStructure carrying_structure(const Packing<Dim>& packing, double smallest_force, int least);

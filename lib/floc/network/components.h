@@ -28,9 +28,9 @@ using Adjacency = std::vector<std::vector<int>>;
 template <int Dim>
 Adjacency contacts_of_grains(const ContactNetwork<Dim>& network);
 
-/// Connected parts of the grains that some active contact touches, by their first grain. A part that winds
-/// around the cell in n independent ways (its `winding`, found from integer images) percolates along them.
-/// @param active  one entry a contact
+/// Connected parts of the grains that some active contact touches, by first grain. A part that winds around the
+/// cell in n independent ways (its `winding`, found from integer images) percolates along them.
+/// @param active  one entry per contact
 /// @throws InputError if images lead around more than 2^40 cells
 template <int Dim>
 std::vector<Component<Dim>> find_components(const ContactNetwork<Dim>& network, const Adjacency& of,

@@ -13,9 +13,9 @@ struct NetworkContact {
   int i;                ///< first grain
   int j;                ///< second grain; i itself where it touches its own image or a wall
   Vec<Dim, int> image;  ///< lattice vectors by which the image of j is displaced
-  /// From the centre of i to that of the image of j (length); what a strain of the boundary stretches. Of a
-  /// wall: along its normal to its plane; across it, where other walls are, from the centre of i to the middle
-  /// of the box, since a wall moves along its normal alone.
+  /// From the centre of i to that of the image of j (length); what a strain of the boundary stretches. For a
+  /// wall: along its normal, to its plane; across it, where there are other walls, from the centre of i to the
+  /// middle of the box, since a wall moves along its normal alone.
   Vec<Dim> branch;
   Vec<Dim> arm_i;                      ///< from the centre of i to the contact point (length)
   Vec<Dim> arm_j;                      ///< from the centre of the image of j to the contact point (length)
@@ -44,7 +44,7 @@ struct ContactNetwork {
   /// Length that turns a rotation into a displacement: the radius of a round grain.
   std::vector<double> grain_size;
   std::vector<NetworkContact<Dim>> contacts;
-  /// Axes between walls, ascending: beside the strains, the two walls of each may move together.
+  /// Axes between walls, ascending: besides the strains, the two walls of each may move together.
   std::vector<int> wall_axes;
 
   int n_unknowns() const { return kDofs<Dim> * n_grains; }
@@ -67,12 +67,12 @@ template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 
 /// The network without the contacts of some grains. Unknowns keep their numbers.
-/// @param removed  one entry a grain
+/// @param removed  one entry per grain
 template <int Dim>
 ContactNetwork<Dim> without_grains(const ContactNetwork<Dim>& network, const std::vector<bool>& removed);
 
 /// Largest normal or tangential stiffness in absolute value (force/length), 1 without contacts: K over it has a
-/// diagonal of order one where rotations are taken times the grain's size.
+/// diagonal of order one where rotations are multiplied by the grain's size.
 template <int Dim>
 double stiffness_scale(const ContactNetwork<Dim>& network);
 

@@ -15,12 +15,12 @@ enum class FreeMotionKind {
   spin,         ///< grains of the core spin: without friction, or about the line of two contacts (3D)
 };
 
-/// The motions that cost nothing because of how a network is connected, found without looking at any stiffness
-/// value but zero. What is left after them is regular unless the network has true mechanisms.
+/// The motions that cost nothing because of how a network is connected, whatever the values of the stiffnesses
+/// that do not vanish. What is left after them is regular unless the network has true mechanisms.
 struct FreeMotions {
-  /// Unknowns of K to solve for, one entry an unknown; the others are free and are set to zero.
+  /// Unknowns of K to solve for, one entry per unknown; the others are free and are set to zero.
   std::vector<bool> kept;
-  /// Grains that hang on a single contact, or on a chain of such: they take no part in the response to a
+  /// Grains that hang on a single contact, or on a chain of such grains: they take no part in the response to a
   /// strain.
   std::vector<bool> dead_end;
   int n_alone = 0;           ///< grains without contact, or left so once their dead ends are gone
@@ -28,10 +28,10 @@ struct FreeMotions {
   int n_free_spins = 0;      ///< groups of other grains that spin together at no cost
   int n_components = 0;      ///< connected parts of what is left; each can translate where no wall holds it
   int n_free_rotations = 0;  ///< rigid rotations of parts that do not wrap around the cell
-  /// Negative eigenvalues of K that left with the dead ends: grains held by one distant attraction.
+  /// Negative eigenvalues of K removed with the dead ends: grains held by one distant attraction.
   int n_unstable_ends = 0;
-  /// The motions themselves: rows the unknowns of K (length, radians), one column each, independent,
-  /// K * modes = 0 to rounding (with prestress too for translations). Dead ends follow what holds them.
+  /// The motions themselves, independent: rows are the unknowns of K (length, radians), one column per motion,
+  /// K * modes = 0 to rounding (for translations, with prestress too). Dead ends follow what holds them.
   Eigen::SparseMatrix<double> modes;
   std::vector<FreeMotionKind> kind;  ///< of each column
 
@@ -40,11 +40,11 @@ struct FreeMotions {
 };
 
 /// Removes dead ends (grain by grain from the tips), then pins rotations that nothing resists, and one unknown
-/// for each rigid motion of each connected component: Dim translations, and the rotations that the ways in which
-/// the component winds around the cell allow; of one that touches walls, those that the walls do not resist. The
-/// response to strain and the inertia of K, up to `n_unstable_ends`, are not changed: the tip's own block of K is
-/// eliminated exactly and leaves nothing on its neighbour. With prestress this holds as far as the tip is in
-/// equilibrium, that is, carries no force.
+/// for each rigid motion of each connected component: Dim translations, and the rotations allowed by the ways
+/// in which the component winds around the cell; if it touches walls, only the motions that they do not resist.
+/// The response to strain and the inertia of K, up to `n_unstable_ends`, are not changed: the tip's own block
+/// of K is eliminated exactly and leaves nothing on its neighbour. With prestress this holds as far as the tip
+/// is in equilibrium, that is, carries no force.
 template <int Dim>
 FreeMotions find_free_motions(const ContactNetwork<Dim>& network);
 

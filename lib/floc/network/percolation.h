@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// What the contacts of a network can carry through the periodic cell, by how they are connected alone.
+/// What the contacts of a network can carry through the periodic cell, judged by connectivity alone.
 struct Percolation {
   /// Contacts that carry current if each conducts and a gradient is imposed across the periodic cell, for
   /// almost all conductances. These are the contacts of the blocks (parts that stay connected without any one
@@ -17,7 +17,7 @@ struct Percolation {
   /// any force in them. Contacts in neither list join parts that both wind around the cell; they conduct
   /// nothing but may carry a moment.
   std::vector<bool> dead_end;
-  int n_directions = 0;  ///< most independent ways in which one connected part winds around the cell
+  int n_directions = 0;  ///< largest number of independent ways in which a part winds around the cell
 };
 
 template <int Dim>

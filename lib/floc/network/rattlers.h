@@ -6,12 +6,12 @@
 
 namespace floc {
 
-/// Grains that carry nothing, one entry a grain (docs/physics.md, "Coordination and rattlers").
+/// Grains that carry nothing, one entry per grain (docs/physics.md, "Coordination and rattlers").
 ///
-/// With adhesion: a grain without any interaction; one held by a contact of zero force is no rattler.
-/// Without: a grain none of whose contacts carries more than `smallest_force`, or that touches one grain only,
-/// found by removing such grains until none is left. A packing that carries no force at all says nothing about
-/// which grains would, so there only grains without contact count.
+/// With adhesion: grains without any interaction; a grain held by a contact of zero force is not a rattler.
+/// Without: grains none of whose contacts carries more than `smallest_force`, or that touch one grain only,
+/// found by removing such grains until none is left. A packing that carries no force at all does not tell which
+/// grains would carry any, so in it only grains without contact count.
 ///
 /// @param smallest_force  (force), >= 0
 template <int Dim>

@@ -23,8 +23,8 @@ Mat<Dim> unit_strain(int column);
 
 /// Relative motion of one contact, linear in the unknowns. Rows: overlap; tangential displacement of j against
 /// i along each tangent; rotation of j against i, in 3D about the normal (twisting), then about each tangent
-/// (rolling). Row by row they do work on normal force, tangential force on i and moment on i: forces f are in
-/// balance with loads G^T f.
+/// (rolling). Row by row they are conjugate to normal force, tangential force on i and moment on i: forces f
+/// balance loads G^T f.
 template <int Dim>
 struct ContactRows {
   Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_i;  ///< unknowns of i; those of j are added if i = j
@@ -39,17 +39,17 @@ using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
-/// The same rows on the displacement that the two walls of each axis share, a column an axis: zero but for the
-/// overlap with a wall of that axis, since walls move along their normal alone.
+/// The same rows on the displacement that the two walls of each axis share, one column per axis: zero except
+/// for the overlap with a wall of that axis, since walls move along their normal alone.
 template <int Dim>
 Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& contact);
 
-/// Unknowns of the boundary: the strains and, of each axis between walls, what both of its walls move by over
-/// wall_shift_unit().
+/// Number of unknowns of the boundary: the strains and, for each axis between walls, the common displacement of
+/// its two walls over wall_shift_unit().
 template <int Dim>
 int n_boundary_unknowns(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Side of a cube (square) as large as the network: over it a displacement is like a strain (length).
+/// Side of a cube (square) as large as the network: divided by it, a displacement is like a strain (length).
 template <int Dim>
 double wall_shift_unit(const ContactNetwork<Dim>& network);
 
@@ -79,16 +79,16 @@ RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& contact);
 template <int Dim>
 ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
 
-/// Geometric stiffness of those rows, -F_N/r along the tangents; none to a wall, whose normal does not turn.
+/// Geometric stiffness of those rows, -F_N/r along the tangents; none at a wall, whose normal does not turn.
 template <int Dim>
 RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 
-/// Rigidity matrix G: kDofs rows a contact (order of `ContactRows`) x [kDofs columns a grain, then the
+/// Rigidity matrix G: kDofs rows per contact (order of `ContactRows`) x [kDofs columns per grain, then the
 /// strains]. K = G^T k G without prestress.
 template <int Dim>
 Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// sqrt(k) G, whose square is K: half the digits that K loses to soft modes are lost in it.
+/// sqrt(k) G, whose square is K: it loses only half the digits that K loses to soft modes.
 /// @pre no stiffness is negative (a distant attraction's has no square root).
 template <int Dim>
 Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);

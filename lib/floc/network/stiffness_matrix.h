@@ -12,7 +12,7 @@ struct StiffnessOptions {
   /// Adds the geometric terms -(F_N/r)(1 - n n) on the relative translation. Terms in F_T are left out: the
   /// matrix is the exact derivative of the forces where F_T = 0.
   bool prestress = false;
-  /// Adds, after the strains, what the two walls of each axis move by together over wall_shift_unit().
+  /// Adds, after the strains, the common displacement of the two walls of each axis over wall_shift_unit().
   bool wall_shifts = false;
 };
 
@@ -22,20 +22,20 @@ struct StiffnessOptions {
 /// and moment on the grains, volume times stress on the strains.
 struct StiffnessMatrix {
   Eigen::SparseMatrix<double> grains;  ///< lower triangle, order kDofs * n_grains
-  Eigen::MatrixXd border;              ///< rows as `grains`, one column a boundary unknown
+  Eigen::MatrixXd border;              ///< rows as `grains`, one column per boundary unknown
   Eigen::MatrixXd boundary;            ///< square, both triangles
 
   /// Both triangles of the whole matrix, for inspection.
   Eigen::SparseMatrix<double> whole() const;
 };
 
-/// Assembled by compressed columns whose places follow from the contact graph: a full block for each pair of
+/// Assembled in compressed columns whose places follow from the contact graph: a full block for each pair of
 /// grains in contact, zeros included, so that the pattern does not depend on the stiffnesses.
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options);
 
-/// The block of the strains alone: volume times the moduli if every grain followed the strain without turning
-/// (Voigt).
+/// The block of the strains alone: volume times the moduli that the network would have if every grain followed
+/// the strain without turning (Voigt).
 template <int Dim>
 Eigen::MatrixXd affine_stiffness(const ContactNetwork<Dim>& network, StrainSet strains);
 

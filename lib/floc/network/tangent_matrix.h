@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Derivatives of what a contact carries, rows and columns in the order of `ContactRows`; not symmetric where
-/// one force follows another. See contact_tangents().
+/// Derivatives of the forces of a contact, rows and columns in the order of `ContactRows`; not symmetric where
+/// one force depends on another. See contact_tangents().
 template <int Dim>
 using ConsistentStiffness = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
@@ -17,22 +17,22 @@ using ConsistentStiffness = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 template <int Dim>
 struct BoundaryColumns {
   static constexpr int kMaxColumns = 2 * kSymmetric<Dim>;
-  /// Displacement of j against i for a unit of each unknown: Dim rows, a column an unknown.
+  /// Displacement of j against i for a unit of each unknown: Dim rows, one column per unknown.
   Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMaxColumns> displacement;
-  /// Derivative of displacement^T (force on i) by the displacement of j against i while the force stays as it
-  /// is: a row an unknown, Dim columns. Zero for a wall; the force itself where a strain displaces along it by
-  /// a component of the branch.
+  /// Derivative of displacement^T (force on i) by the displacement of j against i, with the force held fixed:
+  /// one row per unknown, Dim columns. Zero for a wall; the force itself where a strain displaces along it by a
+  /// component of the branch.
   Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMaxColumns, Dim> follow;
 };
 
-/// Derivative of the forces on grains and boundary by their unknowns, sum of G^T D G over contacts and of all
-/// geometric terms, those of tangential forces and rolling moments among them: the tangent of a Newton
+/// Derivative of the forces on grains and boundary by their unknowns, the sum of G^T D G over contacts and of
+/// all geometric terms, including those of tangential forces and rolling moments: the tangent of a Newton
 /// iteration. Not symmetric.
 ///
 /// Unknowns: translations and rotations (times the grain's size) of each grain, then those of the boundary.
-/// Loads alike: force, moment over the grain's size. The sign is that of a stiffness: minus the derivative of
-/// the force on what moves. The pattern is that of the pairs it was made for; values are added up contact by
-/// contact.
+/// Loads correspond: force, and moment over the grain's size. The sign is that of a stiffness: minus the
+/// derivative of the force on what moves. The pattern is that of the pairs it was made for; values are added
+/// contact by contact.
 template <int Dim>
 class TangentMatrix {
  public:

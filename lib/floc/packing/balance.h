@@ -20,9 +20,9 @@ Balance<Dim> net_forces(const Packing<Dim>& packing);
 template <int Dim>
 Mat<Dim> static_stress(const Packing<Dim>& packing);
 
-/// Stress that the interactions crossing the faces of the cell transmit: sum F_j^(a)
-/// (image * cell.matrix)^(b) / volume, that is for each face the force across it over its area. It differs from
-/// static_stress() by the moments of the net forces of the grains, sum F_i^(a) x_i^(b) / volume, and by nothing
+/// Stress that the interactions crossing the faces of the cell transmit: sum F_j^(a) (image *
+/// cell.matrix)^(b) / volume, that is, for each face the force across it over its area. It differs from
+/// static_stress() by the moments of the net forces of the grains, sum F_i^(a) x_i^(b) / volume, which vanish
 /// in equilibrium.
 template <int Dim>
 Mat<Dim> boundary_stress(const Packing<Dim>& packing);

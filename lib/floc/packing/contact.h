@@ -14,14 +14,14 @@ struct Contact {
   int j = 0;  ///< index of the second; may equal i (a grain and its own image)
   Vec<Dim, int> image = Vec<Dim, int>::Zero();  ///< branch = x[j] + image * cell.matrix - x[i]
   int key = 0;                                  ///< tells several contacts of one pair and image apart
-  double gap = 0.0;                             ///< distance of the surfaces (length), < 0: overlap
+  double gap = 0.0;                             ///< distance between the surfaces (length), < 0: overlap
   Vec<Dim> normal = Vec<Dim>::Zero();           ///< unit vector from i to j
   double normal_force = 0.0;                    ///< static: elastic plus adhesive (force)
   double elastic_force = 0.0;                   ///< elastic part, >= 0 (force)
   Vec<Dim> shear_force = Vec<Dim>::Zero();      ///< tangential force on i (force)
   /// Moment of the rolling spring on i (force * length).
   RotationVector<Dim> rolling_moment = RotationVector<Dim>::Zero();
-  /// Of spheres, moment of the twisting spring on i about the normal (force * length).
+  /// For spheres, moment of the twisting spring on i about the normal (force * length).
   double twisting_moment = 0.0;
   double kn = 0.0;              ///< normal stiffness, -F0/D0 for a distant attraction
   double kt = 0.0;              ///< tangential stiffness (force/length)
@@ -37,7 +37,7 @@ struct Contact {
   bool yields() const { return sliding || rolling_yield || twisting_yield; }
 };
 
-/// Moment of rolling and twisting springs on i, a vector of space in 3D.
+/// Moment of rolling and twisting springs on i, in 3D a vector in space.
 template <int Dim>
 RotationVector<Dim> spring_moment(const RotationVector<Dim>& rolling, double twisting, const Vec<Dim>& normal) {
   if constexpr (Dim == 3)

@@ -8,8 +8,8 @@ namespace floc {
 ///
 ///   N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R),   N elastic normal force, h overlap
 ///
-/// The first term is the integral of N over h wherever N goes with a power of h: N h/2 of linear contacts,
-/// (2/5) N h of Hertz contacts. Adhesion is left out; none of a distant attraction.
+/// The first term is the integral of N over h wherever N follows a power of h: N h/2 for linear contacts, (2/5)
+/// N h for Hertz contacts. Adhesion is left out; a distant attraction has no such energy.
 template <int Dim>
 double elastic_energy(const Contact<Dim>& contact);
 

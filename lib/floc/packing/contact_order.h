@@ -19,7 +19,7 @@ bool precedes(const Pair& p, const Pair& q) {
   return false;
 }
 
-/// The same pair with its grains exchanged: i, j and image alone, nothing of what acts there.
+/// The same pair with its grains exchanged: only i, j and image change, not what acts between them.
 template <class Pair>
 Pair swapped(Pair pair) {
   std::swap(pair.i, pair.j);
@@ -27,8 +27,8 @@ Pair swapped(Pair pair) {
   return pair;
 }
 
-/// Whether a pair has the one of its two forms that lists hold: i < j, or, for a grain and its own image, the
-/// first component of the image that is not zero positive.
+/// Whether a pair is in the one of its two forms that lists hold: i < j or, for a grain and its own image, the
+/// first non-zero component of the image positive.
 template <class Pair>
 bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;

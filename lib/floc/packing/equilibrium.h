@@ -6,10 +6,10 @@
 
 namespace floc {
 
-/// How strict an equilibrium is asked to be. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1))
-/// and the matching power of the length a, the largest diameter (docs/physics.md, "Equilibrium"; defaults of
-/// [GRC2008]). Where diameters differ by more than a factor of four, forces, moments and energies are those of
-/// each grain by its own scale: see GrainScales.
+/// How strict an equilibrium has to be. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1)) and
+/// the matching power of the length a, the largest diameter (docs/physics.md, "Equilibrium"; defaults of
+/// [GRC2008]). Where diameters differ by more than a factor of four, the forces, moment and energy of each
+/// grain are measured by its own scale: see GrainScales.
 struct EquilibriumTolerance {
   double force = 1e-5;   ///< net force on any grain / F1 of the grain
   double moment = 1e-5;  ///< net moment on any grain / (F1 a) of the grain
@@ -33,19 +33,19 @@ struct Residuals {
   }
 };
 
-/// Units residuals are measured in.
+/// Units in which residuals are measured.
 struct ForceScale {
   double force;   ///< F1
   double length;  ///< a, the largest diameter
 };
 
-/// F1 = max(F0, P a^(Dim-1)) for the mean of the target's diagonal P.
+/// F1 = max(F0, P a^(Dim-1)), with P the mean of the target's diagonal.
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
 /// Units in which each grain is measured. Grains of similar sizes (kSimilarSizes) share those of the packing.
-/// Beyond that a net force that a large grain would not notice may be all that a small one carries: grain i of
-/// diameter d_i is then held to F1_i = max(F0, P d_i^(Dim-1)) and a moment and energy of F1_i d_i. Refers to
+/// Beyond that, a net force that a large grain would not notice may be all that a small one carries: grain i of
+/// diameter d_i is then held to F1_i = max(F0, P d_i^(Dim-1)) and to a moment and energy of F1_i d_i. Refers to
 /// the packing it was made from.
 template <int Dim>
 class GrainScales {
@@ -70,15 +70,15 @@ class GrainScales {
 template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure);
 
-/// Kinetic energy of each grain in units of its own work scale, mean over the grains, times F1 a of the packing
-/// (energy): the plain mean where they share one.
+/// Kinetic energy of each grain in units of its own work scale, averaged over the grains, times F1 a of the
+/// packing (energy): the plain mean where the grains share one scale.
 /// @param counted  of each grain, whether its energy counts; empty: all
 template <int Dim>
 double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>& scales,
                              const std::vector<bool>& counted = {});
 
 /// Measures a packing against the diagonal stress it is loaded with, from the forces in its contact list.
-/// An F1 of zero (no adhesion, no pressure) makes any residual infinite but an exact zero.
+/// With an F1 of zero (no adhesion, no pressure), any residual that is not exactly zero is infinite.
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 

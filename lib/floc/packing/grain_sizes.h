@@ -17,14 +17,14 @@ double largest_diameter(const Grains<Dim>& grains) {
   return largest_diameter(grains.radius);
 }
 
-/// (mass) @pre there are grains
+/// Largest mass of a grain (mass). @pre there are grains
 template <int Dim>
 double largest_mass(const Grains<Dim>& grains) {
   return *std::max_element(grains.mass.begin(), grains.mass.end());
 }
 
-/// The largest ratio of diameters at which one length, the largest diameter, serves for all grains: to search
-/// neighbours by and to hold forces against. Beyond it either goes by the size of the grain.
+/// The largest ratio of diameters at which one length, the largest diameter, serves for all grains, in searches
+/// for neighbours and as a scale of forces. Beyond it, both go by the size of the grain.
 inline constexpr double kSimilarSizes = 4.0;
 
 inline bool similar_sizes(const std::vector<double>& radius) {
@@ -33,8 +33,8 @@ inline bool similar_sizes(const std::vector<double>& radius) {
   return *most <= kSimilarSizes * *least;
 }
 
-/// Length that the skin of neighbour lists is measured in: the largest, or the smallest where they differ much,
-/// since a skin that is thin for the largest holds whole layers of the smallest.
+/// Length in which the skin of neighbour lists is measured: the largest diameter, or the smallest where they
+/// differ much, since a skin that is thin for the largest grains holds whole layers of the smallest.
 inline double skin_length_unit(const std::vector<double>& radius) {
   return similar_sizes(radius) ? largest_diameter(radius)
                                : 2.0 * *std::min_element(radius.begin(), radius.end());

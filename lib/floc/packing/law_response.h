@@ -4,13 +4,13 @@
 #include "floc/packing/contact_response.h"
 #include "floc/packing/packing.h"
 
-/// How one contact responds by a composed law: what all evaluations outside of the force loop share.
+/// How one contact responds by a composed law: what all evaluations outside the force loop share.
 namespace floc {
 
-/// Springs are at their cap when shortening by rounding could not be distinguished from reaching it.
+/// Relative distance below its cap at which a spring counts as being at it: it may be there by rounding alone.
 inline constexpr double kCapTolerance = 1e-12;
 
-/// What the law may ask of the pair, at the gap that the contact has. A wall is flat and moves as if no grain
+/// What the law may need to know of the pair, at the contact's gap. A wall is flat and moves as if no grain
 /// could stop it.
 template <int Dim>
 PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
@@ -18,7 +18,7 @@ PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
   return {c.gap, reduced(grains.radius[c.i], grains.radius[c.j]), reduced(grains.mass[c.i], grains.mass[c.j])};
 }
 
-/// The numbers that the law has of the pair; a grain on a wall is dry.
+/// The parameters of the pair under the law; a grain on a wall is dry.
 template <class Law, int Dim>
 typename Law::template PairParameters<> pair_parameters(
     const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c,
@@ -26,7 +26,7 @@ typename Law::template PairParameters<> pair_parameters(
   if (c.j >= grains.size()) return {};
   return law.template pair_parameters<Dim>(grains.radius[c.i], grains.radius[c.j], memory);
 }
-/// The same as they act at the contact as it is.
+/// These parameters as they act at the contact now.
 template <class Law, int Dim>
 typename Law::template PairParameters<> acting_parameters(const Law& law, const Grains<Dim>& grains,
                                                           const Contact<Dim>& c) {
@@ -34,7 +34,7 @@ typename Law::template PairParameters<> acting_parameters(const Law& law, const 
   return law.template acting<Dim>(pair_parameters(law, grains, c, memory), memory);
 }
 
-/// Flags of the springs that are at their caps; none of a distant attraction.
+/// Flags of the springs that are at their caps; none for a distant attraction.
 template <class Law, int Dim>
 void set_mobilised(const Law& law, const PackedMemory<Law::template kMemorySize<Dim>>& memory, double tolerance,
                    Contact<Dim>& c) {

@@ -10,8 +10,8 @@
 /// The liquid of a packing whose law has capillary bridges: which pairs hold some, and how much.
 namespace floc {
 
-/// Bridges a grain of a dense packing has, half of them counted with it: to begin a search with, and for what is
-/// said of a scene before there are any.
+/// Bridges per grain of a dense packing, each shared by two grains: where a search begins, and what is assumed
+/// of a scene before there are any.
 inline constexpr double kBridgesPerGrain = 3.0;
 
 /// A pair that liquid may bridge.
@@ -22,34 +22,34 @@ struct BridgeablePair {
 
 /// How liquid is shared out.
 struct LiquidShares {
-  std::vector<double> volume;  ///< V_b of each pair, 0 of those without a bridge
+  std::vector<double> volume;  ///< V_b of each pair, 0 for those without a bridge
   int n_bonds = 0;             ///< pairs with a bridge
   double radius_sum = 0.0;     ///< sum of R' over them (length)
 };
 
 /// Shares liquid out over pairs, V_b = V_l R'/sum R' over those that are bridged, which are those that touch or
-/// are within the reach of their bridge. That fixes both: with
+/// are within the reach of their bridge. These two conditions fix both: with
 ///
-///   q = R' (1 + th/2)^3/h^3 (without end where surfaces touch), sorted descending, S_k the running sum of R',
+///   q = R' (1 + th/2)^3/h^3 (infinite where surfaces touch), sorted descending, S_k the running sum of R',
 ///
-/// the first k pairs are bridged, k the largest with S_k <= V_l q_k: S rises and q falls. Every one of them is in
-/// reach at its own volume, and of no greater k is this so. (A set that leaves out a pair of larger q, which is
-/// reached more easily, may be larger where the R' differ.) Pairs of one q go by their order. The volumes add up
-/// to V_l but for rounding; where no pair is in reach, none holds any.
+/// the first k pairs are bridged, k the largest with S_k <= V_l q_k: S rises and q falls. All of them are in
+/// reach at their own volumes, and for no larger k is this so. (A set that leaves out a pair of larger q, which
+/// is reached more easily, may be larger where the R' differ.) Pairs of equal q keep their order. The volumes
+/// add up to V_l, up to rounding; where no pair is in reach, none holds any.
 ///
 /// @param liquid  V_l (length^3), > 0
 LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
                           std::span<const BridgeablePair> pairs);
 
-/// Whether liquid may flow to a pair with that gap (length) that holds a volume (length^3): where bridges form on
-/// contact alone, it has to touch or to have a bridge.
+/// Whether liquid may flow to a pair with this gap (length) that holds this volume (length^3): where bridges
+/// form on contact alone, the pair has to touch or to have a bridge.
 inline bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume) {
   return bridges.formation == BridgeFormation::gap || gap <= 0.0 || volume > 0.0;
 }
 
 /// Shares liquid out over those of n pairs that may take part.
 ///
-/// @param pair  the k-th, nothing where it takes no part
+/// @param pair  the k-th pair, nothing where it takes no part
 /// @return      volumes of all n pairs
 template <class PairAt>
 LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid, int n, const PairAt& pair) {
@@ -67,7 +67,7 @@ LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid,
   return shares;
 }
 
-/// Where to look for the pairs that liquid may bridge, wider and wider, until none further off can be in reach.
+/// Where to look for pairs that liquid may bridge: wider and wider, until none further off can be in reach.
 class BridgeSearch {
  public:
   /// @param radius  of the grains
@@ -75,18 +75,18 @@ class BridgeSearch {
 
   /// V_l, all the liquid there is.
   double liquid() const { return liquid_; }
-  /// Gap to look across at first: what bridges reach that share the liquid with three others a grain.
+  /// Gap to look across at first: the reach of bridges if there were kBridgesPerGrain of them per grain.
   double first_reach() const;
-  /// No bridge reaches further as long as those of `shares` hold.
+  /// No bridge reaches further than this as long as the volumes of `shares` hold.
   double reach_bound(const LiquidShares& shares) const;
-  /// A wider gap to look across where shares over all pairs closer than `reach` are not final yet, `reach`
-  /// itself where they are.
+  /// A wider gap to look across if the shares over all pairs closer than `reach` are not final yet, `reach`
+  /// itself if they are.
   double wider(double reach, const LiquidShares& shares) const;
 
  private:
   const CapillaryAdhesion& bridges_;
   double liquid_, largest_radius_;
-  double radius_sum_;  ///< of three bridges a grain
+  double radius_sum_;  ///< of three bridges per grain
 };
 
 /// Whether contacts remember bridge volumes under the law of a packing.
@@ -95,8 +95,8 @@ bool holds_liquid(const Packing<Dim>& packing) {
   return packing.law.liquid() != nullptr;
 }
 
-/// Volume of the liquid at a contact, its sign that of the memory: negative of a bridge that has broken. 0
-/// under a law that holds none.
+/// Volume of the liquid at a contact, with the sign that it has in memory: negative for a bridge that has
+/// broken. 0 under a law that holds none.
 template <int Dim>
 double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return holds_liquid(packing) ? contact.memory[MemoryLayout<Dim>::kAdhesion] : 0.0;
@@ -112,8 +112,8 @@ bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
 template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Largest gap at which any contact of a packing acts, or another under a law without liquid, and the widest
-/// that has liquid on it (length).
+/// Largest gap at which any contact of a packing acts: the range of its law, or with liquid the reach of any
+/// bridge and the gap of any contact that holds liquid (length).
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);
 
@@ -125,7 +125,7 @@ double pull_off_force(const Packing<Dim>& packing);
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Volume of the grains as spheres, which disks of a layer stand for.
+/// Volume of the grains as spheres; in 2D, disks stand for a layer of them.
 double volume_of_spheres(std::span<const double> radius);
 
 }  // namespace floc

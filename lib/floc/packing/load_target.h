@@ -25,7 +25,7 @@ struct LoadTarget {
   bool any_strained() const { return side.maxCoeff() > 0.0; }
   /// Whether nothing is imposed but zero stress.
   bool unloaded() const { return !any_strained() && stress.isZero(0.0); }
-  /// The stresses imposed; where none is, those carried. They set the scale of forces.
+  /// The stress imposed on each axis, or carried where no stress is imposed. It sets the scale of forces.
   /// @param carried  stress of the packing
   Vec<Dim> stress_with(const Mat<Dim>& carried) const {
     Vec<Dim> out = stress;

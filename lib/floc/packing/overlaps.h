@@ -6,14 +6,14 @@
 
 namespace floc {
 
-/// Overlap of two spheres, over the smaller radius, up to which Hertz' contact is meant: beyond it the circle of
-/// contact is a third of the radius, and neighbours of a sphere feel each other.
+/// Overlap of two spheres, over the smaller radius, up to which Hertz' contact law is meant: beyond it the
+/// contact circle is a third of the radius, and the contacts of a sphere affect each other.
 inline constexpr double kDeepOverlap = 0.1;
-/// Mean of a packing beyond which it is refused: at the largest pressure that scenes may ask for, a stiffness level of
-/// 30, it is 0.11.
+/// Mean overlap of a packing beyond which it is refused: at the largest pressure that scenes may ask for, a
+/// stiffness level of 30, it is 0.11.
 inline constexpr double kDeepestMean = 0.12;
 
-/// How deep the contacts that touch are, over the smaller radius of each.
+/// How deep the contacts that touch overlap, over the smaller radius of each.
 struct Overlaps {
   double mean = 0.0;
   double largest = 0.0;
@@ -23,8 +23,8 @@ struct Overlaps {
 template <int Dim>
 Overlaps measure_overlaps(const Packing<Dim>& packing);
 
-/// What is to be said of a packing under a law for small overlaps some contacts of which are deeper; empty
-/// where there is nothing to be said.
+/// A warning about contacts of a packing that are too deep for its law, if this is one for small overlaps;
+/// empty where there is nothing to warn of.
 template <int Dim>
 std::string overlap_warning(const Packing<Dim>& packing);
 

@@ -28,11 +28,11 @@ inline Orientation<Dim> no_rotation() {
   }
 }
 
-/// Round grains, one entry of each array a grain. The identifier of a grain in a state file is its index here.
+/// Round grains, one array entry per grain. The identifier of a grain in a state file is its index here.
 template <int Dim>
 struct Grains {
   std::vector<Vec<Dim>> position;  ///< centre (length), inside the cell in a saved state
-  /// What the centre lies beside `position`, less than half a unit in its last place (length); empty: on it.
+  /// Offset of the centre from `position`, less than half a unit in its last place (length); empty: none.
   std::vector<Vec<Dim>> position_low;
   std::vector<Vec<Dim>> velocity;  ///< peculiar: without the affine part of the cell (length/time)
   std::vector<double> radius;      ///< (length)
@@ -57,7 +57,7 @@ struct Grains {
   DoubleDoubleVec<Dim> centre(int i) const {
     return double_double<Dim>(position[i], position_low.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : position_low[i]);
   }
-  /// Keeps the low parts only if there is one that is not zero.
+  /// Keeps the low parts only if at least one of them is not zero.
   void set_centres(const std::vector<DoubleDoubleVec<Dim>>& centres);
 
   /// Moment of inertia: m d^2/8 of a disk, m d^2/10 of a sphere.
@@ -67,7 +67,7 @@ struct Grains {
 /// Cell, walls, grains, laws and contacts: everything mechanical about one state.
 template <int Dim>
 struct Packing {
-  /// Along an axis between walls nothing is periodic: the side of the cell is their distance, and right-angled.
+  /// Along an axis between walls nothing is periodic: the side of the cell is their distance, normal to them.
   Cell<Dim> cell;
   Grains<Dim> grains;
   LawParameters law;                   ///< between grains
@@ -78,8 +78,8 @@ struct Packing {
   /// Whether body j of a contact is a wall: their numbers follow those of the grains.
   bool is_wall(int body) const { return body >= grains.size(); }
   const Wall<Dim>& wall(int body) const { return walls[body - grains.size()]; }
-  /// Radius of the surface of a body as seen from its place in a branch: a wall's is the foot of the branch
-  /// itself.
+  /// Radius of a body's surface about its end of a branch: zero for a wall, on which the branch itself
+  /// ends.
   double surface_radius(int body) const { return is_wall(body) ? 0.0 : grains.radius[body]; }
 };
 

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// @param what   the computation that knows periodic boundaries alone, as a subject
+/// @param what   the computation that works with periodic boundaries only, as a subject
 /// @param place  that the message names
 /// @throws InputError if the packing has walls
 template <int Dim>

@@ -11,11 +11,11 @@
 
 namespace floc {
 
-/// The turn of a load path in which axes are loaded differently, and where it started: what the next step of
-/// the turn is counted from.
+/// The turn of a load path in which axes are loaded differently, and where it started: the reference for the
+/// next step of the turn.
 struct Turn {
   std::string control;         ///< "oedometric", "triaxial", ...; empty outside such turns
-  int axis = 0;                ///< that is driven, from 0
+  int axis = 0;                ///< the driven one, from 0
   std::vector<double> sides;   ///< of the cell at the start (length)
   std::vector<double> stress;  ///< on each axis at the start, imposed or carried
   double shear = 0.0;          ///< of simple shear: strain since the start, by the end of this step
@@ -26,7 +26,7 @@ struct Turn {
 
 /// The place of a state on its load path.
 struct PathPosition {
-  int step = 0;              ///< number of the equilibrium, 0 the first saved
+  int step = 0;              ///< number of the equilibrium, 0 for the first saved
   std::string branch;        ///< "assembly", "load", "unload", ...
   double time = 0.0;         ///< simulated time since the start (time unit of the scene)
   std::int64_t n_steps = 0;  ///< time steps since the start
@@ -34,7 +34,7 @@ struct PathPosition {
   Turn turn;
 };
 
-/// Who made a state, from what. No clock time: repeated runs give identical files.
+/// What made a state, and from what. No clock time: repeated runs give identical files.
 struct Provenance {
   std::string program;  ///< "floc 0.1.0", or the program a converted packing came from
   std::string commit;
@@ -58,8 +58,8 @@ struct State {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing, when saved
   Residuals residuals;                 ///< reached when saved
   int n_negative = -1;                 ///< negative eigenvalues of the stiffness matrix; -1: not determined
-  /// Of a law with liquid: bridges that would form or break if the liquid were shared out once more, above 0
-  /// where it was held after many times; -1: not determined.
+  /// For a law with liquid: bridges that would form or break if the liquid were shared out once more, above 0
+  /// where the liquid was held in place after many trials; -1: not determined.
   int n_bridges_unsettled = -1;
   PathPosition path;
   std::string scene;  ///< text of the scene, empty for converted packings

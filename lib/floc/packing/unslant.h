@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Describes a packing by the lattice vector of an axis that reaches along the first one by at most half of its
-/// length, whole lengths taken off: the lattice, and with it the packing, stays the same. Grains are brought back
-/// into the cell, and the images of contacts follow.
+/// Takes whole lengths of the first lattice vector off that of an axis until it reaches along the first axis by
+/// at most half a length: the lattice, and with it the packing, stays the same. Grains are brought back into
+/// the cell, and the images of contacts follow.
 /// @pre the cell is lower triangular, and without walls; axis > 0
 template <int Dim>
 void unslant(Packing<Dim>& packing, int axis);

@@ -6,13 +6,13 @@
 
 namespace floc {
 
-/// Whether a wall follows the forces on it. One of infinite mass moves at its velocity whatever pushes it: at
-/// rest it is fixed.
+/// Whether a wall follows the forces on it. A wall of infinite mass moves at its velocity whatever pushes it;
+/// at rest it is fixed.
 template <int Dim>
 bool follows_forces(const Wall<Dim>& wall);
 
-/// The packing moved so that the lower wall of each axis is at zero, where a cell begins: walls leave it as they
-/// move. Unchanged without walls.
+/// The packing moved so that the lower wall of each axis is at zero, where the cell begins: moving walls leave
+/// it. Unchanged without walls.
 template <int Dim>
 Packing<Dim> with_walls_at_cell(Packing<Dim> packing);
 
@@ -20,7 +20,7 @@ Packing<Dim> with_walls_at_cell(Packing<Dim> packing);
 template <int Dim>
 double wall_area(const Packing<Dim>& packing, int axis);
 
-/// Static normal force that the grains push each wall outwards with, in the order of Packing::walls (force).
+/// Static normal force with which grains push each wall outwards, in the order of Packing::walls (force).
 template <int Dim>
 std::vector<double> wall_forces(const Packing<Dim>& packing);
 
@@ -30,13 +30,13 @@ template <int Dim>
 Vec<Dim> wall_pressure(const Packing<Dim>& packing);
 
 /// The stress that the boundary is loaded with: the static one and, along each axis between walls, the pressure
-/// on these, of which the friction of the others bears a part (force/length^(Dim-1)).
+/// on them, part of which is borne by the friction of the others (force/length^(Dim-1)).
 template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing);
 
-/// What the friction of the walls along each axis bears of the pressure on the walls across it: the sum of t_a
-/// x_a over their contacts, t the friction on a grain at x, over the volume (force/length^(Dim-1)). At rest the
-/// static stress is the pressure less this (docs/physics.md, "Boxes with walls").
+/// The part of the pressure on the walls across each axis that the friction of the walls along it bears: the
+/// sum of t_a x_a over their contacts, t the friction on a grain at x, over the volume (force/length^(Dim-1)).
+/// At rest the static stress is the pressure less this (docs/physics.md, "Boxes with walls").
 template <int Dim>
 Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing);
 

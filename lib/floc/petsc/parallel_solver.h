@@ -6,19 +6,19 @@
 
 namespace floc {
 
-/// What one solution came to, the same on every process.
+/// Outcome of one solution, the same on every process.
 struct ParallelSolution {
   bool converged = false;
   std::string failure;  ///< why it did not converge, in words
   int iterations = 0;
-  /// Estimates of the extreme eigenvalues of M^-1 A on what the load excites (Ritz values), for the
+  /// Estimates of the extreme eigenvalues of M^-1 A among what the load excites (Ritz values), for the
   /// preconditioner M; 0 where no step was taken.
   double smallest_ratio = 0.0;
   double largest_ratio = 0.0;
 };
 
 /// Symmetric linear systems whose rows are shared out among the processes of an MPI run, or held by one process
-/// alone: conjugate gradients with a preconditioner, by PETSc, which a module loaded at need brings along. Rows
+/// alone: conjugate gradients with a preconditioner, by PETSc, in a module that is loaded when needed. Rows
 /// come in blocks of one size (a grain's unknowns); each process holds consecutive blocks. Every call is
 /// collective unless it says otherwise: all processes make it, in the same order.
 ///
@@ -37,16 +37,16 @@ class ParallelSolver {
   [[noreturn]] virtual void abort(int code) = 0;
 
   /// Begins a matrix, which replaces any other.
-  /// @param own      blocks that each row of blocks of this process has within its own columns
-  /// @param foreign  and in those of other processes
+  /// @param own      number of blocks that each row of blocks of this process has within its own columns
+  /// @param foreign  the same within those of other processes
   virtual void begin_matrix(int block_size, std::span<const int> own, std::span<const int> foreign) = 0;
   /// Sets one row of blocks of this process. Not collective.
   /// @param row      its number among all
   /// @param columns  numbers of the blocks in it, ascending
   /// @param values   row by row: block_size x (block_size * columns.size())
   virtual void set_row(int row, std::span<const int> columns, std::span<const double> values) = 0;
-  /// @param near_null  vectors that A takes to little, one after the other, each with the rows of this process:
-  ///                   what coarse grids have to represent
+  /// @param near_null  vectors that A nearly annihilates, one after another, each with the rows of this
+  ///                   process: what coarse grids have to represent
   /// @param n_vectors  how many
   virtual void finish_matrix(std::span<const double> near_null, int n_vectors) = 0;
 
@@ -55,15 +55,15 @@ class ParallelSolver {
   /// Fetches them. @param own  the rows of this process
   virtual void exchange(std::span<const double> own, std::span<double> ghosts) = 0;
 
-  /// Solves A x = b from x = 0 until sqrt(r^T M^-1 r) has fallen to `reduction` of what it was. All vectors are
-  /// the rows of this process.
+  /// Solves A x = b from x = 0 until sqrt(r^T M^-1 r) has fallen to `reduction` of its initial value. All
+  /// vectors are the rows of this process.
   virtual ParallelSolution solve(std::span<const double> b, std::span<double> x, double reduction) = 0;
   /// r^T M^-1 r of the last matrix.
   virtual double preconditioned_square(std::span<const double> r) = 0;
 };
 
-/// Loads the module, which joins the processes of `mpirun`, or is alone. Once in the life of a process; the end
-/// of the solver ends MPI.
+/// Loads the module, which joins the processes of `mpirun` or runs alone. Possible once in the life of a
+/// process: destroying the solver ends MPI.
 /// @throws std::runtime_error in words where floc was built without PETSc or the module cannot be loaded
 std::unique_ptr<ParallelSolver> load_parallel_solver();
 

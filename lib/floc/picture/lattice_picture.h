@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// A lattice as it is to be drawn: each node as its cell, a hexagon in 2D, in the colour of what it shows.
+/// A lattice to be drawn: each node as its cell, a hexagon in 2D, in the colour of what it shows.
 template <int Dim>
 struct LatticePicture {
   std::vector<Color> color;  ///< of each node
@@ -19,18 +19,18 @@ struct LatticePicture {
   std::string caption;
   /// Colours and what they mean, in the legend.
   std::vector<std::pair<Color, std::string>> meanings;
-  /// Of a colour bar from the most negative to the most positive; empty: none.
+  /// Name of a colour bar from the most negative to the most positive; empty: none.
   std::string bar_name;
   double bar_largest = 1.0;
 };
 
-/// How it is laid out.
+/// Layout of the picture.
 struct LatticeSheetOptions {
   PictureFormat format = PictureFormat::svg;
   double width = 482.0;        ///< of the page (points)
   int cut_axis = 1;            ///< 3D: the section across this axis, from 0
   double cut_at = 0.5;         ///< 3D: at this share of the cell along it
-  double pixels_a_node = 4.0;  ///< across the mean node, as far as the picture keeps below 3000 pixels a side
+  double pixels_a_node = 4.0;  ///< across the mean node, as long as the picture has at most 3000 a side
 
   /// Every fault as "name = value: requirement".
   std::vector<std::string> validate() const;
@@ -42,8 +42,8 @@ template <int Dim>
 std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
                          const LatticeSheetOptions& options);
 
-/// Colours of a stress over `largest`: blue compression, orange tension, white nothing; grey where there is
-/// nothing.
+/// Colours of a stress over `largest`: blue compression, orange tension, white zero; grey where there is no
+/// value.
 std::vector<Color> stress_colors(const std::vector<double>& value, const std::vector<bool>& there,
                                  double largest);
 

@@ -31,13 +31,13 @@ std::vector<std::string> wrapped_text(const std::string& text, double width);
 /// One thing a legend explains: a sample and text after it.
 struct LegendItem {
   double sample_width;  ///< (points)
-  /// From x on, on the line whose middle is at height y.
+  /// Draws it from x on, on the line whose middle is at height y.
   std::function<void(cairo_t* page, double x, double y)> draw_sample;
   std::string text;
 
   double width() const;
-  /// Lines of its text where there are `room` points: beside the sample if its words fit there, otherwise below
-  /// it, the first line being empty.
+  /// Lines of its text in a width of `room` points: beside the sample if its words fit there, otherwise below
+  /// it, with the first line empty.
   std::vector<std::string> lines(double room) const;
   void draw(cairo_t* page, double x, double baseline, double room) const;
 };
@@ -50,15 +50,15 @@ LegendItem line_item(const Color& color, double width, const std::string& text);
 /// @param room  the bar is no longer than this (points)
 LegendItem color_bar(const GrainShade& shade, double room);
 
-/// How thick a round force is drawn at this scale; no thicker than a line of text.
+/// How thick a force of round value is drawn at this scale; no thicker than a line of text.
 /// @pre some line has a force
 template <int Dim>
 LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale);
 
 /// What all pictures of a sheet show, explained once: scale bar, kinds of lines, rattlers, arrows, colours,
 /// notes.
-/// @param bar    of the scale bar, about its longest length (points)
-/// @param width  that there is for the legend (points)
+/// @param bar    longest length of the scale bar, roughly (points)
+/// @param width  room for the legend (points)
 template <int Dim>
 std::vector<LegendItem> legend_of(const std::vector<PackingPicture<Dim>>& pictures, const DrawnScale& scale,
                                   double bar, double width);

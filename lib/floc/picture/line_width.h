@@ -8,7 +8,7 @@
 namespace floc {
 
 /// Width of the line of a contact (points).
-/// @param diameter  mean, of the grains (points)
+/// @param diameter  mean diameter of the grains (points)
 template <int Dim>
 double drawn_width(const ContactLine<Dim>& line, const DrawnScale& scale, double diameter) {
   // Least widths in mean diameters, so that what is hardly loaded is still to be seen.

@@ -17,7 +17,7 @@ struct Box {
 };
 Box box_of(const Cell<2>& cell);
 
-/// Where a picture is on the page (points), the upper left of its cell's box.
+/// Where a picture is on the page (points): the upper left of its cell's box.
 struct Placement {
   double left = 0.0, top = 0.0;
   DrawnScale scale;

@@ -42,7 +42,7 @@ struct DisplacementArrow {
 /// A value of every grain, shown as its colour.
 struct GrainShade {
   std::vector<double> value;  ///< of each grain, in units of `unit`
-  double largest = 1.0;       ///< the value that has the last colour, > 0; beyond it colours stay
+  double largest = 1.0;       ///< the value of the last colour, > 0; larger ones have it too
   std::string name;           ///< what it is, in the legend
 };
 
@@ -55,14 +55,14 @@ struct Slab {
   std::vector<std::string> validate() const;
 };
 
-/// A packing as it is to be drawn, in the length of the state: grains, lines, arrows, colours. Nothing here is
+/// A packing to be drawn, in the unit of length of the state: grains, lines, arrows, colours. Nothing here is
 /// cut or copied yet: the drawing repeats periodically and cuts at the border of the cell.
 template <int Dim>
 struct PackingPicture {
   Cell<Dim> cell;
   std::vector<Vec<Dim>> position;
   std::vector<double> radius;
-  std::vector<bool> rattler;  ///< one entry a grain, or empty: none is marked
+  std::vector<bool> rattler;  ///< one entry per grain, or empty: none is marked
   std::vector<ContactLine<Dim>> lines;
   std::string force_unit;  ///< in words for the legend, such as "F₀"
   std::string force_symbol = "F";
@@ -71,7 +71,7 @@ struct PackingPicture {
   std::string tension_name = "tension";
   std::string background_name = "other contacts";
   std::vector<DisplacementArrow<Dim>> arrows;
-  std::optional<Slab> slab;  ///< the part of the cell that is left, see part_in_slab()
+  std::optional<Slab> slab;  ///< the part of the cell that is shown, see part_in_slab()
   GrainShade shade;          ///< without values: grains are grey
   /// Above the picture, broken between these parts where they do not fit one line.
   std::vector<std::string> caption;
@@ -82,8 +82,8 @@ struct PackingPicture {
 template <int Dim>
 PackingPicture<Dim> grains_of(const Packing<Dim>& packing);
 
-/// What lies in a slab: the grains whose centres do, lines between two of those, their arrows. A centre on the
-/// border between two slabs is in the upper one.
+/// The part of a picture in a slab: grains whose centres lie in it, lines between two of those, their arrows. A
+/// centre on the border between two slabs is in the upper one.
 PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& slab);
 
 }  // namespace floc

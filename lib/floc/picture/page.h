@@ -8,11 +8,11 @@
 
 namespace floc {
 
-/// A page that cairo draws on, white, the origin at its upper left, lengths in points (1/72 inch). What comes
-/// out holds no time: equal drawings give equal bytes.
+/// A white page that cairo draws on, the origin at its upper left, lengths in points (1/72 inch). The output
+/// contains no time: equal drawings give equal bytes.
 class Page {
  public:
-  /// @param pixels_per_point  resolution of a png, and of what is embedded as an image
+  /// @param pixels_per_point  resolution of a png, and of parts embedded as an image
   Page(PictureFormat format, double width, double height, double pixels_per_point);
   ~Page();
   Page(const Page&) = delete;
@@ -31,8 +31,8 @@ class Page {
   cairo_t* context_;
 };
 
-/// What is drawn while this lives goes to an image of the same resolution as a png, which is then painted on
-/// the page: for drawings of so many parts that as vectors they would take longer to show than they are worth.
+/// What is drawn while this object exists goes to an image of the same resolution as a png, which is then
+/// painted on the page: for drawings of so many parts that as vectors they would take too long to show.
 class ImageLayer {
  public:
   /// @param left, top, width, height  the part of the page it covers (points)

@@ -14,9 +14,9 @@ constexpr Color hex_color(int rgb) {
   return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0};
 }
 
-/// Colours of what a picture of a packing shows. Readers with any of the three kinds of colour blindness tell
-/// those of lines apart (a test holds them to it): blue and vermilion are of the set of Okabe and Ito, green is
-/// lighter than theirs.
+/// Colours of what a picture of a packing shows. Readers with any of the three kinds of colour blindness can
+/// tell those of lines apart (a test checks this): blue and vermilion are from the set of Okabe and Ito, green
+/// is lighter than theirs.
 namespace palette {
 
 inline constexpr Color kCompression = hex_color(0x0072B2);

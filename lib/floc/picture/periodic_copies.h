@@ -7,16 +7,16 @@
 
 namespace floc {
 
-/// Which periodic copies of a thing reach into the cell 0 <= s < 1 (s: reduced coordinates). Any lattice
-/// vectors, things larger than the cell too.
+/// Finds which periodic copies of an object reach into the cell 0 <= s < 1 (s: reduced coordinates), for any
+/// lattice vectors and for objects larger than the cell, too.
 template <int Dim>
 class PeriodicCopies {
  public:
   explicit PeriodicCopies(const Cell<Dim>& cell)
       : cell_(cell), reciprocal_(cell.matrix.transpose().inverse()), reach_(reciprocal_.rowwise().norm()) {}
 
-  /// Calls `draw(shift)` with the displacement of each copy of the convex hull of two disks (3D: balls) of one radius
-  /// (length) that reaches into the cell.
+  /// Calls `draw(shift)` with the displacement of each copy that reaches into the cell, of the convex hull of
+  /// two disks (3D: balls) of one radius (length).
   template <class Draw>
   void of_segment(const Vec<Dim>& from, const Vec<Dim>& to, double radius, Draw&& draw) const {
     const Vec<Dim> a = reciprocal_ * from, b = reciprocal_ * to;

@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// What a picture is written as.
+/// File format of a picture.
 enum class PictureFormat { svg, pdf, png };
 
 }  // namespace floc

@@ -19,7 +19,7 @@ struct SeenSphere {
 };
 
 enum class TubeEnd {
-  round,      ///< about the centre of a sphere that the tube is wider than
+  round,      ///< about the centre of a sphere narrower than the tube
   at_sphere,  ///< where the tube leaves a sphere
   cut,        ///< at a face of the cell or at a wall
 };
@@ -76,8 +76,8 @@ double sphere_size(const PackingPicture<3>& picture, const View& view);
 /// @param scale  for the widths of tubes and the lengths of arrows
 SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale);
 
-/// The part of a segment that a sphere hides, itself inside it included, as fractions of its length: cut to
-/// [0, 1], or nothing.
+/// The part of a segment that a sphere hides or contains, as fractions of its length: cut to [0, 1], or
+/// nothing.
 std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const Vec<3>& to,
                                                      const SeenSphere& sphere);
 

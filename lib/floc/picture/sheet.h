@@ -10,21 +10,21 @@
 
 namespace floc {
 
-/// How packings are laid out on a page. The defaults serve from a hundred to a hundred thousand grains.
+/// How packings are laid out on a page. The defaults suit from a hundred to a hundred thousand grains.
 struct SheetOptions {
   PictureFormat format = PictureFormat::svg;
   double width = 482.0;  ///< of the page (points); 17 cm, two columns of a journal
   int columns = 4;       ///< of a film strip, >= 1
-  /// Width of the line of the r.m.s. force, in mean diameters. Forces in granular media are distributed about
-  /// exponentially, so the largest of thousands then have about the width of a grain.
+  /// Line width of the r.m.s. force, in mean diameters. Forces in granular media are distributed about
+  /// exponentially, so the largest of thousands are then about as wide as a grain.
   double line_width = 0.15;
   bool same_force_scale = false;  ///< of all pictures of a strip; otherwise each has its own
   bool bare = false;              ///< no captions and no legend
-  /// Pixels per inch of a png, and of grains and lines that are embedded as an image. Absent: six pixels a mean
-  /// diameter, but at least 200 (in 3D 300) and a page of at most 3000 pixels a side.
+  /// Pixels per inch of a png, and of grains and lines that are embedded as an image. Absent: six pixels per
+  /// mean diameter, but at least 200 (in 3D 300), and at most 3000 pixels per side of the page.
   std::optional<double> resolution;
-  /// Draw grains and lines of an svg or pdf as an image. Absent: where there are more than 15 000 of them (in 3D
-  /// 6 000 that are seen), which as vectors would take megabytes. Legend, captions and scale bar are vectors always.
+  /// Whether to draw grains and lines of an svg or pdf as an image. Absent: if there are more than 15 000 of
+  /// them (in 3D 6 000 seen), which as vectors would take megabytes. All else is drawn as vectors.
   std::optional<bool> as_image;
   View view;  ///< of spheres
 
@@ -33,9 +33,9 @@ struct SheetOptions {
 };
 
 /// Draws one picture, or several as a film strip with one length scale for all: grains and lines cut at the
-/// borders of the cell, with captions, a legend of what is there, a scale bar in largest diameters and the
-/// width of a force. Spheres are shaded, the nearer before the farther, with the edges of the cell and names of
-/// its axes; forces between them are tubes.
+/// borders of the cell, with captions, a legend of what is there, a scale bar in largest diameters and the line
+/// width of a force. Spheres are shaded, nearer ones in front of farther ones, with the edges of the cell and
+/// the names of its axes; forces between them are tubes.
 /// @return the bytes of the file
 /// @pre options.validate() is empty; there is a picture, and each has a grain.
 template <int Dim>

@@ -24,17 +24,17 @@ struct Bar {
 };
 void draw_bar(cairo_t* page, const Bar& bar, const Color& color);
 
-/// Draws spheres, tubes and arrows from the farthest to the nearest, before them the edges of the cell (and
+/// Draws spheres, tubes and arrows from the farthest to the nearest, and before them the edges of the cell (and
 /// the slab) that lie behind; what is far is paler.
 /// @param picture  the one that is seen
 /// @param box      of the picture
 void draw_seen(cairo_t* page, const SeenPacking& seen, const PackingPicture<3>& picture, const Box& box,
                const Placement& placement);
 
-/// The other edges, where no sphere hides them.
+/// Draws the other edges, where no sphere hides them.
 void draw_front_edges(cairo_t* page, const SeenPacking& seen, const Box& box, const Placement& placement);
 
-/// Arrows beside the outline of the cell along its three vectors, with the letters x, y, z.
+/// Draws arrows beside the outline of the cell along its three vectors, with the letters x, y, z.
 void draw_axes(cairo_t* page, const SeenPacking& seen, const Box& box, const Placement& placement);
 
 }  // namespace floc

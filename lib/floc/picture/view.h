@@ -8,12 +8,12 @@
 
 namespace floc {
 
-/// How a packing of spheres is looked at: in parallel projection, z upright. The defaults show three faces of a
-/// cell, none of them end on.
+/// The viewpoint of a picture of spheres: parallel projection, z upright. The defaults show three faces of a
+/// cell, none of them edge-on.
 struct View {
   /// Where the eye is (degrees): 0 on the x axis, 90 on the y axis.
   double azimuth = -65.0;
-  /// Of the eye above the x-y plane (degrees), -90 to 90.
+  /// Height of the eye above the x-y plane (degrees), -90 to 90.
   double elevation = 20.0;
   /// Drawn radius of a sphere over its own, 0 to 1. Absent: 1, but 0.25 where there are lines between centres.
   std::optional<double> sphere_size;

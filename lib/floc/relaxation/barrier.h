@@ -5,7 +5,7 @@
 
 namespace floc {
 
-/// Point that all threads of a team reach before any goes on. Waiting threads spin for a moment, since time
+/// A point that all threads of a team reach before any goes on. Waiting threads spin for a moment, since time
 /// steps are tens of microseconds, then give their core away: OpenMP's own barriers keep spinning, and are a
 /// thousand times slower when other programs share the cores.
 class Barrier {

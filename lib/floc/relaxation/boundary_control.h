@@ -16,8 +16,8 @@ enum class Imposed {
   rate,    ///< it moves at a given strain rate; at rate zero it is fixed
 };
 
-/// The smooth way of axes from one length to another, at rest at both ends: the logarithmic strain goes as
-/// 3 t^2 - 2 t^3 of the time t. A shear of the lattice goes the same way.
+/// The smooth way of axes from one length to another, at rest at both ends: with t the share of the time, the
+/// logarithmic strain goes as 3 t^2 - 2 t^3. A shear of the lattice goes the same way.
 template <int Dim>
 struct BoundaryWay {
   static constexpr double kPeak = 1.5;  ///< largest rate over the mean rate
@@ -32,12 +32,12 @@ struct BoundaryWay {
   bool any() const { return from != to || shears(); }
   bool shears() const { return offset_from != offset_to; }
   bool over(double since) const { return begun + since >= duration; }
-  /// Length of an axis so long after now.
+  /// Length of an axis a time `since` from now.
   double length(int axis, double since) const {
     if (over(since)) return to[axis];
     return from[axis] * std::pow(to[axis] / from[axis], share(since));
   }
-  /// Offset of the sheared lattice vector so long after now.
+  /// Offset of the sheared lattice vector a time `since` from now.
   double offset(double since) const {
     return over(since) ? offset_to : offset_from + share(since) * (offset_to - offset_from);
   }
@@ -50,7 +50,7 @@ struct BoundaryWay {
   }
 
  private:
-  /// Done of the way so long after now.
+  /// Share of the way that is done a time `since` from now.
   double share(double since) const {
     const double t = (begun + since) / duration;
     return t * t * (3.0 - 2.0 * t);

@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// The progress of a compaction, beside the packing itself: all that decides how it goes on.
+/// The progress of a compaction, apart from the packing itself: all that decides how it goes on.
 struct CompactionProgress {
   enum Phase { moving, finishing };
   int phase = moving;
@@ -18,7 +18,7 @@ struct CompactionProgress {
   double skin = 0.0;               ///< of the Verlet list; 0 before the first chunk
   std::vector<double> start_side;  ///< of the box, when the relaxation began
   std::vector<double> void_ratio;  ///< at the end of each recent chunk, the oldest first
-  /// Of each axis: sign of pressure - target while its walls move at their given speed; 0 once they bear it.
+  /// For each axis: sign of pressure - target while its walls move at their given speed; 0 once they bear it.
   std::vector<double> closing_sign;
   bool armed = false;            ///< every wall has borne half of its pressure
   double finishing_since = 0.0;  ///< void ratio when finishing began
@@ -26,14 +26,14 @@ struct CompactionProgress {
 };
 
 /// Takes a packing between walls to equilibrium under their pressure: dynamics until the end that the options
-/// ask for, then, where what carries the load has no mechanism, power control. Elsewhere the state is recorded
-/// as it is, "stopped", with the number of its mechanisms. Walls of infinite mass and periodic axes keep what
-/// they have.
+/// ask for, then, where the structure that carries the load has no mechanism, power control. Otherwise the
+/// state is recorded as it is, "stopped", with the number of its mechanisms. Walls of infinite mass and
+/// periodic axes stay as they are.
 template <int Dim>
 class BoxRelaxer final : public Equilibrator<Dim> {
  public:
   /// @pre the packing has walls and its lattice is rectangular
-  /// @throws InputError if a length is imposed on an axis: fixed walls, or a periodic axis, have one
+  /// @throws InputError if a length is imposed on an axis: fixed walls and periodic axes keep their own
   BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
              const std::string& progress = "");
   /// @param target_stress  pressure on the walls of each axis
@@ -41,8 +41,8 @@ class BoxRelaxer final : public Equilibrator<Dim> {
              const std::string& progress = "")
       : BoxRelaxer(options, std::move(packing), LoadTarget<Dim>::normal_stress(target_stress), progress) {}
 
-  /// One chunk. A packing that moved to where there is no packing any more (walls that ran away, a box that
-  /// closed) is given up.
+  /// One chunk. A packing that has ceased to be one (walls that ran away, a box that closed) is given
+  /// up.
   RelaxationStatus advance() override;
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 

@@ -6,17 +6,17 @@
 
 namespace floc {
 
-/// How the cell, or the walls, answer to their load in a part of a run, where that differs from the rest
+/// How the cell, or the walls, respond to their load in a part of a run, where that differs from the rest
 /// (RelaxationOptions).
 struct CellResponse {
   std::optional<double> inertial_number_cap;
   std::optional<double> cell_mass;
   std::optional<double> wall_speed = {};
-  std::optional<double> strain_rate_cap = {};  ///< one of the two caps at most
+  std::optional<double> strain_rate_cap = {};  ///< at most one of the two caps
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 
-  /// Where this says nothing, what another says. A cap of either kind takes the place of both.
+  /// This response, with what it leaves open taken from another. A cap of either kind replaces both.
   CellResponse or_else(const CellResponse& other) const {
     CellResponse out = *this;
     if (!has_cap()) {

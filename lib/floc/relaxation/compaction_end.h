@@ -8,14 +8,14 @@ namespace floc {
 /// T = sqrt(m/(P a^(Dim-2))), m and a of the largest grain.
 struct CompactionEnd {
   enum class Criterion {
-    /// The void ratio has moved less than kSettledVoidRatio in kSettledTime, every wall bears its pressure, and
-    /// what carries it has no mechanism.
+    /// The void ratio has changed by less than kSettledVoidRatio in kSettledTime, every wall bears its
+    /// pressure, and the structure that carries it has no mechanism.
     settled,
     energy_ratio,  ///< kinetic energy of the grains' translations over the elastic energy
   };
   Criterion criterion = Criterion::settled;
   double energy_ratio = 2e-7;  ///< [SVI2024]
-  /// After so long the state is recorded as it is; absent: the relaxation is given up at its max_time.
+  /// After this long the state is recorded as it is; absent: the relaxation is given up at its max_time.
   std::optional<double> longest;
   /// Walls move at this speed towards or away from each other until they bear their pressure (length/time);
   /// absent: the pressure acts at once.
@@ -23,7 +23,7 @@ struct CompactionEnd {
 
   static constexpr double kSettledVoidRatio = 1e-4;
   static constexpr double kSettledTime = 3.0;
-  /// Share of its pressure by which a wall may be off.
+  /// Relative difference from its pressure at which a wall still counts as bearing it.
   static constexpr double kSettledPressure = 1e-3;
 };
 

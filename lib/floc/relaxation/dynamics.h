@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Time steps of one chunk, between which a run may be stopped. Packing and lists are rebuilt there, which
+/// Time steps of one chunk; a run may be stopped between two chunks. Packing and lists are rebuilt there, which
 /// costs about 20 steps.
 inline constexpr int kStepsPerChunk = 500;
 
@@ -18,8 +18,8 @@ struct DynamicsSettings {
   double skin;       ///< first guess of the Verlet skin (length); adapted to the motion
   int threads = 1;
   InstructionSet instructions = widest_instruction_set();
-  /// Liquid bridges keep their volumes; otherwise liquid is shared out anew at the beginning and with every list
-  /// of neighbours, of which the skin is a fixed part of the reach of the bridges then.
+  /// Liquid bridges keep their volumes; otherwise liquid is shared out anew at the beginning and with every
+  /// list of neighbours, whose skin is then a fixed part of the reach of the bridges.
   bool holds_liquid = false;
 };
 
@@ -32,12 +32,12 @@ enum class Motion {
 
 /// Explicit time integration of a packing under its law: half kick, drift, forces, half kick (velocity Verlet),
 /// with the lattice vectors as degrees of freedom and peculiar velocities. Second order. Dashpots act on the
-/// velocity of the middle of the step, with a coefficient corrected for that lag: stable to twice the step that
-/// a predicted velocity allows, and the restitution is right all the same.
+/// velocity at the middle of the step, with a coefficient corrected for that lag: this is stable to twice the
+/// step that a predicted velocity allows, and the restitution is right all the same.
 ///
-/// Results depend on the packing it was made from and on the number of steps alone: neighbour lists, their
-/// skin, the number of threads and the vector instructions leave no trace in the bits, since every grain sums
-/// its forces in the order of its neighbours.
+/// Results depend only on the packing it was made from and on the number of steps: neighbour lists, their skin,
+/// the number of threads and the vector instructions leave no trace in the bits, since every grain sums its
+/// forces in the order of its neighbours.
 template <int Dim>
 class Dynamics {
  public:
@@ -45,7 +45,7 @@ class Dynamics {
 
   virtual void advance(int n_steps, Motion motion) = 0;
 
-  /// False when positions have run away to values that are not finite: the time step was too large.
+  /// False when positions are no longer finite: the time step was too large.
   virtual bool finite() const = 0;
 
   /// The packing as it is now, with its contact list; grains in the order of the packing this was made from.
@@ -62,10 +62,10 @@ std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const 
                                              const DynamicsSettings& settings);
 
 /// Time step of RelaxationOptions::time_step in the scene's units: in sqrt(m_min/K_N), shortened where K_T is
-/// above K_N or rolling of the smallest grains faster than their vibration, and in 3D, where grains have more
-/// neighbours. Where stiffness grows with the overlap it is that of the deepest contact there is, of twice the
-/// stiffness of the mean force under the pressure, or of the fastest collision, whichever is stiffest: good
-/// for one chunk.
+/// above K_N or the smallest grains roll faster than they vibrate, and in 3D, where grains have more
+/// neighbours. Where stiffness grows with the overlap, K_N is that of the deepest contact there is, twice that
+/// at the mean force under the pressure, or that of the fastest collision, whichever is stiffest: good for one
+/// chunk.
 /// @param pressure  that the packing is under or will be (force/length^(Dim-1))
 template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times, double pressure = 0.0);

@@ -18,11 +18,11 @@ enum class RelaxationStatus { running, converged, gave_up };
 /// How a relaxation ended, or its progress, in numbers and text.
 struct RelaxationReport {
   Residuals residuals;
-  Stability stability;  ///< of an equilibrium, not tested before
+  Stability stability;  ///< of an equilibrium; not tested before it
   /// Bridges that would form or break if the liquid of an equilibrium were shared out once more; -1 before, and
   /// without liquid.
   int n_bridges_unsettled = -1;
-  /// Mechanisms of what carries force between walls, -1: not counted. A state that has some is no equilibrium.
+  /// Mechanisms of the structure between walls, -1: not counted. A state that has some is not an equilibrium.
   int n_mechanisms = -1;
   /// "polished", "dynamic", "static", "stopped" (recorded as it is, between walls), "diverged",
   /// "unloaded", "closed"; empty while it runs.
@@ -47,14 +47,14 @@ class Equilibrator {
   virtual void set_observer(MotionObserver<Dim> observer) = 0;
 
   virtual const Packing<Dim>& packing() const = 0;
-  /// Gives the packing away: a large one is held once. Nothing else may be asked afterwards.
+  /// Gives the packing away, so that a large one is held only once. Nothing else may be asked afterwards.
   virtual Packing<Dim> release_packing() = 0;
   /// Static stress of the packing as it is now.
   virtual const Mat<Dim>& stress() const = 0;
-  /// What each axis is loaded with: the stress imposed; where a length is, the stress carried now.
+  /// What each axis is loaded with: the stress imposed, or carried now where a length is imposed.
   virtual const Vec<Dim>& target_stress() const = 0;
   virtual RelaxationReport report() const = 0;
-  /// Its progress, as text for equilibrators of the same kind alone.
+  /// Its progress, as text that only equilibrators of the same kind can read.
   virtual std::string progress() const = 0;
 };
 

@@ -17,8 +17,8 @@ namespace floc {
 /// See Dynamics. What acts on grains is a list of interactions, each with pairs, a law and a kernel of its own;
 /// their rows are summed together. Grains are owned by blocks: a block computes the pairs whose first grain it
 /// owns, then, once all rows are written, sums and integrates its grains. Sums over the packing are made block
-/// by block in order. What visits every grain or pair is in kernels/, compiled for each law and instruction
-/// set.
+/// by block in order. The code that visits every grain or pair is in kernels/, compiled for each law and
+/// instruction set.
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:
@@ -37,7 +37,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void load_memory(const Packing<Dim>& packing);
   Vec<Dim> sides() const;
   Cell<Dim> cell() const;
-  /// Whether a component of the boundary is one of the lattice, and not of walls.
+  /// Whether a component of the boundary belongs to the lattice, and not to walls.
   bool moves_with_lattice(int a, int b) const { return !walls_.bounds(a) && !walls_.bounds(b); }
   void kick_boundary();
   void kick_lattice();

@@ -9,9 +9,9 @@
 
 namespace floc {
 
-/// The grains as the force loop reads them: one array a component, in the order of a space-filling curve. The
-/// arrays are padded with grains that nothing moves: to whole blocks of kGrainBlock, and by what a window on
-/// the last grain reaches beyond it.
+/// The grains as the force loop reads them: one array per component, in the order of a space-filling curve. The
+/// arrays are padded with grains that nothing moves: to whole blocks of kGrainBlock, and by as much as a window
+/// at the last grain reaches beyond it.
 template <int Dim>
 struct GrainArrays {
   using Component = AlignedVector<double>;
@@ -30,7 +30,7 @@ struct GrainArrays {
 
   int size() const { return static_cast<int>(index.size()); }
   void copy_positions_to(Grains<Dim>& grains) const;
-  /// How grain k here lies.
+  /// Orientation of the k-th grain here.
   Orientation<Dim> orientation_of(std::size_t k) const;
   /// @param x_list                positions when the neighbour list was built
   /// @param inverse_skin_squared  of the distances that grains may move before the next (1/length^2)

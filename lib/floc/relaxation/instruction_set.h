@@ -13,7 +13,7 @@ enum class InstructionSet {
   avx512,    ///< eight
 };
 
-/// Whether this processor has them.
+/// Whether this processor has these instructions.
 bool supported(InstructionSet set);
 
 /// The widest this processor has.

@@ -19,7 +19,7 @@ class Interaction {
 
   Partner partner() const { return partner_; }
   const AnyContactLaw& law() const { return law_; }
-  /// Gaps that its lists of pairs reach across: that of the law, or of the bridges that there are.
+  /// Gaps that its lists of pairs reach across: those of the law, or of the bridges that exist.
   double range() const { return range_; }
   void set_range(double range) { range_ = range; }
   const StepKernels<Dim>& kernels() const { return kernels_; }
@@ -36,8 +36,8 @@ class Interaction {
   /// Rows, springs and memory of the pairs of a block.
   void compute(int block, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const;
 
-  /// The memory of a contact into that of its pair, and back. @param swapped  the pair is the contact seen from
-  /// its other grain
+  /// Copies the memory of a contact into that of its pair, and back. @param swapped  the pair is the contact
+  /// seen from its other grain
   void load_memory(int pair, const ContactMemory<Dim>& memory, bool swapped);
   ContactMemory<Dim> memory(int pair, bool swapped) const;
 
@@ -59,7 +59,7 @@ std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& p
 
 /// Whether grains rotate under this law.
 bool rotates(const AnyContactLaw& law);
-/// Doubles of a row of this law, and the place of the force in it.
+/// Number of doubles in a row of this law, and the place of the force in it.
 template <int Dim>
 int row_size(const AnyContactLaw& law) {
   return row_size<Dim>(rotates(law));

@@ -16,7 +16,7 @@ std::string members_as_json(const Structure& structure, const ForEachMember& for
   return json.dump();
 }
 
-/// @param problem  what is wrong with a text that is not one, for the message
+/// @param problem  words for the message if the text is not such a structure
 /// @throws InputError(place) if a member is missing or of another kind
 template <class Structure, class ForEachMember>
 Structure members_from_json(const std::string& text, const std::string& place, const std::string& problem,

@@ -17,18 +17,18 @@ namespace floc {
 /// What a list pairs grains with.
 enum class Partner { grain, wall };
 
-/// Dashpot coefficient to use where the force is late by kDashpotLag steps. The lag lets a dashpot damp more
-/// than its coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this
-/// correction a restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag. Of a
-/// coefficient that follows the stiffness it is not known beforehand, and left out.
+/// Dashpot coefficient to use where the force lags by kDashpotLag steps. The lag makes a dashpot damp more than
+/// its coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this
+/// correction a restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag. A
+/// coefficient that follows the stiffness is not known beforehand, and is not corrected.
 inline double lagging_damping(double coefficient, double effective_mass, double time_step) {
   return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }
 
-/// Neighbour pairs as the force loop reads them, of grains i <= j or of a grain i and wall j, one array a
+/// Neighbour pairs as the force loop reads them, of grains i <= j or of a grain i and wall j, one array per
 /// component. A block of grains owns the pairs whose first grain it owns; they are contiguous and in order, and
-/// padded to whole vectors with pairs of no size, of a grain and its own image one cell away or of a grain and
-/// a wall, which no grain sums.
+/// padded to whole vectors with pairs of no size, which no grain sums: of a grain and its own image one cell
+/// away, or of a grain and a wall.
 template <int Dim>
 class PairArrays {
  public:
@@ -55,14 +55,14 @@ class PairArrays {
   int find(const NeighborPair<Dim>& key) const;
   /// Takes over the memory of an older list of the same grains.
   void inherit(const PairArrays& old);
-  /// Finds what a law that holds liquid has of each pair anew, from the volumes that are in the memory; nothing
-  /// of others.
+  /// Finds anew what a law that holds liquid needs of each pair, from the volumes in the memory; does nothing
+  /// for other laws.
   void refresh_bridges(const AnyContactLaw& law);
   /// Volumes of the liquid bridges, signed as the memory is; empty where the law holds no liquid.
   Component& bridge_volume() { return memory[MemoryLayout<Dim>::kAdhesion]; }
   const Component& bridge_volume() const { return memory[MemoryLayout<Dim>::kAdhesion]; }
 
-  /// Without rows, which are of all lists together (row_sums.h).
+  /// Without rows, which belong to all lists together (row_sums.h).
   PairView<Dim> view();
 
  private:

@@ -7,18 +7,18 @@
 
 namespace floc {
 
-/// What finds the equilibrium.
+/// How the equilibrium is found.
 enum class Finish {
-  /// Newton steps from the state before where dynamics could end nowhere else; otherwise dynamics until motion
-  /// has stopped, power control, and Newton steps where they succeed.
+  /// Newton steps from the previous state where dynamics could end nowhere else; otherwise dynamics until
+  /// motion has stopped, power control, and Newton steps where they succeed.
   automatic,
   dynamic,  ///< dynamics and power control only
   statics,  ///< as automatic, but any equilibrium that Newton steps find at once is taken
 };
 
-/// Without load a packing with soft modes coasts at an energy that nothing dissipates while hardly a contact
-/// closes or opens (seen: 70 times the tolerance over 400 time units, 6 of 2200 contacts gained): so many
-/// tolerances of the energy still count as rest then.
+/// Without load, a packing with soft modes coasts at an energy that nothing dissipates while hardly a contact
+/// closes or opens (seen: 70 times the tolerance over 400 time units, 6 of 2200 contacts gained): up to this
+/// many tolerances of the energy then still count as rest.
 inline constexpr double kCoastingEnergy = 100.0;
 
 /// Numerical settings of a relaxation. Stresses, rates and masses are in the scene's units unless said.
@@ -26,8 +26,8 @@ struct RelaxationOptions {
   EquilibriumTolerance tolerance;
   Finish finish = Finish::automatic;
   /// In sqrt(m_min/K_N). A triangular crystal of equal disks with K_T = K_N is unstable from 2/sqrt(24) = 0.408
-  /// on, whatever its restitution (its rolling modes; others are stable to longer steps). At the default a
-  /// restitution of 0.015 comes out, in the mean over impacts, as 0.015 for two of the largest of grains of
+  /// on, whatever its restitution (its rolling modes; others are stable to longer steps). At the default, a
+  /// restitution of 0.015 comes out, on average over impacts, as 0.015 for two of the largest of grains of
   /// sizes 1:2, as 0.018 for one of each and as 0.025 for two of the smallest.
   double time_step = 0.36;
   /// Mass M of the cell's sides over the total mass of the grains. It matters for densities at assembly.
@@ -43,7 +43,7 @@ struct RelaxationOptions {
   double max_time = 1e4;
   int threads = 1;
   /// How long a packing has to stay as it is before its motion counts as stopped, in units of what the relaxer
-  /// asks for: a smaller number saves time, and may end a collapse that only pauses.
+  /// asks for: a smaller number saves time, but may end a collapse that only pauses.
   double patience = 1.0;
   CompactionEnd compaction;  ///< of packings between walls
 };

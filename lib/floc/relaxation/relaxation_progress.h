@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// The progress of a relaxation, beside the packing itself: all that decides how it goes on.
+/// The progress of a relaxation, apart from the packing itself: all that decides how it goes on.
 struct RelaxationProgress {
   enum Phase { moving, finishing };
   int phase = moving;
@@ -14,7 +14,7 @@ struct RelaxationProgress {
   double time = 0.0;                   ///< simulated time of this relaxation so far
   double skin = 0.0;                   ///< of the Verlet list; 0 before the first chunk
   std::vector<double> solid_fraction;  ///< at the end of each recent chunk, the oldest first
-  /// Of each axis: sign of stress - target at the start; 0 once it has changed.
+  /// For each axis: sign of stress - target at the start; 0 once it has changed.
   std::vector<double> imbalance_sign;
   std::vector<double> side_before;     ///< of each axis where any is strained (length)
   double offset_before = 0.0;          ///< of the lattice vector that is sheared (length)
@@ -33,7 +33,7 @@ struct RelaxationProgress {
   std::vector<double> force_residual;  ///< at the end of each recent chunk, for the decay rate
 };
 
-/// As text (JSON; numbers round-trip), and back. @throws InputError if the text is not one
+/// As text (JSON; numbers round-trip), and back. @throws InputError if the text does not hold a progress
 std::string as_text(const RelaxationProgress& progress);
 RelaxationProgress relaxation_progress(const std::string& text);
 

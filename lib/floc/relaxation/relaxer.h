@@ -15,9 +15,9 @@
 namespace floc {
 
 /// Takes a packing to equilibrium under stresses or lengths of its axes: by Newton steps where nothing
-/// rearranges, else by dynamics until motion has stopped, power control, then Newton steps (see Finish). State
-/// to state in chunks of a fixed number of time steps: a run that is stopped between two of them and continued
-/// gives the same bits.
+/// rearranges, else by dynamics until motion has stopped, power control, then Newton steps (see Finish). It
+/// goes from state to state in chunks of a fixed number of time steps: a run that is stopped between two of
+/// them and continued gives the same bits.
 template <int Dim>
 class Relaxer final : public Equilibrator<Dim> {
  public:
@@ -29,7 +29,7 @@ class Relaxer final : public Equilibrator<Dim> {
       : Relaxer(options, std::move(packing), LoadTarget<Dim>::normal_stress(target_stress),
                 std::move(progress)) {}
 
-  /// One chunk. Where the motion diverges, the packing is the one it began with, its springs at rest.
+  /// One chunk. If the motion diverges, the packing is the one the chunk began with, its springs at rest.
   RelaxationStatus advance() override;
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
@@ -86,8 +86,8 @@ class Relaxer final : public Equilibrator<Dim> {
 template <int Dim>
 double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Largest |L'/L| (1/time) the options allow under this stress. Without adhesion and without a cap of
-/// its own, that of the inertial number 1e-3; infinite where a cohesive scene names no cap.
+/// Largest |L'/L| (1/time) that the options allow under this stress. Without adhesion and without a cap of its
+/// own, that of the inertial number 1e-3; infinite where a cohesive scene names no cap.
 template <int Dim>
 double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
                        const Vec<Dim>& target_stress);

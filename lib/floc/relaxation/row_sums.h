@@ -7,14 +7,14 @@
 
 namespace floc {
 
-/// Where the row of a pair begins among the rows of all (in doubles).
+/// Where the row of a pair begins among all rows (in doubles).
 /// @param row_size  doubles of a row
-/// @throws InputError if it is beyond what the plans of the sums can name, at 537 million pairs with friction
+/// @throws InputError if it is beyond what the sums' plans can address, at 537 million pairs with friction
 int row_place(std::int64_t pair, int row_size);
 
-/// The rows that the pairs of all interactions write (PairView::row), list after list, and which of them each
-/// grain sums: as the first grain of pairs, then as the second, either in the order of the lists and of their
-/// pairs.
+/// The rows that the pairs of all interactions write (PairView::row), list after list, and the rows that each
+/// grain sums: those of pairs in which it is the first grain, then the second, either in the order of the lists
+/// and of their pairs.
 template <int Dim>
 class RowSums {
  public:
@@ -30,7 +30,7 @@ class RowSums {
   const BlockSumsPlan& plan(int block) const { return plans_[block]; }
 
  private:
-  /// For each grain, where the rows begin of the pairs that it is the first, or the second, of.
+  /// For each grain, where the rows begin of the pairs in which it is the first, or the second, grain.
   struct RowsOfGrains {
     std::vector<int> first;  ///< of each grain in `row`, and the end
     std::vector<int> row;

@@ -10,16 +10,16 @@
 
 namespace floc {
 
-/// Limits within which Newton steps are trusted; measured as those that refine an equilibrium and do not jump
-/// to another.
+/// Limits within which Newton steps are trusted: measured as those within which they refine an equilibrium and
+/// do not jump to another.
 struct StaticSolverOptions {
   double target = 1e-8;  ///< force, moment and stress residuals wanted, in units of F1 and a
   int max_iterations = 12;
   int max_backtracking = 6;
-  double largest_step = 2e-3;            ///< relative displacement of two grains in contact, an iteration / a
+  double largest_step = 2e-3;            ///< relative displacement of two grains in contact, per iteration / a
   double largest_displacement = 2e-2;    ///< the same in total / a
   double largest_yielding_share = 0.15;  ///< of the contacts; beyond it sliding rules and Newton stalls
-  /// Of solving with the tangent; absent: a factor in 2D, in 3D what is expected to be done first.
+  /// How systems with the tangent are solved; absent: by a factor in 2D, in 3D as is expected to be fastest.
   std::optional<TangentMethod> method;
 };
 
@@ -35,11 +35,11 @@ struct StaticSolution {
   Packing<Dim> packing;   ///< best configuration found
 };
 
-/// Solves force, moment and stress balance of a periodic packing by Newton iterations from where it is:
-/// memories are mapped back by the law from those it starts with (return mapping), the tangent is the
-/// consistent one of the law's response with all geometric terms, unsymmetric where contacts slide. Free
-/// motions without stiffness (translations, rattlers, free rollers) carry no load and are given a vanishing
-/// stiffness (regularisation).
+/// Solves force, moment and stress balance of a periodic packing by Newton iterations from where it is. The
+/// law maps memories back from those it starts with (return mapping); the tangent is the consistent one of
+/// the law's response with all geometric terms, unsymmetric where contacts slide. Free motions without
+/// stiffness (translations, rattlers, free rollers) carry no load and are given a vanishing stiffness
+/// (regularisation).
 ///
 /// @param control  components under a stress are unknowns; axes and a shear that have a way start from its end,
 ///                 grains following; the others stay as they are; mean_stress() sets the scale of forces
@@ -49,7 +49,7 @@ template <int Dim>
                                                 const StaticSolverOptions& options);
 
 /// How solve_statics() will solve with the tangent of a packing of spheres, and how long it is expected to
-/// take; nothing is known of disks, whose factor is made without asking.
+/// take; for disks nothing is estimated, as their factor is made without asking.
 template <int Dim>
 [[nodiscard]] TangentPlan plan_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control);
 

@@ -11,7 +11,7 @@ namespace floc {
 
 /// The walls of a packing in motion, by the same scheme as the grains. The load of an axis between walls acts
 /// on both: a stress p as a force p S inwards, S the area of the wall, so that p V is the potential of the load
-/// [SVI2024]; at a rate the walls approach each other, each with half of it.
+/// [SVI2024]; at a given rate the walls approach each other, each at half of it.
 template <int Dim>
 class WallMotion {
  public:
@@ -29,7 +29,7 @@ class WallMotion {
   WallView<Dim> view() const;
 
   /// Half a step of acceleration.
-  /// @param force  that the grains push each wall outwards with (force)
+  /// @param force  with which the grains push each wall outwards (force)
   /// @param area   of the walls of each axis (length^(Dim-1))
   void kick(double half_step, const BoundaryControl<Dim>& control, const std::vector<double>& force,
             const Vec<Dim>& area);

@@ -10,7 +10,7 @@ namespace floc {
 std::string progress_text(const RunPoint& point);
 
 /// @param place  file the text came from, for messages
-/// @throws InputError if the text is not one of a checkpoint
+/// @throws InputError if the text is not that of a checkpoint
 RunPoint parse_progress(const std::string& text, const std::string& place);
 
 }  // namespace floc

@@ -13,16 +13,16 @@ const LawParameters& law_of(const Packing<Dim>& packing, const Contact<Dim>& con
   return packing.is_wall(contact.j) ? packing.wall_law : packing.law;
 }
 
-/// What positions leave open of a distance: their differences and that of radii are rounded (length).
+/// How far a distance may be off by rounding: of the positions, their differences and the radii (length).
 template <int Dim>
 double distance_error(const Packing<Dim>& packing);
 
-/// Pairs of grains, and of grains with walls, that overlap by more than `open` (length), or are within the range of
-/// their law by more, and are not among the contacts; gap and normal are set.
+/// Pairs of grains, and of grains with walls, that overlap by more than `open` (length), or are within the
+/// range of their law by more, but are not among the contacts; gap and normal are set.
 template <int Dim>
 std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>& packing, double open);
 
-/// What the contacts of a packing are, and how far their forces are from what its law makes of its geometry.
+/// What the contacts of a packing are, and how far their forces are from those that its law gives.
 struct ContactCheck {
   int n_contacts = 0;
   int n_with_gap = 0;               ///< taken as touching, but their surfaces are apart
@@ -37,14 +37,14 @@ struct ContactCheck {
   std::string missing;              ///< the first of them
 };
 
-/// Holds the forces of a packing against its law and its contacts against its geometry. The normal force of a
+/// Checks the forces of a packing against its law and its contacts against its geometry. The normal force of a
 /// contact with a stiffness of its own (linear law) is compared with that stiffness times its overlap.
 /// @param tolerance  difference that counts, over the mean size of the normal forces; what rounding of the
-/// positions leaves open never counts
+/// positions may cause never counts
 template <int Dim>
 ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance);
 
-/// Looks for pairs that touch and are not among the contacts, where these do not come of the geometry.
+/// Looks for pairs that touch and are not among the contacts, where these do not come from the geometry.
 template <int Dim>
 void add_missing_contacts(const Packing<Dim>& packing, ContactCheck& check);
 

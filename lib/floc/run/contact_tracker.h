@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Records which contacts open and close inside the steps of a run: DIR/contacts.csv, a row each interval.
+/// Records which contacts open and close inside the steps of a run: DIR/contacts.csv, one row per interval.
 ///
 /// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, n_contacts,
 /// gained and lost (since the row before, or the beginning of the step), kept (of the contacts the step began
@@ -17,10 +17,10 @@ template <int Dim>
 class ContactTracker final : public MotionTable<Dim> {
  public:
   /// @param file   where the rows go; those of an earlier part of the run, up to its point, are kept
-  /// @param start  packing that the present step began with
+  /// @param start  packing with which the present step began
   ContactTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start);
 
-  /// Of a packing on its way. @param time  since the beginning of the run
+  /// Records a packing on its way. @param time  since the beginning of the run
   void record(const Run<Dim>& run, const Packing<Dim>& packing, double time);
   void finish_step(const Run<Dim>& run) override;
 

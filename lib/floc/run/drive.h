@@ -22,7 +22,7 @@ struct DriveOptions {
   std::function<void(const State<Dim>&, const RelaxationReport&, double seconds)> equilibrium;
 };
 
-/// What driving a run came to. A run that is not done can be resumed from its checkpoint.
+/// Outcome of driving a run. A run that is not done can be resumed from its checkpoint.
 struct DriveReport {
   enum Outcome {
     done,     ///< every equilibrium that was asked for is saved
@@ -39,8 +39,8 @@ struct DriveReport {
 template <int Dim>
 Run<Dim> start_or_resume(RunDirectory& directory, const RunOptions& options);
 
-/// Drives a run and keeps its directory: a state and a row for each equilibrium, a checkpoint now and then.
-/// @param table  of what is recorded of this run while it moves; null: nothing is
+/// Drives a run and keeps its directory up to date: a state and a row for each equilibrium, and checkpoints.
+/// @param table  of what is recorded while this run moves; null: nothing is
 /// @throws IoError if a file cannot be written
 template <int Dim>
 [[nodiscard]] DriveReport drive(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options,

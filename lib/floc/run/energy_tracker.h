@@ -9,12 +9,12 @@
 
 namespace floc {
 
-/// Records the energy account of a run: DIR/energy.csv, a row each chunk of time steps and each equilibrium, from the
-/// end of an aggregation on.
+/// Records the energy account of a run: DIR/energy.csv, one row per chunk of time steps and per equilibrium,
+/// from the end of an aggregation on.
 ///
-/// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, then the terms of
-/// EnergyTerms (energy): work, elastic, kinetic, viscous, sliding, scaling, removed, initial, and error, what the
-/// account leaves open.
+/// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, then the terms
+/// of EnergyTerms (energy): work, elastic, kinetic, viscous, sliding, scaling, removed, initial, and error,
+/// what the account leaves open.
 template <int Dim>
 class EnergyTracker final : public MotionTable<Dim> {
  public:
@@ -22,7 +22,7 @@ class EnergyTracker final : public MotionTable<Dim> {
   /// @throws InputError if the packing has walls
   EnergyTracker(const std::string& file, const Run<Dim>& run);
 
-  /// Of a packing one time step further on its way. @param time  since the beginning of the run
+  /// Records a packing one time step further on its way. @param time  since the beginning of the run
   void record(const Run<Dim>& run, const Packing<Dim>& packing, double time);
   void finish_step(const Run<Dim>& run) override;
 
@@ -36,7 +36,7 @@ class EnergyTracker final : public MotionTable<Dim> {
 
 /// Has the energy account of a run kept while it moves, in the table of its directory.
 /// @pre the run is not finished, and stays where it is in memory as long as it moves
-/// @throws InputError if static steps may end its equilibria, which no motion leads to
+/// @throws InputError if its equilibria may be found by static steps, to which no motion leads
 template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory);

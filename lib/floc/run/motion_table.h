@@ -7,14 +7,14 @@
 
 namespace floc {
 
-/// A table in the directory of a run whose rows are recorded while the packing moves. A run that is taken up
-/// keeps the rows up to the point it goes on from.
+/// A table in the directory of a run whose rows are recorded while the packing moves. A run that is resumed
+/// keeps the rows up to the point from which it goes on.
 template <int Dim>
 class MotionTable {
  public:
   virtual ~MotionTable() = default;
 
-  /// The equilibrium a step ended with: the next one begins with it.
+  /// Takes in the equilibrium that a step ended with: the next one begins with it.
   virtual void finish_step(const Run<Dim>& run) = 0;
 
   /// Writes the file anew. @throws IoError if it cannot be written
@@ -28,7 +28,7 @@ class MotionTable {
   void add_row(std::string row) { rows_.push_back(std::move(row)); }
   /// "step,branch,P" of the step that a run is in.
   static std::string place_of(const Run<Dim>& run);
-  /// The row that the table ended with when it was taken up; empty for a new one.
+  /// The row that the table ended with when the run was resumed; empty for a new one.
   std::string last_row() const { return rows_.empty() ? "" : rows_.back(); }
 
  private:

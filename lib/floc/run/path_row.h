@@ -8,17 +8,17 @@
 namespace floc {
 
 /// First line of path.csv.
-/// @param boxed  the grains stand between walls, of which the last columns tell
+/// @param boxed  the grains stand between walls, which the last columns describe
 std::string path_header(int dimension, bool boxed);
 
-/// What strains of a row are counted from.
+/// What the strains of a row are counted from.
 template <int Dim>
 struct PathReference {
   Vec<Dim> first_sides;                  ///< of the first state of the run (length)
   std::optional<Vec<Dim>> sides_before;  ///< of the state before this one
 };
 
-/// The line of path.csv for one equilibrium, from the states of the run alone but for the wall time.
+/// The line of path.csv for one equilibrium, from the states of the run alone, except for the wall time.
 /// @param seconds  wall time of its step, empty where it was not measured
 /// @param file     name of the state's file in the directory
 template <int Dim>

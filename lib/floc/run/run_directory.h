@@ -12,7 +12,7 @@
 
 namespace floc {
 
-/// What a run goes on from.
+/// The point that a run goes on from.
 template <int Dim>
 struct ReachedPoint {
   RunPoint point;
@@ -20,13 +20,13 @@ struct ReachedPoint {
 };
 
 /// The directory of one run: DIR/state-NNNN.h5, DIR/path.csv and DIR/checkpoint/. Every file is replaced whole,
-/// and in an order that lets a run be taken up after being killed at any moment. No other process writes into the
-/// directory while this object is there.
+/// and in an order that lets a run be resumed after being killed at any moment. While this object exists, no
+/// other process writes into the directory.
 class RunDirectory {
  public:
   /// Opens or makes the directory; with `overwrite`, removes what an earlier run left.
-  /// @throws InputError if another process writes into it, if it holds a run and neither resume nor overwrite was
-  /// asked for, or if it holds another scene's run or states that do not belong together
+  /// @throws InputError if another process writes into it, if it holds a run and neither resume nor overwrite
+  /// was asked for, or if it holds another scene's run or states that do not belong together
   /// @throws IoError if it cannot be written
   RunDirectory(const std::string& path, Existing existing, const RunOptions& options);
 
@@ -36,7 +36,7 @@ class RunDirectory {
   template <int Dim>
   std::optional<ReachedPoint<Dim>> resume_point();
 
-  /// Saves an equilibrium and its row. @param seconds  that it took; none: the row does not say
+  /// Saves an equilibrium and its row. @param seconds  that it took; none: the row leaves them out
   /// @return SHA-256 of the state's file
   template <int Dim>
   std::string save(const State<Dim>& state, std::optional<double> seconds);

@@ -21,7 +21,7 @@
 namespace floc {
 namespace {
 
-/// The same for a pair and for the same pair with its grains, or opposite images, exchanged.
+/// What identifies a pair, the same whichever of its grains, or of opposite images, comes first.
 using PairIdentity = std::tuple<int, int, std::vector<int>>;
 
 template <class Pair>

@@ -8,12 +8,12 @@
 
 namespace floc {
 
-/// How a table of `floc tradeoff` saw one observable at one setting. Errors are relative.
+/// One observable at one setting, as a table of `floc tradeoff` gives it. Errors are relative.
 struct MeasuredAccuracy {
   std::string parameter, value;  ///< name of the setting
   NumericalSettings settings;
   std::string observable;
-  double cost_ratio;       ///< to the strictest settings
+  double cost_ratio;       ///< relative to the strictest settings
   double error;            ///< of single states: upper limit for 95 % of them; not a number where not compared
   double mean_difference;  ///< of means over samples after a collapse; not a number where not compared
   double mean_error;       ///< half width of its 95 % interval
@@ -21,10 +21,10 @@ struct MeasuredAccuracy {
 };
 
 /// Reads such a table (csv, its own output). Only settings that a scene can have are kept.
-/// @throws InputError if a column is missing or a value is no number
+/// @throws InputError if a column is missing or a value is not a number
 std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place);
 
-/// The table that is shipped with the program, data/tables/tradeoff/tradeoff.csv.
+/// The table shipped with the program, data/tables/tradeoff/tradeoff.csv.
 const std::vector<MeasuredAccuracy>& shipped_accuracy_table();
 
 /// What a user asks for: an observable or a group of them ("phi", "z", "moduli", "reuss", "forces", "lambda",
@@ -45,10 +45,10 @@ struct AccuracyChoice {
   bool found() const { return refusal.empty(); }
 };
 
-/// Of the settings of the table takes the cheapest of which, for every observable asked for, the error of
-/// single states is at most what is asked, and the difference of means not above it by more than its sampling
-/// error explains (its 95 % interval). Of what is fitted to a path there are means alone: then their difference
-/// and that error together have to be below. Refused is what is below every error that was measured: the
+/// Takes the cheapest setting of the table whose errors of single states, for every observable asked for, are
+/// at most what is asked, and whose differences of means do not exceed it by more than their sampling error
+/// explains (its 95 % interval). For quantities fitted to a path there are means alone: their difference and
+/// that error together then have to be below what is asked. An error below every one measured is refused: the
 /// reference's own error is not known, so it is no measure of itself.
 /// @param wanted  not empty, known keys, errors > 0
 [[nodiscard]] AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table,

@@ -5,18 +5,18 @@
 
 namespace floc {
 
-/// Masses and rate caps of the cell in scenes that give none (docs/quasistatic.md has the measurements).
+/// Masses and rate caps of the cell for scenes that give none (docs/quasistatic.md has the measurements).
 
-/// While grains are put together. A lighter cell makes packings of a gas looser than the published ones.
+/// During assembly. A lighter cell makes packings from a gas looser than the published ones.
 inline constexpr double kAssemblyCellMass = 1.0;
-/// On load paths: a heavier cell overshoots and compacts, a lighter one makes the same densities.
+/// On load paths: a heavier cell overshoots and compacts, a lighter one gives the same densities.
 inline constexpr double kLoadCellMass = 0.1;
-/// Of cohesive grains, in 1/T0, T0 = sqrt(a m/F0).
+/// For cohesive grains, in 1/T0, T0 = sqrt(a m/F0).
 inline constexpr double kStrainRateCap = 0.05;
-/// Of grains without adhesion, |L'/L| sqrt(m/P).
+/// For grains without adhesion, |L'/L| sqrt(m/P).
 inline constexpr double kLargestInertialNumber = 1e-3;
 
-/// The cap on the strain rate, of the kind that the contact law has a scale for.
+/// The cap on the strain rate, of the kind for which the contact law has a scale.
 inline CellResponse default_cap(const LawParameters& law) {
   CellResponse response;
   if (law.adheres())
@@ -26,7 +26,7 @@ inline CellResponse default_cap(const LawParameters& law) {
   return response;
 }
 
-/// What stages of a load path take where neither they nor the scene say anything.
+/// Cell response in stages of a load path where neither they nor the scene give one.
 inline CellResponse default_load_response(const LawParameters& law) {
   CellResponse response = default_cap(law);
   response.cell_mass = kLoadCellMass;

@@ -181,6 +181,7 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
   if (scene.assembly.agitation > 0.0)
     groups.push_back({"V0/V_star", scene.assembly.agitation,
                       scene.law.range() > 0.0 ? "agitation at the start, V* = sqrt(F0 D0/m)"
+                      : scene.dimension == 3  ? "agitation at the start, V* = sqrt(P a^3/m)"
                                               : "agitation at the start, V* = sqrt(P a^2/m)"});
   if (scene.law.adheres())
     groups.push_back(

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// A number that follows from a scene. Groups without dimension unless the meaning gives a unit.
+/// A number that follows from a scene, dimensionless unless its meaning gives a unit.
 struct DerivedGroup {
   std::string name;
   double value;
@@ -20,7 +20,7 @@ struct DerivedGroup {
 /// left out.
 std::vector<DerivedGroup> derived_groups(const Scene& scene);
 
-/// kappa = (E~/P)^(2/3), E~ = E/(1 - nu^2), of elastic spheres under a pressure: overlaps go as 1/kappa.
+/// kappa = (E~/P)^(2/3), E~ = E/(1 - nu^2), of elastic spheres under a pressure: overlaps scale as 1/kappa.
 double hertz_kappa(const Scene& scene, double pressure);
 
 /// Expected cost of a run on one core (s), good to a factor of two or so: proportional to the number of grains,

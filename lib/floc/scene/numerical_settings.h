@@ -11,18 +11,18 @@ constexpr const char* finish_name(Finish finish) {
   return finish == Finish::automatic ? "auto" : finish == Finish::dynamic ? "dynamic" : "static";
 }
 
-/// The settings of a run that trade speed for accuracy and leave its physics alone.
+/// Settings of a run that trade speed for accuracy and leave its physics alone.
 struct NumericalSettings {
-  double tolerance = 1e-5;  ///< of force, moment and stress; the one of the energy goes with it, see energy()
+  double tolerance = 1e-5;  ///< of force, moment and stress; that of the energy goes with it, see energy()
   double time_step = RelaxationOptions{}.time_step;  ///< in sqrt(m_min/K_N)
   Finish finish = Finish::automatic;
   double patience = 1.0;
 
   /// Tolerance of the kinetic energy that goes with the one of forces: 5e-8 with 1e-5 and below, since it
-  /// decides when motion has stopped, and what is left of it is taken out then.
+  /// decides when motion has stopped, and what is left of the motion is then taken out.
   double energy() const { return 5e-3 * std::max(tolerance, 1e-5); }
 
-  /// Puts them in place of those of the options.
+  /// Puts these settings into the options.
   void apply(RelaxationOptions& options) const {
     options.tolerance = {tolerance, tolerance, tolerance, energy()};
     options.time_step = time_step;
@@ -30,7 +30,7 @@ struct NumericalSettings {
     options.patience = patience;
   }
 
-  /// Those of the options; their tolerance is that of forces.
+  /// The settings in the options; their tolerance is that of forces.
   static NumericalSettings of(const RelaxationOptions& options) {
     return {options.tolerance.force, options.time_step, options.finish, options.patience};
   }

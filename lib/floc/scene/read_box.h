@@ -12,7 +12,7 @@ void read_boxed_gas(TableReader& assembly, Scene& scene);
 /// @pre assembly and grains have been read
 void read_box(TableReader& root, Scene& scene);
 
-/// Reads the keys of [equilibrium] that say how a compaction ends. Faults where the scene has no box.
+/// Reads the keys of [equilibrium] that say how a compaction ends. Records faults where the scene has no box.
 void read_compaction_end(TableReader& equilibrium, Scene& scene);
 
 }  // namespace floc

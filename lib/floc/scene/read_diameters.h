@@ -8,7 +8,7 @@
 namespace floc {
 
 /// Reads the table grains.diameter. What cannot be used is recorded as a fault.
-/// @param directory  that a list's file is looked for in
+/// @param directory  where the file of a list is looked for
 DiameterDistribution read_diameters(TableReader table, SceneSource& source, const std::string& directory);
 
 }  // namespace floc

@@ -10,7 +10,7 @@ namespace floc {
 /// Reads a scene file (TOML; keys in docs/scenes.md).
 ///
 /// Physical parameters have no defaults; numerical settings have those of the options structs.
-/// @param path       the file; files it names are looked for beside it
+/// @param path       the file; files that it names are looked for beside it
 /// @param overrides  "key.path=value" each, applied in order before the scene is read and checked like the rest
 /// of it.
 ///                   The value is TOML; a bare word is taken as a string. An item of an array is its index from

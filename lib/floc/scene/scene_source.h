@@ -11,7 +11,7 @@ namespace floc {
 /// A parsed scene text with its overrides, and the faults found while it is read.
 class SceneSource {
  public:
-  /// @throws InputError if the text is no TOML, or an override is not "key.path=value" or does not fit the
+  /// @throws InputError if the text is not TOML, or an override is not "key.path=value" or does not fit the
   /// scene's structure.
   SceneSource(const std::string& text, std::string place, const std::vector<std::string>& overrides);
 

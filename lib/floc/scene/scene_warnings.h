@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// What a valid scene asks for that will not come out as it may have been meant: equilibria stricter than doubles
-/// or Newton steps reach, attractions that reach past the neighbours, steps given up before they can end, grains
-/// that cannot stick together, a path of more than a month. Each says the key, its value, and why.
+/// What a valid scene asks for that may not come out as it was meant: equilibria stricter than doubles or
+/// Newton steps can reach, attractions beyond the nearest neighbours, steps given up before they can end,
+/// grains that cannot stick together, a path of more than a month. Each gives the key, its value, and why.
 std::vector<std::string> scene_warnings(const Scene& scene);
 
 }  // namespace floc

@@ -49,7 +49,7 @@ class TableReader {
   std::vector<TableReader> tables(const std::string& key, const char* expectation);
   /// Numbers of a table, tables in it flattened to dotted keys.
   std::vector<std::pair<std::string, double>> flat_numbers(const std::string& key);
-  /// An array of numbers that all hold the rule, at least one; empty if the key is missing or faulty.
+  /// An array of numbers that all satisfy the rule, at least one; empty if the key is missing or faulty.
   std::vector<double> numbers(const std::string& key, NumberRule rule);
 
   /// An array of texts; empty if the key is missing or faulty.
@@ -58,10 +58,10 @@ class TableReader {
   /// Records a fault about a key of this table, or about the table when it lacks the key.
   void fault(const std::string& key, const std::string& problem);
 
-  /// Records a fault if the table has this key, which is valid elsewhere only.
+  /// Records a fault if the table has this key, which is valid only elsewhere.
   void refuse(const std::string& key, const std::string& problem);
 
-  /// Records every key nobody asked for, with the nearest one that is valid here.
+  /// Records every key that was not asked for, with the nearest one that is valid here.
   void refuse_other_keys();
 
  private:

@@ -10,14 +10,14 @@ namespace floc {
 /// in it.
 struct ProfileSlice {
   double low = 0.0, high = 0.0;  ///< from the plane through the origin, or the lower wall (length)
-  double solid_fraction = 0.0;   ///< volumes exact; of overlaps each grain counts
+  double solid_fraction = 0.0;   ///< exact volumes; overlaps count for each grain
   int n_grains = 0;
   std::vector<double> mean;  ///< of each value, over these grains; NaN without any
 };
 
-/// Slices of equal thickness, all of the cell together.
-/// @param axis    of the lattice vectors, from 0   @param n  of slices, >= 1
-/// @param values  each one number a grain
+/// Slices of equal thickness that make up the cell.
+/// @param axis    of the lattice vectors, from 0   @param n  number of slices, >= 1
+/// @param values  arrays of one number per grain
 template <int Dim>
 std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, int n,
                                        const std::vector<std::vector<double>>& values);

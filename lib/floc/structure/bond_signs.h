@@ -4,16 +4,16 @@
 
 namespace floc {
 
-/// Bonds between grains by the sign of their normal force: every interaction, attractions across gaps included;
-/// those that carry next to nothing are a class of their own. Numbers z are twice those of bonds over those of
-/// grains. Contacts with walls are left out.
+/// Bonds between grains by the sign of their normal force: every interaction, attractions across gaps included.
+/// Those that carry next to nothing are a class of their own. Each number z is twice the number of bonds over
+/// that of grains. Contacts with walls are left out.
 struct BondSigns {
   int n_bonds = 0;
   double z = 0.0;
   double z_plus = 0.0;   ///< in compression
   double z_minus = 0.0;  ///< in tension
   double z_near = 0.0;   ///< |F_N| < near
-  /// Share of tension among the bonds outside that class; 0 without any.
+  /// Share of bonds in tension among those outside that class; 0 without any.
   double minus_share = 0.0;
   double mean_plus = 0.0, mean_minus = 0.0;  ///< |F_N| of the two classes (force)
 };
@@ -22,13 +22,13 @@ struct BondSigns {
 template <int Dim>
 BondSigns bond_signs(const Packing<Dim>& packing, double near);
 
-/// Pressure at which a packing would part if every bond carried its pull-off force at once, negative of P at
-/// failure (stress):
+/// Pressure at which a packing would part if every bond carried its pull-off force at once: minus P at failure
+/// (stress):
 ///
 ///   z Phi F0/(pi d^(Dim-1)),
 ///
-/// the virial of z bonds a grain between equal grains that touch, exact for a crystal. Rumpf's estimate of the
-/// tensile strength takes its z = pi/(1 - Phi).
+/// the virial of z bonds per grain between equal grains that touch, exact for a crystal. Rumpf's estimate of
+/// the tensile strength takes z = pi/(1 - Phi) in it.
 /// @param F0  pull-off force (force)   @param d  diameter (length)
 double virial_strength(int dimension, double z, double solid_fraction, double F0, double d);
 

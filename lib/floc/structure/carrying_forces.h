@@ -7,7 +7,7 @@
 namespace floc {
 
 /// Coordination and forces of the force-carrying structure (docs/physics.md, "Force-carrying structure"),
-/// [AR2007]. Shares of grains are of all grains, averages those over its contacts; zero without any.
+/// [AR2007]. Shares of grains refer to all grains, averages to its contacts; zero without any.
 struct CarryingForces {
   int n_contacts = 0;
   double z = 0.0;       ///< 2 n_contacts/N
@@ -15,7 +15,7 @@ struct CarryingForces {
   double x0 = 0.0;      ///< share of rattlers
   double x2 = 0.0;      ///< share of grains with two contacts
   /// z* + 2 x2/(3 (1 - x0)): each sphere with two contacts turns about the line through them at no cost, so
-  /// that H = (3/2) N (1 - x0) (z** - 4) + constant with friction. Disks have no such turn: nothing in 2D.
+  /// that H = (3/2) N (1 - x0) (z** - 4) + constant with friction. Disks have no such turn: absent in 2D.
   std::optional<double> z_star_star;
   /// <N^q>/<N>^q of the elastic normal force N
   double Z_third = 0.0, Z_five_thirds = 0.0, Z2 = 0.0;
@@ -23,8 +23,8 @@ struct CarryingForces {
   double sliding_share = 0.0;  ///< of contacts whose tangential force is at its cap
   /// Fabric <n n> less 1/Dim (Dim x Dim): no trace, zero where directions are isotropic.
   Eigen::MatrixXd fabric;
-  /// The same of the contacts with N above <N>, the strong ones, and of the others; each as a share of all
-  /// contacts, so that their sum is the fabric.
+  /// The same for the strong contacts, with N above <N>, and for the others; each as a share of all contacts,
+  /// so that their sum is the fabric.
   Eigen::MatrixXd strong_fabric, weak_fabric;
 };
 

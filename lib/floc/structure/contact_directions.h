@@ -14,7 +14,7 @@ struct ContactDirections {
   int n_contacts = 0;
 };
 
-/// Of contacts that touch and press.
+/// Directions of the contacts that touch and press.
 ContactDirections contact_directions(const Packing<2>& packing, int n_bins);
 
 }  // namespace floc

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Who touches whom, counted (docs/physics.md, "Coordination and rattlers"). Coordination numbers are 2 Nc/N
-/// over surfaces that touch; distant attractions are counted apart ([GRC2008] counts them in z and z-: add
-/// 2 n_distant/N to compare).
+/// Counts of contacts (docs/physics.md, "Coordination and rattlers"). Coordination numbers are 2 Nc/N over
+/// surfaces that touch; distant attractions are counted separately ([GRC2008] counts them in z and z-: to
+/// compare, add 2 n_distant/N).
 struct Coordination {
   int n_contacts = 0;    ///< surfaces that touch
   int n_distant = 0;     ///< attractions across a gap
@@ -16,7 +16,7 @@ struct Coordination {
   double z_zero = 0.0;   ///< of contacts whose normal force is zero within the tolerance
   int n_rattlers = 0;
   double rattler_fraction = 0.0;  ///< x0
-  double z_star = 0.0;  ///< touching contacts a grain that is no rattler, times 2; those of rattlers left out
+  double z_star = 0.0;  ///< twice the contacts per grain that is not a rattler, those of rattlers left out
   double x22 = 0.0;     ///< share of the contacts that join two grains with two contacts each
 };
 

@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Where the energy of a packing in motion has come from and gone (energy). `elastic` and `kinetic` are those of
-/// the present, the others sums since the beginning.
+/// Where the energy of a packing in motion has come from and gone to (energy). `elastic` and `kinetic` are
+/// present values, the others sums since the beginning.
 struct EnergyTerms {
   double work = 0.0;     ///< done on the packing by its boundary
   double elastic = 0.0;  ///< stored in contacts, that of attractions included
@@ -20,7 +20,7 @@ struct EnergyTerms {
   double error() const { return work + initial - elastic - kinetic - viscous - sliding - scaling - removed; }
 };
 
-/// Keeps the energy account of a packing that moves, from how it is after each time step alone: work = change of
+/// Keeps the energy account of a moving packing, from its state after each time step alone: work = change of
 /// elastic + change of kinetic + viscous + sliding + scaling + removed, up to an error that vanishes with the
 /// time step to first order (dashpots and caps) or second (without them).
 template <int Dim>
@@ -29,7 +29,7 @@ class EnergyAccount {
   /// @throws InputError if the packing has walls
   explicit EnergyAccount(Packing<Dim> start);
 
-  /// Takes up one time step. @param now  the same grains after it, their contacts as the law has them
+  /// Adds one time step. @param now  the same grains after it, their contacts as the law has them
   void advance(const Packing<Dim>& now, double time_step);
 
   /// Goes on from an account that was kept up to the present packing.

@@ -24,7 +24,7 @@ enum class ForceUnit {
   pressure,  ///< P a^(Dim-1), moments times a
 };
 
-/// The forces of one kind, an entry a contact in the order of the list (force, or force * length).
+/// The forces of one kind, one entry per contact in the order of the list (force, or force * length).
 template <int Dim>
 std::vector<double> contact_forces(const Packing<Dim>& packing, ForceKind kind);
 
@@ -40,15 +40,15 @@ struct ForceDistribution {
   double middle(int b) const { return (first + b + 0.5) * width; }
   /// Probability density of f/unit.
   double density(int b) const { return static_cast<double>(counts[b]) / (static_cast<double>(n) * width); }
-  /// Counts another state's, bin by bin. @pre the same width, or one of the two is empty
+  /// Adds the counts of another state, bin by bin. @pre the same width, or one of the two is empty
   void add(const ForceDistribution& other);
 };
 
-/// The distribution of any values in a unit of theirs. Empty without values, or where the unit is not positive.
+/// The distribution of any values in a given unit. Empty without values, or where the unit is not positive.
 /// @param width  of the bins, in units, > 0   Bins stop at +-1e5 widths; what lies beyond is in the last ones.
 ForceDistribution distribution_of(const std::vector<double>& values, double unit, double width);
 
-/// Sizes of the values of one sign; zero belongs to neither. @param sign  1 or -1
+/// Magnitudes of the values of one sign; zero belongs to neither. @param sign  1 or -1
 std::vector<double> sizes_of(const std::vector<double>& values, double sign);
 
 /// Mean of |x|, 0 without values.

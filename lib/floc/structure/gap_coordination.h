@@ -6,11 +6,11 @@
 
 namespace floc {
 
-/// z(h): twice the number of pairs of surfaces no further apart than h, over the number of grains, rounding
-/// (1e-12 of their diameters) allowed for. z(0) is the
-/// coordination number of contacts.
+/// z(h): twice the number of pairs of surfaces no further apart than h, over the number of grains.
+/// Rounding of 1e-12 of their diameters is allowed for. z(0) is the coordination number of
+/// contacts.
 /// @param gaps  h (length), ascending, >= 0
-/// @return one entry a gap
+/// @return one entry per gap
 template <int Dim>
 std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vector<double>& gaps);
 

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Mean mobilisation |F_T|/N of contacts that carry more, and less, than the mean force, filled contact by contact.
+/// Mean mobilisation |F_T|/N of contacts that carry more, and less, than the mean force, added one by one.
 class MobilisationByForce {
  public:
   /// @param mean  elastic force of the contacts, > 0 (force)

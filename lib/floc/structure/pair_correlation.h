@@ -7,11 +7,11 @@
 
 namespace floc {
 
-/// Pair correlation g(r) of the centres: pairs at a distance in [b, b + 1) * width over those that N/V of
+/// Pair correlation g(r) of the centres: pairs at a distance in [b, b + 1) * width, over the number that N/V of
 /// independent grains would give. All periodic images count, of any lattice and to any distance.
 ///
-/// Between walls it is that of the grains no nearer to a wall than the largest distance, which see all neighbours
-/// there are, over what their own number density would give; 0 where there are none.
+/// Between walls only grains no nearer to a wall than the largest distance count, as these see all their
+/// neighbours, and g is relative to their own number density; 0 where there are none.
 struct PairCorrelation {
   double width = 0.0;                 ///< of a bin (length)
   std::vector<double> g;              ///< g(r), bin by bin from r = 0

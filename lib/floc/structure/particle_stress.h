@@ -19,8 +19,8 @@ std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing);
 template <int Dim>
 std::vector<double> particle_pressure(const Packing<Dim>& packing);
 
-/// Pressures that have a sign: zero of rattlers, whose forces are rounding, and where the pressure is no more than
-/// a force of `zero_force` makes on the largest grain, zero_force/a^(Dim-1).
+/// Pressures that have a sign: set to zero for rattlers, whose forces are rounding, and where the pressure is
+/// no more than a force of `zero_force` makes on the largest grain, zero_force/a^(Dim-1).
 /// @param pressure  of each grain (stress)
 template <int Dim>
 std::vector<double> pressure_beyond_zero(const Packing<Dim>& packing, std::vector<double> pressure,

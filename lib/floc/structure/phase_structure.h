@@ -8,14 +8,14 @@
 
 namespace floc {
 
-/// What random signs on the same bonds are compared with.
+/// Settings of the comparison with random signs on the same bonds.
 struct PhaseOptions {
-  int n_shuffles = 20;  ///< percolation to a tenth; each costs one search for connected parts
+  int n_shuffles = 20;  ///< enough for percolation to a tenth; each costs one search for connected parts
   std::uint64_t seed = 1;
   int n_bins = 10;  ///< of the share of like neighbours
 };
 
-/// Mean pressure of the grains of a phase by the share of their neighbours that are of it.
+/// Mean pressure of the grains of a phase by the share of their neighbours that belong to it.
 struct LikeNeighbourBin {
   double low = 0.0, high = 0.0;  ///< of the share, [low, high); the last bin holds 1
   int n_grains = 0;
@@ -23,7 +23,7 @@ struct LikeNeighbourBin {
   double mean_error = 0.0;  ///< standard error of it; 0 for fewer than two grains
 };
 
-/// How one of the two phases of particle pressure lies among the bonds.
+/// How one of the two phases of particle pressure is spread over the bonds.
 struct PhaseGeometry {
   std::vector<int> cluster_sizes;    ///< grains of its connected parts, the largest first
   std::array<bool, 3> along{};       ///< lattice vectors that one of its parts winds along
@@ -40,7 +40,7 @@ struct PhaseGeometry {
 struct PhaseStructure {
   PhaseGeometry positive, negative;
   int n_bonds = 0;              ///< between two grains with a sign
-  double like_share = 0.0;      ///< of these, those between like signs
+  double like_share = 0.0;      ///< share of these between like signs
   double like_expected = 0.0;   ///< its mean over all shuffles, in closed form
   double like_deviation = 0.0;  ///< standard deviation over the shuffles made
 };

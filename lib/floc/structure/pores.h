@@ -19,18 +19,18 @@ struct Pore {
 /// less the sectors of the disks around them and the disks inside (docs/physics.md, "Structure"). Closed forms,
 /// no mesh: areas add up to A (1 - Phi) with overlaps counted twice, as in Phi.
 struct Pores {
-  std::vector<Pore> pores;  ///< those that end
-  bool unbounded = false;   ///< there is one that winds around the cell, which has no size
-  double total_area = 0.0;  ///< of all that end
+  std::vector<Pore> pores;  ///< the bounded ones
+  bool unbounded = false;   ///< one winds around the cell, and so has no size
+  double total_area = 0.0;  ///< of all bounded ones
   /// xi': root of the mean of the squared radius of gyration, weighted by area (length); 0 without pores.
   double size = 0.0;
   double mean_area = 0.0;  ///< (area)
-  /// Why there are none: contacts cross each other, as disks that overlap far do; else empty.
+  /// Why there are none: contacts cross each other, as those of disks with large overlaps do; else empty.
   std::string refusal;
 };
 
-/// Parts of the network and lone grains that lie inside a pore are joined to what is nearest by edges of no
-/// width, which changes no pore.
+/// Parts of the network and lone grains that lie inside a pore are joined to their nearest neighbour by edges
+/// of no width, which changes no pore.
 Pores find_pores(const Packing<2>& packing);
 
 }  // namespace floc

@@ -7,18 +7,18 @@
 
 namespace floc {
 
-/// Solid fraction in boxes about the centre of the cell (between walls, of their distance). The volumes that a box
-/// and the grains have in common are exact; of overlaps each grain counts, as it does in solid_fraction().
+/// Solid fraction in boxes about the centre of the cell (between walls, of the space between them). The volumes
+/// that a box and the grains share are exact; overlaps count for each grain, as in solid_fraction().
 struct PorosityProbe {
-  /// Half the side of a cube, over the shortest distance L of opposite faces of the cell; of the cell shrunk about
-  /// its centre, half the factor.
+  /// Half the side of a cube, over the shortest distance L between opposite faces of the cell; for the cell
+  /// shrunk about its centre, half the factor.
   double half_side = 0.0;
   double in_cube = 0.0;
   std::optional<double> in_cell;  ///< in the shrunk cell; absent where the cell is not right-angled
 };
 
 /// Probes of half sides 1/(2 n), 2/(2 n) ... 1/2, in L. The largest shrunk cell is the cell itself.
-/// @param n  of probes, >= 1
+/// @param n  number of probes, >= 1
 template <int Dim>
 std::vector<PorosityProbe> porosity_probes(const Packing<Dim>& packing, int n);
 

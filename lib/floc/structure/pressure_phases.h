@@ -6,11 +6,11 @@
 
 namespace floc {
 
-/// Grains whose pressure has one sign, joined where two of them interact.
+/// Grains whose pressures have the same sign, joined where two of them interact.
 struct PressurePhase {
   int n_grains = 0;
   double share = 0.0;       ///< of all grains
-  double mean = 0.0;        ///< pressure over its grains (stress)
+  double mean = 0.0;        ///< pressure of its grains (stress)
   int n_clusters = 0;       ///< connected parts, single grains included
   int largest_cluster = 0;  ///< grains
   /// Independent ways in which one of its parts winds around the cell: it percolates if > 0.

@@ -20,16 +20,16 @@ struct ScatteringOptions {
   /// Largest k, in 2 pi over the largest diameter: form factor and contacts show beyond 1, aggregates below.
   double largest = 2.0;
   /// Mesh cells for each wave length of the largest k. The mesh holds averages over its cells, which is undone;
-  /// what folds back from shorter waves is below 1 % of I at 8, and smaller by the power 5 of k below.
+  /// what folds back from shorter waves is below 1 % of I with 8 cells, and falls as k^5 towards smaller k.
   double cells_per_wave = 8.0;
   /// Bins are this much wider than the one before, and no narrower than 2 pi/V^(1/Dim).
   double bin_growth = 1.05;
-  /// Of spheres, more wave vectors than this in a bin are not summed over but drawn from: an error of
-  /// 1/sqrt(n) of I, 6 %, no more than bins of small k have anyway.
+  /// For spheres, bins with more wave vectors than this are not summed over but sampled: an error of 1/sqrt(n)
+  /// of I, 6 %, no more than bins of small k have anyway.
   int most_vectors = 300;
-  /// Wave vectors that are drawn from, in all: the largest k is lowered.
+  /// Most wave vectors to sample from, in all; beyond it the largest k is lowered.
   std::int64_t most_waves = std::int64_t{1} << 24;
-  /// Larger meshes are not made: the largest k is lowered.
+  /// Most cells of a mesh; beyond it the largest k is lowered.
   std::int64_t most_cells = std::int64_t{1} << 26;
 };
 
@@ -46,9 +46,9 @@ struct ScatteringMesh {
   Vec<2, int> size(const Cell<2>& cell) const;
 };
 
-/// The grains of a packing in the shortest cell of its lattice: the lattice is what scatters, and a cell so
-/// slanted that its sides are nearly parallel would take a mesh as long as they are. Cells of short vectors are
-/// left as they are.
+/// The grains of a packing in the shortest cell of its lattice: only the lattice matters to scattering, and a
+/// cell so slanted that its sides are nearly parallel would take a mesh as long as they are. Cells of short
+/// vectors are left as they are.
 Packing<2> in_shortest_cell(const Packing<2>& packing);
 
 /// Depends on area and largest diameter only.
@@ -68,7 +68,7 @@ class ScatteringAverage {
   /// Adds a field given by its averages over mesh cells.
   void add(const Cell<2>& cell, const CoverageMap& field);
   /// Adds a packing of spheres by the sum of their transforms, without a mesh: overlaps count twice.
-  /// @param most_vectors  of a bin, >= 1; drawn by a fixed seed where there are more
+  /// @param most_vectors  per bin, >= 1; drawn by a fixed seed where there are more
   void add(const Packing<3>& packing, int most_vectors);
 
   /// Bins without any wave vector are left out.

@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// A periodic cell as Voro++ wants it: turned until its lattice vectors are (bx, 0, 0), (bxy, by, 0), (bxz,
-/// byz, bz), and in a unit of length of the order of its neighbours' distances, which absolute tolerances of
-/// the library suppose.
+/// A periodic cell as Voro++ requires it: turned until its lattice vectors are (bx, 0, 0), (bxy, by, 0), (bxz,
+/// byz, bz), and in a unit of length of the order of the distance between neighbours, which the absolute
+/// tolerances of the library assume.
 struct TurnedCell {
   Mat<3> turn = Mat<3>::Identity();  ///< rotation (or reflection): place there = turn * place here/unit
   Mat<3> lattice;                    ///< lower triangle, its diagonal positive
@@ -30,7 +30,7 @@ struct TurnedCell {
   Vec<3> there(const Vec<3>& x) const { return turn * x / unit; }
   Vec<3> here(const Vec<3>& x) const { return turn.transpose() * x * unit; }
 
-  /// Blocks of the search along an axis, for which Voro++ is fastest: kGrainsPerBlock in each.
+  /// Blocks of the search along an axis for which Voro++ is fastest: kGrainsPerBlock grains in each.
   int blocks(int axis) const {
     return std::max(1, static_cast<int>(std::ceil(lattice(axis, axis) * std::cbrt(1.0 / kGrainsPerBlock))));
   }

@@ -18,11 +18,11 @@ struct Spread {
   int n = 0;  ///< values; 0: nothing was compared
 };
 
-/// @param errors  >= 0; those that are no numbers are left out
+/// @param errors  >= 0; values that are not numbers are left out
 Spread spread_of(std::vector<double> errors);
 
-/// A mean of paired differences over samples, relative, with its standard error (neither a number below two
-/// samples).
+/// A mean of paired differences over samples, relative, with its standard error (both not a number with fewer
+/// than two samples).
 struct MeanDifference {
   double difference = 0.0;
   double standard_error = 0.0;
@@ -30,40 +30,40 @@ struct MeanDifference {
   int n = 0;             ///< samples
 };
 
-/// @param differences  one a sample; those that are no numbers are left out
+/// @param differences  one per sample; values that are not numbers are left out
 MeanDifference mean_of(const std::vector<double>& differences);
 
-/// What a setting does to one observable.
+/// Errors of one observable at a setting.
 struct ObservableError {
   Spread before;  ///< before the first collapse of a stage: against the reference's state, from the same start
   Spread after;   ///< other states: against the strict equilibrium that each goes to when it is relaxed further
   MeanDifference mean;  ///< of those states, against the mean of the reference's
 };
 
-/// Errors of state observables, in the order of `Observable`, then of what is fitted to the path (`mean`
+/// Errors of state observables, in the order of `Observable`, then of the quantities fitted to the path (`mean`
 /// alone).
 using ObservableErrors = std::array<ObservableError, kObservables + kFittedNames.size()>;
 
 /// Lowest and highest pressure P* of a fit.
 using PressureWindow = std::pair<double, double>;
 
-/// For each state: since the stage began neither path has moved by more than elasticity explains (3 dP/B), and
-/// the same grains have touched in both, so both are still at the same place of configuration space. A contact
-/// that opens or closes in one of them alone parts them as a collapse does. False for what is assembled.
+/// For each state, whether both paths are still at the same place of configuration space: since the stage began
+/// neither has moved by more than elasticity explains (3 dP/B), and the same grains have touched in both. A
+/// contact that opens or closes in only one of them parts them as a collapse does. False for assembled states.
 std::vector<bool> before_collapse(const SamplePath& reference, const SamplePath& path);
 
-/// Compares samples in pairs of the same seed. @param paths  as many as references, each of as many states
-/// @param window  of the fits to a path; nothing leaves them out
+/// Compares samples in pairs of the same seed. @param paths  as many as references, each with as many states
+/// @param window  of the fits to a path, which are left out without one
 ObservableErrors compare(const std::vector<const SamplePath*>& references,
                          const std::vector<const SamplePath*>& paths,
                          const std::optional<PressureWindow>& window);
 
-/// Compares another size: ensemble means alone, over all states.
+/// Compares runs of another size: ensemble means alone, over all states.
 ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
                                const std::vector<const SamplePath*>& paths,
                                const std::optional<PressureWindow>& window);
 
-/// What another level of the moduli makes of the same states. @param observations  for each path, for each
+/// Compares another level of the moduli on the same states. @param observations  for each path, for each
 /// state
 ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
                                 const std::vector<std::vector<Observation>>& observations);

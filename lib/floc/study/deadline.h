@@ -5,8 +5,8 @@ namespace floc {
 /// Processor time of this process so far (s).
 double processor_seconds();
 
-/// An amount of processor time after which a study has to end. On a free core that is time on the wall; on a
-/// busy one, or while the process is suspended, waiting does not count.
+/// An amount of processor time after which a study has to end. On a free core that is wall time; on a busy one,
+/// or while the process is suspended, waiting does not count.
 class Deadline {
  public:
   /// @param seconds  of processor time from now on

@@ -10,11 +10,11 @@
 
 namespace floc {
 
-/// What users quote of one state: solid fraction, coordination by sign of the normal force, bulk and shear
+/// What users quote about one state: solid fraction, coordination by sign of the normal force, bulk and shear
 /// modulus, Reuss bound, force scales of the exponential tails of compressive and of tensile forces over F1.
 enum Observable { kPhi, kZPlus, kZMinus, kB, kG, kBReuss, kTailPlus, kTailMinus, kObservables };
 
-/// Their names in tables, and after them those of what is fitted to a whole path.
+/// Their names in tables, followed by those of the quantities fitted to a whole path.
 inline constexpr std::array<const char*, kObservables> kObservableNames = {
     "phi", "z_plus", "z_minus", "B", "G", "B_reuss", "tail_plus", "tail_minus"};
 inline constexpr std::array<const char*, 3> kFittedNames = {"lambda", "alpha", "Phi_max"};
@@ -23,14 +23,14 @@ inline constexpr std::array<const char*, 3> kFittedNames = {"lambda", "alpha", "
 using Observation = std::array<double, kObservables>;
 
 /// @param state   forces and residuals in its contact list
-/// @param moduli  which level they are computed at, and what is kept from state to state
+/// @param moduli  sets the level at which they are computed, and keeps what one state leaves for the next
 Observation observe(const State<2>& state, ModuliSequence<2>& moduli);
 
 /// Only what `moduli` gives, the others as in `other`.
 Observation observe_moduli(const State<2>& state, ModuliSequence<2>& moduli, const Observation& other);
 
-/// What a difference of observable k is measured against: its size, the mean of both observations; of a part of
-/// z the whole.
+/// The scale that a difference of observable k is compared with: its size, the mean of both observations; for a
+/// part of z, that of the whole z.
 double size_of(int k, const Observation& x, const Observation& y);
 
 }  // namespace floc

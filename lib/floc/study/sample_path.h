@@ -18,7 +18,7 @@ struct ObservedState {
   State<2> state;
   Observation observation;
   std::vector<std::pair<int, int>> touching;  ///< grains in contact, in the order of the contact list
-  Observation settled;  ///< of the strict equilibrium that the state goes to when it is relaxed further
+  Observation settled;  ///< of the strict equilibrium that the state reaches when relaxed further
 };
 
 /// Equilibria of one sample at one setting, and what they cost.
@@ -41,8 +41,8 @@ RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::u
 SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
                        const Deadline& deadline);
 
-/// Fills in `settled`: every state is relaxed on with the strict settings, from where it is. A state that meets
-/// them stays. What this costs is not counted. Sets `failure` where that does not converge.
+/// Fills in `settled`: every state is relaxed further with the strict settings, from where it is. A state that
+/// meets them stays. The cost is not counted. Sets `failure` where this does not converge.
 void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePath& path);
 
 }  // namespace floc

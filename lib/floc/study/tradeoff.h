@@ -11,7 +11,7 @@ namespace floc {
 struct TradeoffOptions {
   double budget = 600.0;  ///< seconds of processor time that the study may take
   int max_samples = 8;    ///< seeds, from the scene's own on
-  /// Told what is being done.
+  /// Called with what is being done.
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
@@ -21,7 +21,7 @@ struct MeasuredSetting {
   int n_grains = 0;
   int n_samples = 0;          ///< seeds compared
   double core_seconds = 0.0;  ///< processor time of a sample, mean; of all samples for the parameter "samples"
-  double moduli_seconds = 0.0;  ///< of it, for moduli
+  double moduli_seconds = 0.0;  ///< of that, for moduli
   double cost_ratio = 0.0;      ///< to the reference, of the same seeds in the same study
   ObservableErrors errors;
 };
@@ -35,13 +35,13 @@ struct Tradeoff {
 };
 
 /// Runs a scene at its finest settings and at several values of each parameter, all from the same seeds
-/// (paired), and compares what is quoted of them.
+/// (paired), and compares the observables that users quote.
 ///
 /// The reference assembles and loads a sample; every setting assembles its own, then starts each stage of the
 /// load path from the reference's state, so that states can be compared one by one until the first collapse.
-/// Budget: grains are made fewer until two samples of everything are expected to fit, by the measured cost of a
-/// small one; then samples go on until the next would not fit. Settings too expensive for the first sample are
-/// left out. At the deadline a run is broken off.
+/// Budget: the number of grains is reduced until two samples of everything are expected to fit, by the measured
+/// cost of a small one; then samples are added until the next would not fit. Settings too expensive for the
+/// first sample are left out. At the deadline a run is broken off.
 /// @pre options.budget > 0
 /// @throws InputError for a scene that starts from a saved state: samples are made from the gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);

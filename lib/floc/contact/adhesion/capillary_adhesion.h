@@ -18,21 +18,21 @@ enum class BridgeForm {
 
 /// When a liquid bridge forms.
 enum class BridgeFormation {
-  gap,      ///< as soon as the gap is one that it reaches across
+  gap,      ///< as soon as the gap is within its reach
   contact,  ///< when the surfaces touch; it then lives until the gap is wider than its reach
 };
 
-/// What a liquid bridge between two grains does, all of it zero where there is none.
+/// Parameters of a liquid bridge between two grains, all zero where there is none.
 template <class T = double>
 struct Bridge {
-  T strength = T(0);  ///< Gamma R of surfaces that touch (force)
+  T strength = T(0);  ///< Gamma R, when the surfaces touch (force)
   T decay = T(0);     ///< 1/l, or sqrt(R'/V_b) of the rational form (1/length)
   T reach = T(0);     ///< hm, the widest gap that it spans (length)
 };
 
-/// Liquid bridges between spheres, -Gamma R in contact and falling with the gap up to the reach of the bridge:
-/// Gamma = 2 pi g cos th, R = sqrt(Ri Rj), reach (1 + th/2) V_b^(1/3). The volumes V_b of the bridges are what
-/// contacts remember; how the liquid of a packing is shared between them is not the law's business
+/// Liquid bridges between spheres: a force -Gamma R in contact, which falls with the gap up to the reach of the
+/// bridge. Gamma = 2 pi g cos th, R = sqrt(Ri Rj), reach (1 + th/2) V_b^(1/3). Contacts remember the volumes
+/// V_b of the bridges; the law does not decide how the liquid of a packing is shared between them
 /// (packing/liquid.h). In 2D disks stand for a layer of spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< g (force/length)
@@ -71,7 +71,7 @@ struct CapillaryAdhesion {
 
   /// Contact angle in radians.
   double angle() const { return contact_angle * std::numbers::pi / 180.0; }
-  /// Gamma R of two grains: what pulls them apart is as strong (force). It does not depend on the volume.
+  /// Gamma R of two grains, the force needed to pull them apart. It does not depend on the volume.
   double strength(double radius_i, double radius_j) const {
     return 2.0 * std::numbers::pi * surface_tension * std::cos(angle()) * std::sqrt(radius_i * radius_j);
   }
@@ -79,7 +79,7 @@ struct CapillaryAdhesion {
   double reach(double volume) const { return (1.0 + 0.5 * angle()) * std::cbrt(volume); }
   /// Volume of the liquid that goes with grains of this volume.
   double liquid_volume(double solid_volume) const { return water_content * density_ratio * solid_volume; }
-  /// The bridge of a volume between two grains.
+  /// The bridge of this volume between two grains.
   Bridge<> bridge(double radius_i, double radius_j, double volume) const {
     if (!(volume > 0.0)) return {};
     const double mean = 2.0 * reduced(radius_i, radius_j);
@@ -89,7 +89,7 @@ struct CapillaryAdhesion {
     return {strength(radius_i, radius_j), std::sqrt(ratio * mean / volume) / kDecayLength, reach(volume)};
   }
 
-  /// Follows the bridge of a pair through a motion. @param pair  at its end @param volume  the memory
+  /// Follows the bridge of a pair through a motion. @param pair  at the end of it @param volume  the memory
   /// @return the bridge as it acts now
   template <class T>
   Bridge<T> hold(const PairGeometry<T>& pair, const Bridge<T>& bridge, T* volume) const {
@@ -100,7 +100,7 @@ struct CapillaryAdhesion {
     }
     return acting(bridge, *volume);
   }
-  /// The bridge of a pair as it acts: not at all where it has broken.
+  /// The bridge of a pair as it acts: without force where it has broken.
   template <class T>
   Bridge<T> acting(Bridge<T> bridge, const T& volume) const {
     bridge.strength = lanes::select(T(0) < volume, bridge.strength, T(0));
@@ -122,7 +122,7 @@ struct CapillaryAdhesion {
     const T across = lanes::select(bridge.reach < pair.gap, T(0), T(-bridge.strength * bridge.decay * slope));
     return lanes::select(pair.gap < T(0), T(0), across);
   }
-  /// Zero at and beyond the reach; at a fixed volume.
+  /// Potential energy at a fixed volume, zero at and beyond the reach.
   template <class T>
   T energy(const PairGeometry<T>& pair, const Bridge<T>& bridge) const {
     if (!(T(0) < bridge.decay)) return T(0);
@@ -149,7 +149,7 @@ struct CapillaryAdhesion {
     if (form == BridgeForm::exponential) return lanes::exp_of_negative(T(-x));
     return T(1) / (T(1) + x * (T(kLinear) + T(kSquare) * x));
   }
-  /// Integral of that from contact on.
+  /// Integral of share_at() from contact on.
   template <class T>
   T integral_to(const T& x) const {
     if (form == BridgeForm::exponential) return T(1) - lanes::exp_of_negative(T(-x));

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Constant attraction -F0 in contact, falling linearly to zero over the range D0 of the gap. Reversible: it
-/// acts on approach as on parting. [GRC2008], Eq. 2.
+/// Constant attraction -F0 in contact, falling linearly to zero over the range D0 of the gap. Reversible: it is
+/// the same on approach as on separation. [GRC2008], Eq. 2.
 struct TailAdhesion {
   double pull_off_force;  ///< F0 (force), > 0
   double tail_range;      ///< D0 (length), > 0
@@ -40,7 +40,7 @@ struct TailAdhesion {
                          tail);
   }
   double range() const { return tail_range; }
-  /// An attraction of no force is none.
+  /// An attraction of zero force counts as none.
   bool acts() const { return pull_off_force != 0.0; }
 
   bool operator==(const TailAdhesion&) const = default;

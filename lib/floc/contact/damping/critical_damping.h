@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Viscous normal force that is a fixed fraction of critical damping at the present stiffness,
-/// -2 zeta sqrt(m_eff K_N) dh/dt. Under Hertz' law the restitution of a collision then does not depend on its
-/// speed; from zeta = 0.912871 on grains never part. It may pull. It is no part of the static force.
+/// Viscous normal force that is a fixed fraction of critical damping at the present stiffness, -2 zeta
+/// sqrt(m_eff K_N) dh/dt. Under Hertz' law the restitution of a collision then does not depend on its speed;
+/// from zeta = 0.912871 on, grains never part. It may pull. It is not part of the static force.
 struct CriticalDamping {
   double critical_fraction;  ///< zeta
 
@@ -20,7 +20,7 @@ struct CriticalDamping {
       {"critical_fraction", &CriticalDamping::critical_fraction, Unit::ratio, "zeta", Requirement::at_most_one,
        "a fraction zeta of critical damping, in (0, 1]", "fraction of critical damping"}};
 
-  /// What the root of the stiffness is multiplied by, of a pair.
+  /// The factor of the root of the stiffness, for a pair.
   template <class Normal>
   double coefficient(const CollisionMass& mass, const Normal&) const {
     return 2.0 * critical_fraction * std::sqrt(mass.effective);

@@ -9,11 +9,11 @@
 
 namespace floc {
 
-/// Which mass m the critical damping of a contact is taken with. Either is the same for i against j as for j
-/// against i, and a fixed multiple of the effective mass, so that all pairs have one restitution, whatever
+/// The mass m that the critical damping of a contact refers to. Either one is the same for i against j as for j
+/// against i, and a fixed multiple of the effective mass, so that all pairs have the same restitution, whatever
 /// their sizes.
 enum class DampingMass {
-  effective,  ///< m_i m_j/(m_i + m_j): that of a pair is the one given [GRC2008]
+  effective,  ///< m_i m_j/(m_i + m_j): the restitution of a pair is the one given [GRC2008]
   grain,      ///< twice that, the mass of a grain among equals [SVI2024]: sqrt(2) times the damping ratio
 };
 
@@ -24,8 +24,8 @@ inline double damping_ratio(double restitution) {
   return -l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
 }
 
-/// Viscous normal force -c dh/dt while the surfaces overlap, c = 2 zeta sqrt(m K_N). It may pull: cutting its
-/// tension changes the restitution. It is no part of the static force.
+/// Viscous normal force -c dh/dt while the surfaces overlap, c = 2 zeta sqrt(m K_N). It may pull: cutting off
+/// its tension would change the restitution. It is not part of the static force.
 struct ViscousDamping {
   double restitution;  ///< of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;
@@ -41,7 +41,7 @@ struct ViscousDamping {
        choose<ViscousDamping, &ViscousDamping::mass_rule>}};
 
   /// Damping coefficient c of a pair (force * time/length).
-  /// @param normal  of a stiffness that does not vary
+  /// @param normal  a normal law of constant stiffness
   template <class Normal>
   double coefficient(const CollisionMass& mass, const Normal& normal) const {
     const double m = mass_rule == DampingMass::effective ? mass.effective : mass.grain;

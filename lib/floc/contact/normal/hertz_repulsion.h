@@ -27,7 +27,7 @@ struct HertzRepulsion {
       {"poisson", &HertzRepulsion::poisson, Unit::ratio, "nu", Requirement::poisson_ratio,
        "Poisson's ratio nu, in (-1, 0.5)", "Poisson's ratio"}};
 
-  /// E/(1 - nu^2): what a pressure is measured against.
+  /// E/(1 - nu^2), the modulus that a pressure is compared with.
   double plane_modulus() const { return modulus / (1.0 - poisson * poisson); }
 
   template <class T>
@@ -54,7 +54,7 @@ struct HertzRepulsion {
   double overlap_at_force(const PairGeometry<>& pair, double elastic) const {
     return std::pow(0.75 * elastic / (0.5 * plane_modulus() * std::sqrt(pair.reduced_radius)), 2.0 / 3.0);
   }
-  /// Largest overlap of two free grains that meet at a speed: all their energy is elastic then.
+  /// Largest overlap of two free grains that meet at this speed: all their energy is then elastic.
   double overlap_of_impact(const PairGeometry<>& pair, double speed) const {
     return std::pow(
         15.0 * pair.reduced_mass * speed * speed / (8.0 * plane_modulus() * std::sqrt(pair.reduced_radius)),
@@ -65,7 +65,7 @@ struct HertzRepulsion {
     return contact_stiffness(PairGeometry<>(-overlap_at_force(pair, elastic), pair.reduced_radius));
   }
   double modulus_of_packing(int, double) const { return plane_modulus(); }
-  /// No contact is stiffer as long as it carries no more than the load.
+  /// No contact is stiffer than this as long as it carries no more than the load.
   double stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     const double deepest = std::max(
         {load.overlap, overlap_at_force(pair, load.force), overlap_of_impact(pair, load.impact_speed)});

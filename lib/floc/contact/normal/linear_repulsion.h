@@ -30,13 +30,13 @@ struct LinearRepulsion {
   T energy(const PairGeometry<T>& pair) const {
     return lanes::select(pair.gap < T(0), T(0.5 * normal_stiffness * pair.gap * pair.gap), T(0));
   }
-  /// Stiffness where the elastic force is FNe > 0: that of a contact of which only the force is known.
+  /// Stiffness where the elastic force is FNe > 0, for a contact of which only the force is known.
   double stiffness_at_force(const PairGeometry<>&, double) const { return normal_stiffness; }
-  /// Modulus of a packing of grains of diameter a that a pressure is measured against: K_N/a^(Dim-2).
+  /// Modulus of a packing of grains of diameter a, which a pressure is compared with: K_N/a^(Dim-2).
   double modulus_of_packing(int dim, double diameter) const {
     return normal_stiffness / std::pow(diameter, dim - 2);
   }
-  /// No contact is stiffer.
+  /// No contact is stiffer than this.
   double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return normal_stiffness; }
 
   bool operator==(const LinearRepulsion&) const = default;

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Rolling resistance: an incremental spring K_R on the relative rotation, its moment capped at mu_R FNe
+/// Rolling resistance: an incremental spring K_R on the relative rotation, with its moment capped at mu_R FNe
 /// (elastic part only). [GRC2007], section II.
 struct RollingSpring {
   double coefficient;        ///< mu_R, a length
@@ -33,14 +33,14 @@ struct RollingSpring {
   bool is_mobilised(double elastic, const double* memory, double tolerance) const {
     return acts() && capped_is_mobilised<V>(coefficient, rolling_stiffness, elastic, memory, tolerance);
   }
-  /// Sets the memory to what carries a moment on j. @param stiffness  of the contact, > 0
+  /// Sets the memory so that it carries a moment on j. @param stiffness  of the contact, > 0
   template <class V>
   void set_force(const V& force, double stiffness, double* memory) const {
     Eigen::Map<V>{memory} = force / stiffness;
   }
   /// K_R while nothing yields, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }
-  /// Resistance that can carry nothing is none, and must not stiffen the network either.
+  /// Resistance that can carry nothing counts as none, and must not stiffen the network either.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const RollingSpring&) const = default;

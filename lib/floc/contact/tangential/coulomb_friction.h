@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// Coulomb friction: an incremental tangential spring K_T capped at mu FNe. The cap reads the ELASTIC part of
-/// the normal force, so a contact that carries no net normal force still carries up to mu F0. [GRC2008], Eq. 4
-/// (with the mu its printed sliding value lacks).
+/// Coulomb friction: an incremental tangential spring K_T capped at mu FNe. The cap depends on the ELASTIC part
+/// of the normal force, so a contact that carries no net normal force still carries up to mu F0. [GRC2008], Eq.
+/// 4 (with the factor mu that its printed sliding value lacks).
 struct CoulombFriction {
   double coefficient;           ///< mu
   double tangential_stiffness;  ///< K_T (force/length)
@@ -34,14 +34,14 @@ struct CoulombFriction {
   bool is_mobilised(double elastic, const double* memory, double tolerance) const {
     return capped_is_mobilised<V>(coefficient, tangential_stiffness, elastic, memory, tolerance);
   }
-  /// Sets the memory to what carries a force. @param stiffness  of the contact, > 0
+  /// Sets the memory so that it carries a force. @param stiffness  of the contact, > 0
   template <class V>
   void set_force(const V& force, double stiffness, double* memory) const {
     Eigen::Map<V>{memory} = force / stiffness;
   }
   /// K_T while nothing slides, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }
-  /// Friction that can carry nothing is none, and must not stiffen the network either.
+  /// Friction that can carry nothing counts as none, and must not stiffen the network either.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const CoulombFriction&) const = default;

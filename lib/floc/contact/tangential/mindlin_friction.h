@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Friction of elastic spheres: T grows by K_T times the slip, K_T following the present normal force, and is
-/// cut back to mu FNe. Where the normal force falls, T falls with K_T; where it grows, T stays: no closed path
-/// gives energy back then (docs/physics.md, "Spheres of Hertz and Mindlin"). [AR2007], section II.
+/// Friction of elastic spheres: T grows by K_T times the slip, with K_T following the present normal force, and
+/// is cut back to mu FNe. Where the normal force falls, T falls with K_T; where it grows, T stays. No closed
+/// path then yields energy (docs/physics.md, "Spheres of Hertz and Mindlin"). [AR2007], section II.
 struct MindlinFriction {
   double coefficient;  ///< mu
 
@@ -41,7 +41,7 @@ struct MindlinFriction {
   bool is_mobilised(double elastic, const double* memory, double tolerance) const {
     return Eigen::Map<const V>(memory).norm() >= (1.0 - tolerance) * (coefficient * elastic);
   }
-  /// Sets the memory to a force; to which stiffness it belongs shows at the next motion.
+  /// Sets the memory to a force; the next motion finds the stiffness that it belongs to.
   template <class V>
   void set_force(const V& force, double /*stiffness*/, double* memory) const {
     Eigen::Map<V>{memory} = force;
@@ -49,7 +49,7 @@ struct MindlinFriction {
   }
   /// K_T while nothing slides, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>& normal) const { return normal.shear_stiffness; }
-  /// Friction that can carry nothing is none, and must not stiffen the network either.
+  /// Friction that can carry nothing counts as none, and must not stiffen the network either.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const MindlinFriction&) const = default;

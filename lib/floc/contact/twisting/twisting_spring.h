@@ -8,7 +8,7 @@
 namespace floc {
 
 /// Resistance of spheres to turning against each other about the normal of their contact: an incremental spring
-/// K_tw on that rotation, its moment capped at mu_tw FNe (elastic part only), whatever the rolling spring
+/// K_tw on that rotation, with its moment capped at mu_tw FNe (elastic part only), whatever the rolling spring
 /// carries.
 struct TwistingSpring {
   double coefficient;         ///< mu_tw, a length
@@ -35,11 +35,11 @@ struct TwistingSpring {
     return capped_is_mobilised<Eigen::Matrix<double, 1, 1>>(coefficient, twisting_stiffness, elastic, memory,
                                                             tolerance);
   }
-  /// Sets the memory to what carries a moment on j. @param stiffness  of the contact, > 0
+  /// Sets the memory so that it carries a moment on j. @param stiffness  of the contact, > 0
   void set_force(double moment, double stiffness, double* memory) const { *memory = moment / stiffness; }
   /// K_tw while nothing yields, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
-  /// Resistance that can carry nothing is none, and must not stiffen the network either.
+  /// Resistance that can carry nothing counts as none, and must not stiffen the network either.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const TwistingSpring&) const = default;

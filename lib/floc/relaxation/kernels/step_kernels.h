@@ -7,25 +7,25 @@
 #include "floc/contact/memory_layout.h"
 #include "floc/relaxation/instruction_set.h"
 
-/// What the parts of a time step that visit every grain or pair work on, as plain arrays: code compiled for one
+/// Data of those parts of a time step that visit every grain or pair, as plain arrays: code compiled for one
 /// instruction set must not share inline functions with the rest of the program.
 namespace floc {
 
-/// Grains a block owns; all arrays of grains are padded to whole blocks.
+/// Grains that a block owns; all arrays of grains are padded to whole blocks.
 inline constexpr int kGrainBlock = 64;
 /// The pairs of a block are padded to a multiple of this.
 inline constexpr int kPairPadding = 8;
 /// Grains of a block that are summed side by side.
 inline constexpr int kSumGroup = 8;
 
-/// A dashpot acts with this share of its present force and the rest of the one a step before. The velocities it
-/// acts on are those of half a step earlier, so that it is late by kDashpotLag steps (lagging_damping()
-/// corrects that), but stable to a longer step: where grains vibrate at w and are damped at g, for
-/// (w dt)^2 + 2 (2 share - 1) g dt < 4.
+/// A dashpot acts with this share of its present force and the rest of its force one step before. The
+/// velocities it acts on are those of half a step earlier, so that it lags by kDashpotLag steps
+/// (lagging_damping() corrects that), but is stable to a longer step: where grains vibrate at w and are damped
+/// at g, for (w dt)^2 + 2 (2 share - 1) g dt < 4.
 inline constexpr double kDashpotShare = 0.8;
 inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
 
-/// The row that a pair writes: force on j, and where grains rotate the moments on i and on j. Places are in
+/// The row that a pair writes: force on j and, where grains rotate, the moments on i and on j. Places are in
 /// doubles from its beginning. Grain i and grain j each read a vector of kLanes that holds what concerns them.
 template <int Dim, bool kRotates>
 struct RowLayout;
@@ -45,7 +45,7 @@ template <>
 struct RowLayout<3, true> {
   static constexpr int kSize = 10, kLanes = 8, kMomentI = 0, kForce = 3, kMomentJ = 6, kReadI = 0, kReadJ = 3;
 };
-/// What a grain may read beyond the end of the last row.
+/// How far a grain may read beyond the end of the last row.
 inline constexpr int kRowMargin = 8;
 
 template <int Dim>
@@ -62,7 +62,7 @@ constexpr int force_in_row(bool rotates) {
 template <int Dim>
 inline constexpr int kOrientationNumbers = Dim == 2 ? 1 : 4;
 
-/// The grains as kernels are handed them: pointers to the arrays of all.
+/// The grains as kernels receive them: pointers to the arrays of all grains.
 template <int Dim>
 struct GrainView {
   double *x[Dim], *v[Dim], *force[Dim];
@@ -73,11 +73,11 @@ struct GrainView {
   const double* inverse_skin_squared;  ///< of the distances that grains may move before the next list
 };
 
-/// The pairs of all blocks, likewise, each block's padded by pairs that do not interact.
+/// The pairs of all blocks, likewise; those of each block are padded by pairs that do not interact.
 template <int Dim>
 struct PairView {
-  /// Grains; those of i ascend, by less than kWindow in kPairPadding pairs. Of pairs with walls j is the wall's
-  /// number, and i may leap.
+  /// Grains; those of i ascend, by less than kWindow in kPairPadding pairs. For pairs with walls, j is the
+  /// wall's number, and i may leap.
   const int *i, *j;
   const double* image[Dim];  ///< in sides of the cell
   const double* radii;       ///< Ri + Rj
@@ -91,17 +91,17 @@ struct PairView {
   double* row;                               ///< one more than there are pairs: the last stays zero
 };
 
-/// Which rows each grain of a block sums as the first, or as the second, of a pair: places in PairView::row,
-/// those of each grain in ascending order of its pairs. Grains with similarly many stand side by side in
-/// groups, which are summed without branches to a depth of their own: depth x kSumGroup places, those of a
-/// grain that has fewer filled up with the row that stays zero. What a grain has beyond the depth of its group
-/// follows alone.
+/// The rows that each grain of a block sums as the first, or as the second, grain of a pair: places in
+/// PairView::row, for each grain in ascending order of its pairs. Grains with similar numbers of rows stand
+/// side by side in groups, which are summed without branches to a depth of their own: depth x kSumGroup places,
+/// those of a grain with fewer rows filled up with the row that stays zero. The rows of a grain beyond the
+/// depth of its group follow on their own.
 struct SideSumsPlan {
   static constexpr int kGroups = kGrainBlock / kSumGroup;
-  int grain[kGrainBlock];     ///< grains of the block (from its first), by falling numbers of rows
+  int grain[kGrainBlock];     ///< grains of the block (from its first), by falling number of rows
   int depth[kGroups];         ///< of each group
   int n_beyond[kGrainBlock];  ///< rows of the k-th of `grain` beyond the depth of its group
-  int n_deep;                 ///< grains of `grain`, from the first, after which none has any beyond
+  int n_deep;                 ///< leading grains of `grain`, after which none has rows beyond
   const int* row;             ///< of group after group, then those beyond of grain after grain
 };
 
@@ -137,8 +137,8 @@ struct Drift {
   double list_stretch[Dim][Dim];  ///< deformation since the list was built
 };
 
-/// Walls as pairs see them, one entry of each array a wall: the plane n x = level, n the unit normal from the
-/// grains to it.
+/// Walls as pairs see them, one array entry per wall: the plane n x = level, n the unit normal from the grains
+/// to it.
 template <int Dim>
 struct WallView {
   const double* normal[Dim];
@@ -169,7 +169,7 @@ struct StepKernels {
                        const PairCell<Dim>&, const Kick<Dim>&, BlockSums<Dim>&);
 };
 
-/// Which lattices a kernel is for; chosen once a run, since the full one costs laws without friction a tenth.
+/// Which lattices a kernel is for; chosen once per run: the general one slows laws without friction by a tenth.
 enum class LatticeShape { rectangular, triangular };
 
 /// The kernels of alternative `law_index` of AnyContactLaw.
@@ -177,7 +177,7 @@ enum class LatticeShape { rectangular, triangular };
 template <int Dim>
 const StepKernels<Dim>& step_kernels(InstructionSet set, LatticeShape shape, std::size_t law_index);
 
-/// The tables behind it, one for each translation unit of an instruction set and dimension.
+/// The tables behind it, one per translation unit of an instruction set and dimension.
 template <int Dim>
 const StepKernels<Dim>* step_kernels_portable(LatticeShape shape);
 template <int Dim>

@@ -10,8 +10,8 @@
 #include "floc/relaxation/kernels/pack.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
-/// The kernels' text. Everything here is a template on the instruction set, and calls nothing inline that is
-/// not.
+/// The code of the kernels. Everything here is a template on the instruction set, and calls no inline function
+/// that is not.
 namespace floc {
 
 template <class Isa, int Dim, LatticeShape kShape, bool kRotates>
@@ -153,8 +153,8 @@ struct GrainKernels {
     }
   }
 
-  /// Turns the grains by their spins; nothing reads how they lie. In 3D q <- (1, spin dt/2) q, whose direction
-  /// is right to second order, kept from growing.
+  /// Turns the grains by their spins; nothing reads their orientations. In 3D q <- (1, spin dt/2) q, whose
+  /// direction is right to second order, kept from growing.
   static void turn(const GrainView<Dim>& grains, int begin, double time_step) {
     if constexpr (Dim == 2) {
       const double* const spin = grains.spin[0] + begin;
@@ -205,7 +205,7 @@ struct GrainKernels {
 
   /// Sums of the rows of each grain of the block. Rows of pairs that do not interact are zero and leave no
   /// trace, so the sums do not depend on which of them the list holds.
-  /// @param first  of the row that is at place 0, what the grains read of it
+  /// @param first  the part that grains read of the row at place 0
   static void sum_rows(const double* first, const SideSumsPlan& plan, Row (&total)[kGrainBlock]) {
     const int* row = plan.row;
     for (int g = 0; g < SideSumsPlan::kGroups; ++g) {
@@ -275,7 +275,7 @@ struct PairKernel {
 
  private:
   /// Packs whose geometry is found before their forces: each half is short enough for several packs to be under
-  /// way at once, where one long chain of operations would be waited for.
+  /// way at once, whereas one long chain of operations would have to be waited for.
   static constexpr int kPacksInFlight = 8;
 
   /// Whether anything that the law remembers lies in the tangent plane, and turns with it.
@@ -337,7 +337,7 @@ struct PairKernel {
         const P inverse = P(1.0) / distance;
         a.turn = {n, V(centres * (P(cell.slip_time) * inverse)),
                   RotationVector<Dim, P>(P(cell.slip_time) * (i.spin + j.spin))};
-        // The branch of the middle of the step, whose velocities these are.
+        // The branch at the middle of the step, to which these velocities belong.
         surfaces = surfaces * (P(1.0) - P(0.5 * cell.slip_time) * a.motion.gap_rate * inverse);
       }
       add_slip(a, centres, surfaces, RotationVector<Dim, P>(i.spin - j.spin), cell);
@@ -427,7 +427,7 @@ struct PairKernel {
       Records<Isa>::store_two(to + b, Layout::kSize, row[b], row[b + 1]);
   }
 
-  /// Turns what the law remembers in the tangent plane to where that is now.
+  /// Turns what the law remembers in the tangent plane into the present one.
   template <class Memory, int... k>
   static void turn(const Turn& turn, Memory& memory, std::integer_sequence<int, k...>) {
     ((turn_number<k>(turn, memory)), ...);
@@ -451,8 +451,8 @@ struct PairKernel {
     (memory.value[k].store(pairs.memory[memory_place<Law, Dim>(k)] + p), ...);
   }
 
-  /// What dashpots do in this step, given their present force and that of the step before, which it replaces.
-  /// Nothing where the surfaces do not touch; a contact that is new has no step before.
+  /// Dashpot forces in this step, given their present values and those of the step before, which they replace.
+  /// Zero where the surfaces do not touch; a new contact has no step before.
   static P viscous(const P& now, double* last) {
     const P before = P::load(last);
     now.store(last);
@@ -468,7 +468,7 @@ template <class Isa, int Dim, LatticeShape kShape, class... Law>
 struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
   using Grains = std::conditional_t<kShape == LatticeShape::triangular, GrainsInTriangularLattice,
                                     GrainsInRectangularLattice>;
-  /// None of a law for another dimension.
+  /// No kernels of a law for another dimension.
   template <class L>
   static constexpr StepKernels<Dim> kernels_of() {
     if constexpr (L::kDimension != 0 && L::kDimension != Dim) {

@@ -21,8 +21,8 @@ struct Bounds {
   double B_voigt_printed = 0.0;
   double G_voigt_printed = 0.0;
   double B_reuss_printed = 0.0;
-  /// <F_N^2 + (K_N/K_T) F_T^2 + (K_N/K_R) Gamma^2>/<F_N>^2 over touching contacts; infinite where <F_N> = 0 and
-  /// where nothing touches.
+  /// `<F_N^2 + (K_N/K_T) F_T^2 + (K_N/K_R) Gamma^2>/<F_N>^2` over touching contacts; infinite where `<F_N>` = 0
+  /// and where nothing touches.
   double Z2 = std::numeric_limits<double>::infinity();
 };
 

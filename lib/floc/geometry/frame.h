@@ -77,7 +77,7 @@ inline RotationVector<3, T> rolling_part(const Vec<3, T>& n, const RotationVecto
 /// smallest rotation that takes n0 to n1, then about the normal by the mean spin of the two grains. Without
 /// both, the force of a rigidly rotating pair would change.
 ///
-/// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
+/// The last argument is the rotation about the normal, mean of the two grains (radians; ignored in 2D).
 template <class T>
 inline Shear<2, T> transport(const Shear<2, T>& shear, const Vec<2, T>&, const Vec<2, T>&, const T&) {
   return shear;

@@ -16,7 +16,7 @@ bool is_yade_interactions(const std::string& path);
 /// Reads spheres that a script of YADE wrote as text: comment lines
 ///   # cell ax ay az bx by bz cx cy cz     lattice vectors (columns of O.cell.hSize), without `options.cell`
 ///   # id x y z r [mass]                   names of the columns; that of export.textExt(),
-///                                         #format x_y_z_r, will do
+///                                         "\#format x_y_z_r", will do
 /// then one sphere per line; without names the columns are x y z r, and ids are counted from 0.
 ///
 /// `options.contacts` may name a file (see read_contact_file()). Interactions name their columns in a comment:

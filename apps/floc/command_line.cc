@@ -37,7 +37,8 @@ std::string unknown_name(const CLI::App& app, const std::string& called) {
     const std::string name = argument.substr(0, argument.find('='));
     if (name.starts_with('-') && name.size() > 1)
       return called + " has no option " + name + "; the nearest is " + nearest_name(name, option_names(app));
-    if (const std::vector<std::string> commands = command_names(app); given.empty() && !commands.empty())
+    // Also where a command follows: "floc modli demo".
+    if (const std::vector<std::string> commands = command_names(app); !commands.empty())
       return called + " has no command " + name + "; the nearest is " + nearest_name(name, commands);
   }
   return given.empty() ? "" : unknown_name(*given.back(), called + " " + given.back()->get_name());

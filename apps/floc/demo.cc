@@ -103,7 +103,8 @@ Command add_demo(CommandLine program) {
   CommandLine app = program.add_subcommand(
       "demo", "Run the shipped demo: a powder of 400 disks, its moduli, its consolidation law, pictures");
   auto directory = std::make_shared<std::string>("demo");
-  app.add_option("DIR", *directory, "where all of it goes [demo]; a demo that was stopped goes on there");
+  app.add_option("DIR", *directory,
+                 "directory for states, tables and pictures [demo]; an interrupted demo continues there");
   return {app, [directory] { return run_demo(*directory); }};
 }
 

@@ -15,6 +15,7 @@ struct Misspelt {
 
 TEST(CommandLine, UnknownNamesGetTheNearestThereIs) {
   const Misspelt lines[] = {
+      {"modli x.h5", "floc has no command modli; the nearest is moduli"},
       {"modli demo", "floc has no command modli; the nearest is moduli"},
       {"fit consolidatoin demo", "floc fit has no command consolidatoin; the nearest is consolidation"},
       {"scene chek x.toml", "floc scene has no command chek; the nearest is check"},

@@ -174,7 +174,7 @@ TYPED_TEST(StateFile, KeepsTheLiquidOfAWetPacking) {
   const ScratchDirectory scratch;
   write_state(scratch.file("dry.h5"), busy_state<kDim>());
   EXPECT_EQ(read_file(scratch.file("dry.h5")).find("surface_tension"), std::string::npos);
-  const State<kDim> s = wet_state<kDim>();
+  const State<kDim> s = test::wet_state<kDim>();
   ASSERT_GT(bridge_volume(s.packing, s.packing.contacts[0]), 0.0);
   write_state(scratch.file("s.h5"), s);
   EXPECT_NE(read_file(scratch.file("s.h5")).find("surface_tension"), std::string::npos);

@@ -1,4 +1,5 @@
 #include <exception>
+#include <utility>
 
 #include "binding.h"
 #include "column_reference.h"
@@ -18,7 +19,7 @@ void raise_in_python(const char* name, const std::exception& error) {
 
 void translate(std::exception_ptr thrown) {
   try {
-    std::rethrow_exception(thrown);
+    std::rethrow_exception(std::move(thrown));
   } catch (const InputError& error) {
     raise_in_python("InputError", error);
   } catch (const IoError& error) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <chrono>
 #include <exception>
 #include <optional>
@@ -114,7 +116,8 @@ void run(const std::string& scene_file, const std::string& directory, const std:
   arguments.no_timing = !timing;
   const Scene scene = read_scene(scene_file, changes);
   Warnings warnings;
-  for (const std::string& words : scene_warnings(scene)) warnings.push_back(scene_file + ": " + words);
+  for (const std::string& words : scene_warnings(scene))
+    warnings.push_back(fmt::format("{}: {}", scene_file, words));
   issue(warnings);
   Watch watch(told, interval);
   const std::string ending = without_gil([&] {

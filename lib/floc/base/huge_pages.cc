@@ -20,8 +20,9 @@ void prefer_huge_pages(void* block, std::size_t bytes) {
   const auto start = reinterpret_cast<std::uintptr_t>(block);
   const std::uintptr_t first = (start + kHugePage - 1) / kHugePage * kHugePage;
   const std::uintptr_t end = (start + bytes) / kHugePage * kHugePage;
+  if (end <= first) return;
   // Advice only: nothing depends on whether it is taken.
-  if (end > first) static_cast<void>(madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE));
+  static_cast<void>(madvise(static_cast<char*>(block) + (first - start), end - first, MADV_HUGEPAGE));
 #else
   static_cast<void>(block), static_cast<void>(bytes);
 #endif

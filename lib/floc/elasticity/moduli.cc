@@ -303,7 +303,7 @@ std::vector<Moduli> elastic_moduli(const Packing<Dim>& packing, const ModuliOpti
 }
 
 template <int Dim>
-ModuliSequence<Dim>::ModuliSequence(ModuliOptions options) : options_(std::move(options)) {}
+ModuliSequence<Dim>::ModuliSequence(ModuliOptions options) : options_(options) {}
 
 template <int Dim>
 Moduli ModuliSequence<Dim>::next(const Packing<Dim>& packing, bool unloaded) {

@@ -49,7 +49,7 @@ std::vector<double> header_numbers(const std::string& place, std::string_view he
     };
     const auto next_key = std::find_if(value.begin(), value.end(), is_letter);
     value = value.substr(0, static_cast<std::size_t>(next_key - value.begin()));
-    const std::vector<double> found = numbers(place, value);
+    std::vector<double> found = numbers(place, value);
     if (found.size() != count)
       throw InputError(place, fmt::format("{} has {} numbers, expected {}", key, found.size(), count));
     return found;

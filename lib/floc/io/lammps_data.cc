@@ -100,7 +100,7 @@ DataFile read_data(const std::string& path) {
       tokens.resize(7);
       if (data.atoms.columns().empty())
         data.atoms = CsvTable(path, {"id", "type", "diameter", "density", "x", "y", "z"});
-      data.atoms.add_row(number, std::move(tokens));
+      data.atoms.add_row(number, tokens);
     }
   }
   if (data.box_place.empty()) throw InputError(path, "has no box: no line \"... xlo xhi\"");

@@ -71,7 +71,7 @@ void write_slot(Hdf5Writer& file, const std::string& group, const DeclaredSlot& 
 }
 
 void read_slot(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot, LawParameters& law) {
-  if (!is_named_in_every_file(slot) && !file.has_attribute(group, slot.key.c_str())) return;
+  if (!is_named_in_every_file(slot) && !file.has_attribute(group, slot.key)) return;
   std::vector<std::string> known;
   if (slot.optional) known.emplace_back("none");
   for (const DeclaredModel& model : slot.models) known.push_back(model.keyword);

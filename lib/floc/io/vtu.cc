@@ -47,7 +47,7 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
 /// One array of the points with one number each.
 class PointArray {
  public:
-  PointArray(const VtkArrays& arrays, std::string name, std::size_t n_points)
+  PointArray(const VtkArrays& arrays, const std::string& name, std::size_t n_points)
       : place_(arrays.place("PointData", name)),
         before_number_(std::make_shared<const std::string>(place_ + ", point ")),
         values_(arrays.read("PointData", name)) {
@@ -123,6 +123,7 @@ std::vector<std::vector<double>> cell_of(const VtkArrays& arrays, int dimension)
     throw InputError(arrays.place("FieldData", "cell"),
                      fmt::format("has {} numbers, expected 9", numbers.size()));
   std::vector<std::vector<double>> cell;
+  cell.reserve(static_cast<std::size_t>(dimension));
   for (int a = 0; a < dimension; ++a) cell.emplace_back(&numbers[3 * a], &numbers[3 * a] + dimension);
   return cell;
 }

@@ -68,7 +68,7 @@ bool UnsymmetricFactor::factorize(const Eigen::SparseMatrix<double>& matrix) {
   Eigen::SparseMatrix<double> compressed = matrix;
   compressed.makeCompressed();
   const bool keep_ordering = f.same_pattern(compressed);
-  f.matrix = std::move(compressed);
+  f.matrix.swap(compressed);
   const double* values = f.matrix.valuePtr();
   if (f.matrix.cols() == 0) return true;
   if (!std::all_of(values, values + f.matrix.nonZeros(), [](double v) { return std::isfinite(v); }))

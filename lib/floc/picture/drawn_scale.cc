@@ -39,7 +39,7 @@ double round_number_below(double x) {
 }
 
 std::string short_number(double x) {
-  const std::string text = fmt::format("{:.3g}", x);
+  std::string text = fmt::format("{:.3g}", x);
   const std::size_t e = text.find('e');
   if (e == std::string::npos) return text;
   constexpr std::array<const char*, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};

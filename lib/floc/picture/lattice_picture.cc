@@ -48,10 +48,13 @@ template <int Dim>
 int nearest_node(const NodeGrid<Dim>& grid, const Vec<Dim>& point, double spacing) {
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
-  for (double reach = (Dim == 2 ? 0.6 : 1.0) * spacing; nearest < 0; reach *= 2.0)
+  double reach = (Dim == 2 ? 0.6 : 1.0) * spacing;
+  while (nearest < 0) {
     grid.near(point, reach, [&](int node, const Vec<Dim>& from, const auto&) {
       if (from.squaredNorm() < least) least = from.squaredNorm(), nearest = node;
     });
+    reach *= 2.0;
+  }
   return nearest;
 }
 

@@ -253,9 +253,8 @@ std::vector<LegendItem> legend_of(const std::vector<PackingPicture<Dim>>& pictur
     rattlers =
         rattlers || std::find(picture.rattler.begin(), picture.rattler.end(), true) != picture.rattler.end();
   }
-  for (auto kind = kinds.rbegin(); kind != kinds.rend(); ++kind)
-    items.push_back(
-        line_item<Dim>(color_of(*kind), *kind == LineKind::zero ? 0.8 : 2.0, name_of(*kind, first)));
+  for (const LineKind kind : std::vector<LineKind>(kinds.rbegin(), kinds.rend()))
+    items.push_back(line_item<Dim>(color_of(kind), kind == LineKind::zero ? 0.8 : 2.0, name_of(kind, first)));
   if (rattlers) items.push_back(grain_item<Dim>(palette::kRattler, "rattler"));
   const auto moved = std::find_if(pictures.begin(), pictures.end(),
                                   [](const PackingPicture<Dim>& p) { return rms_displacement(p) > 0.0; });

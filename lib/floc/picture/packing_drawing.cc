@@ -54,14 +54,15 @@ class Drawing {
     for (int i = 0; i < static_cast<int>(picture_.position.size()); ++i) by_fill[fill_of(i)].push_back(i);
     cairo_set_line_width(page_, std::min(0.6, 0.035 * diameter_));
     for (const auto& [fill, grains] : by_fill) {
+      const auto color = color_of_fill(fill);
       int n = 0;
       for (const int i : grains) {
         copies_.of_disk(picture_.position[i], picture_.radius[i], [&](const Vec<2>& shift) {
           trace_disk(picture_.position[i] + shift, picture_.radius[i]);
-          if (++n % kBatch == 0) paint_disks(color_of_fill(fill));
+          if (++n % kBatch == 0) paint_disks(color);
         });
       }
-      paint_disks(color_of_fill(fill));
+      paint_disks(color);
     }
   }
 

@@ -45,10 +45,10 @@ inline constexpr std::array<Color, 9> kDiverging = {
 constexpr Color diverging(double value) {
   constexpr int kLast = static_cast<int>(kDiverging.size()) - 1;
   const double place = (value < -1.0 ? 0.0 : value > 1.0 ? 1.0 : 0.5 * (value + 1.0)) * kLast;
-  const int below = place >= kLast ? kLast - 1 : static_cast<int>(place);
-  const Color& a = kDiverging[static_cast<std::size_t>(below)];
-  const Color& b = kDiverging[static_cast<std::size_t>(below + 1)];
-  const double t = place - below;
+  const std::size_t below = place >= kLast ? kLast - 1 : static_cast<std::size_t>(place);
+  const Color& a = kDiverging[below];
+  const Color& b = kDiverging[below + 1];
+  const double t = place - static_cast<double>(below);
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green), a.blue + t * (b.blue - a.blue)};
 }
 

@@ -164,13 +164,13 @@ class SeenDrawing {
   /// Of those on the outline the lowest on the page, of equally low ones the left one; none if it is seen end
   /// on.
   const SeenEdge* labelled_edge(int axis) const {
-    constexpr double kShortest = 30.0, kLevel = 1.0;
+    constexpr double kShortestLabelled = 30.0, kLevel = 1.0;
     const SeenEdge* best = nullptr;
     Vec<2> best_middle = Vec<2>::Zero();
     for (const SeenEdge& edge : seen_.cell_edges) {
       if (edge.axis != axis || !edge.outline) continue;
       const Vec<2> from = on_page(edge.from), to = on_page(edge.to), middle = 0.5 * (from + to);
-      if ((to - from).norm() < kShortest) continue;
+      if ((to - from).norm() < kShortestLabelled) continue;
       const bool lower = middle[1] > best_middle[1] + kLevel;
       const bool level = middle[1] > best_middle[1] - kLevel;
       if (best == nullptr || lower || (level && middle[0] < best_middle[0])) best = &edge, best_middle = middle;
@@ -181,7 +181,7 @@ class SeenDrawing {
   /// How far from a point on the outline, outwards, something of that length along it (points) is clear of
   /// spheres.
   double clear_of_spheres(const Vec<2>& point, const Vec<2>& along, const Vec<2>& out, double length) const {
-    constexpr double kGap = 4.0;
+    constexpr double kClearance = 4.0;
     double away = 0.0;
     for (const SeenSphere& s : seen_.spheres) {
       const Vec<2> to = on_page(s.centre) - point;
@@ -189,7 +189,7 @@ class SeenDrawing {
       const double beside = std::max(0.0, std::abs(to.dot(along)) - 0.5 * length);
       if (beside < radius) away = std::max(away, to.dot(out) + std::sqrt(radius * radius - beside * beside));
     }
-    return away + kGap;
+    return away + kClearance;
   }
 
   /// @param middle  of the cell, which the arrow keeps away from

@@ -28,7 +28,7 @@ constexpr double kLongestFinish = 60.0;
 /// Walls that touch nothing, at so many times the distance at which they started, have run away.
 constexpr double kRunAway = 4.0;
 /// A box has closed where its walls are nearer than this, in largest diameters: overlaps are small.
-constexpr double kClosed = 0.5;
+constexpr double kBoxClosed = 0.5;
 
 /// Visits every member under the name that checkpoints have for it.
 constexpr auto kMembers = [](auto& p, const auto& visit) {
@@ -163,7 +163,7 @@ std::string BoxRelaxer<Dim>::lost() const {
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const int axis = packing_.walls[w].axis;
     const double side = packing_.cell.matrix(axis, axis);
-    if (side < kClosed * a)
+    if (side < kBoxClosed * a)
       return fmt::format(
           "the box closes: its walls across axis {} are {:.4g} apart, with grains of {:.4g} between them",
           axis + 1, side, a);

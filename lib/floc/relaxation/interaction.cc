@@ -7,10 +7,10 @@
 namespace floc {
 
 template <int Dim>
-Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, AnyContactLaw law,
+Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law,
                               InstructionSet instructions, LatticeShape shape)
     : partner_(partner),
-      law_(std::move(law)),
+      law_(law),
       range_(parameters.range()),
       swap_parity_(swap_parity<Dim>(parameters)),
       kernels_(step_kernels<Dim>(instructions, shape, law_.index())),

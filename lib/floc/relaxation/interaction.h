@@ -13,8 +13,8 @@ class Interaction {
  public:
   /// @param law  as composed for the kernels: all interactions of a packing write rows of one size
   ///             (laws_of_same_rows())
-  Interaction(Partner partner, const LawParameters& parameters, AnyContactLaw law, InstructionSet instructions,
-              LatticeShape shape);
+  Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law,
+              InstructionSet instructions, LatticeShape shape);
   Interaction(Interaction&&) = delete;  // the kernel is given the address of the law
 
   Partner partner() const { return partner_; }

@@ -38,14 +38,14 @@ int row_place(std::int64_t pair, int row_size) {
 
 template <int Dim>
 RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, int row_size, int n_grains)
-    : row_size_(row_size), plans_((n_grains + kGrainBlock - 1) / kGrainBlock) {
+    : row_size_(row_size), plans_(static_cast<std::size_t>((n_grains + kGrainBlock - 1) / kGrainBlock)) {
   std::int64_t n_pairs = 0;
   for (const PairArrays<Dim>* pairs : lists) {
     first_row_.push_back(row_place(n_pairs, row_size));
     n_pairs += pairs->size();
   }
   zero_row_ = row_place(n_pairs, row_size);
-  rows_.assign(static_cast<std::size_t>(zero_row_ + row_size + kRowMargin), 0.0);
+  rows_.assign(static_cast<std::size_t>(zero_row_) + row_size + kRowMargin, 0.0);
   const RowsOfGrains as_i = rows_of(lists, [](const PairArrays<Dim>& pairs, int p) { return pairs.i(p); });
   const RowsOfGrains as_j = rows_of({lists[0]}, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
   std::vector<std::size_t> first;

@@ -19,8 +19,8 @@ template <int Dim>
 class RowSums {
  public:
   RowSums() = default;
-  RowSums(RowSums&&) = default;  // no copies: the plans point into the lists of rows
-  RowSums& operator=(RowSums&&) = default;
+  RowSums(RowSums&&) noexcept = default;  // no copies: the plans point into the lists of rows
+  RowSums& operator=(RowSums&&) noexcept = default;
   /// @param lists     first of pairs of grains, then perhaps of grains with walls
   /// @param row_size  doubles of a row
   RowSums(const std::vector<const PairArrays<Dim>*>& lists, int row_size, int n_grains);

@@ -47,7 +47,7 @@ struct Configuration {
 /// x = s * lattice vectors for s, by division as a diagonal cell needs it: a place inside the cell gives s < 1
 /// then.
 template <int Dim>
-Vec<Dim> reduced(const Mat<Dim>& lower, const Vec<Dim>& x) {
+Vec<Dim> cell_coordinates(const Mat<Dim>& lower, const Vec<Dim>& x) {
   Vec<Dim> s;
   for (int a = Dim - 1; a >= 0; --a) {
     double rest = x[a];
@@ -261,7 +261,7 @@ class StaticProblem {
   Vec<Dim, int> image_into_cell(const Configuration<Dim>& at, int i) const {
     Vec<Dim> high;
     for (int a = 0; a < Dim; ++a) high[a] = at.centre[i][a].high;
-    return -reduced<Dim>(at.cell.matrix, high).array().floor().matrix().template cast<int>();
+    return -cell_coordinates<Dim>(at.cell.matrix, high).array().floor().matrix().template cast<int>();
   }
 
   RotationVector<Dim> rotation_of(const Eigen::VectorXd& step, int i) const {

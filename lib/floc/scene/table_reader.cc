@@ -112,7 +112,8 @@ std::vector<std::pair<std::string, double>> TableReader::flat_numbers(const std:
   for (const auto& [name, node] : *reader.table_) {
     const std::string part(name.str());
     if (node.is_table()) {
-      for (auto& [below, value] : reader.flat_numbers(part)) found.emplace_back(part + "." + below, value);
+      for (auto& [below, value] : reader.flat_numbers(part))
+        found.emplace_back(fmt::format("{}.{}", part, below), value);
     } else if (const auto value = reader.number(part, {[](double) { return true; }, "a finite number"})) {
       found.emplace_back(part, *value);
     }

@@ -9,12 +9,12 @@
 namespace floc {
 namespace {
 
-double cross(const Vec<2>& p, const Vec<2>& q) {
+double wedge(const Vec<2>& p, const Vec<2>& q) {
   return p[0] * q[1] - p[1] * q[0];
 }
 
 double sector(double R, const Vec<2>& p, const Vec<2>& q) {
-  return 0.5 * R * R * std::atan2(cross(p, q), p.dot(q));
+  return 0.5 * R * R * std::atan2(wedge(p, q), p.dot(q));
 }
 
 /// Signed area that the disk shares with the triangle of the origin, p and q.
@@ -30,7 +30,7 @@ double fan_overlap(double R, const Vec<2>& p, const Vec<2>& q) {
   if (leave <= 0.0 || enter >= 1.0) return sector(R, p, q);
   const Vec<2> first = enter > 0.0 ? Vec<2>(p + enter * along) : p;
   const Vec<2> last = leave < 1.0 ? Vec<2>(p + leave * along) : q;
-  double area = 0.5 * cross(first, last);
+  double area = 0.5 * wedge(first, last);
   if (enter > 0.0) area += sector(R, p, first);
   if (leave < 1.0) area += sector(R, last, q);
   return area;
@@ -48,13 +48,13 @@ class Painter {
         map_{size, std::vector<double>(static_cast<std::size_t>(size[0]) * size[1], 0.0)},
         edge1_(cell.matrix.row(0).transpose() / size[0]),
         edge2_(cell.matrix.row(1).transpose() / size[1]),
-        area_(std::abs(cross(edge1_, edge2_))),
+        area_(std::abs(wedge(edge1_, edge2_))),
         circumradius_(0.5 * std::max((edge1_ + edge2_).norm(), (edge1_ - edge2_).norm())) {
     const Mat<2> to_reduced = cell.matrix.transpose().inverse();
     for (int a = 0; a < 2; ++a) reach_[a] = to_reduced.row(a).norm() * size[a];
     // Corners of a mesh cell about its centre, counter-clockwise whatever the handedness of the lattice
     // vectors.
-    const bool right = cross(edge1_, edge2_) > 0.0;
+    const bool right = wedge(edge1_, edge2_) > 0.0;
     const Vec<2>&u = right ? edge1_ : edge2_, &v = right ? edge2_ : edge1_;
     corners_ = {Vec<2>(-0.5 * (u + v)), Vec<2>(0.5 * (u - v)), Vec<2>(0.5 * (u + v)), Vec<2>(0.5 * (v - u))};
   }

@@ -12,8 +12,6 @@
 namespace floc {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
 /// An edge between the centres of two grains, image by image.
 struct Edge {
   int i, j;
@@ -147,7 +145,7 @@ class FaceWalk {
       winding += sign(h) * edges_[h / 2].image.cast<std::int64_t>();
       const int after = next_[h];
       double angle = angle_[twin(h)] - angle_[after];
-      if (angle <= 0.0) angle += kTwoPi;  // a tip turns all the way round
+      if (angle <= 0.0) angle += 2.0 * std::numbers::pi;  // a tip turns all the way round
       face.moments.remove_sector(to, packing_.grains.radius[origin(after)], angle_[after], angle);
       at = to;
       h = after;

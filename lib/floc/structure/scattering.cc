@@ -14,8 +14,6 @@
 namespace floc {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
 /// The smallest product of 2, 3, 5 and 7 that is no smaller than n.
 int smooth_size(int n) {
   for (;; ++n) {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "floc/structure/coverage.h"
 
 namespace floc {
+
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// Intensity I(k) = |chi_hat(k)|^2/V of the indicator chi of the grains (docs/physics.md, "Structure"), V the
 /// volume of the cell, averaged over directions in bins of k.

@@ -12,7 +12,6 @@
 namespace floc {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// Seed and purpose of the draw of wave vectors: the same for every state.
 constexpr std::uint64_t kSeed = 1, kPurpose = 0x1e;
 

@@ -9,17 +9,17 @@
 namespace floc {
 namespace {
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// Scale of the exponential tail of the forces of one sign beyond their mean (force).
 double tail_of(const Packing<2>& packing, double sign) {
   std::vector<double> sizes;
   for (const Contact<2>& c : packing.contacts)
     if (sign * c.normal_force > 0.0) sizes.push_back(sign * c.normal_force);
-  if (sizes.empty()) return kUndefined;
+  if (sizes.empty()) return kNoValue;
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
   const ForceFit fit = fit_exponential_tail("", sizes, mean, {.n_draws = 0});
-  return fit.found() ? fit.parameters.front().value.value_or(kUndefined) : kUndefined;
+  return fit.found() ? fit.parameters.front().value.value_or(kNoValue) : kNoValue;
 }
 
 }  // namespace

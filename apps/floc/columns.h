@@ -17,11 +17,9 @@ using Column = std::pair<std::string, std::function<TableValue(const Row&)>>;
 template <class Row>
 Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
   Table table;
-  table.columns.reserve(columns.size());
   for (const auto& [name, value] : columns) table.columns.push_back(name);
   for (const Row& row : rows) {
     std::vector<TableValue> values;
-    values.reserve(columns.size());
     for (const auto& [name, value] : columns) values.push_back(value(row));
     table.rows.push_back(std::move(values));
   }

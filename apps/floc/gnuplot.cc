@@ -18,8 +18,6 @@
 #include "floc/io/atomic_file.h"
 #include "floc/io/transient_file.h"
 
-extern char** environ;
-
 namespace floc {
 namespace {
 

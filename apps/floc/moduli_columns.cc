@@ -113,7 +113,7 @@ std::vector<ModuliColumn> network_columns() {
   const auto maybe = [](std::optional<double> NetworkMechanics::*member) -> Value {
     return [member](const NetworkMechanics& m) { return or_undefined(m.*member); };
   };
-  const auto column = [](const char* name, Value value) -> ModuliColumn {
+  const auto column = [](const char* name, const Value& value) -> ModuliColumn {
     return {name, [value](const ModuliRow& r) { return r.network ? value(*r.network) : TableValue{}; }};
   };
   using N = NetworkMechanics;
@@ -138,7 +138,7 @@ std::vector<ModuliColumn> network_columns() {
 
 std::vector<ModuliColumn> budget_columns() {
   using Value = std::function<TableValue(const ErrorBudget&)>;
-  const auto column = [](const char* name, Value value) -> ModuliColumn {
+  const auto column = [](const char* name, const Value& value) -> ModuliColumn {
     return {name, [value](const ModuliRow& r) { return r.budget ? value(*r.budget) : TableValue{}; }};
   };
   return {column("rounding_floor", [](const ErrorBudget& b) { return b.floor.force; }),
@@ -183,7 +183,8 @@ std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
   int size = 2;
   for (const ModuliRow& r : rows) size = std::max(size, static_cast<int>(r.moduli.C.rows()));
   for (const auto& [a, b] : further_entries(size))
-    columns.emplace_back(entry_name(a, b), [a, b](const ModuliRow& r) { return entry(r.moduli.C, a, b); });
+    columns.emplace_back(entry_name(a, b),
+                         [a = a, b = b](const ModuliRow& r) { return entry(r.moduli.C, a, b); });
   if (choice.rolling_stiffness)
     columns.emplace_back("rolling_stiffness",
                          [](const ModuliRow& r) { return or_undefined(r.rolling_stiffness); });

@@ -44,7 +44,7 @@ std::optional<ModuliAccuracy> accuracy_of(const ModuliCommand& command) {
     const std::size_t equals = text.find('=');
     const std::string name = equals == std::string::npos ? "" : text.substr(0, equals);
     const auto error = parse_number<double>(equals == std::string::npos ? text : text.substr(equals + 1));
-    if (!error || (name != "" && name != "B" && name != "G"))
+    if (!error || (!name.empty() && name != "B" && name != "G"))
       throw InputError("floc moduli",
                        fmt::format("--accuracy {}: expected X, B=X or G=X with X a relative error", text));
     if (name != "G") accuracy.B = *error;

@@ -123,7 +123,6 @@ std::vector<std::vector<double>> cell_of(const VtkArrays& arrays, int dimension)
     throw InputError(arrays.place("FieldData", "cell"),
                      fmt::format("has {} numbers, expected 9", numbers.size()));
   std::vector<std::vector<double>> cell;
-  cell.reserve(static_cast<std::size_t>(dimension));
   for (int a = 0; a < dimension; ++a) cell.emplace_back(&numbers[3 * a], &numbers[3 * a] + dimension);
   return cell;
 }

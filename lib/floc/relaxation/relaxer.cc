@@ -68,7 +68,6 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
   for (const Contact<Dim>& c : packing.contacts) ++n_contacts[c.i], ++n_contacts[c.j];
   if constexpr (Dim == 2) {
     std::vector<bool> touched;
-    touched.reserve(n_contacts.size());
     for (const int n : n_contacts) touched.push_back(n > 0);
     return scaled_kinetic_energy(packing, scales, touched);
   } else {

@@ -153,7 +153,6 @@ MeasuredAccuracy accuracy_of(const Row& row) {
 
 std::vector<std::string> accuracy_keys() {
   std::vector<std::string> keys;
-  keys.reserve(std::size(kKeys));
   for (const auto& [key, observables] : kKeys) keys.push_back(key);
   return keys;
 }

@@ -13,6 +13,10 @@ target_compile_options(floc_settings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Sources taken together are included, so that g++ takes what is theirs alone for a header's.
+  target_compile_options(floc_settings INTERFACE -Wno-subobject-linkage)
+endif()
 if(FLOC_WARNINGS_AS_ERRORS)
   target_compile_options(floc_settings INTERFACE -Werror)
 endif()

@@ -17,7 +17,7 @@ namespace floc {
 namespace {
 
 /// Surfaces nearer than this are looked at for collisions, in largest diameters.
-constexpr double kSearchDistance = 0.4;
+constexpr double kPairDistance = 0.4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// Hard grains in flight. Each is known at the time of its own last event.
@@ -27,7 +27,7 @@ class HardFlight {
   explicit HardFlight(Packing<Dim>& packing)
       : packing_(packing),
         grains_(packing.grains),
-        search_distance_(kSearchDistance * largest_diameter(packing.grains)),
+        search_distance_(kPairDistance * largest_diameter(packing.grains)),
         time_of_(grains_.size(), 0.0),
         n_events_of_(grains_.size(), 0) {
     find_neighbours();

@@ -190,7 +190,7 @@ Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, con
     for (int row = 0; row < runs.n_rows(); ++row)
       if (runs.text(row, label) == one.label) rows[static_cast<int>(runs.integer(row, step))].push_back(row);
     for (const auto& [number, those] : rows) {
-      const auto numbers = [&](const std::string& column) {
+      const auto numbers = [&, &those = those](const std::string& column) {
         std::vector<double> values;
         for (const int row : those)
           if (const auto x = parse_number<double>(runs.text(row, runs.column(column)))) values.push_back(*x);

@@ -35,21 +35,22 @@ bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, std::optional
 }
 
 /// A straight line through the points [first, first + n) of a branch.
-struct Line {
+struct FittedPart {
   Eigen::Index first = 0;
   Eigen::Index n = 0;
   LinearFit fit;
   double B() const { return 1.0 / fit.coefficients[1]; }
 };
 
-Line line_through(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eigen::Index first, Eigen::Index n) {
+FittedPart line_through(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eigen::Index first,
+                        Eigen::Index n) {
   Eigen::MatrixXd columns(n, 2);
   columns << Eigen::VectorXd::Ones(n), P.segment(first, n);
   return {first, n, fit_linear(columns, y.segment(first, n))};
 }
 
 /// Smallest and largest modulus between neighbouring points of a part.
-std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Line& part) {
+std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   double low = secant(P, y, part.first), high = low;
   for (Eigen::Index i = part.first; i + 1 < part.first + part.n; ++i) {
     low = std::min(low, secant(P, y, i));
@@ -59,20 +60,20 @@ std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorX
 }
 
 /// Whether moduli between neighbouring points of a part are those of its line.
-bool has_equal_secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Line& part) {
+bool has_equal_secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   constexpr double kEqual = 0.15;
   const auto [low, high] = secants(P, y, part);
   return low > (1.0 - kEqual) * part.B() && high < (1.0 + kEqual) * part.B();
 }
 
 /// The longest straight part that begins or ends the branch; of two as long the one at low pressures.
-std::optional<Line> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
+std::optional<FittedPart> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   constexpr Eigen::Index kFewest = 4;
   constexpr double kErrors = 2.0;  // 95 % of few points would hide any curve
   const bool falls = P[0] > P[P.size() - 1];
   for (Eigen::Index n = P.size(); n >= kFewest; --n)
     for (const bool at_end : {falls, !falls}) {
-      const Line part = line_through(P, y, at_end ? P.size() - n : 0, n);
+      const FittedPart part = line_through(P, y, at_end ? P.size() - n : 0, n);
       if (part.fit.coefficients[1] <= 0.0) continue;
       if (!is_curved(P.segment(part.first, n), y.segment(part.first, n), kErrors) ||
           has_equal_secants(P, y, part))
@@ -86,7 +87,8 @@ FittedParameter not_identified(const std::string& name) {
 }
 
 /// B and phi_unloaded of a part, whose interval holds every modulus between neighbouring points.
-void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Line& part, ElasticFit& fit) {
+void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part,
+                    ElasticFit& fit) {
   const double t95 = student_t_95(part.fit.dof);
   const auto error = [&](int k) { return std::sqrt(part.fit.covariance(k, k)); };
   fit.parameters = {from_inverse("B", part.fit.coefficients[1], error(1), t95),
@@ -113,7 +115,7 @@ void fit_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, ElasticFit& 
       "the branch is curved: the modulus is {:.4g} between its two lowest pressures and {:.4g} between its two "
       "highest",
       fit.secant_low, fit.secant_high);
-  const std::optional<Line> part = straight_part(P, y);
+  const std::optional<FittedPart> part = straight_part(P, y);
   if (!part) {
     fit.parameters = {not_identified("B"), not_identified("phi_unloaded")};
     fit.warnings.push_back(curved + "; no part of it is straight, and B is not identified");
@@ -138,7 +140,7 @@ ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& 
   }
   const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(P.data(), n);
   const Eigen::VectorXd y = Eigen::Map<const Eigen::ArrayXd>(phi.data(), n).log();
-  const Line line = line_through(x, y, 0, n);
+  const FittedPart line = line_through(x, y, 0, n);
   if (line.fit.coefficients[1] <= 0.0) {
     fit.refusal = "the solid fraction does not fall as the pressure falls: no elastic branch";
     return fit;

@@ -7,13 +7,13 @@
 namespace floc {
 namespace {
 
-constexpr const char* kHeader = "step,branch,P,time,phi,n_contacts,gained,lost,kept";
+constexpr const char* kContactHeader = "step,branch,P,time,phi,n_contacts,gained,lost,kept";
 
 }  // namespace
 
 template <int Dim>
 ContactTracker<Dim>::ContactTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start)
-    : MotionTable<Dim>(file, kHeader, run.point()), start_(std::move(start)), previous_(run.packing()) {}
+    : MotionTable<Dim>(file, kContactHeader, run.point()), start_(std::move(start)), previous_(run.packing()) {}
 
 template <int Dim>
 void ContactTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-constexpr const char* kHeader =
+constexpr const char* kEnergyHeader =
     "step,branch,P,time,phi,work,elastic,kinetic,viscous,sliding,scaling,removed,initial,error";
 /// Columns before the terms of the account.
 constexpr int kLeading = 5;
@@ -35,7 +35,7 @@ EnergyTerms terms_of(const std::string& row) {
 
 template <int Dim>
 EnergyTracker<Dim>::EnergyTracker(const std::string& file, const Run<Dim>& run)
-    : MotionTable<Dim>(file, kHeader, run.point()),
+    : MotionTable<Dim>(file, kEnergyHeader, run.point()),
       account_(run.packing()),
       time_(run.point().time + run.point().equilibration_time) {
   const std::string last = this->last_row();

@@ -36,9 +36,9 @@ struct ViscousDamping {
       {"restitution", &ViscousDamping::restitution, Unit::ratio, "e_N", Requirement::at_most_one,
        "a restitution coefficient e_N in (0, 1]", "restitution coefficient"}};
   static constexpr const char* kMassRules[] = {"effective", "grain", nullptr};
-  static constexpr Choice<ViscousDamping> kChoices[] = {
-      {"mass", kMassRules, chosen<ViscousDamping, &ViscousDamping::mass_rule>,
-       choose<ViscousDamping, &ViscousDamping::mass_rule>}};
+  static constexpr Choice<ViscousDamping> kChoices[] = {{"mass", kMassRules,
+                                                         chosen<ViscousDamping, &ViscousDamping::mass_rule>,
+                                                         choose<ViscousDamping, &ViscousDamping::mass_rule>}};
 
   /// Damping coefficient c of a pair (force * time/length).
   /// @param normal  a normal law of constant stiffness

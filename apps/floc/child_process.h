@@ -28,8 +28,8 @@ int exit_code_of(int status);
 /// Waits for a child, through signals. @return as exit_code_of()
 int wait_for(pid_t child);
 
-/// From here on SIGINT and SIGTERM do not end this process, but go to the child that run_floc() waits for as SIGTERM,
-/// on which a run writes its checkpoint.
+/// From here on SIGINT and SIGTERM do not end this process, but go to the child that run_floc() waits for, if any, as
+/// SIGTERM, on which a run writes its checkpoint.
 void pass_signals_on();
 
 /// Whether such a signal has come.

@@ -17,12 +17,6 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-volatile std::sig_atomic_t g_signal = 0;
-
-void remember_signal(int signal) {
-  g_signal = signal;
-}
-
 /// Interval at which samples are polled (microseconds): they run for seconds at least.
 constexpr useconds_t kPause = 20000;
 
@@ -47,7 +41,7 @@ class Ensemble {
     int status = 0;
     pid_t ended = 0;
     while ((ended = ::waitpid(-1, &status, WNOHANG)) == 0) {
-      if (g_signal != 0 && !signal_passed_on_) pass_signal_on();
+      if (was_signalled() && !signal_passed_on_) pass_signal_on();
       ::usleep(kPause);
     }
     const auto found = seed_of_.find(ended);
@@ -87,15 +81,14 @@ int run_ensemble(const std::string& directory, const SeedRange& seeds, int jobs,
   std::error_code failed;
   fs::create_directories(directory, failed);
   if (failed) throw IoError(directory, "cannot make the directory: " + failed.message());
-  std::signal(SIGINT, remember_signal);
-  std::signal(SIGTERM, remember_signal);
+  pass_signals_on();
   Ensemble ensemble(directory, arguments, append);
-  for (std::uint64_t n = 0; n <= seeds.last - seeds.first && g_signal == 0; ++n) {
+  for (std::uint64_t n = 0; n <= seeds.last - seeds.first && !was_signalled(); ++n) {
     while (ensemble.n_running() == jobs) ensemble.wait();
-    if (g_signal == 0) ensemble.start(seeds.first + n);
+    if (!was_signalled()) ensemble.start(seeds.first + n);
   }
   while (ensemble.n_running() > 0) ensemble.wait();
-  if (g_signal != 0) return kInterrupted;
+  if (was_signalled()) return kInterrupted;
   fmt::print(stderr,
              "{} samples in {}. Next:\n  floc moduli {}/seed-*/state-*.h5\n  floc fit consolidation {}\n",
              seeds.last - seeds.first + 1, directory, directory, directory);

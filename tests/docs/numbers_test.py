@@ -96,19 +96,6 @@ UNCHECKED_TABLES = {
 }
 
 DEMO = re.compile(r"floc run data/scenes/demo\.toml -o demo( |$)")
-NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
-
-
-def rounds_to(shown, value):
-    """Whether a value rounds to a number as it is written."""
-    mantissa, _, exponent = shown.lower().partition("e")
-    decimals = len(mantissa.partition(".")[2])
-    digits = mantissa.lstrip("+-").replace(".", "").lstrip("0")
-    unit = 10.0 ** (int(exponent or 0) - decimals)
-    # "26590" and "440" are three or four digits of a larger number: zeros at the end of a whole number may be filling.
-    if decimals == 0 and not exponent:
-        unit *= 10 ** (len(digits) - len(digits.rstrip("0"))) if digits else 1
-    return abs(float(shown) - value) <= 0.5000001 * unit + 1e-12 * abs(value)
 
 
 class Test:
@@ -145,7 +132,7 @@ class Test:
         return list(csv.DictReader(io.StringIO(self.shell(command + " --format csv").stdout)))
 
     def number(self, shown, value, what):
-        if not rounds_to(shown, float(value)):
+        if not pages.rounds_to(shown, float(value)):
             self.fault(f"{what}: the page says {shown}, the program {value}")
 
     def claim_block(self, part):
@@ -193,12 +180,12 @@ class Test:
         """Whether every line that is shown was printed, spaces apart and numbers rounded as they are shown."""
         def parts(line):
             line = " ".join(line.split())
-            return NUMBER.sub("#", line), NUMBER.findall(line)
+            return pages.NUMBER.sub("#", line), pages.NUMBER.findall(line)
 
         printed = [parts(line) for line in said.split("\n")]
         for line in shown.strip().split("\n"):
             words, numbers = parts(line)
-            if not any(words == other and all(map(rounds_to, numbers, map(float, values)))
+            if not any(words == other and all(map(pages.rounds_to, numbers, map(float, values)))
                        for other, values in printed):
                 self.fault(f"{where}: the program does not print {line!r}, but\n{said[-3000:]}")
 
@@ -358,8 +345,8 @@ class Test:
 
     @staticmethod
     def same_numbers(a, b, tolerance):
-        x, y = NUMBER.findall(a), NUMBER.findall(b)
-        return (NUMBER.sub("#", a) == NUMBER.sub("#", b) and len(x) == len(y) and
+        x, y = pages.NUMBER.findall(a), pages.NUMBER.findall(b)
+        return (pages.NUMBER.sub("#", a) == pages.NUMBER.sub("#", b) and len(x) == len(y) and
                 all(abs(float(p) - float(q)) <= tolerance * abs(float(p)) for p, q in zip(x, y)))
 
     def python(self):
@@ -392,8 +379,9 @@ class Test:
             if len(said) != len(shown):
                 self.fault(f"{page.name}: the script prints {len(said)} lines, the page shows {len(shown)}")
             for line, other in zip(shown, said):
-                same_words = NUMBER.sub("#", line) == NUMBER.sub("#", other)
-                if not same_words or not all(map(rounds_to, NUMBER.findall(line), map(float, NUMBER.findall(other)))):
+                same_words = pages.NUMBER.sub("#", line) == pages.NUMBER.sub("#", other)
+                numbers = zip(pages.NUMBER.findall(line), map(float, pages.NUMBER.findall(other)))
+                if not same_words or not all(pages.rounds_to(number, value) for number, value in numbers):
                     self.fault(f"{page.name}: the page shows {line!r}, the script prints {other!r}")
         if n < 2:
             self.fault(f"{n} pages use the Python package, expected README and docs/python.md")

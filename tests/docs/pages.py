@@ -8,6 +8,20 @@ FIRST = ["README.md", "docs/install.md", "docs/tutorials/powder2d.md", "docs/tut
          "docs/commands/index.md", "docs/commands/run.md", "docs/commands/scene.md"]
 # Not pages of the site, but read by users too.
 OTHERS = ["CONTRIBUTING.md", "CHANGELOG.md"]
+# A number as it stands in a page or in what a command prints.
+NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+
+
+def rounds_to(shown, value):
+    """Whether a value rounds to a number as it is written."""
+    mantissa, _, exponent = shown.lower().partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    digits = mantissa.lstrip("+-").replace(".", "").lstrip("0")
+    unit = 10.0 ** (int(exponent or 0) - decimals)
+    # "26590" and "440" are three or four digits of a larger number: zeros at the end of a whole number may be filling.
+    if decimals == 0 and not exponent:
+        unit *= 10 ** (len(digits) - len(digits.rstrip("0"))) if digits else 1
+    return abs(float(shown) - value) <= 0.5000001 * unit + 1e-12 * abs(value)
 
 
 def page_names(source):

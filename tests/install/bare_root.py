@@ -23,16 +23,6 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 import pages  # noqa: E402
 
 NOT_TRIED = 77
-NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
-
-
-def agree(said, printed):
-    """Whether a number of a page is what was printed, as far as it has digits."""
-    digits = said.split("e")[0].partition(".")[2]
-    unit = 10.0 ** -len(digits) * (10.0 ** int(said.split("e")[1]) if "e" in said else 1.0)
-    if not digits:  # 26590 stands for 26593.9: zeros at the end may be rounded ones
-        unit *= 10.0 ** (len(said) - len(said.rstrip("0")))
-    return abs(float(said) - float(printed)) <= 0.5 * unit * (1 + 1e-9)
 
 
 class Root:
@@ -98,8 +88,8 @@ class Reader:
 
     def compare_numbers(self, place, said, printed):
         """The numbers of a piece of a page, in their order, and those that were printed."""
-        numbers, others = NUMBER.findall(said), NUMBER.findall(printed)
-        if len(numbers) != len(others) or not all(map(agree, numbers, others)):
+        numbers, others = pages.NUMBER.findall(said), pages.NUMBER.findall(printed)
+        if len(numbers) != len(others) or not all(map(pages.rounds_to, numbers, map(float, others))):
             self.fault(f"{place} says\n{said}\nbut this was printed:\n{printed}")
 
     def first_result(self):
@@ -138,7 +128,8 @@ class Reader:
         places = [header.index(columns.get(one, one)) for one in names if columns.get(one, one) in header]
         wanted = [k for k, one in enumerate(names) if columns.get(one, one) in header]
         for row in table[1]:
-            if not any(all(agree(row[k], other[place]) for k, place in zip(wanted, places)) for other in rows):
+            if not any(all(pages.rounds_to(row[k], float(other[place])) for k, place in zip(wanted, places))
+                       for other in rows):
                 self.fault(f"{name}: no state has the row {row}")
         self.root.run(self.block(name, "floc scene new powder"))
         self.root.run(self.block(name, "--until 1"))
@@ -150,7 +141,7 @@ class Reader:
         tables = self.page["docs/tutorials/powder2d.md"].tables
         for name, value, error, _ in next(rows for header, rows, _ in tables if "standard error" in header):
             line = re.search(rf"^\s*{names.get(name, name)}\s+(\S+)\s+(\S+)", printed, re.MULTILINE)
-            if not line or not agree(value, line[1]) or not agree(error, line[2]):
+            if not line or not pages.rounds_to(value, float(line[1])) or not pages.rounds_to(error, float(line[2])):
                 self.fault(f"floc demo: expected {name} = {value} +- {error} in\n{printed[-3000:]}")
 
 

@@ -10,8 +10,7 @@ namespace {
 
 template <int Dim>
 NeighborPair<Dim> canonical_pair(const Contact<Dim>& c) {
-  const NeighborPair<Dim> pair{c.i, c.j, c.image};
-  return is_canonical(pair) ? pair : swapped(pair);
+  return canonical(NeighborPair<Dim>{c.i, c.j, c.image});
 }
 
 /// Contacts in the order of their canonical pairs, which is their own unless a file lists them otherwise. Their

@@ -36,4 +36,10 @@ bool is_canonical(const Pair& pair) {
   return first != pair.image.end() && *first > 0;
 }
 
+/// The form that lists hold, of a pair in either form: i, j and image alone where it is swapped.
+template <class Pair>
+Pair canonical(Pair pair) {
+  return is_canonical(pair) ? pair : swapped(std::move(pair));
+}
+
 }  // namespace floc

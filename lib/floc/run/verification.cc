@@ -26,7 +26,7 @@ using PairIdentity = std::tuple<int, int, std::vector<int>>;
 
 template <class Pair>
 PairIdentity identity(Pair pair) {
-  if (!is_canonical(pair)) pair = swapped(std::move(pair));
+  pair = canonical(std::move(pair));
   return {pair.i, pair.j, {pair.image.begin(), pair.image.end()}};
 }
 

@@ -54,7 +54,7 @@ template <int Dim>
 Contact<Dim> name_of(const Contact<Dim>& c, const Vec<Dim, int>& image) {
   Contact<Dim> name;
   name.i = c.i, name.j = c.j, name.image = image, name.key = c.key;
-  return is_canonical(name) ? name : swapped(name);
+  return canonical(name);
 }
 
 template <int Dim>

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct CollectArguments {
   std::string directory;
   std::string table = "means";
   std::string format;
@@ -54,7 +54,7 @@ Table fits_of(const PlannedCampaign& planned, const std::string& directory) {
   return table;
 }
 
-int collect(const Arguments& arguments) {
+int collect(const CollectArguments& arguments) {
   const PlannedCampaign planned = campaign_of(arguments.directory);
   const auto& [campaign, plans] = planned;
   Table table;
@@ -72,7 +72,7 @@ int as_own(int code) {
   return code == kNotConverged || code == kBadInput || code == kVerificationFailed ? code : int{kFailure};
 }
 
-int report_outcome(const Arguments& arguments) {
+int report_outcome(const CollectArguments& arguments) {
   const auto [campaign, plans] = campaign_of(arguments.directory);
   Table table{{"case", "seed", "outcome", "exit_code", "command", "words"}, {}};
   int code = kDone, n_failed = 0;
@@ -105,7 +105,7 @@ int report_outcome(const Arguments& arguments) {
 
 Command add_campaign_collect(CommandLine campaign) {
   CommandLine app = campaign.add_subcommand("collect", "print a table of all runs of a campaign");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CollectArguments>();
   app.add_option("DIR", arguments->directory, "directory of floc campaign plan").required();
   app.add_option("--table", arguments->table,
                  "runs: the collected columns, one row per run and state; means: means over the samples, from "
@@ -120,7 +120,7 @@ Command add_campaign_collect(CommandLine campaign) {
 Command add_campaign_outcome(CommandLine campaign) {
   CommandLine app = campaign.add_subcommand(
       "outcome", "list the runs of a campaign that failed; the exit code is that of the worst");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CollectArguments>();
   app.add_option("DIR", arguments->directory, "directory of floc campaign plan").required();
   app.add_flag("--forget", arguments->forget, "let snakemake repeat the failed runs next time");
   add_format_option(app, arguments->format);

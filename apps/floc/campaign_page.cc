@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct PageArguments {
   std::string directory;
   std::string output;
   std::string format;
@@ -290,7 +290,7 @@ std::string html_of(const CampaignPage& page) {
   return html_page(title, body, kHead);
 }
 
-int write_page(const Arguments& arguments) {
+int write_page(const PageArguments& arguments) {
   const auto table = [&](const char* name) { return CsvTable::read(arguments.directory + "/" + name); };
   CampaignPage page{arguments.directory,
                     campaign_of(arguments.directory),
@@ -316,7 +316,7 @@ Command add_campaign_page(CommandLine campaign) {
   CommandLine app = campaign.add_subcommand(
       "page",
       "make one self-contained page of the tables in DIR: curves, comparison with references, pictures, cost");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PageArguments>();
   app.add_option("DIR", arguments->directory, "directory of floc campaign plan, with its tables").required();
   app.add_option("-o,--output", arguments->output, "F.html").required();
   add_format_option(app, arguments->format);

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr const char* kCampaignFile = "campaign.toml";
 constexpr const char* kSceneFile = "scene.toml";
 
-struct Arguments {
+struct PlanArguments {
   std::string file;
   std::string name;
   std::string scene;
@@ -56,14 +56,6 @@ void check_columns(const Campaign& campaign) {
   }
 }
 
-std::string duration(double seconds) {
-  constexpr double kMinute = 60.0, kHour = 3600.0, kDay = 86400.0;
-  if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
-  return seconds < 2 * kDay ? fmt::format("{:.1f} h", seconds / kHour)
-                            : fmt::format("{:.1f} days", seconds / kDay);
-}
-
 /// Number of runs and what they are expected to take, in words.
 std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
@@ -71,7 +63,7 @@ std::string extent_of(const PlannedCampaign& planned) {
   for (const CasePlan& plan : planned.plans) cost += plan.cost * static_cast<double>(n_seeds);
   return fmt::format(
       "{} cases with {} seeds: {} runs, expected to take {} on one core, to within a factor of two",
-      planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration(cost));
+      planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration_text(cost));
 }
 
 /// A file of the user's that is not there yet.
@@ -80,7 +72,7 @@ void write_new(const fs::path& path, const std::string& text) {
   write_bytes_atomically(path.string(), text);
 }
 
-int start_campaign(const Arguments& arguments) {
+int start_campaign(const PlanArguments& arguments) {
   fs::path path(arguments.name);
   if (path.extension() != ".toml") path += ".toml";
   const std::string name = path.stem().string();
@@ -101,7 +93,7 @@ int start_campaign(const Arguments& arguments) {
   return kDone;
 }
 
-int check_campaign(const Arguments& arguments) {
+int check_campaign(const PlanArguments& arguments) {
   const PlannedCampaign planned = planned_campaign(arguments.file);
   const Campaign& campaign = planned.campaign;
   Table table{{"case"}, {}};
@@ -123,7 +115,7 @@ int check_campaign(const Arguments& arguments) {
 }
 
 /// Replaces what differs, so that Snakemake sees as changed only what is; the runs stay.
-int plan_campaign(const Arguments& arguments) {
+int plan_campaign(const PlanArguments& arguments) {
   PlannedCampaign planned = planned_campaign(arguments.file);
   const fs::path directory(arguments.directory);
   const std::string scene = portable_scene(planned.campaign);
@@ -176,7 +168,7 @@ PlannedCampaign campaign_of(const std::string& directory) {
 Command add_campaign_new(CommandLine campaign) {
   CommandLine app =
       campaign.add_subcommand("new", "write a commented campaign NAME.toml with a scene to start from");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PlanArguments>();
   app.add_option("NAME", arguments->name, "name of the campaign").required();
   app.add_option("--scene", arguments->scene, "scene file of its runs [NAME-scene.toml, which is written too]");
   return {app, [arguments] { return start_campaign(*arguments); }};
@@ -185,7 +177,7 @@ Command add_campaign_new(CommandLine campaign) {
 Command add_campaign_check(CommandLine campaign) {
   CommandLine app =
       campaign.add_subcommand("check", "list every fault; print the runs and their expected cost");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PlanArguments>();
   app.add_option("FILE", arguments->file, "campaign file (TOML)").required();
   add_format_option(app, arguments->format);
   return {app, [arguments] { return check_campaign(*arguments); }};
@@ -193,7 +185,7 @@ Command add_campaign_check(CommandLine campaign) {
 
 Command add_campaign_plan(CommandLine campaign) {
   CommandLine app = campaign.add_subcommand("plan", "write a directory for snakemake, with one rule per run");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PlanArguments>();
   app.add_option("FILE", arguments->file, "campaign file (TOML)").required();
   app.add_option("-o,--output", arguments->directory, "directory of the campaign").required();
   app.add_flag("--overwrite", arguments->overwrite, "replace the plan in the directory; its runs are kept");

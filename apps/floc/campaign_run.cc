@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct CampaignRunArguments {
   std::string scene;
   std::vector<std::string> overrides;
   std::uint64_t seed = 1;
@@ -76,7 +76,7 @@ double children_seconds() {
 }
 
 /// Makes one table beside path.csv. @return exit code of its command
-int make_table(const TableCommand& command, const Arguments& arguments, const std::string& log) {
+int make_table(const TableCommand& command, const CampaignRunArguments& arguments, const std::string& log) {
   const std::string file = arguments.directory + "/" + command.file, part = file + ".part";
   std::vector<std::string> words = command.words;
   words.insert(words.end(), {"--format", "csv"});
@@ -86,7 +86,7 @@ int make_table(const TableCommand& command, const Arguments& arguments, const st
 }
 
 /// @return exit code: of a run that failed 0 too, since outcome.csv says so and the others go on
-int run_sample(const Arguments& arguments) {
+int run_sample(const CampaignRunArguments& arguments) {
   // What snakemake started does not go on without it: the next one would find two processes at the same run.
   if (arguments.with_parent) ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::vector<TableCommand> tables;
@@ -129,7 +129,7 @@ Command add_campaign_run(CommandLine campaign) {
       campaign.add_subcommand("run",
                               "what the Snakemake rule of a run calls: floc run --resume, then tables of its "
                               "states, then DIR/outcome.csv, which says whether any of them failed");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CampaignRunArguments>();
   app.add_option("SCENE", arguments->scene, "scene file (TOML)").required();
   app.add_option("-o,--output", arguments->directory, "directory of the run; its log is DIR.log").required();
   app.add_option("--seed", arguments->seed, "seed of the random numbers").required();

@@ -9,13 +9,13 @@
 namespace floc {
 namespace {
 
-struct Arguments {
+struct CycleArguments {
   std::vector<std::string> inputs;
   std::string columns;
   std::string format;
 };
 
-int run_cycles(const Arguments& arguments) {
+int run_cycles(const CycleArguments& arguments) {
   const ColumnNames columns =
       parse_column_names(arguments.columns, {"P", "P_star", "phi", "void_ratio", "branch"});
   Table table = cycle_table();
@@ -33,7 +33,7 @@ int run_cycles(const Arguments& arguments) {
 }  // namespace
 
 Command add_fit_cycle(CommandLine fit) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CycleArguments>();
   CommandLine app =
       fit.add_subcommand("cycle", "what pressure cycles leave behind: the change of Phi, and their work");
   app.add_option(

@@ -11,7 +11,7 @@
 namespace floc {
 namespace {
 
-struct Arguments {
+struct DynamicCompactionArguments {
   std::vector<std::string> inputs;
   CompactionReference reference;
   std::string plateau = "p";
@@ -52,7 +52,7 @@ void log_fit(const std::string& name, const CompactionFit& fit) {
       fmt::join(budget, "; "));
 }
 
-int fit_tables(const Arguments& arguments) {
+int fit_tables(const DynamicCompactionArguments& arguments) {
   const ColumnNames columns = parse_column_names(arguments.columns, {"e", "p", "sc", "se"});
   Json array = Json::array();
   Table table{{"sample", "parameter", "value", "stderr", "low95", "high95", "identified", "n_points", "rms"},
@@ -80,7 +80,7 @@ int fit_tables(const Arguments& arguments) {
 }  // namespace
 
 Command add_fit_dynamic_compaction(CommandLine fit) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<DynamicCompactionArguments>();
   CommandLine app = fit.add_subcommand(
       "dynamic-compaction", "void ratio of dynamically compacted samples against pressure and cohesion");
   app.add_option("TABLE", arguments->inputs,

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-struct Arguments {
+struct ElasticArguments {
   std::vector<std::string> inputs;
   std::string state;
   std::string columns;
@@ -36,7 +36,7 @@ void add_table_rows(const PathTable& path, const Loading& branch, const ElasticF
   add("state", {"B_S", state->B_S, {}, {}, {}, true}, rms);
 }
 
-int fit_tables(const Arguments& arguments) {
+int fit_tables(const ElasticArguments& arguments) {
   const ColumnNames columns =
       parse_column_names(arguments.columns, {"P", "P_star", "phi", "void_ratio", "branch"});
   Json array = Json::array();
@@ -71,7 +71,7 @@ int fit_tables(const Arguments& arguments) {
 }  // namespace
 
 Command add_fit_elastic(CommandLine fit) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ElasticArguments>();
   CommandLine app = fit.add_subcommand(
       "elastic", "bulk modulus from unloading branches, compared with that of a saved state");
   app.add_option(

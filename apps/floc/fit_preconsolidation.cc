@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-struct Arguments {
+struct PreconsolidationArguments {
   std::vector<std::string> inputs;
   std::string columns;
   std::string format;
@@ -28,7 +28,7 @@ void add_table_rows(const PathTable& path, const Reloading& branch, const Precon
   }
 }
 
-int fit_tables(const Arguments& arguments) {
+int fit_tables(const PreconsolidationArguments& arguments) {
   const ColumnNames columns = parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"});
   Json array = Json::array();
   Table table{{"sample", "parameter", "value", "stderr", "low95", "high95", "identified", "unit",
@@ -65,7 +65,7 @@ int fit_tables(const Arguments& arguments) {
 }  // namespace
 
 Command add_fit_preconsolidation(CommandLine fit) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PreconsolidationArguments>();
   CommandLine app = fit.add_subcommand(
       "preconsolidation", "preconsolidation pressure of overconsolidated samples, from reloading branches");
   app.add_option("TABLE", arguments->inputs,

@@ -14,7 +14,7 @@
 namespace floc {
 namespace {
 
-const std::vector<std::string> kKinds = {"grain", "matrix", "interface", "contact"};
+const std::vector<std::string> kBondKinds = {"grain", "matrix", "interface", "contact"};
 
 std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts;
@@ -118,7 +118,7 @@ std::vector<std::optional<double>> named_numbers(const std::string& option, cons
 
 ElementStiffness stiffness_of(const LatticeArguments& a) {
   ElementStiffness out;
-  const auto numbers = named_numbers("--stiffness", a.stiffness, kKinds);
+  const auto numbers = named_numbers("--stiffness", a.stiffness, kBondKinds);
   out.grain = numbers[0].value_or(1.0);
   out.matrix = numbers[1].value_or(1.0);
   out.interface = numbers[2];
@@ -136,7 +136,7 @@ ElementStiffness stiffness_of(const LatticeArguments& a) {
 
 ElementStrength strength_of(const LatticeArguments& a) {
   ElementStrength out;
-  const auto numbers = named_numbers("--strength", a.strength, kKinds);
+  const auto numbers = named_numbers("--strength", a.strength, kBondKinds);
   for (std::size_t k = 0; k < numbers.size(); ++k)
     out.tension[k] = numbers[k].value_or(std::numeric_limits<double>::infinity());
   refuse_faults("--strength", out.validate());

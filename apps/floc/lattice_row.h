@@ -23,7 +23,7 @@ struct LatticeRow {
   std::string load, boundary;
   int axis = 1;  ///< of the load, from 0
   int n_bare = 0, n_open = 0;
-  RelaxationReport report;
+  SpringRelaxationReport report;
   std::vector<double> strain, stress;  ///< in the order of StrainSet::full
   StressDistribution all, grain, matrix, forces;
   int n_pairs = 0;  ///< of grains that exert forces on each other

@@ -19,7 +19,7 @@
 namespace floc {
 namespace {
 
-constexpr ForceKind kKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
+constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
 /// The force-carrying structure: what it is like, and its degree of hyperstaticity.
 /// @param network, response  of all contacts that carry or might, taken over where they are the same
@@ -76,7 +76,7 @@ void add_distributions(const std::string& file, const Packing<Dim>& packing, con
   const ForceUnit unit = command.unit == "F0"  ? ForceUnit::pull_off
                          : command.unit == "P" ? ForceUnit::pressure
                                                : ForceUnit::mean;
-  for (const ForceKind kind : kKinds) {
+  for (const ForceKind kind : kForceKinds) {
     const ForceDistribution d = force_distribution(packing, kind, unit, command.bin_width);
     if (d.n == 0 && kind == ForceKind::normal)
       warn(file, fmt::format("no unit for the normal forces: {}", unit == ForceUnit::mean ? "all are zero"

@@ -58,6 +58,14 @@ void write_csv(const std::string& path, const Table& table) {
   write_bytes_atomically(path, text.str());
 }
 
+std::string duration_text(double seconds) {
+  constexpr double kMinute = 60.0, kHour = 3600.0, kDay = 86400.0;
+  if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
+  return seconds < 2 * kDay ? fmt::format("{:.1f} h", seconds / kHour)
+                            : fmt::format("{:.1f} days", seconds / kDay);
+}
+
 int worse(int a, int b) {
   constexpr std::array<int, 6> kFromBest = {kDone,    kVerificationFailed, kNotConverged, kBadInput,
                                             kFailure, kInterrupted};

@@ -22,6 +22,9 @@ void print_table(const Table& table, const std::string& format);
 /// Writes a table as csv. @throws IoError if the file cannot take it.
 void write_csv(const std::string& path, const Table& table);
 
+/// A span of time as text, in the unit that suits it: "90 s", "35 min", "2.5 h", "3.0 days".
+std::string duration_text(double seconds);
+
 /// The worse of two exit codes: failure inside, bad input, not converged, verification failed, done.
 int worse(int a, int b);
 

@@ -14,34 +14,34 @@ namespace floc {
 namespace {
 
 /// Rows one after another along which the pressure goes one way; the row at which it turns belongs to both
-/// runs. Rows without pressure, which have no place on a logarithmic axis, are left out.
-struct Run {
+/// branches. Rows without pressure, which have no place on a logarithmic axis, are left out.
+struct Branch {
   bool up = true;
   std::vector<int> rows;
 };
 
-std::vector<Run> runs_of(const std::vector<double>& P) {
-  std::vector<Run> runs(1);
+std::vector<Branch> branches_of(const std::vector<double>& P) {
+  std::vector<Branch> branches(1);
   for (int i = 0; i < static_cast<int>(P.size()); ++i) {
     if (P[i] <= 0.0) continue;
-    Run& last = runs.back();
+    Branch& last = branches.back();
     const bool moves = !last.rows.empty() && P[i] != P[last.rows.back()];
     const bool up = moves ? P[i] > P[last.rows.back()] : last.up;
     if (last.rows.size() < 2) last.up = up;
-    if (up != last.up) runs.push_back({up, {last.rows.back()}});
-    runs.back().rows.push_back(i);
+    if (up != last.up) branches.push_back({up, {last.rows.back()}});
+    branches.back().rows.push_back(i);
   }
-  return runs;
+  return branches;
 }
 
-/// Rows of all runs that go one way, with a blank line's worth of NaN between runs so that no line joins them.
+/// Rows of all branches that go one way, with a blank line's worth of NaN between branches so that no line joins them.
 template <class Row>
-std::vector<std::vector<double>> rows_going(bool up, const std::vector<Run>& runs, Row&& row) {
+std::vector<std::vector<double>> rows_going(bool up, const std::vector<Branch>& branches, Row&& row) {
   std::vector<std::vector<double>> rows;
-  for (const Run& run : runs) {
-    if (run.up != up) continue;
+  for (const Branch& branch : branches) {
+    if (branch.up != up) continue;
     if (!rows.empty()) rows.emplace_back(rows.front().size(), std::nan(""));
-    for (const int i : run.rows) rows.push_back(row(i));
+    for (const int i : branch.rows) rows.push_back(row(i));
   }
   return rows;
 }
@@ -163,9 +163,9 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
     const auto point = [&sample](int i) {
       return std::vector<double>{sample.rows[i].P_star, 1.0 / sample.rows[i].phi};
     };
-    const std::vector<Run> runs = runs_of(pressures_of(sample));
+    const std::vector<Branch> branches = branches_of(pressures_of(sample));
     for (const auto& [up, rows] : {std::pair(true, &each), std::pair(false, &down)})
-      for (auto& row : rows_going(up, runs, point)) rows->push_back(std::move(row));
+      for (auto& row : rows_going(up, branches, point)) rows->push_back(std::move(row));
     for (auto* rows : {&each, &down}) rows->push_back({std::nan(""), std::nan("")});
     for (const Loading& branch : unloadings(sample.rows)) add_elastic_line(sample, branch, elastic);
   }
@@ -222,9 +222,9 @@ Plot coordination_plot(const CsvTable& path) {
     return values;
   };
   Plot plot;
-  const std::vector<Run> runs = runs_of(pressures);
-  plot.add("loading: P_star z z_plus z_minus z_zero", rows_going(true, runs, row));
-  plot.add("unloading: P_star z z_plus z_minus z_zero", rows_going(false, runs, row));
+  const std::vector<Branch> branches = branches_of(pressures);
+  plot.add("loading: P_star z z_plus z_minus z_zero", rows_going(true, branches, row));
+  plot.add("unloading: P_star z z_plus z_minus z_zero", rows_going(false, branches, row));
   plot.script = "set logscale x\n" + range_script(plot, "x", {0, 1}, 0, true) + R"(set format x '%g'
 set xlabel 'P*'
 set ylabel 'coordination number'
@@ -258,9 +258,9 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
     return std::vector<double>{p.P_star, p.B, p.B_S, p.G, p.B_reuss, p.B_voigt, p.G_voigt};
   };
   Plot plot;
-  const std::vector<Run> runs = runs_of(pressures);
-  plot.add("loading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(true, runs, row));
-  plot.add("unloading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(false, runs, row));
+  const std::vector<Branch> branches = branches_of(pressures);
+  plot.add("loading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(true, branches, row));
+  plot.add("unloading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(false, branches, row));
   const std::string curves = plot_command(
       plot,
       {{0, "using 1:5:6 with filledcurves fillcolor rgb '#e3eef6' title 'bounds of B: Reuss to Voigt'"},

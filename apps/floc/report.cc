@@ -40,7 +40,7 @@ struct ReportArguments {
 
 /// What a report needs of a run, read once.
 template <int Dim>
-struct Run {
+struct ReportedRun {
   std::string directory;
   PathTable path;
   std::vector<std::string> files;
@@ -68,7 +68,7 @@ std::set<std::size_t> shown_states(const PathTable& path) {
 }
 
 template <int Dim>
-void add_state(const State<Dim>& state, Run<Dim>& run) {
+void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
   const Packing<Dim>& packing = state.packing;
   ModuliOptions options;
   options.unloaded = state.target_stress.isZero(0.0);
@@ -94,8 +94,8 @@ constexpr const char* kPressureUnit = Dim == 2 ? "F0/a" : "F0/a²";
 
 /// Reads all states, which must be as many as the path has rows.
 template <int Dim>
-Run<Dim> read_run(const std::string& directory) {
-  Run<Dim> run;
+ReportedRun<Dim> read_run(const std::string& directory) {
+  ReportedRun<Dim> run;
   run.directory = directory;
   run.path = read_path(table_of_run(directory), {});
   run.files = states_of_run(directory);
@@ -125,7 +125,7 @@ std::string pressure_text(const State<Dim>& state) {
 }
 
 template <int Dim>
-std::string provenance_section(const Run<Dim>& run) {
+std::string provenance_section(const ReportedRun<Dim>& run) {
   const State<Dim>& state = *run.first;
   Table table{{"", ""}, {}};
   const auto add = [&table](const char* name, const std::string& value) {
@@ -148,7 +148,7 @@ std::string provenance_section(const Run<Dim>& run) {
 /// The scene of a run, from the text in its states. Of one that started from a state only the run is sure to be
 /// there: its first state has the same grains.
 template <int Dim>
-Scene scene_of(const Run<Dim>& run) {
+Scene scene_of(const ReportedRun<Dim>& run) {
   std::vector<std::string> changes;
   if (run.first->path.step == 0 && !run.first->provenance.parent_sha256.empty())
     changes = {fmt::format("assembly.state=\"{}\"", fs::path(run.files.front()).filename().string()),
@@ -158,7 +158,7 @@ Scene scene_of(const Run<Dim>& run) {
 }
 
 template <int Dim>
-std::string groups_section(Run<Dim>& run) {
+std::string groups_section(ReportedRun<Dim>& run) {
   if (run.first->scene.empty()) return "";
   Table table{{"group", "value", "meaning"}, {}};
   try {
@@ -173,7 +173,7 @@ std::string groups_section(Run<Dim>& run) {
 }
 
 template <int Dim>
-std::string fit_section(const ConsolidationFit& fit, Run<Dim>& run) {
+std::string fit_section(const ConsolidationFit& fit, ReportedRun<Dim>& run) {
   for (const std::string& warning : fit.warnings) run.warnings.push_back("fit of consolidation: " + warning);
   if (!fit.found()) {
     run.warnings.push_back("no fit of consolidation: " + fit.refusal);
@@ -191,7 +191,7 @@ std::string fit_section(const ConsolidationFit& fit, Run<Dim>& run) {
 }
 
 template <int Dim>
-std::string plots_section(const FittedConsolidation& fitted, Run<Dim>& run) {
+std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& run) {
   std::string out = "<h2>Plots</h2>\n<div class=\"plots\">\n";
   const auto add = [&out](const Plot& plot, const std::string& caption) {
     out += html_figure(plot_as_svg(plot), caption);
@@ -218,7 +218,7 @@ std::string plots_section(const FittedConsolidation& fitted, Run<Dim>& run) {
 }
 
 template <int Dim>
-std::string pictures_section(const Run<Dim>& run) {
+std::string pictures_section(const ReportedRun<Dim>& run) {
   std::string out = "<h2>Force networks</h2>\n";
   for (std::size_t k = 0; k < run.shown.size(); ++k)
     out += html_figure(
@@ -229,7 +229,7 @@ std::string pictures_section(const Run<Dim>& run) {
 }
 
 template <int Dim>
-std::string warnings_section(const Run<Dim>& run) {
+std::string warnings_section(const ReportedRun<Dim>& run) {
   std::string out = "<h2>Warnings</h2>\n";
   if (run.warnings.empty() && run.state_warnings.empty()) return out + "<p>None.</p>\n";
   out += "<ul class=\"warnings\">\n";
@@ -240,7 +240,7 @@ std::string warnings_section(const Run<Dim>& run) {
 }
 
 template <int Dim>
-std::string page_of(Run<Dim>& run) {
+std::string page_of(ReportedRun<Dim>& run) {
   const FittedConsolidation fitted = fitted_consolidation({run.path});
   const std::string title = "floc report: " + fs::path(run.directory).lexically_normal().string();
   const State<Dim>& dense = run.shown.back();
@@ -263,7 +263,7 @@ std::string page_of(Run<Dim>& run) {
 
 template <int Dim>
 int report_of(const ReportArguments& arguments) {
-  Run<Dim> run = read_run<Dim>(arguments.directory);
+  ReportedRun<Dim> run = read_run<Dim>(arguments.directory);
   const std::string page = page_of(run);
   write_bytes_atomically(arguments.output, page);
   print_table({{"run", "report", "n_states", "n_warnings", "bytes"},

@@ -7,18 +7,13 @@
 
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/overlaps.h"
+#include "output.h"
 
 namespace floc {
 namespace {
 
 constexpr double kSecondsBetweenRedraws = 0.5;
 constexpr double kSecondsBetweenLines = 10.0;
-
-std::string duration(double seconds) {
-  if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
-}
 
 template <int Dim>
 std::string phase_of(const Run<Dim>& run) {
@@ -57,7 +52,8 @@ void RunMonitor::chunk(const Run<Dim>& run) {
   std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {:.0f}, {}", step + 1, n_steps_,
                                  run.target().branch, run.pressure(), solid_fraction(run.packing()),
                                  run.point().time + run.point().equilibration_time, phase_of(run));
-  if (steps_done_ > 0) line += fmt::format("; about {} left", duration(expected_seconds_left(n_steps_ - step)));
+  if (steps_done_ > 0)
+    line += fmt::format("; about {} left", duration_text(expected_seconds_left(n_steps_ - step)));
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
   std::fflush(stderr);
 }

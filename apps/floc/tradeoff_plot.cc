@@ -15,34 +15,34 @@ namespace {
 constexpr double kSmallest = 1e-10;
 
 /// A curve: the settings of one parameter, the scene's own among them, in the order of their cost.
-struct Curve {
+struct ParameterCurve {
   std::string parameter;
   std::vector<const MeasuredSetting*> settings;
 };
 
-std::vector<Curve> curves_of(const Tradeoff& tradeoff) {
-  std::vector<Curve> curves;
+std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff) {
+  std::vector<ParameterCurve> curves;
   for (const MeasuredSetting& m : tradeoff.settings) {
     const bool compared = std::isfinite(single_state_error(m.errors[kB]));
     if (!compared || m.setting.is_reference() || m.setting.parameter == "scene") continue;
     auto curve = std::find_if(curves.begin(), curves.end(),
-                              [&](const Curve& c) { return c.parameter == m.setting.parameter; });
+                              [&](const ParameterCurve& c) { return c.parameter == m.setting.parameter; });
     if (curve == curves.end()) curve = curves.insert(curves.end(), {m.setting.parameter, {}});
     curve->settings.push_back(&m);
   }
-  for (Curve& c : curves)
+  for (ParameterCurve& c : curves)
     std::sort(c.settings.begin(), c.settings.end(),
               [](const auto* x, const auto* y) { return x->core_seconds < y->core_seconds; });
   return curves;
 }
 
 /// A block a curve: cost, errors of Phi and B.
-Plot blocks_of(const std::vector<Curve>& curves) {
+Plot blocks_of(const std::vector<ParameterCurve>& curves) {
   const auto drawn = [](const MeasuredSetting& m, std::size_t k) {
     return std::max(single_state_error(m.errors[k]), kSmallest);
   };
   Plot plot;
-  for (const Curve& c : curves) {
+  for (const ParameterCurve& c : curves) {
     std::vector<std::vector<double>> rows;
     for (const MeasuredSetting* m : c.settings) rows.push_back({m->cost_ratio, drawn(*m, kPhi), drawn(*m, kB)});
     plot.add(c.parameter + ": cost_ratio error_phi error_B", rows);
@@ -50,7 +50,7 @@ Plot blocks_of(const std::vector<Curve>& curves) {
   return plot;
 }
 
-std::string panel(const std::vector<Curve>& curves, int column) {
+std::string panel(const std::vector<ParameterCurve>& curves, int column) {
   std::string text;
   for (std::size_t i = 0; i < curves.size(); ++i)
     text += fmt::format(
@@ -62,7 +62,7 @@ std::string panel(const std::vector<Curve>& curves, int column) {
 }  // namespace
 
 void plot_tradeoff(const std::string& file, const Tradeoff& tradeoff) {
-  const std::vector<Curve> curves = curves_of(tradeoff);
+  const std::vector<ParameterCurve> curves = curves_of(tradeoff);
   Plot plot = blocks_of(curves);
   plot.width = 960;
   plot.script = fmt::format(R"(set multiplot layout 1,2

@@ -13,6 +13,10 @@ target_compile_options(floc_settings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>
+  # Collecting its garbage is a tenth of g++'s time below this (kB of heap).
+  $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>
+  # Sources compiled together (.ci/build) are headers to g++, in which it warns of what is right in a source.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
   # What tells g++ that the rows of a loop do not overlap.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas>)
 if(FLOC_WARNINGS_AS_ERRORS)
@@ -56,11 +60,12 @@ function(floc_precompile target)
   endif()
 endfunction()
 
-# floc_add_library(NAME [EXCLUDE source...] [LIBS target...] [PRIVATE_LIBS target...])
-# One library from all sources of the calling folder but those left out, named floc_NAME and exported as floc::NAME. Those that use OpenMP
-# share one precompiled header, of the first of them; the others that of floc_base.
+# floc_add_library(NAME [TOGETHER n] [EXCLUDE source...] [LIBS target...] [PRIVATE_LIBS target...])
+# One library from all sources of the calling folder but those left out, named floc_NAME and exported as floc::NAME. Those
+# that use OpenMP share one precompiled header, of the first of them; the others that of floc_base. Where .ci/build has
+# sources compiled together, n at a time.
 function(floc_add_library name)
-  cmake_parse_arguments(ARG "" "" "EXCLUDE;LIBS;PRIVATE_LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TOGETHER" "EXCLUDE;LIBS;PRIVATE_LIBS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cc")
   foreach(excluded IN LISTS ARG_EXCLUDE)
     list(REMOVE_ITEM sources "${CMAKE_CURRENT_SOURCE_DIR}/${excluded}")
@@ -68,6 +73,9 @@ function(floc_add_library name)
   if(sources)
     add_library(floc_${name} STATIC ${sources})
     floc_for_modules(floc_${name})
+    if(ARG_TOGETHER)
+      set_target_properties(floc_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE ${ARG_TOGETHER})
+    endif()
     set(scope PUBLIC)
     set(owner floc_base)
     if("OpenMP::OpenMP_CXX" IN_LIST ARG_PRIVATE_LIBS)

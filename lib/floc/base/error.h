@@ -11,14 +11,13 @@ class InputError : public std::runtime_error {
  public:
   /// @param place    file, "file:line" or "file:/dataset"
   /// @param problem  key, value and expectation in words
-  InputError(const std::string& place, const std::string& problem)
-      : std::runtime_error(place.empty() ? problem : place + ": " + problem) {}
+  InputError(const std::string& place, const std::string& problem);
 };
 
 /// Something outside floc failed during reading or writing: disk full, directory not writable. Exit code 1.
 class IoError : public std::runtime_error {
  public:
-  IoError(const std::string& place, const std::string& problem) : std::runtime_error(place + ": " + problem) {}
+  IoError(const std::string& place, const std::string& problem);
 };
 
 }  // namespace floc

@@ -3,17 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/elasticity/compliance_term.h"
 #include "floc/elasticity/isotropic_moduli.h"
 #include "floc/network/stiffness_matrix.h"
 
 namespace floc {
 namespace {
-
-/// Twice the complementary energy of one spring. A spring that carries a force without stiffness is infinitely
-/// soft.
-double compliance_term(double squared_force, double stiffness) {
-  return squared_force == 0.0 ? 0.0 : squared_force / stiffness;
-}
 
 /// A pressure below this share of what the forces could sum up to is what an equilibrium, solved to 1e-8,
 /// leaves of zero.

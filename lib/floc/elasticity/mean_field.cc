@@ -3,17 +3,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/elasticity/compliance_term.h"
+
 namespace floc {
 namespace {
 
 /// G/B of isotropic directions.
 double shear_over_bulk(int dimension, double ratio) {
   return dimension == 2 ? (1.0 + ratio) / 2.0 : 0.6 * (1.0 + 1.5 * ratio);
-}
-
-/// Complementary energy of a spring, twice; one without force has none, stiffness or not.
-double compliance_term(double squared_force, double stiffness) {
-  return squared_force == 0.0 ? 0.0 : squared_force / stiffness;
 }
 
 struct Averages {

@@ -11,7 +11,7 @@ namespace floc {
 namespace {
 
 /// A stiffness below this share of the affine one is what rounding leaves of zero.
-constexpr double kVanishing = 1e-11;
+constexpr double kVanishingStiffness = 1e-11;
 /// How far grains are moved, over their size: of order one but not so far that parts of a contact change
 /// places.
 constexpr double kDisplacement = 0.2;
@@ -67,7 +67,7 @@ ContactNetwork<Dim> in_general_position(const ContactNetwork<Dim>& network) {
 
 Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::MatrixXd& affine) {
   const SymmetricEigen eigen = symmetric_eigen(relaxed);
-  const double bound = kVanishing * affine.trace();
+  const double bound = kVanishingStiffness * affine.trace();
   std::vector<Eigen::Index> which;
   for (Eigen::Index k = 0; k < relaxed.rows(); ++k)
     if (std::abs(eigen.values[k]) <= bound) which.push_back(k);

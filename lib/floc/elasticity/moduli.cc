@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "floc/base/dense_solvers.h"
+#include "floc/base/infinity.h"
 #include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/isotropic_moduli.h"
 #include "floc/elasticity/parallel_response.h"
@@ -30,7 +31,6 @@ constexpr double kToleranceOfSolution = 1e-3;
 constexpr double kToleranceOfIterativeSolution = 0.1;
 /// Relative rounding of the volume of the cell and of the forces that convect.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// An eigenvalue of C below it cannot be distinguished from zero.
 double vanishing_bound(double scale, const Moduli& m) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "floc/base/infinity.h"
 #include "floc/elasticity/own_rows.h"
 #include "floc/elasticity/wall_shifts.h"
 
@@ -28,7 +29,6 @@ constexpr double kRounding = 1e-14;
 constexpr double kNothing = 1e-11;
 /// Relative error beyond which a stiffness is none.
 constexpr double kUseful = 1e-6;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The grains that some contact acts on.
 template <int Dim>

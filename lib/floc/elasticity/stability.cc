@@ -21,7 +21,7 @@ namespace floc {
 namespace {
 
 /// Share of the affine stiffness below which that of the strains is zero: a mechanism that strains the cell.
-constexpr double kVanishing = 1e-11;
+constexpr double kVanishingStrain = 1e-11;
 /// A Cholesky factor of a larger condition may hide a mechanism, which has no sign.
 constexpr double kSuspiciousCondition = 1e12;
 /// L D L^T takes its operations one by one, L L^T works on dense blocks: an order of magnitude, rounded up.
@@ -63,7 +63,7 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
     out.border.row(a) =
         k.border.row(unknowns.unknown[static_cast<std::size_t>(a)]) * (unknowns.length[a] / unit);
   out.boundary = k.boundary / unit;
-  out.vanishing = kVanishing * k.boundary.cwiseAbs().maxCoeff() / unit;
+  out.vanishing = kVanishingStrain * k.boundary.cwiseAbs().maxCoeff() / unit;
   if (stress) out.boundary.topLeftCorner(Dim, Dim) += whole.volume / unit * convected_stress<Dim>(*stress, Dim);
   return out;
 }

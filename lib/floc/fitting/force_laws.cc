@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "floc/base/infinity.h"
 #include "floc/fitting/force_distribution.h"
 
 namespace floc {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const double kHalfRootPi = 0.5 * std::sqrt(std::numbers::pi);
 
 double exponential(double rate, RandomStream& random) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "floc/base/dense_solvers.h"
+#include "floc/base/infinity.h"
 #include "floc/fitting/law_estimate.h"
 
 namespace floc {
@@ -21,8 +21,6 @@ double information(double sum_of_squares, int n, int n_free) {
   const double floor = n * kRounding * kRounding;
   return n * std::log(std::max(sum_of_squares, floor) / n) + n_free * std::log(n);
 }
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 int n_below(const LawPoints& points, double log_P) {
   return static_cast<int>((points.log_P.array() < log_P).count());

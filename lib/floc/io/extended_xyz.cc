@@ -16,15 +16,15 @@ namespace floc {
 namespace {
 
 /// Lines of one frame.
-struct Frame {
+struct XyzFrame {
   int line = 0;  ///< number of its first line
   std::string comment;
   std::vector<std::string> rows;
 };
 
-std::vector<Frame> read_frames(const std::string& path) {
+std::vector<XyzFrame> read_frames(const std::string& path) {
   std::istringstream in(read_file(path));
-  std::vector<Frame> frames;
+  std::vector<XyzFrame> frames;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
@@ -33,7 +33,7 @@ std::vector<Frame> read_frames(const std::string& path) {
     if (!n || *n < 0)
       throw InputError(fmt::format("{}:{}", path, number),
                        fmt::format("\"{}\", expected the number of grains", line));
-    Frame frame;
+    XyzFrame frame;
     frame.line = number;
     if (!std::getline(in, frame.comment))
       throw InputError(path, "ends before its comment line with Properties=");
@@ -115,11 +115,11 @@ bool is_extended_xyz(const std::string& path) {
 
 Imported read_extended_xyz(const std::string& path, const ImportOptions& options) {
   check_grain_columns("--columns", options.columns);
-  const std::vector<Frame> frames = read_frames(path);
+  const std::vector<XyzFrame> frames = read_frames(path);
   const int n = static_cast<int>(frames.size());
   const int index = options.index.value_or(n - 1);
   if (index >= n) throw InputError(path, fmt::format("index = {}, but it holds frames 0 to {}", index, n - 1));
-  const Frame& frame = frames[static_cast<std::size_t>(index)];
+  const XyzFrame& frame = frames[static_cast<std::size_t>(index)];
   const std::string place = fmt::format("{}:{}", path, frame.line + 1);
   std::map<std::string, std::string> keys = keys_of(place, frame.comment);
   if (!keys.contains("Properties")) throw InputError(place, "has no Properties=");
@@ -147,7 +147,7 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
 namespace {
 
 template <int Dim>
-std::string text_of(const State<Dim>& state) {
+std::string xyz_text(const State<Dim>& state) {
   const Packing<Dim> packing = with_walls_at_cell(state.packing);
   const Grains<Dim>& grains = packing.grains;
   Eigen::Matrix3d lattice = Eigen::Matrix3d::Identity();
@@ -168,7 +168,7 @@ std::string text_of(const State<Dim>& state) {
 }  // namespace
 
 std::string extended_xyz_text(const AnyState& any) {
-  return std::visit([](const auto& state) { return text_of(state); }, any);
+  return std::visit([](const auto& state) { return xyz_text(state); }, any);
 }
 
 }  // namespace floc

@@ -190,7 +190,7 @@ std::string walls_in_words(const std::vector<Wall<Dim>>& walls) {
 }
 
 template <int Dim>
-std::string text_of(const State<Dim>& state) {
+std::string lammps_text(const State<Dim>& state) {
   const Packing<Dim> packing = with_walls_at_cell(state.packing);
   const Grains<Dim>& grains = packing.grains;
   Mat<Dim> rotation;
@@ -218,7 +218,7 @@ std::string text_of(const State<Dim>& state) {
 }  // namespace
 
 std::string lammps_data_text(const AnyState& any) {
-  return std::visit([](const auto& state) { return text_of(state); }, any);
+  return std::visit([](const auto& state) { return lammps_text(state); }, any);
 }
 
 }  // namespace floc

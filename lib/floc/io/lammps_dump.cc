@@ -110,7 +110,7 @@ class FrameSearch {
 };
 
 /// One frame: its time step, box and rows.
-struct Frame {
+struct DumpFrame {
   std::int64_t timestep = 0;
   LammpsBox box;
   std::string box_place;
@@ -119,7 +119,7 @@ struct Frame {
 };
 
 /// Reads the three lines of a box whose header begins at `at`: bounds of what it occupies, then its tilts.
-void read_box(const FrameText& dump, std::size_t at, Frame& frame) {
+void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   std::vector<std::string> tokens = tokenize(dump[at].substr(std::string("ITEM: BOX BOUNDS").size()));
   const bool tilted = !tokens.empty() && tokens[0] == "xy";
   if (tokens.size() != (tilted ? 6u : 3u) || (tilted && (tokens[1] != "xz" || tokens[2] != "yz")))
@@ -154,8 +154,8 @@ void read_box(const FrameText& dump, std::size_t at, Frame& frame) {
 }
 
 /// @param items  "ATOMS" or "ENTRIES"
-Frame read_frame(const FrameText& dump, const std::string& items) {
-  Frame frame;
+DumpFrame read_frame(const FrameText& dump, const std::string& items) {
+  DumpFrame frame;
   frame.timestep = dump.integer(1, "the time step");
   std::int64_t n = -1;
   std::size_t at = 2;
@@ -189,14 +189,14 @@ Frame read_frame(const FrameText& dump, const std::string& items) {
 }
 
 /// The frame with the index asked for, or the last.
-Frame read_grain_frame(const std::string& path, const ImportOptions& options,
-                       std::vector<std::string>& remarks) {
+DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options,
+                           std::vector<std::string>& remarks) {
   const FrameSearch search(
       path, [&](int index, std::string_view) { return !options.index || index == *options.index; });
   const int n = search.n_frames();
   if (!search.found())
     throw InputError(path, fmt::format("index = {}, but it holds frames 0 to {}", *options.index, n - 1));
-  Frame frame = read_frame(*search.found(), "ATOMS");
+  DumpFrame frame = read_frame(*search.found(), "ATOMS");
   remarks.push_back(
       fmt::format("frame {} of 0 to {}, time step {}", options.index.value_or(n - 1), n - 1, frame.timestep));
   return frame;
@@ -223,7 +223,7 @@ bool find_positions(const CsvTable& table, std::map<std::string, std::string>& n
   return false;
 }
 
-std::vector<ListedGrain> grains_of(const Frame& frame, const ImportOptions& options) {
+std::vector<ListedGrain> grains_of(const DumpFrame& frame, const ImportOptions& options) {
   std::map<std::string, std::string> names = options.columns;
   const bool scaled = find_positions(frame.table, names);
   const NamedColumns columns(frame.table, names);
@@ -239,7 +239,7 @@ std::vector<ListedGrain> grains_of(const Frame& frame, const ImportOptions& opti
 }
 
 /// Lattice vectors of the frame's box.
-std::vector<std::vector<double>> cell_of(const Frame& frame, int dimension) {
+std::vector<std::vector<double>> cell_of(const DumpFrame& frame, int dimension) {
   const std::vector<std::string> flags = tokenize(frame.flags);
   for (int a = 0; a < dimension; ++a)
     if (flags[a] != "pp")
@@ -271,7 +271,7 @@ Imported read_lammps_dump(const std::string& path, const ImportOptions& options)
   listed.units = options.units;
   listed.drop_tensile = options.drop_tensile;
   std::vector<std::string> remarks;
-  Frame frame = read_grain_frame(path, options, remarks);
+  DumpFrame frame = read_grain_frame(path, options, remarks);
   listed.grains = grains_of(frame, options);
   frame.table = {};  // which takes more room than all that follows from it
   const int dimension = dimension_of(listed.grains, options);

@@ -12,21 +12,21 @@ namespace {
 
 /// Names of the transient files there are, null where a place is free. A program has few at a time; one that finds
 /// no place is removed at the end of its scope alone.
-std::array<std::atomic<const char*>, 64> names{};
+std::array<std::atomic<const char*>, 64> g_names{};
 
 void register_name(const char* name) {
-  for (std::atomic<const char*>& place : names)
+  for (std::atomic<const char*>& place : g_names)
     if (const char* none = nullptr; place.compare_exchange_strong(none, name)) return;
 }
 
 void forget_name(const char* name) {
-  for (std::atomic<const char*>& place : names)
+  for (std::atomic<const char*>& place : g_names)
     if (const char* expected = name; place.compare_exchange_strong(expected, nullptr)) return;
 }
 
 /// Nothing here but what a handler may call.
 void remove_all(int signal) {
-  for (const std::atomic<const char*>& place : names)
+  for (const std::atomic<const char*>& place : g_names)
     if (const char* name = place.load()) ::unlink(name);
   std::signal(signal, SIG_DFL);
   std::raise(signal);

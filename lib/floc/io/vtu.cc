@@ -285,7 +285,7 @@ class Drawing {
 };
 
 template <int Dim>
-std::string text_of(const State<Dim>& state) {
+std::string vtu_text(const State<Dim>& state) {
   pugi::xml_document document;
   pugi::xml_node file = document.append_child("VTKFile");
   file.append_attribute("type") = "UnstructuredGrid";
@@ -316,7 +316,7 @@ std::string text_of(const State<Dim>& state) {
 }  // namespace
 
 std::string vtu_text(const AnyState& any) {
-  return std::visit([](const auto& state) { return text_of(state); }, any);
+  return std::visit([](const auto& state) { return vtu_text(state); }, any);
 }
 
 }  // namespace floc

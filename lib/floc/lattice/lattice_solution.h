@@ -35,7 +35,7 @@ struct LatticeSolution {
   std::vector<bool> open;                   ///< of each element
   std::vector<Vec<Dim>> displacement;       ///< of each node, relative to the uniform strain
   double energy = 0.0;
-  RelaxationReport report;
+  SpringRelaxationReport report;
 
   int n_open() const;
   /// Force on node i of an element.

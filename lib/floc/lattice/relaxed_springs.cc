@@ -47,8 +47,8 @@ class Springs final : public RelaxedSprings<Dim> {
     control_.value.setZero();
   }
 
-  RelaxationReport relax(const StrainControl<Dim>& control) override {
-    RelaxationReport report;
+  SpringRelaxationReport relax(const StrainControl<Dim>& control) override {
+    SpringRelaxationReport report;
     set_control(control);
     if (springs_.rows.empty()) {
       report.holds = report.converged = control_.imposed.all();
@@ -80,7 +80,7 @@ class Springs final : public RelaxedSprings<Dim> {
   Eigen::MatrixXd tangent_stiffness() override {
     constexpr int kAll = kSymmetric<Dim>;
     inverse_->set_free(Eigen::Matrix<bool, kAll, 1>::Constant(false));
-    RelaxationReport report;
+    SpringRelaxationReport report;
     refresh(report);
     const Eigen::Matrix<bool, kAll, 1> imposed = control_.imposed;
     control_.imposed.setConstant(true);
@@ -207,7 +207,7 @@ class Springs final : public RelaxedSprings<Dim> {
 
   /// Size of the load in the norm of the preconditioner, the root of an energy: the imbalance where no node
   /// moves beside the imposed strain, and what that strain itself costs.
-  double norm_of_load(RelaxationReport& report) {
+  double norm_of_load(SpringRelaxationReport& report) {
     Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
     for (int a = 0; a < kSymmetric<Dim>; ++a)
       if (control_.imposed[a]) kept[springs_.n_unknowns() + a] = control_.value[a];
@@ -219,7 +219,7 @@ class Springs final : public RelaxedSprings<Dim> {
     return std::sqrt(square);
   }
 
-  bool prepare(RelaxationReport& report) {
+  bool prepare(SpringRelaxationReport& report) {
     int n_changed = 0;
     for (std::size_t r = 0; r < active_.size() && n_changed <= kMostChanged; ++r)
       n_changed += active_[r] != prepared_[r];
@@ -229,7 +229,7 @@ class Springs final : public RelaxedSprings<Dim> {
     return true;
   }
 
-  void refresh(RelaxationReport& report) {
+  void refresh(SpringRelaxationReport& report) {
     if (ready_ && prepared_ == active_) return;
     inverse_->prepare(active_);
     prepared_ = active_;
@@ -239,7 +239,8 @@ class Springs final : public RelaxedSprings<Dim> {
 
   /// K d = load for the active set by conjugate gradients, until the imbalance is below `target` in the norm of
   /// the preconditioner.
-  Direction solve(const Eigen::VectorXd& load, double target, int most_steps, RelaxationReport& report) const {
+  Direction solve(const Eigen::VectorXd& load, double target, int most_steps,
+                  SpringRelaxationReport& report) const {
     Direction out{Eigen::VectorXd::Zero(load.size())};
     Eigen::VectorXd r = load, z = inverse_->apply(r), p = z;
     double rz = r.dot(z);
@@ -279,7 +280,7 @@ class Springs final : public RelaxedSprings<Dim> {
     return stiffness > 0.0 ? kBeyond * (load / stiffness + imposed) : 0.0;
   }
 
-  void take_step(const Eigen::VectorXd& down, double norm, double whole, RelaxationReport& report) {
+  void take_step(const Eigen::VectorXd& down, double norm, double whole, SpringRelaxationReport& report) {
     const bool one_sided = !springs_.one_sided.empty();
     // While the active set changes a rough direction will do where directions are dear.
     const double share = inverse_->is_exact() ? 1e-8 : one_sided ? 0.03 : 0.0;

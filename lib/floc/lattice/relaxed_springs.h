@@ -43,7 +43,7 @@ struct StrainControl {
 };
 
 /// Outcome of relaxing.
-struct RelaxationReport {
+struct SpringRelaxationReport {
   bool converged = false;
   bool holds = true;       ///< false: the load moves a mechanism, nothing resists it
   double imbalance = 0.0;  ///< left, over that of the load
@@ -61,7 +61,7 @@ class RelaxedSprings {
   virtual ~RelaxedSprings() = default;
 
   /// @return how it went; the state is the best found in any case.
-  [[nodiscard]] virtual RelaxationReport relax(const StrainControl<Dim>& control) = 0;
+  [[nodiscard]] virtual SpringRelaxationReport relax(const StrainControl<Dim>& control) = 0;
   /// Volume times the change of stress per unit of each strain, with nothing opening or closing; order of
   /// StrainSet::full. @pre relax() was called
   virtual Eigen::MatrixXd tangent_stiffness() = 0;

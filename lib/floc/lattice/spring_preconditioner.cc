@@ -1,11 +1,12 @@
 #include "floc/lattice/spring_preconditioner.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
+#include "floc/base/dense_solvers.h"
 #include "floc/linalg/symmetric_factor.h"
 #include "floc/network/symmetric_sum.h"
 
@@ -23,21 +24,18 @@ double largest_stiffness(const SpringRows<Dim, Size>& springs) {
 }
 
 /// The block of the free strains, inverted; rows and columns of others are zero.
-template <int Dim>
-Eigen::MatrixXd free_inverse(const Eigen::MatrixXd& block,
-                             const Eigen::Matrix<bool, kSymmetric<Dim>, 1>& free) {
+Eigen::MatrixXd free_inverse(const Eigen::MatrixXd& block, std::span<const bool> free) {
   std::vector<int> kept;
-  for (int a = 0; a < kSymmetric<Dim>; ++a)
+  for (int a = 0; a < static_cast<int>(free.size()); ++a)
     if (free[a]) kept.push_back(a);
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(kSymmetric<Dim>, kSymmetric<Dim>);
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(block.rows(), block.cols());
   if (kept.empty()) return out;
   const Eigen::MatrixXd part = block(kept, kept);
   const double least =
       kShift * std::max(part.diagonal().cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(part);
-  const Eigen::VectorXd values = modes.eigenvalues().cwiseMax(least);
-  out(kept, kept) =
-      modes.eigenvectors() * values.cwiseInverse().asDiagonal() * modes.eigenvectors().transpose();
+  const SymmetricEigen modes = symmetric_eigen(part);
+  const Eigen::VectorXd values = modes.values.cwiseMax(least);
+  out(kept, kept) = modes.vectors * values.cwiseInverse().asDiagonal() * modes.vectors.transpose();
   return out;
 }
 
@@ -68,7 +66,7 @@ class FactorPreconditioner final : public SpringPreconditioner<Dim, Size> {
 
   void set_free(const Eigen::Matrix<bool, kSymmetric<Dim>, 1>& free) override {
     free_ = free;
-    if (schur_.size() > 0) strains_ = free_inverse<Dim>(schur_, free_);
+    if (schur_.size() > 0) strains_ = free_inverse(schur_, {free_.data(), kSymmetric<Dim>});
   }
 
   Eigen::VectorXd apply(const Eigen::VectorXd& residual) const override {
@@ -136,7 +134,7 @@ class BlockPreconditioner final : public SpringPreconditioner<Dim, Size> {
 
   void set_free(const Eigen::Matrix<bool, kSymmetric<Dim>, 1>& free) override {
     free_ = free;
-    if (affine_.size() > 0) strains_ = free_inverse<Dim>(affine_, free_);
+    if (affine_.size() > 0) strains_ = free_inverse(affine_, {free_.data(), kSymmetric<Dim>});
   }
 
   Eigen::VectorXd apply(const Eigen::VectorXd& residual) const override {

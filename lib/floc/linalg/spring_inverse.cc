@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 
+#include "floc/base/infinity.h"
 #include "floc/linalg/condition.h"
 #include "floc/linalg/least_squares_factor.h"
 
@@ -19,7 +20,6 @@ constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
 constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
 /// Hager's estimate is seldom off by more.
 constexpr double kEstimateMargin = 3.0;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {
   return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };

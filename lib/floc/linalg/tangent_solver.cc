@@ -15,9 +15,9 @@ namespace {
 constexpr double kTolerance = 1e-8;
 /// Shifts of the symmetric part, over its largest entry, until it is positive definite: what presses on a
 /// contact makes it a little softer than nothing across the contact.
-constexpr double kFirstShift = 1e-9;
-constexpr double kLastShift = 1e-2;
-constexpr double kNextShift = 100.0;
+constexpr double kTangentFirstShift = 1e-9;
+constexpr double kTangentLastShift = 1e-2;
+constexpr double kTangentNextShift = 100.0;
 /// Steps after which a factor of another matrix is not worth keeping.
 constexpr int kStaleSteps = 30;
 constexpr int kMostStepsWithFactor = 60;
@@ -47,7 +47,7 @@ class SymmetricPart {
     const Eigen::SparseMatrix<double> part = 0.5 * (tangent + transposed);
     factor_.set_matrix(part.topLeftCorner(n, n).triangularView<Eigen::Lower>(), grain_of_unknowns(n, layout_));
     bool positive = false;
-    for (double shift = kFirstShift; !positive && shift < kLastShift; shift *= kNextShift)
+    for (double shift = kTangentFirstShift; !positive && shift < kTangentLastShift; shift *= kTangentNextShift)
       positive = factor_.factorize_positive(shift);
     if (!positive) return false;
     border_ = Eigen::MatrixXd(part.topRightCorner(n, m));

@@ -59,7 +59,8 @@ void add_contact(int i, int j, const Rows& on_i, const Rows& on_j, const Boundar
     if constexpr (Sum::kSymmetric) {
       sum.border(grain) += forces.transpose() * boundary;
     } else {
-      sum.border(grain) += (d.transpose() * rows).transpose() * boundary;
+      const Rows work = d.transpose() * rows;
+      sum.border(grain) += work.transpose() * boundary;
       sum.border_row(grain) += boundary.transpose() * forces;
     }
   };

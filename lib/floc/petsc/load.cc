@@ -18,7 +18,7 @@ fs::path module_path() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
   for (const char* place : kPlaces) {
-    const fs::path path = program / place / FLOC_PETSC_MODULE;
+    fs::path path = program / place / FLOC_PETSC_MODULE;
     if (fs::exists(path, none)) return path;
   }
   return FLOC_PETSC_MODULE;

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-constexpr double kMargin = 8.0;  // around everything (points)
+constexpr double kLatticeMargin = 8.0;  // around everything (points)
 constexpr double kMostPixels = 3000.0;
 
 /// The plane that is drawn: in 2D the cell itself, in 3D a section of it.
@@ -154,23 +154,23 @@ std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>&
   assert(options.validate().empty() && lattice.cell.rectangular());
   assert(static_cast<int>(picture.color.size()) == lattice.n_nodes());
   const Section<Dim> section = section_of(lattice, options);
-  const double inner = options.width - 2.0 * kMargin;
+  const double inner = options.width - 2.0 * kLatticeMargin;
   const double scale = inner / section.width();
   std::vector<LegendItem> legend;
   for (const auto& [color, text] : picture.meanings) legend.push_back(patch_item(color, text));
   if (!picture.bar_name.empty())
     legend.push_back(color_bar({{}, picture.bar_largest, picture.bar_name}, inner));
   const double caption = picture.caption.empty() ? 0.0 : kTextLine;
-  const double below = legend.empty() ? 0.0 : kMargin + legend_height(legend, inner);
-  const double height = 2.0 * kMargin + caption + section.height() * scale + below;
+  const double below = legend.empty() ? 0.0 : kLatticeMargin + legend_height(legend, inner);
+  const double height = 2.0 * kLatticeMargin + caption + section.height() * scale + below;
   const double side = std::max(section.width(), section.height());
   const double pixels = std::min(options.pixels_a_node / lattice.spacing, kMostPixels / side);
   Page page(options.format, options.width, height, std::max(1.0, pixels / scale));
   cairo_t* to = page.context();
   set_font(to);
-  if (caption > 0.0) draw_text(to, kMargin, kMargin + kTextSize, picture.caption);
+  if (caption > 0.0) draw_text(to, kLatticeMargin, kLatticeMargin + kTextSize, picture.caption);
   cairo_save(to);
-  cairo_translate(to, kMargin, kMargin + caption);
+  cairo_translate(to, kLatticeMargin, kLatticeMargin + caption);
   cairo_rectangle(to, 0.0, 0.0, inner, section.height() * scale);
   cairo_clip(to);
   cairo_surface_t* image = image_of(section, picture, pixels);
@@ -184,7 +184,7 @@ std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>&
   cairo_surface_destroy(image);
   draw_faces(to, section, picture, scale);
   cairo_restore(to);
-  draw_legend(to, legend, kMargin, height - below, inner);
+  draw_legend(to, legend, kLatticeMargin, height - below, inner);
   return page.finish();
 }
 

@@ -31,7 +31,7 @@ constexpr double kRunAway = 4.0;
 constexpr double kBoxClosed = 0.5;
 
 /// Visits every member under the name that checkpoints have for it.
-constexpr auto kMembers = [](auto& p, const auto& visit) {
+constexpr auto kBoxMembers = [](auto& p, const auto& visit) {
   visit("stage", p.phase);
   visit("n_steps", p.n_steps);
   visit("time", p.time);
@@ -47,7 +47,7 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
 CompactionProgress parsed(const std::string& text) {
   if (text.empty()) return {};
   return members_from_json<CompactionProgress>(text, "progress", "is not that of a box of this version",
-                                               kMembers);
+                                               kBoxMembers);
 }
 
 template <int Dim>
@@ -297,7 +297,7 @@ RelaxationReport BoxRelaxer<Dim>::report() const {
 
 template <int Dim>
 std::string BoxRelaxer<Dim>::progress() const {
-  return members_as_json(progress_, kMembers);
+  return members_as_json(progress_, kBoxMembers);
 }
 
 template class BoxRelaxer<2>;

@@ -6,7 +6,7 @@ namespace floc {
 namespace {
 
 /// Visits every member under the name that checkpoints have for it.
-constexpr auto kMembers = [](auto& p, const auto& visit) {
+constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
   visit("stage", p.phase);
   visit("n_steps", p.n_steps);
   visit("time", p.time);
@@ -37,7 +37,7 @@ constexpr auto kLaterMembers = [](auto& p, const auto& visit) {
 }  // namespace
 
 std::string as_text(const RelaxationProgress& progress) {
-  nlohmann::json json = nlohmann::json::parse(members_as_json(progress, kMembers));
+  nlohmann::json json = nlohmann::json::parse(members_as_json(progress, kProgressMembers));
   kLaterMembers(progress, [&json](const char* name, const auto& value) {
     if (value != 0) json[name] = value;
   });
@@ -46,7 +46,7 @@ std::string as_text(const RelaxationProgress& progress) {
 
 RelaxationProgress relaxation_progress(const std::string& text) {
   auto progress = members_from_json<RelaxationProgress>(
-      text, "progress", "is not that of a relaxation of this version", kMembers);
+      text, "progress", "is not that of a relaxation of this version", kProgressMembers);
   const nlohmann::json json = nlohmann::json::parse(text);
   kLaterMembers(progress, [&json](const char* name, auto& value) {
     if (json.contains(name)) json[name].get_to(value);

@@ -19,11 +19,11 @@ constexpr NumberRule kPositive{[](double x) { return x > 0; }, "a positive numbe
 /// One keyword an axis: "walls", "fixed" or "periodic".
 void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
   constexpr std::array kSides = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic};
-  static const char* const kKeys[] = {"x", "y", "z"};
+  static const char* const kAxisNames[] = {"x", "y", "z"};
   if (!t.has("boundary")) return;
   TableReader sides = t.table("boundary", "a table, e.g. {x = \"periodic\", y = \"walls\"}");
   for (int a = 0; a < dimension; ++a)
-    if (const auto chosen = sides.choice(kKeys[a], {"walls", "fixed", "periodic"}, Need::optional))
+    if (const auto chosen = sides.choice(kAxisNames[a], {"walls", "fixed", "periodic"}, Need::optional))
       box.boundary[a] = kSides[*chosen];
   sides.refuse_other_keys();
 }

@@ -13,12 +13,6 @@ namespace {
 
 using Need = TableReader::Need;
 
-constexpr bool positive(double x) {
-  return x > 0;
-}
-constexpr bool not_negative(double x) {
-  return x >= 0;
-}
 constexpr bool is_steps_per_decade(double x) {
   return x > 0 && x <= 1000;
 }

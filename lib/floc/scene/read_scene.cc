@@ -31,12 +31,6 @@ namespace {
 
 using Need = TableReader::Need;
 
-constexpr bool positive(double x) {
-  return x > 0;
-}
-constexpr bool not_negative(double x) {
-  return x >= 0;
-}
 constexpr bool is_gas_of_disks(double x) {
   return x > 0 && x <= kDensestGasOfDisks;
 }

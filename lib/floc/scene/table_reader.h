@@ -14,6 +14,12 @@ struct NumberRule {
   bool (*holds)(double);
   const char* expectation;
 };
+constexpr bool positive(double x) {
+  return x > 0;
+}
+constexpr bool not_negative(double x) {
+  return x >= 0;
+}
 
 /// What a whole number must be: its limits, and the same in words.
 struct IntegerRule {

@@ -51,6 +51,12 @@ Command add_network(CommandLine program) {
       .show_default();
   app.add_option("--particle-stress", command->pressures, "file for the pressure and stress of each grain");
   add_bond_options(app, command->bonds);
+  app.add_option(
+         "--without", command->without,
+         "mechanics: leave empty what needs the moduli (indeterminacy to correlation_size, hyperstaticity and "
+         "n_null_modes), which takes most of the time in a large packing")
+      .delimiter(',')
+      .one_of({"mechanics"});
   add_format_option(app, command->format);
   return {app, [command] { return run_network(*command); }};
 }

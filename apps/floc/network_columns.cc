@@ -5,6 +5,17 @@
 namespace floc {
 namespace {
 
+/// A count of a part of the row that may be left out.
+template <class Part>
+auto count_of(std::optional<Part> NetworkRow::*part, int Part::*number) {
+  return [=](const NetworkRow& r) { return r.*part ? count((*(r.*part)).*number) : TableValue{}; };
+}
+
+/// A number of the mechanics, which may be left out or not defined.
+auto number_of(std::optional<double> NetworkMechanics::*number) {
+  return [=](const NetworkRow& r) { return r.mechanics ? or_undefined((*r.mechanics).*number) : TableValue{}; };
+}
+
 std::vector<Column<NetworkRow>> carrying_columns() {
   using Row = NetworkRow;
   std::vector<Column<Row>> columns = {
@@ -14,8 +25,8 @@ std::vector<Column<NetworkRow>> carrying_columns() {
       {"x2", [](const Row& r) { return r.carrying.x2; }},
       {"z_star_carrying", [](const Row& r) { return r.carrying.z_star; }},
       {"z_star_star", [](const Row& r) { return or_undefined(r.carrying.z_star_star); }},
-      {"hyperstaticity", [](const Row& r) { return count(r.hyperstaticity.degree); }},
-      {"n_null_modes", [](const Row& r) { return count(r.hyperstaticity.n_null_modes); }},
+      {"hyperstaticity", count_of(&Row::hyperstaticity, &Indeterminacy::degree)},
+      {"n_null_modes", count_of(&Row::hyperstaticity, &Indeterminacy::n_null_modes)},
       {"Z_1_3", [](const Row& r) { return r.carrying.Z_third; }},
       {"Z_5_3", [](const Row& r) { return r.carrying.Z_five_thirds; }},
       {"Z_2", [](const Row& r) { return r.carrying.Z2; }},
@@ -81,20 +92,20 @@ std::vector<Column<NetworkRow>> force_columns() {
 
 std::vector<Column<NetworkRow>> mechanics_columns() {
   using Row = NetworkRow;
-  return {
-      {"indeterminacy", [](const Row& r) { return count(r.mechanics.indeterminacy.degree); }},
-      {"n_dead_ends", [](const Row& r) { return count(r.mechanics.n_dead_ends); }},
-      {"n_components", [](const Row& r) { return count(r.mechanics.n_components); }},
-      {"n_percolating", [](const Row& r) { return count(r.mechanics.n_percolating); }},
-      {"energy_share_95", [](const Row& r) { return or_undefined(r.mechanics.energy_share_95); }},
-      {"energy_share_95_deviatoric",
-       [](const Row& r) { return or_undefined(r.mechanics.energy_share_95_deviatoric); }},
-      {"backbone_share", [](const Row& r) { return or_undefined(r.mechanics.backbone_share); }},
-      {"scalar_backbone_share", [](const Row& r) { return or_undefined(r.mechanics.scalar_backbone_share); }},
-      {"correlation_normal", [](const Row& r) { return or_undefined(r.correlation.normal); }},
-      {"correlation_size", [](const Row& r) { return or_undefined(r.correlation.size); }},
-      {"seconds", [](const Row& r) { return r.seconds; }},
-      {"units", [](const Row& r) { return r.units; }}};
+  using Mechanics = NetworkMechanics;
+  return {{"indeterminacy",
+           [](const Row& r) { return r.mechanics ? count(r.mechanics->indeterminacy.degree) : TableValue{}; }},
+          {"n_dead_ends", count_of(&Row::mechanics, &Mechanics::n_dead_ends)},
+          {"n_components", count_of(&Row::mechanics, &Mechanics::n_components)},
+          {"n_percolating", count_of(&Row::mechanics, &Mechanics::n_percolating)},
+          {"energy_share_95", number_of(&Mechanics::energy_share_95)},
+          {"energy_share_95_deviatoric", number_of(&Mechanics::energy_share_95_deviatoric)},
+          {"backbone_share", number_of(&Mechanics::backbone_share)},
+          {"scalar_backbone_share", number_of(&Mechanics::scalar_backbone_share)},
+          {"correlation_normal", [](const Row& r) { return or_undefined(r.correlation.normal); }},
+          {"correlation_size", [](const Row& r) { return or_undefined(r.correlation.size); }},
+          {"seconds", [](const Row& r) { return r.seconds; }},
+          {"units", [](const Row& r) { return r.units; }}};
 }
 
 }  // namespace

@@ -21,28 +21,21 @@ namespace {
 
 constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
-/// The force-carrying structure: what it is like, and its degree of hyperstaticity.
+/// The degree of hyperstaticity of the force-carrying structure.
 /// @param network, response  of all contacts that carry or might, taken over where they are the same
 template <int Dim>
-void add_carrying(const State<Dim>& state, const NetworkCommand& command, double zero_force,
-                  const ContactNetwork<Dim>& network, const ElasticResponse& response, NetworkRow& row) {
-  const Packing<Dim>& packing = state.packing;
-  const CarryingStructure held =
-      carrying_structure(packing, zero_force * force_scale(packing, state.target_stress).force,
-                         command.least_contacts.value_or(least_contacts(packing)));
-  row.carrying = carrying_forces(packing, held);
+Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
+                             const ContactNetwork<Dim>& network, const ElasticResponse& response) {
   const bool same = held.contacts.size() == network.contacts.size() &&
                     std::ranges::equal(held.contacts, network.contacts, {}, {}, &NetworkContact<Dim>::source);
-  if (same) {
-    row.hyperstaticity = force_indeterminacy(network, response);
-  } else {
-    const ContactNetwork<Dim> carrying = carrying_network(packing, held);
-    row.hyperstaticity = force_indeterminacy(carrying, elastic_response(carrying, {}));
-  }
+  if (same) return force_indeterminacy(network, response);
+  const ContactNetwork<Dim> carrying = carrying_network(packing, held);
+  return force_indeterminacy(carrying, elastic_response(carrying, {}));
 }
 
+/// What needs the moduli.
 template <int Dim>
-void add_mechanics(const State<Dim>& state, const NetworkCommand& command, double zero_force, NetworkRow& row) {
+void add_mechanics(const State<Dim>& state, const CarryingStructure& held, double zero_force, NetworkRow& row) {
   ModuliOptions options;
   options.force_tolerance = zero_force;
   options.unloaded = state.target_stress.isZero(0.0);
@@ -50,7 +43,7 @@ void add_mechanics(const State<Dim>& state, const NetworkCommand& command, doubl
   const Moduli moduli = elastic_moduli(state.packing, options);
   const ContactMechanics<Dim> contacts = contact_mechanics(network, moduli);
   row.mechanics = network_mechanics(state.packing, network, moduli, contacts);
-  add_carrying(state, command, zero_force, network, moduli.response, row);
+  row.hyperstaticity = hyperstaticity(state.packing, held, network, moduli.response);
   if (contacts.isotropic) row.correlation = force_correlation(network, contacts.isotropic->increments);
   const auto vanishing =
       strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)).vanishing;
@@ -133,7 +126,11 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   std::vector<double> pressure;
   for (const Mat<Dim>& s : stress) pressure.push_back(s.trace() / Dim);
   row.phases = pressure_phases(contact_network(packing), pressure);
-  add_mechanics(state, command, tolerance, row);
+  const CarryingStructure held =
+      carrying_structure(packing, tolerance * force_scale(packing, state.target_stress).force,
+                         command.least_contacts.value_or(least_contacts(packing)));
+  row.carrying = carrying_forces(packing, held);
+  if (command.mechanics()) add_mechanics(state, held, tolerance, row);
   add_contacts_and_stress(packing, row);
   row.bonds = bond_row(file, packing, pressure, tolerance * force_scale(packing, state.target_stress).force,
                        command.bonds, side.bonds);

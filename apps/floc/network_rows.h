@@ -27,7 +27,10 @@ struct NetworkCommand {
   double bin_width = 0.1;
   std::string pressures;  ///< file for the particle stresses; empty: none
   BondArguments bonds;
+  std::vector<std::string> without;  ///< groups of columns left empty: "mechanics"
   std::string format;
+
+  bool mechanics() const { return without.empty(); }
 };
 
 /// One row: what the contact network of a state is like.
@@ -42,10 +45,10 @@ struct NetworkRow {
   Coordination coordination;
   ForceMoments moments;
   PressurePhases phases;
-  NetworkMechanics mechanics;
+  std::optional<NetworkMechanics> mechanics;  ///< absent, as what follows, where they are left out
   ForceCorrelation correlation;
+  std::optional<Indeterminacy> hyperstaticity;
   CarryingForces carrying;
-  Indeterminacy hyperstaticity;
   double energy;
   std::optional<double> contact_pressure;
   double stress_spread;

@@ -98,8 +98,9 @@ py::dict asked_of(const std::vector<FurtherTable>& further) {
 
 py::tuple network(const States& states, std::optional<double> zero_force, std::optional<int> least_contacts,
                   const std::string& unit, double bin_width, const Names& groups, double near_zero,
-                  int shuffles, double pressure_bin_width, const Names& tables) {
+                  int shuffles, double pressure_bin_width, const Names& without, const Names& tables) {
   require_one_of("unit", unit, {"mean", "F0", "P"});
+  for (const std::string& group : without) require_one_of("without", group, {"mechanics"});
   for (const std::string& group : groups) require_one_of("groups", group, {"bonds", "phases"});
   require_tables(tables,
                  {"pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours", "clusters"});
@@ -109,6 +110,7 @@ py::tuple network(const States& states, std::optional<double> zero_force, std::o
   command.unit = unit;
   command.bin_width = bin_width;
   command.bonds.with = groups;
+  command.without = without;
   command.bonds.near = near_zero;
   command.bonds.phases.n_shuffles = shuffles;
   command.bonds.bin_width = pressure_bin_width;
@@ -217,7 +219,8 @@ void bind_analysis(py::module_& module) {
              py::arg("rolling_stiffness"), py::arg("tables"), py::arg("force"));
   module.def("network", &network, py::arg("states"), py::kw_only(), py::arg("zero_force"),
              py::arg("least_contacts"), py::arg("unit"), py::arg("bin_width"), py::arg("groups"),
-             py::arg("near_zero"), py::arg("shuffles"), py::arg("pressure_bin_width"), py::arg("tables"));
+             py::arg("near_zero"), py::arg("shuffles"), py::arg("pressure_bin_width"), py::arg("without"),
+             py::arg("tables"));
   module.def("structure", &structure, py::arg("states"), py::kw_only(), py::arg("average"),
              py::arg("fit_range"), py::arg("largest_k"), py::arg("cells_per_wave"), py::arg("reach"),
              py::arg("map_size"), py::arg("probes"), py::arg("profile_axis"), py::arg("slices"),

@@ -66,6 +66,22 @@ TEST_F(Network, CountsAndWeighsContacts) {
   EXPECT_NEAR(row.at("P").get<double>(), 0.04, 1e-14);
 }
 
+TEST_F(Network, WithoutMechanicsIsTheSameRowWithTheirColumnsEmpty) {
+  const Outcome whole = network("spheres.h5 --format json");
+  const Outcome part = network("spheres.h5 --without mechanics --format json");
+  ASSERT_EQ(part.code, 0) << part.err;
+  json expected = json::parse(whole.out).at(0), row = json::parse(part.out).at(0);
+  for (const char* column : {"hyperstaticity", "n_null_modes", "indeterminacy", "n_dead_ends", "n_components",
+                             "n_percolating", "energy_share_95", "energy_share_95_deviatoric", "backbone_share",
+                             "scalar_backbone_share", "correlation_normal", "correlation_size"}) {
+    EXPECT_TRUE(row.at(column).is_null()) << column;
+    expected[column] = nullptr;
+  }
+  EXPECT_FALSE(json::parse(whole.out).at(0).at("indeterminacy").is_null());
+  row["seconds"] = expected["seconds"] = nullptr;
+  EXPECT_EQ(row, expected);
+}
+
 TEST_F(Network, OfManyStatesIsARowEachAndABadOneIsNamed) {
   write_text(scratch_.file("bad.h5"), "no state");
   const Outcome o = network("square.h5 bad.h5 none.h5 chain.h5 --format csv");

@@ -86,7 +86,7 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
 
 
 def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_width=0.1, groups=(), near_zero=0.02,
-            shuffles=20, pressure_bin_width=0.1, tables=()):
+            shuffles=20, pressure_bin_width=0.1, without=(), tables=()):
     """Coordination, forces, particle pressures and what carries the load, as ``floc network`` prints them.
 
     Parameters
@@ -103,6 +103,8 @@ def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_wid
         Further columns.
     near_zero : float, shuffles : int, pressure_bin_width : float
         As ``--near-zero``, ``--shuffles`` and ``--pressure-bin-width``.
+    without : sequence of {"mechanics"}
+        Columns left as None: what needs the moduli, which takes most of the time in a large packing.
     tables : sequence of str
         "pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours", "clusters".
 
@@ -119,7 +121,7 @@ def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_wid
     table, further = _core.network(
         states, zero_force=zero_force, least_contacts=least_contacts, unit=unit, bin_width=bin_width,
         groups=_names(groups), near_zero=near_zero, shuffles=shuffles, pressure_bin_width=pressure_bin_width,
-        tables=_names(tables))
+        without=_names(without), tables=_names(tables))
     return records(Network, table, further, single)
 
 

@@ -38,7 +38,7 @@ NOT_RUN = {
     "export PYTHONPATH=": "where the package is",
     "docs/write-help --floc": "writes into the reader's home; help_test.py tries it",
     ".ci/deps     # installs": "installs packages and builds",
-    "ninja -C build/release floc unit_network_tests": "builds; the tests are those that run here",
+    "ninja -C build/apart floc unit_network_tests": "builds; the tests are those that run here",
     "quasistatic/study.py": "two hours",
     "snakemake --jobs 50": "a cluster; tests/slurm/run has one of its own",
     "mpirun -n 4 floc moduli": "needs MPI; tests/cli/petsc_test.cc runs it",

@@ -204,7 +204,9 @@ def try_clone(reader):
     demo = next(line for line in reader.block("README.md", ".ci/demo ").split("\n") if line.startswith(".ci/demo"))
     reader.demo_says(root.run(demo))
     program = reader.block("README.md", "export PATH=")
-    package = re.search(r"`(export PYTHONPATH=[^`]*)`", reader.page["README.md"].text)[1]
+    build, package = (re.search(rf"`({command}[^`]*)`", reader.page["README.md"].text)[1]
+                      for command in (".ci/build", "export PYTHONPATH="))
+    root.run(build)
     run = root.run
     root.run = lambda commands: run(f"{program}\n{package}\n{commands}")
     reader.first_result()

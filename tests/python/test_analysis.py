@@ -141,6 +141,8 @@ class Network(Same):
         file = samples.last_state("powder")
         self.assert_row(floc.network(file, groups=("bonds", "phases"), zero_force=1e-4),
                         samples.rows_of("network", file, "--with", "bonds,phases", "--zero-force", "1e-4")[0])
+        self.assert_row(floc.network(file, without="mechanics"),
+                        samples.rows_of("network", file, "--without", "mechanics")[0])
 
     def test_tables(self):
         file = samples.last_state("powder")

@@ -403,12 +403,14 @@ def moduli(
 def network(
     state: _OneState, *, zero_force: float | None = None, least_contacts: int | None = None,
     unit: str = "mean", bin_width: float = 0.1, groups: str | _Iterable[str] = (), near_zero: float = 0.02,
-    shuffles: int = 20, pressure_bin_width: float = 0.1, tables: str | _Iterable[str] = ()) -> Network: ...
+    shuffles: int = 20, pressure_bin_width: float = 0.1, without: str | _Iterable[str] = (),
+    tables: str | _Iterable[str] = ()) -> Network: ...
 @_overload
 def network(
     state: _Iterable[_OneState], *, zero_force: float | None = None, least_contacts: int | None = None,
     unit: str = "mean", bin_width: float = 0.1, groups: str | _Iterable[str] = (), near_zero: float = 0.02,
-    shuffles: int = 20, pressure_bin_width: float = 0.1, tables: str | _Iterable[str] = ()) -> Records[Network]: ...
+    shuffles: int = 20, pressure_bin_width: float = 0.1, without: str | _Iterable[str] = (),
+    tables: str | _Iterable[str] = ()) -> Records[Network]: ...
 @_overload
 def structure(
     state: _OneState, *, average: bool = False, fit_range: _Sequence[float] = (0.0, 1.0),

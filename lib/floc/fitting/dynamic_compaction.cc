@@ -96,14 +96,21 @@ std::vector<Eigen::VectorXd> starts_of(const Residuals& data) {
   return starts;
 }
 
+/// From the end of the best descent that can be refined: some end where the law itself overflows beside them.
 std::optional<LeastSquaresSolution> solve(const Residuals& data) {
-  Eigen::VectorXd best;
-  double least = std::numeric_limits<double>::infinity();
+  struct End {
+    double left;
+    Eigen::VectorXd theta;
+  };
+  std::vector<End> ends;
   for (Eigen::VectorXd theta : starts_of(data)) {
     const double left = descend(data, theta);
-    if (left < least && theta.allFinite()) least = left, best = theta;
+    if (std::isfinite(left) && theta.allFinite()) ends.push_back({left, theta});
   }
-  return best.size() > 0 ? minimize(data, best) : std::nullopt;
+  std::ranges::stable_sort(ends, {}, &End::left);
+  for (const End& end : ends)
+    if (auto solution = minimize(data, end.theta)) return solution;
+  return std::nullopt;
 }
 
 /// What a robust fit says of each sample.

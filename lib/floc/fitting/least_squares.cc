@@ -37,23 +37,22 @@ class ResidualBlock final : public ceres::CostFunction {
   const ResidualFunction& function_;
 };
 
-/// The residuals as Ceres' TinySolver asks for them.
-template <int kParameters>
+/// The residuals as Ceres' TinySolver asks for them. Their number of parameters is left open: each that is fixed costs
+/// ten seconds to compile.
 class TinyFunction {
  public:
   using Scalar = double;
-  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = kParameters };
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, kParameters, Eigen::RowMajor>;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   explicit TinyFunction(const ResidualFunction& function)
-      : function_(function), rows_(function.n_residuals(), kParameters) {}
+      : function_(function), rows_(function.n_residuals(), function.n_parameters()) {}
 
   int NumResiduals() const { return function_.n_residuals(); }
+  int NumParameters() const { return function_.n_parameters(); }
   bool operator()(const double* theta, double* values, double* jacobian) const {
     function_.evaluate(theta, values, jacobian == nullptr ? nullptr : rows_.data());
-    if (jacobian != nullptr)
-      Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, kParameters>>(jacobian, rows_.rows(), kParameters) =
-          rows_;
+    if (jacobian != nullptr) Eigen::Map<Eigen::MatrixXd>(jacobian, rows_.rows(), rows_.cols()) = rows_;
     return true;
   }
 
@@ -120,24 +119,16 @@ std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function, c
   return found;
 }
 
-template <int kParameters>
 double descend(const ResidualFunction& function, Eigen::VectorXd& theta) {
-  const TinyFunction<kParameters> tiny(function);
-  ceres::TinySolver<TinyFunction<kParameters>> solver;
+  const TinyFunction tiny(function);
+  ceres::TinySolver<TinyFunction> solver;
   solver.options.max_num_iterations = 100;
   solver.options.gradient_tolerance = 0.0;
   solver.options.parameter_tolerance = 1e-9;
   solver.options.function_tolerance = 1e-24;
   solver.options.cost_threshold = 1e-28;
-  typename ceres::TinySolver<TinyFunction<kParameters>>::Parameters x = theta;
-  solver.Solve(tiny, &x);
-  theta = x;
+  solver.Solve(tiny, &theta);
   return 2.0 * solver.summary.final_cost;
 }
-
-template double descend<2>(const ResidualFunction&, Eigen::VectorXd&);
-template double descend<3>(const ResidualFunction&, Eigen::VectorXd&);
-template double descend<4>(const ResidualFunction&, Eigen::VectorXd&);
-template double descend<7>(const ResidualFunction&, Eigen::VectorXd&);
 
 }  // namespace floc

@@ -47,9 +47,8 @@ class ResidualFunction {
                                                            int held = -1);
 
 /// The same by normal equations (Ceres' TinySolver): ten times faster, good to half the digits, for searches
-/// among starts. Compiled for 2, 3, 4 and 7 parameters.
+/// among starts.
 /// @return the sum of squares reached; `theta` is the start, then the end. It may be NaN.
-template <int kParameters>
 double descend(const ResidualFunction& function, Eigen::VectorXd& theta);
 
 /// Residuals with automatic derivatives.
@@ -91,7 +90,7 @@ template <class Residual>
 
 template <class Residual>
 double descend(const std::vector<Residual>& residuals, Eigen::VectorXd& theta) {
-  return descend<Residual::kParameters>(DifferentiatedResiduals<Residual>(residuals), theta);
+  return descend(DifferentiatedResiduals<Residual>(residuals), theta);
 }
 
 }  // namespace floc

@@ -96,7 +96,7 @@ std::vector<Eigen::VectorXd> starts_of(const Residuals& data) {
   return starts;
 }
 
-/// From the end of the best descent that can be refined: some end where the law itself overflows beside them.
+/// From the end of the best descent from which the full solver reaches a solution, which it does not from every end.
 std::optional<LeastSquaresSolution> solve(const Residuals& data) {
   struct End {
     double left;

@@ -35,9 +35,9 @@ Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructur
 
 /// What needs the moduli.
 template <int Dim>
-void add_mechanics(const State<Dim>& state, const CarryingStructure& held, double zero_force, NetworkRow& row) {
+void add_mechanics(const State<Dim>& state, const CarryingStructure& held, double tolerance, NetworkRow& row) {
   ModuliOptions options;
-  options.force_tolerance = zero_force;
+  options.force_tolerance = tolerance;
   options.unloaded = state.target_stress.isZero(0.0);
   const ContactNetwork<Dim> network = options.loaded_network(state.packing);
   const Moduli moduli = elastic_moduli(state.packing, options);
@@ -120,20 +120,19 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   row.reduced_pressure = reduced_pressure(packing, row.pressure);
   row.solid_fraction = solid_fraction(packing);
   const double tolerance = command.zero_force.value_or(state.tolerance.force);
-  row.coordination = coordination(packing, tolerance * force_scale(packing, state.target_stress).force);
+  const double zero_force = tolerance * force_scale(packing, state.target_stress).force;
+  row.coordination = coordination(packing, zero_force);
   row.moments = force_moments(packing);
   const std::vector<Mat<Dim>> stress = particle_stress(packing);
   std::vector<double> pressure;
   for (const Mat<Dim>& s : stress) pressure.push_back(s.trace() / Dim);
   row.phases = pressure_phases(contact_network(packing), pressure);
   const CarryingStructure held =
-      carrying_structure(packing, tolerance * force_scale(packing, state.target_stress).force,
-                         command.least_contacts.value_or(least_contacts(packing)));
+      carrying_structure(packing, zero_force, command.least_contacts.value_or(least_contacts(packing)));
   row.carrying = carrying_forces(packing, held);
   if (command.mechanics()) add_mechanics(state, held, tolerance, row);
   add_contacts_and_stress(packing, row);
-  row.bonds = bond_row(file, packing, pressure, tolerance * force_scale(packing, state.target_stress).force,
-                       command.bonds, side.bonds);
+  row.bonds = bond_row(file, packing, pressure, zero_force, command.bonds, side.bonds);
   if (!command.distributions.empty()) add_distributions(file, packing, command, side);
   if (!command.pressures.empty()) add_pressures(file, packing, stress, side.pressures);
   row.seconds = seconds_since(start);

@@ -16,7 +16,7 @@ target_compile_options(floc_settings INTERFACE
   # Collecting its garbage is a tenth of g++'s time below this (kB of heap).
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>
   # Sources compiled together (.ci/build) are headers to g++, in which it warns of what is right in a source.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
   # What tells g++ that the rows of a loop do not overlap.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas>)
 if(FLOC_WARNINGS_AS_ERRORS)

@@ -76,7 +76,8 @@ def exponents(file, units, with_liquid):
 
 def measure(floc, state, units, with_liquid):
     table = os.path.join(os.path.dirname(state), "exponents.csv")
-    out = subprocess.run([floc, "network", state, "--with", "bonds,phases", "--without", "mechanics", "--exponents", table, "--format", "csv"],
+    out = subprocess.run([floc, "network", state, "--with", "bonds,phases", "--without", "mechanics", "--exponents", table,
+                          "--format", "csv"],
                          capture_output=True, text=True, check=True).stdout
     row = next(csv.DictReader(io.StringIO(out)))
     return [row[c] for c in COLUMNS] + exponents(table, units, with_liquid)

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <tuple>
 
 #include "floc/base/dense_solvers.h"
+#include "floc/base/infinity.h"
 #include "floc/fitting/least_squares.h"
 #include "floc/fitting/profile_likelihood.h"
 #include "floc/fitting/robust.h"
@@ -278,7 +279,7 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
       Eigen::VectorXd start = theta;
       start[k] = value;
       const auto solution = minimize(e.data.residuals, start, {}, k);
-      if (!solution) return std::numeric_limits<double>::infinity();
+      if (!solution) return kInfinity;
       theta = solution->theta;
       return solution->sum_of_squares;
     };

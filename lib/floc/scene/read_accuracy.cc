@@ -11,7 +11,7 @@
 namespace floc {
 namespace {
 
-constexpr NumberRule kRelativeError{[](double x) { return x > 0; }, "a positive number (relative error)"};
+constexpr NumberRule kRelativeError{positive, "a positive number (relative error)"};
 
 /// a K_N/F0; nothing without adhesion.
 std::optional<double> stiffness_number(const Scene& scene) {

@@ -14,7 +14,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-constexpr NumberRule kPositive{[](double x) { return x > 0; }, "a positive number"};
+constexpr NumberRule kPositive{positive, "a positive number"};
 
 /// One keyword an axis: "walls", "fixed" or "periodic".
 void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
@@ -49,11 +49,9 @@ void read_sides(TableReader& t, const Scene& scene, BoxOptions& box) {
 /// Friction and adhesion of walls have no default: they decide the result, and publications forget to say them.
 void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
   const NumberRule friction{
-      [](double x) { return x >= 0; },
-      "a friction coefficient of grains on walls, >= 0 (no default: it decides the result)"};
+      not_negative, "a friction coefficient of grains on walls, >= 0 (no default: it decides the result)"};
   const NumberRule adhesion{
-      [](double x) { return x >= 0; },
-      "the pull-off force of grains from walls, >= 0 (no default: it decides the result)"};
+      not_negative, "the pull-off force of grains from walls, >= 0 (no default: it decides the result)"};
   box.friction = t.number("friction", friction).value_or(0);
   box.adhesion = t.number("adhesion", adhesion).value_or(0);
   if (box.friction > 0 && !scene.law.friction)
@@ -93,7 +91,7 @@ void read_boxed_gas(TableReader& assembly, Scene& scene) {
   assembly.refuse("pressure", "assembly.pressure: that of the walls is box.pressure; expected no such key");
   box.kinetic_pressure = assembly
                              .number("kinetic_pressure",
-                                     {[](double x) { return x >= 0; },
+                                     {not_negative,
                                       "a kinetic pressure >= 0, density of the gas times "
                                       "squared speed of its grains"},
                                      Need::optional)

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = DiameterDistribution::Kind;
 
-constexpr NumberRule kDiameter{[](double x) { return x > 0; }, "a positive number (length)"};
+constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 
 std::vector<double> read_list_file(const std::string& path, SceneSource& source) {
   std::vector<double> values;
@@ -61,9 +61,9 @@ void read_sizes(TableReader& t, const char* small, const char* large, DiameterDi
 
 void read_lognormal(TableReader& t, DiameterDistribution& d) {
   d.median = t.number("median", kDiameter).value_or(0);
-  d.sigma = t.number("sigma", {[](double x) { return x > 0; },
-                               "a positive number (standard deviation of the logarithm of the diameter)"})
-                .value_or(0);
+  d.sigma =
+      t.number("sigma", {positive, "a positive number (standard deviation of the logarithm of the diameter)"})
+          .value_or(0);
   // Quantiles of a share as small as this keep half their digits.
   constexpr double kLeastShare = 1e-12;
   if (!(d.min > 0 && d.min < d.max && d.median > 0 && d.sigma > 0)) return;

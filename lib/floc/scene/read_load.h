@@ -5,12 +5,11 @@
 
 namespace floc {
 
-inline constexpr NumberRule kCellMass{[](double x) { return x > 0; },
+inline constexpr NumberRule kCellMass{positive,
                                       "a positive number (mass of the cell's sides over that of all grains)"};
-inline constexpr NumberRule kInertialNumberCap{[](double x) { return x > 0; },
-                                               "a positive number (|L'/L| sqrt(m/P))"};
+inline constexpr NumberRule kInertialNumberCap{positive, "a positive number (|L'/L| sqrt(m/P))"};
 inline constexpr NumberRule kStrainRateCapRule{
-    [](double x) { return x > 0; }, "a positive number (|L'/L| in units of 1/T0, T0 = sqrt(a m/F0))"};
+    positive, "a positive number (|L'/L| in units of 1/T0, T0 = sqrt(a m/F0))"};
 
 /// Reads the caps on the strain rate of the cell: strain_rate_cap, for grains that adhere, or
 /// inertial_number_cap, or none.

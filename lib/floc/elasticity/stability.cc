@@ -53,7 +53,8 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
   const ContactNetwork<Dim> core = without_grains(whole, free.dead_end);
   const ReducedUnknowns unknowns = reduce_unknowns(core, free.kept);
   const double unit = stiffness_scale(core);
-  const StiffnessMatrix k = stiffness_matrix(core, {StrainSet::diagonal, stress.has_value(), true});
+  const bool prestress = stress.has_value();
+  const StiffnessMatrix k = stiffness_matrix(core, {StrainSet::diagonal, prestress, true, prestress});
   ReducedStiffness out;
   out.n_unstable_ends = free.n_unstable_ends;
   out.grains = reduce(k.grains, unknowns, unit);

@@ -40,7 +40,9 @@ struct Stability {
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
 
-/// The same with the geometric terms of the forces that the network carries.
+/// The same with the geometric terms of all forces and moments that the network carries. With tangential forces
+/// the tangent is not symmetric; its symmetric part is tested, which says whether the second-order work of every
+/// motion is positive, and all motions need work from outside [Hill1958].
 /// @param stress  load_stress() of the state, which the strains convect
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const Mat<Dim>& stress,

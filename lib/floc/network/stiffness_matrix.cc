@@ -3,9 +3,31 @@
 #include <algorithm>
 #include <vector>
 
+#include "floc/network/geometric_stiffness.h"
 #include "floc/network/symmetric_sum.h"
 
 namespace floc {
+namespace {
+
+/// The symmetric part of the geometric terms in F_T and in moments. A wall does not turn, and across a gap there are
+/// neither.
+template <int Dim>
+void add_shear_prestress(const NetworkContact<Dim>& c, StrainSet strains, SymmetricSum<kDofs<Dim>>& sum) {
+  if (c.on_wall() || c.distant) return;
+  NetworkContact<Dim> without_normal_force = c;
+  without_normal_force.normal_force = 0.0;
+  const MotionMatrix<Dim> k = geometric_stiffness(without_normal_force);
+  const GrainMotions<Dim> of_grains = grain_motions(c, 1.0, 1.0);
+  // Strains displace the contact, and do not rotate it; walls neither.
+  Eigen::Matrix<double, kMotionRows<Dim>, Eigen::Dynamic> of_boundary =
+      Eigen::Matrix<double, kMotionRows<Dim>, Eigen::Dynamic>::Zero(kMotionRows<Dim>, sum.boundary().cols());
+  for (int e = 0; e < n_strains<Dim>(strains); ++e)
+    of_boundary.col(e).template head<Dim>() = -unit_strain<Dim>(e) * c.branch;
+  add_contact(c.i, c.j, of_grains.on_i, of_grains.on_j, of_boundary,
+              MotionMatrix<Dim>(0.5 * (k + k.transpose())), sum);
+}
+
+}  // namespace
 
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options) {
@@ -26,6 +48,7 @@ StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const Stiff
     const ContactRows<Dim> rows = contact_rows(c);
     add(c, rows, row_stiffness(c));
     if (options.prestress) add(c, translation_rows(rows), row_prestress(c));
+    if (options.shear_prestress) add_shear_prestress(c, options.strains, sum);
   }
   return sum.take();
 }

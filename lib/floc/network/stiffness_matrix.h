@@ -14,6 +14,9 @@ struct StiffnessOptions {
   bool prestress = false;
   /// Adds, after the strains, the common displacement of the two walls of each axis over wall_shift_unit().
   bool wall_shifts = false;
+  /// To the terms in F_N of `prestress`, adds the symmetric part of those in F_T and in the moments of contacts:
+  /// what the matrix then gives for a motion is the second-order work of all forces.
+  bool shear_prestress = false;
 };
 
 /// Stiffness matrix K of a network in blocks: [grains, border; border^T, boundary]. Unknowns are the

@@ -2,75 +2,9 @@
 
 #include <algorithm>
 
+#include "floc/network/geometric_stiffness.h"
+
 namespace floc {
-namespace {
-
-/// Rows of the motion that geometric terms are linear in: displacement of j against i, rotation of i, rotation
-/// of j.
-template <int Dim>
-inline constexpr int kMotionRows = Dim + 2 * kRotations<Dim>;
-
-template <int Dim>
-using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
-
-/// v -> v x force as a matrix.
-Eigen::Matrix<double, 1, 2> crossed_with(const Vec<2>& force) {
-  return {force[1], -force[0]};
-}
-Eigen::Matrix3d crossed_with(const Vec<3>& f) {
-  return Eigen::Matrix3d{{0.0, f[2], -f[1]}, {-f[2], 0.0, f[0]}, {f[1], -f[0], 0.0}};
-}
-
-/// What is added where the forces keep their components in the frame of the contact and the frame turns. With
-/// dr the displacement of j against i, psi = n.(rotation of i + rotation of j)/2 and dn = (1 - n n) dr/r the
-/// frame turns by w = n x dn + psi n. Force on i f = -F n + S, moment on i share_i r x S + M, on j share_j r x
-/// S - M:
-///
-///   df = -F dn + w x S,  d(moment on i) = share_i (dr x S + r x (w x S)) + w x M
-///
-/// Rows do work on the motion, columns are the motion; the sign is that of a stiffness.
-template <int Dim>
-MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
-  constexpr int kRotationDofs = kRotations<Dim>;
-  const Vec<Dim> n = c.normal();
-  const double r = c.branch.norm();
-  const Vec<Dim>& shear = c.shear_force;
-  const Mat<Dim> across = Mat<Dim>::Identity() - n * n.transpose();
-  const double share_i = c.arm_i.dot(n) / r;
-  const double share_j = -c.arm_j.dot(n) / r;
-
-  MotionMatrix<Dim> k = MotionMatrix<Dim>::Zero();
-  k.template topLeftCorner<Dim, Dim>() = -(c.normal_force * across + n * shear.transpose()) / r;
-  const auto moment_by_displacement = crossed_with(shear).eval();
-  k.template block<kRotationDofs, Dim>(Dim, 0) = -share_i * moment_by_displacement;
-  k.template block<kRotationDofs, Dim>(Dim + kRotationDofs, 0) = -share_j * moment_by_displacement;
-  if constexpr (Dim == 3) {
-    const Vec<3> springs = spring_moment<3>(c.rolling_moment, c.twisting_moment, n);
-    const Mat<3> springs_by_displacement = (n.dot(springs) * across - n * (across * springs).transpose()) / r;
-    k.template block<3, 3>(3, 0) -= springs_by_displacement;
-    k.template block<3, 3>(6, 0) += springs_by_displacement;
-    Eigen::Matrix<double, 9, 1> by_twist;
-    const Vec<3> springs_by_twist = n.cross(springs);
-    by_twist << n.cross(shear), share_i * r * shear - springs_by_twist, share_j * r * shear + springs_by_twist;
-    k.template block<9, 3>(0, 3) += 0.5 * by_twist * n.transpose();
-    k.template block<9, 3>(0, 6) += 0.5 * by_twist * n.transpose();
-  }
-  return k;
-}
-
-/// Columns of the unknowns of a grain in rows of the motion; rotations are unknowns times its size.
-template <int Dim>
-Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> motion_of_grain(double sign, int first_rotation,
-                                                                    double size) {
-  Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> rows;
-  rows.setZero();
-  rows.template topLeftCorner<Dim, Dim>() = sign * Mat<Dim>::Identity();
-  rows.template block<kRotations<Dim>, kRotations<Dim>>(first_rotation, Dim).setIdentity();
-  rows.template rightCols<kRotations<Dim>>() /= size;
-  return rows;
-}
-
-}  // namespace
 
 /// All blocks of the matrix, both triangles.
 template <int Dim>
@@ -179,8 +113,7 @@ void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiff
   constexpr int kRotationDofs = kRotations<Dim>;
   Sum sum(*this);
   const double size_i = grain_size_[c.i], size_j = grain_size_[c.j];
-  auto on_i = motion_of_grain<Dim>(-1.0, Dim, size_i);
-  auto on_j = motion_of_grain<Dim>(1.0, Dim + kRotationDofs, size_j);
+  const GrainMotions<Dim> of_grains = grain_motions(c, size_i, size_j);
   // The boundary displaces the contact, and does not rotate it.
   using OnBoundary = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMotionRows<Dim>,
                                    BoundaryColumns<Dim>::kMaxColumns>;
@@ -192,14 +125,10 @@ void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiff
   for (int a = 1; a < Dim; ++a) felt.row(a) = c.frame.col(a).transpose() * boundary.displacement;
   rows.on_i.template rightCols<kRotationDofs>() /= size_i;
   rows.on_j.template rightCols<kRotationDofs>() /= size_j;
-  if (c.i == c.j) {
-    on_i += on_j;
-    on_j.setZero();
-  }
   add_contact(c.i, c.j, rows.on_i, rows.on_j, felt, d, sum);
-  add_contact(c.i, c.j, on_i, on_j, moved, geometric_stiffness(c), sum);
-  sum.border_row(c.i) += boundary.follow * on_i.template topRows<Dim>();
-  sum.border_row(c.j) += boundary.follow * on_j.template topRows<Dim>();
+  add_contact(c.i, c.j, of_grains.on_i, of_grains.on_j, moved, geometric_stiffness(c), sum);
+  sum.border_row(c.i) += boundary.follow * of_grains.on_i.template topRows<Dim>();
+  sum.border_row(c.j) += boundary.follow * of_grains.on_j.template topRows<Dim>();
   sum.boundary() += boundary.follow * boundary.displacement;
 }
 

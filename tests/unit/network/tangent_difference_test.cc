@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "floc/network/stiffness_matrix.h"
 #include "floc/network/tangent_matrix.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_response.h"
@@ -219,6 +220,33 @@ TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
   const Eigen::MatrixXd k = tangent_of(packing);
   const Eigen::Index n = k.rows() - kSymmetric<2>;
   EXPECT_LT((k - k.transpose()).topLeftCorner(n, n).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+/// Where no contact slides, the forces on grains have the tangent whose symmetric part stability is judged by.
+template <int Dim>
+void expect_symmetric_part(const Packing<Dim>& packing) {
+  Packing<Dim> at = packing;
+  const std::vector<SurfaceMotion<Dim>> still(packing.contacts.size());
+  respond<Dim>(at, still, at.contacts);
+  const ContactNetwork<Dim> network = contact_network(at);
+  const Eigen::MatrixXd grains = stiffness_matrix(network, {StrainSet::full, true, false, true}).whole();
+  const Eigen::MatrixXd tangent = tangent_of(packing);
+  const int n = kDofs<Dim> * network.n_grains;
+  Eigen::VectorXd size = Eigen::VectorXd::Ones(n);
+  for (int i = 0; i < network.n_grains; ++i)
+    size.segment<kRotations<Dim>>(kDofs<Dim> * i + Dim).setConstant(packing.grains.radius[i]);
+  const Eigen::MatrixXd scaled = size.asDiagonal() * tangent.topLeftCorner(n, n) * size.asDiagonal();
+  const Eigen::MatrixXd expected = 0.5 * (scaled + scaled.transpose());
+  EXPECT_LT((grains.topLeftCorner(n, n) - expected).cwiseAbs().maxCoeff(),
+            1e-12 * expected.cwiseAbs().maxCoeff());
+  EXPECT_GT((scaled - expected).cwiseAbs().maxCoeff(), 1e-3 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(StiffnessOfAllForces, IsTheSymmetricPartOfTheTangentOfGrains) {
+  for (const unsigned seed : {1u, 2u}) {
+    expect_symmetric_part<2>(stretched_packing<2>(14, seed, 0.5));
+    expect_symmetric_part<3>(stretched_packing<3>(8, seed, 0.5));
+  }
 }
 
 }  // namespace

@@ -465,7 +465,8 @@ class Test:
         rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/wet/states.csv"))))
         columns = [("phi", 1.0), ("z_bonds", 1.0), ("minus_share", 100.0), ("force_exponent_plus_from_0", 1.0),
                    ("force_exponent_minus_from_0", 1.0), ("pressure_exponent_plus_from_0", 1.0),
-                   ("pressure_exponent_minus_from_0", 1.0), ("like_share", 100.0), ("like_share_shuffled", 100.0)]
+                   ("pressure_exponent_minus_from_0", 1.0), ("like_share", 100.0), ("like_share_shuffled", 100.0),
+                   ("negative_directions", 1.0), ("negative_directions_shuffled", 1.0)]
         for cells in self.claim_table("| mu | water | state | samples | Phi"):
             friction, water, state, count = cells[:4]
             found = [r for r in rows if float(r["friction"]) == float(friction) and r["state"] == state and

@@ -5,8 +5,10 @@
 
 #include "floc/elasticity/moduli.h"
 #include "floc/neighbors/find_contacts.h"
+#include "floc/network/tangent_matrix.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/contact_response.h"
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/static_solver.h"
 #include "support/crystals.h"
@@ -105,8 +107,8 @@ Answer<Dim> answer(const Packing<Dim>& packing, int axis, bool others_strained) 
 
 /// d sigma_lateral/d sigma_driven = C_ld/C_dd, and E and nu of the compliances, of every axis.
 template <int Dim>
-void expect_elastic_answers(const Packing<Dim>& packing) {
-  const Mat<Dim> C = stiffness(packing), S = C.inverse();
+void expect_elastic_answers(const Packing<Dim>& packing, const Mat<Dim>& C) {
+  const Mat<Dim> S = C.inverse();
   for (int d = 0; d < Dim; ++d) {
     const Answer<Dim> oedometric = answer(packing, d, true);
     const Answer<Dim> triaxial = answer(packing, d, false);
@@ -120,18 +122,77 @@ void expect_elastic_answers(const Packing<Dim>& packing) {
   }
 }
 
+template <int Dim>
+void expect_answers_of_moduli(const Packing<Dim>& packing) {
+  expect_elastic_answers<Dim>(packing, stiffness(packing));
+}
+
 TEST(DirectedLoad, OfATriangularCrystalIsThatOfItsModuli) {
-  const Packing<2> crystal = test::triangular_crystal(4, 1.0, linear_law(0.5));
-  expect_elastic_answers(crystal);
+  expect_answers_of_moduli(test::triangular_crystal(4, 1.0, linear_law(0.5)));
 }
 
 TEST(DirectedLoad, OfAnFccCrystalIsThatOfItsModuli) {
-  expect_elastic_answers(test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, linear_law(0.5)));
+  expect_answers_of_moduli(test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, linear_law(0.5)));
 }
 
 TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
-  expect_elastic_answers(dense_packing<2>(60, 1e-3, 3));
-  expect_elastic_answers(dense_packing<3>(60, 1e-3, 4));
+  expect_answers_of_moduli(dense_packing<2>(60, 1e-3, 3));
+  expect_answers_of_moduli(dense_packing<3>(60, 1e-3, 4));
+}
+
+/// C_ab = R_ab/V + sigma_a, R being the derivative of the sum of f r over contacts by the strains once the grains have
+/// followed, by the consistent tangent: that of all forces, tangential ones included.
+template <int Dim>
+Mat<Dim> consistent_stiffness(const Packing<Dim>& packing) {
+  const ContactNetwork<Dim> network = contact_network(packing);
+  const std::vector<SurfaceMotion<Dim>> still(packing.contacts.size());
+  std::vector<Mat<Dim>> frames;
+  for (const NetworkContact<Dim>& c : network.contacts) frames.push_back(c.frame);
+  std::vector<ContactTangent<Dim>> tangents(frames.size());
+  contact_tangents<Dim>(packing, packing.contacts, still, frames, tangents);
+  TangentMatrix<Dim> matrix(packing.grains.radius, contact_graph(network.n_grains, network.contacts), Dim);
+  matrix.reset(0.0);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const NetworkContact<Dim>& c = network.contacts[k];
+    const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal();
+    BoundaryColumns<Dim> strains;
+    strains.displacement = -Mat<Dim>(c.branch.asDiagonal());
+    strains.follow = -Mat<Dim>(on_i.asDiagonal());
+    matrix.add(c, tangents[k], strains);
+  }
+  const Eigen::MatrixXd whole = matrix.matrix();
+  const Eigen::Index n = whole.rows() - Dim;
+  const Eigen::MatrixXd grains = whole.topLeftCorner(n, n), border = whole.topRightCorner(n, Dim);
+  // Translations and rattlers resist nothing; the solution of least norm leaves them where they are.
+  const Eigen::MatrixXd followed = grains.completeOrthogonalDecomposition().solve(border);
+  const Mat<Dim> relaxed = whole.bottomRightCorner<Dim, Dim>() - whole.bottomLeftCorner(Dim, n) * followed;
+  const Vec<Dim> stress = static_stress(packing).diagonal();
+  return relaxed / packing.cell.volume() + stress * Vec<Dim>::Ones().transpose();
+}
+
+template <int Dim>
+double largest_mobilisation(const Packing<Dim>& packing) {
+  double largest = 0.0;
+  for (const Contact<Dim>& c : packing.contacts)
+    largest = std::max(largest, c.shear_force.norm() / std::max(c.normal_force, 1e-12));
+  return largest;
+}
+
+/// A packing that has been compressed along one axis by many times its elastic strain carries tangential forces. What it
+/// answers is that of its consistent tangent, and not of its moduli, which leave the geometric terms of these forces out.
+template <int Dim>
+void expect_answers_of_the_consistent_tangent(std::uint64_t seed) {
+  Packing<Dim> packing = dense_packing<Dim>(60, 1e-2, seed);
+  for (int step = 0; step < 4; ++step) packing = solved(packing, driven(packing, Dim - 1, 5e-4, true));
+  EXPECT_GT(largest_mobilisation(packing), 0.1);
+  const Mat<Dim> C = consistent_stiffness(packing);
+  EXPECT_GT((C - stiffness(packing)).cwiseAbs().maxCoeff(), 1e-4 * C.cwiseAbs().maxCoeff());
+  expect_elastic_answers<Dim>(packing, C);
+}
+
+TEST(DirectedLoad, UnderTangentialForcesIsThatOfTheConsistentTangent) {
+  expect_answers_of_the_consistent_tangent<2>(3);
+  expect_answers_of_the_consistent_tangent<3>(4);
 }
 
 /// Every length stays, and the planes across an axis move along the first one.

@@ -484,6 +484,26 @@ class Test:
                 for scatter in deviation:
                     self.number(scatter, statistics.stdev(values), f"{what}, scatter of {name}")
 
+    def loads(self):
+        tables = os.path.join(self.source, "data/tables/loads")
+        tests = list(csv.DictReader(open(os.path.join(tables, "biaxial.csv"))))
+        columns = ["phi", "peak_friction", "peak_strain", "steady_friction", "steady_phi", "steady_z"]
+        for cells in self.claim_table("| packing | samples | Phi before | largest friction"):
+            found = [r for r in tests if r["packing"] == cells[0]]
+            self.number(cells[1], len(found), f"biaxial tests of {cells[0]} packings")
+            for name, shown in zip(columns, cells[2:], strict=True):
+                values = [float(r[name]) for r in found]
+                for part, value in zip(shown.split(" +- "), (statistics.mean(values), statistics.stdev(values)), strict=True):
+                    self.number(part, value, f"biaxial tests of {cells[0]} packings, {name}")
+        tests = {r["seed"]: r for r in csv.DictReader(open(os.path.join(tables, "oedometer.csv")))}
+        columns = ["K0_mean", "K0_stddev", "K0_top", "ratio_of_moduli", "ratio_1", "ratio_2", "ratio_3"]
+        for cells in self.claim_table("| sample | Phi | K0, mean of states"):
+            row = tests[cells[0]]
+            for part, name in zip(cells[1].split(" to "), ("first_phi", "last_phi"), strict=True):
+                self.number(part, row[name], f"oedometer {cells[0]}, {name}")
+            for name, shown in zip(columns, cells[2:], strict=True):
+                self.number(shown, row[name], f"oedometer {cells[0]}, {name}")
+
     def lattice(self):
         study = list(csv.DictReader(open(os.path.join(self.source, "data/tables/lattice/study.csv"))))
         columns = ["E", "other_share_nodes", "beta1_nodes", "beta2_nodes", "beta1_forces", "pearson_bonded"]
@@ -604,7 +624,8 @@ class Test:
             else:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
-                              self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres, self.quasistatic, self.compaction, self.powder2d, self.wet, self.lattice,
+                              self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres,
+                              self.quasistatic, self.compaction, self.powder2d, self.wet, self.loads, self.lattice,
                               self.tradeoff):
                     try:
                         check()

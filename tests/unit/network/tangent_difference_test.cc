@@ -5,9 +5,9 @@
 #include <random>
 
 #include "floc/network/stiffness_matrix.h"
-#include "floc/network/tangent_matrix.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_response.h"
+#include "support/consistent_tangent.h"
 #include "support/network_packings.h"
 #include "support/springs.h"
 
@@ -114,34 +114,8 @@ Eigen::VectorXd load(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-BoundaryColumns<Dim> strain_columns(const NetworkContact<Dim>& c) {
-  const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal();
-  BoundaryColumns<Dim> columns;
-  columns.displacement.resize(Dim, kSymmetric<Dim>);
-  columns.follow.resize(kSymmetric<Dim>, Dim);
-  for (int e = 0; e < kSymmetric<Dim>; ++e) {
-    columns.displacement.col(e) = -unit_strain<Dim>(e) * c.branch;
-    columns.follow.row(e) = -(unit_strain<Dim>(e) * on_i).transpose();
-  }
-  return columns;
-}
-
-template <int Dim>
 Eigen::MatrixXd tangent_of(const Packing<Dim>& packing) {
-  std::vector<Mat<Dim>> frames;
-  std::vector<ContactTangent<Dim>> tangents(packing.contacts.size());
-  for (const Contact<Dim>& c : packing.contacts) frames.push_back(contact_frame(c.normal));
-  const std::vector<SurfaceMotion<Dim>> still(packing.contacts.size());
-  contact_tangents<Dim>(packing, packing.contacts, still, frames, tangents);
-  Packing<Dim> at = packing;
-  respond<Dim>(at, still, at.contacts);
-  const ContactNetwork<Dim> network = contact_network(at);
-  TangentMatrix<Dim> matrix(packing.grains.radius, contact_graph(network.n_grains, network.contacts),
-                            kSymmetric<Dim>);
-  matrix.reset(0.0);
-  for (std::size_t k = 0; k < frames.size(); ++k)
-    matrix.add(network.contacts[k], tangents[k], strain_columns(network.contacts[k]));
-  return matrix.matrix();
+  return test::consistent_tangent(packing, kSymmetric<Dim>);
 }
 
 template <int Dim>
@@ -225,10 +199,7 @@ TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
 /// Where no contact slides, the forces on grains have the tangent whose symmetric part stability is judged by.
 template <int Dim>
 void expect_symmetric_part(const Packing<Dim>& packing) {
-  Packing<Dim> at = packing;
-  const std::vector<SurfaceMotion<Dim>> still(packing.contacts.size());
-  respond<Dim>(at, still, at.contacts);
-  const ContactNetwork<Dim> network = contact_network(at);
+  const ContactNetwork<Dim> network = contact_network(test::at_rest(packing));
   const Eigen::MatrixXd grains = stiffness_matrix(network, {StrainSet::full, true, false, true}).whole();
   const Eigen::MatrixXd tangent = tangent_of(packing);
   const int n = kDofs<Dim> * network.n_grains;

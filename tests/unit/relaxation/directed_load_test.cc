@@ -5,12 +5,11 @@
 
 #include "floc/elasticity/moduli.h"
 #include "floc/neighbors/find_contacts.h"
-#include "floc/network/tangent_matrix.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
-#include "floc/packing/contact_response.h"
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/static_solver.h"
+#include "support/consistent_tangent.h"
 #include "support/crystals.h"
 #include "support/dynamics.h"
 #include "support/lattices.h"
@@ -144,23 +143,7 @@ TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
 /// followed, by the consistent tangent: that of all forces, tangential ones included.
 template <int Dim>
 Mat<Dim> consistent_stiffness(const Packing<Dim>& packing) {
-  const ContactNetwork<Dim> network = contact_network(packing);
-  const std::vector<SurfaceMotion<Dim>> still(packing.contacts.size());
-  std::vector<Mat<Dim>> frames;
-  for (const NetworkContact<Dim>& c : network.contacts) frames.push_back(c.frame);
-  std::vector<ContactTangent<Dim>> tangents(frames.size());
-  contact_tangents<Dim>(packing, packing.contacts, still, frames, tangents);
-  TangentMatrix<Dim> matrix(packing.grains.radius, contact_graph(network.n_grains, network.contacts), Dim);
-  matrix.reset(0.0);
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    const NetworkContact<Dim>& c = network.contacts[k];
-    const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal();
-    BoundaryColumns<Dim> strains;
-    strains.displacement = -Mat<Dim>(c.branch.asDiagonal());
-    strains.follow = -Mat<Dim>(on_i.asDiagonal());
-    matrix.add(c, tangents[k], strains);
-  }
-  const Eigen::MatrixXd whole = matrix.matrix();
+  const Eigen::MatrixXd whole = test::consistent_tangent(packing, Dim);
   const Eigen::Index n = whole.rows() - Dim;
   const Eigen::MatrixXd grains = whole.topLeftCorner(n, n), border = whole.topRightCorner(n, Dim);
   // Translations and rattlers resist nothing; the solution of least norm leaves them where they are.

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "floc/network/tangent_matrix.h"
+#include "floc/packing/contact_response.h"
+
+namespace floc::test {
+
+/// The packing with the forces that its springs carry where nothing moves.
+template <int Dim>
+Packing<Dim> at_rest(const Packing<Dim>& packing) {
+  Packing<Dim> at = packing;
+  const std::vector<SurfaceMotion<Dim>> still(packing.contacts.size());
+  respond<Dim>(at, still, at.contacts);
+  return at;
+}
+
+/// What the first n strains do to a contact.
+template <int Dim>
+BoundaryColumns<Dim> strain_columns(const NetworkContact<Dim>& c, int n) {
+  const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal();
+  BoundaryColumns<Dim> columns;
+  columns.displacement.resize(Dim, n);
+  columns.follow.resize(n, Dim);
+  for (int e = 0; e < n; ++e) {
+    columns.displacement.col(e) = -unit_strain<Dim>(e) * c.branch;
+    columns.follow.row(e) = -(unit_strain<Dim>(e) * on_i).transpose();
+  }
+  return columns;
+}
+
+/// Minus the derivative of the forces on grains (translations, rotations times the radius) and of what does work on the
+/// first n strains by these, with all geometric terms; not symmetric.
+template <int Dim>
+Eigen::MatrixXd consistent_tangent(const Packing<Dim>& packing, int n_strains) {
+  std::vector<Mat<Dim>> frames;
+  for (const Contact<Dim>& c : packing.contacts) frames.push_back(contact_frame(c.normal));
+  std::vector<ContactTangent<Dim>> tangents(packing.contacts.size());
+  const std::vector<SurfaceMotion<Dim>> still(packing.contacts.size());
+  contact_tangents<Dim>(packing, packing.contacts, still, frames, tangents);
+  const ContactNetwork<Dim> network = contact_network(at_rest(packing));
+  TangentMatrix<Dim> matrix(packing.grains.radius, contact_graph(network.n_grains, network.contacts),
+                            n_strains);
+  matrix.reset(0.0);
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    matrix.add(network.contacts[k], tangents[k], strain_columns(network.contacts[k], n_strains));
+  return matrix.matrix();
+}
+
+}  // namespace floc::test

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Load paths of loose cohesive packings with cells of several masses and rate caps: a row a path.
 
-  study.py FLOC DIRECTORY [--seeds A..B] [--mass M,...] [--cap CAP,...] [--rolling none,small,large] [--collect]
+  study.py FLOC DIRECTORY [--seeds A..B] [--mass M,...] [--cap CAP,...] [--rolling none,small,large] [--to P] [--collect]
 
 assembles data/scenes/type2_no_rolling.toml, type2_rolling_small.toml and type2_rolling_large.toml in DIRECTORY/asm/ROLLING-SEED,
-then loads each sample to P* = 13.33 from there (none.toml, small.toml, large.toml), once for each mass and cap, in
+then loads each sample to P* = 13.33, or P, from there (none.toml, small.toml, large.toml), once for each mass and cap, in
 DIRECTORY/study/ROLLING/mMASS-cCAP/seed-SEED. Runs that are there already are resumed or kept. Writes DIRECTORY/points.csv,
-of all paths that are there and whole; with --collect does nothing else.
+of all paths that have come to P* = 1 at least; with --collect does nothing else.
 """
 import argparse
 import csv
@@ -44,14 +44,16 @@ def run(floc, scene, directory, *arguments):
 
 
 def at(rows, pressure):
-    return min(rows, key=lambda row: abs(float(row["P_star"]) - pressure))
+    """The state at a pressure, with empty cells where the path does not come there."""
+    nearest = min(rows, key=lambda row: abs(float(row["P_star"]) - pressure))
+    return nearest if abs(float(nearest["P_star"]) - pressure) < 0.01 * pressure else {"phi": "", "z": ""}
 
 
 def point(directory, rolling, mass, cap, seed):
-    """Nothing where the path is not whole."""
+    """Nothing where the path has not come to the first of the pressures."""
     with open(os.path.join(directory, "path.csv")) as file:
         rows = list(csv.DictReader(file))
-    if float(rows[-1]["P_star"]) < PRESSURES[-1]:
+    if float(rows[-1]["P_star"]) < 0.99 * PRESSURES[0]:
         return None
     with open(os.path.join(directory, "processor_seconds")) as file:
         seconds = sum(float(line) for line in file)
@@ -79,6 +81,7 @@ def main():
     parser.add_argument("--mass", type=numbers, default=[1.0, 0.1, 0.03, 0.01])
     parser.add_argument("--cap", type=numbers, default=[0.05])
     parser.add_argument("--rolling", type=lambda text: text.split(","), default=["none", "small"])
+    parser.add_argument("--to", type=float, default=PRESSURES[-1])
     parser.add_argument("--collect", action="store_true")
     options = parser.parse_args()
     floc = os.path.abspath(options.floc) if os.sep in options.floc else options.floc
@@ -92,7 +95,7 @@ def main():
                     run(floc, os.path.join(HERE, rolling + ".toml"),
                         os.path.join(options.directory, "study", rolling, f"m{mass:g}-c{cap:g}", f"seed-{seed}"),
                         "--set", f"assembly.state={start}/state-0001.h5", "--set", f"load.0.cell_mass={mass:g}",
-                        "--set", f"load.0.strain_rate_cap={cap:g}")
+                        "--set", f"load.0.strain_rate_cap={cap:g}", "--set", f"load.0.to={options.to:g}")
     collect(options.directory)
 
 

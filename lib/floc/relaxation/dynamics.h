@@ -70,4 +70,12 @@ std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const 
 template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times, double pressure = 0.0);
 
+/// Time step of RelaxationOptions::time_step in 1/w, w being the largest frequency at which a cell under stress
+/// vibrates against its packing: w^2 = sum of K r_a^2/(M L_a^2) over the contacts of a close packing. It is
+/// shorter than time_step_of only where the cell weighs less than a grain or two, or some tens in 3D.
+/// @param cell_mass  M, inertia of a component of the lattice (mass)
+template <int Dim>
+double cell_time_step_of(const Packing<Dim>& packing, double cell_mass, double time_step_in_contact_times,
+                         double pressure);
+
 }  // namespace floc

@@ -166,7 +166,10 @@ RelaxationStatus Relaxer<Dim>::advance() {
       options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0),
       strain_rate_cap(options_, packing_, target_));
   control.way = way();
-  time_step_ = time_step_of(packing_, options_.time_step, std::max(target_.mean(), 0.0));
+  const double pressure = std::max(target_.mean(), 0.0);
+  time_step_ = time_step_of(packing_, options_.time_step, pressure);
+  if (control.any_stress())
+    time_step_ = std::min(time_step_, cell_time_step_of(packing_, control.mass, options_.time_step, pressure));
   const bool finishing = progress_.phase == RelaxationProgress::finishing;
   DynamicsSettings settings{time_step_, progress_.skin, options_.threads};
   settings.holds_liquid = finishing;

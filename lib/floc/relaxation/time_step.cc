@@ -23,6 +23,15 @@ constexpr double kLargestForce = 8.0;
 /// Contacts a grain times solid fraction, of packings of few contacts.
 constexpr double kFewContacts = 4.0;
 
+/// Solid fraction above which packings are not compressed, as far as the frequency of their boundary goes.
+template <int Dim>
+constexpr double kClosePacked = Dim == 2 ? 0.9069 : 0.7405;
+
+template <int Dim>
+int largest_grain(const Grains<Dim>& g) {
+  return static_cast<int>(std::max_element(g.radius.begin(), g.radius.end()) - g.radius.begin());
+}
+
 template <int Dim>
 ContactLoad load_on(const Packing<Dim>& packing, double pressure) {
   ContactLoad load;
@@ -45,13 +54,30 @@ PairGeometry<> stiffest_pair(const Grains<Dim>& grains, int i, int largest, bool
           reduced(grains.mass[i], grains.mass[largest])};
 }
 
+/// The stiffest that a contact among grains, or of a grain and a wall, gets (force/length).
+template <int Dim>
+double stiffest_contact(const Grains<Dim>& g, const LawParameters& parameters, const ContactLoad& load,
+                        bool with_wall) {
+  const int largest = largest_grain(g);
+  return std::visit(
+      [&](const auto& law) {
+        double stiffest = 0.0;
+        for (int i = 0; i < g.size(); ++i) {
+          const ContactStiffness bound = law.stiffness_bound(stiffest_pair(g, i, largest, with_wall), load);
+          stiffest = std::max({stiffest, bound.normal, bound.tangential});
+        }
+        return stiffest;
+      },
+      compose_law(parameters));
+}
+
 }  // namespace
 
 template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times, double pressure) {
   const Grains<Dim>& g = packing.grains;
   const ContactLoad load = load_on(packing, pressure);
-  const int largest = static_cast<int>(std::max_element(g.radius.begin(), g.radius.end()) - g.radius.begin());
+  const int largest = largest_grain(g);
   double shortest = std::numeric_limits<double>::infinity();
   const auto shorten = [&](const LawParameters& parameters, bool with_wall) {
     std::visit(
@@ -75,7 +101,24 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
   return kOverDisks * time_step_in_contact_times * shortest;
 }
 
+template <int Dim>
+double cell_time_step_of(const Packing<Dim>& packing, double cell_mass, double time_step_in_contact_times,
+                         double pressure) {
+  const Grains<Dim>& g = packing.grains;
+  double squared_diameters = 0.0;
+  for (const double r : g.radius) squared_diameters += 4.0 * r * r;
+  const double shrinks = std::min(1.0, std::pow(solid_fraction(packing) / kClosePacked<Dim>, 1.0 / Dim));
+  const double side = shrinks * packing.cell.matrix.diagonal().minCoeff();
+  // A close packing has 6 and 12 neighbours a grain, half a contact each; n_a^2 is 1/Dim in the mean.
+  constexpr double kContactsAlong = Dim == 2 ? 3.0 / 2.0 : 6.0 / 3.0;
+  const double stiffness = stiffest_contact(g, packing.law, load_on(packing, pressure), false);
+  const double frequency = std::sqrt(kContactsAlong * stiffness * squared_diameters / cell_mass) / side;
+  return time_step_in_contact_times / frequency;
+}
+
 template double time_step_of(const Packing<2>&, double, double);
 template double time_step_of(const Packing<3>&, double, double);
+template double cell_time_step_of(const Packing<2>&, double, double, double);
+template double cell_time_step_of(const Packing<3>&, double, double, double);
 
 }  // namespace floc

@@ -68,6 +68,13 @@ TEST(Relaxer, ContinuedFromItsProgressGivesTheSameBits) {
   EXPECT_EQ(continued.progress(), unbroken.progress());
 }
 
+TEST(Relaxer, ACellLighterThanAGrainComesToRest) {
+  RelaxationOptions with = options();
+  with.cell_mass = 1e-3;  // 0.06 grains: it vibrates faster than contacts do
+  const Packing<2> after = run_to_end(with, equilibrium(), 0.2).packing();
+  EXPECT_TRUE(residuals(after, Vec<2>(0.2, 0.2)).within(EquilibriumTolerance{}));
+}
+
 TEST(Relaxer, ASmallIncrementIsNotEquilibriumBeforeTheCellHasMoved) {
   RelaxationOptions by_motion = options();
   by_motion.finish = Finish::dynamic;

@@ -420,18 +420,25 @@ class Test:
 
     def quasistatic(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/quasistatic/points.csv"))))
-        for cells in self.claim_table("| rolling resistance | P* | mass 0.1 |"):
-            rolling, pressure = cells[0], cells[1]
-            values = {mass: {r["seed"]: float(r["Phi_" + pressure]) for r in points
-                             if r["rolling"] == rolling and r["mass"] == mass and r["cap"] == "0.05"}
-                      for mass in ("0.1", "0.05")}
-            changes = [values["0.05"][seed] - values["0.1"][seed] for seed in values["0.1"]]
-            what = f"quasistatic, {rolling} rolling resistance, P* = {pressure}"
-            for shown, found, scatter in (
-                    (cells[2], list(values["0.1"].values()), statistics.stdev(values["0.1"].values())),
-                    (cells[3], list(values["0.05"].values()), statistics.stdev(values["0.05"].values())),
-                    (cells[4], changes, statistics.stdev(changes) / len(changes) ** 0.5)):
-                mean, deviation = shown.split(" +- ")
+
+        def solid_fractions(rolling, mass, pressure):
+            return {r["seed"]: float(r["Phi_" + pressure]) for r in points
+                    if r["rolling"] == rolling and r["mass"] == mass and r["cap"] == "0.05" and r["Phi_" + pressure]}
+
+        rows = [(cells[:3], cells[3:], "0.05") for cells in self.claim_table("| rolling resistance | P* | samples | mass 0.1 |")]
+        rows += [((rolling, "1", samples), shown, mass)
+                 for rolling, mass, samples, *shown in self.claim_table("| rolling resistance | mass | samples |")]
+        for (rolling, pressure, samples), shown, mass in rows:
+            base, other = solid_fractions(rolling, "0.1", pressure), solid_fractions(rolling, mass, pressure)
+            both = sorted(set(base) & set(other))
+            changes = [other[seed] - base[seed] for seed in both]
+            what = f"quasistatic, {rolling} rolling resistance, mass {mass}, P* = {pressure}"
+            self.number(samples, len(both), what + ", samples")
+            for text, found, scatter in (
+                    (shown[0], [base[seed] for seed in both], statistics.stdev(base[seed] for seed in both)),
+                    (shown[1], [other[seed] for seed in both], statistics.stdev(other[seed] for seed in both)),
+                    (shown[2], changes, statistics.stdev(changes) / len(changes) ** 0.5)):
+                mean, deviation = text.split(" +- ")
                 self.number(mean, statistics.mean(found), what)
                 self.number(deviation, scatter, what + ", scatter")
 
@@ -503,6 +510,35 @@ class Test:
                 self.number(part, row[name], f"oedometer {cells[0]}, {name}")
             for name, shown in zip(columns, cells[2:], strict=True):
                 self.number(shown, row[name], f"oedometer {cells[0]}, {name}")
+        self.consolidation_curves(list(csv.DictReader(open(os.path.join(tables, "curves.csv")))))
+
+    def consolidation_curves(self, states):
+        for cells in self.claim_table("| P* | Phi, isotropic | Phi, oedometer | K0 |"):
+            for shown, control, name in zip(cells[1:], ("isotropic", "oedometric", "oedometric"), ("phi", "phi", "K0"),
+                                            strict=True):
+                values = [float(r[name]) for r in states
+                          if r["control"] == control and abs(float(r["P_star"]) / float(cells[0]) - 1.0) < 0.01]
+                what = f"{name} under {control} load at P* = {cells[0]}"
+                if bool(shown) != (len(values) == 8):
+                    self.fault(f"{what}: {len(values)} states, the page says {shown or 'none'}")
+                elif shown:
+                    for part, value in zip(shown.split(" +- "), (statistics.mean(values), statistics.stdev(values))):
+                        self.number(part, value, what)
+        text = " ".join(self.docs.text().split())
+        for pattern, arguments in ((r"is ([\d.]+) \+- ([\d.]+) under isotropic and ([\d.]+) \+- ([\d.]+) under oedometric load",
+                                    "--law log --window 0.05 0.5"),
+                                   (r"between few pressures: ([\d.]+) \+- ([\d.]+) and ([\d.]+) \+- ([\d.]+)\.", "")):
+            shown = re.search(pattern, text).groups()
+            for k, control in enumerate(("isotropic", "oedometric")):
+                for seed in range(1, 9):
+                    with open(os.path.join(self.directory, f"{control}-{seed}.csv"), "w") as file:
+                        rows = [f"{r['P_star']},{r['phi']}" for r in states
+                                if r["control"] == control and r["seed"] == str(seed) and float(r["P_star"]) < 13.4]
+                        file.write("P_star,phi\n" + "\n".join(rows) + "\n")
+                fitted = [r for r in self.rows(f"floc fit consolidation {control}-*.csv {arguments}")
+                          if r["sample"] == "pooled" and r["parameter"] == "lambda"][0]
+                self.number(shown[2 * k], fitted["value"], f"lambda under {control} load {arguments}")
+                self.number(shown[2 * k + 1], fitted["stderr"], f"its error, {control} {arguments}")
 
     def lattice(self):
         study = list(csv.DictReader(open(os.path.join(self.source, "data/tables/lattice/study.csv"))))

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Biaxial and oedometric tests on several samples: a row a test.
 
-  study.py FLOC DIRECTORY biaxial|oedometer [--seeds A..B] [--set KEY=VALUE ...]
+  study.py FLOC DIRECTORY biaxial|oedometer|curves [--seeds A..B] [--set KEY=VALUE ...]
 
 biaxial runs data/scenes/biaxial_dense.toml and biaxial_loose.toml, to a strain of 25 % in steps of 1e-3, and writes
 DIRECTORY/biaxial.csv. oedometer runs oedometer.toml, which stands beside this script, data/scenes/oedometer.toml with small
-steps of unloading first, and writes DIRECTORY/oedometer.csv. Runs that are there already are resumed or kept.
+steps of unloading first, and writes DIRECTORY/oedometer.csv. curves consolidates the samples of oedometer.toml under the same
+pressure on both axes to P* = 13.33, and in the oedometer to 133.3, and writes DIRECTORY/curves.csv, a row a state. Runs that
+are there already are resumed or kept.
 """
 import argparse
 import csv
@@ -19,6 +21,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 SCENES = os.path.join(HERE, "..", "..", "scenes")
 STEADY = 0.20  # strain from which a test counts as steady
 RISEN = 3.0    # factor on the driven stress from which K0 is looked at
+CURVES = {     # what oedometer.toml is changed to
+    "isotropic": ["--set", 'load.0.control="isotropic"', "--until", "26"],
+    "oedometric": ["--set", "load.0.to=133.3", "--until", "34"],
+}
 
 
 def seeds(text):
@@ -79,11 +85,17 @@ def oedometer_rows(floc, directory, seed, arguments):
     return found
 
 
+def curve_rows(floc, directory, control, seed, arguments):
+    rows = run(floc, os.path.join(HERE, "oedometer.toml"), directory, "--seed", str(seed), *CURVES[control], *arguments)
+    return [{"control": control, "seed": seed, "P_star": row["stress_2"], "phi": row["phi"], "K0": row["K0"]}
+            for row in rows if float(row["P_star"]) > 0.0]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("floc")
     parser.add_argument("directory")
-    parser.add_argument("test", choices=["biaxial", "oedometer"])
+    parser.add_argument("test", choices=["biaxial", "oedometer", "curves"])
     parser.add_argument("--seeds", type=seeds, default=range(1, 6))
     parser.add_argument("--set", action="append", default=[], dest="changes")
     options = parser.parse_args()
@@ -91,7 +103,10 @@ def main():
     changes = [word for change in options.changes for word in ("--set", change)]
     found = []
     for seed in options.seeds:
-        if options.test == "biaxial":
+        if options.test == "curves":
+            for control in CURVES:
+                found += curve_rows(floc, os.path.join(top, control, f"seed-{seed}"), control, seed, changes)
+        elif options.test == "biaxial":
             for packing in ("dense", "loose"):
                 found.append(biaxial_row(floc, os.path.join(top, packing, f"seed-{seed}"), packing, seed, changes))
         else:

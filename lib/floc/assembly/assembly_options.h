@@ -21,6 +21,12 @@ struct GrainOptions {
   std::optional<double> density;
 };
 
+/// The gas that grains start as.
+enum class GasKind {
+  equilibrated,         ///< of hard grains in equilibrium
+  sequential_addition,  ///< grains as they were added at random, one by one: more of them nearly touch
+};
+
 /// How grains are put together (docs/physics.md, "Assembly and loading").
 struct AssemblyOptions {
   enum class Protocol {
@@ -29,6 +35,7 @@ struct AssemblyOptions {
     state,        ///< a saved packing, tiled, taken to the first pressure
   };
   Protocol protocol = Protocol::direct;
+  GasKind gas = GasKind::equilibrated;
   double solid_fraction = 0.0;  ///< of the gas, or of the saved packing
   /// V0/V*, V* = sqrt(F0 D0/m), or sqrt(P a^Dim/m) where no adhesion reaches across a gap: for the aggregation
   /// protocol, and for others, where zero leaves grains at rest.

@@ -19,6 +19,8 @@ constexpr double kRandomPlacingLimit = Dim == 2 ? 0.4 : 0.3;
 constexpr int kShuffleSweeps = 200;  ///< moves a grain: several mean free paths, the placing is forgotten
 constexpr int kMaxSweeps = 20000;    ///< beyond this growing has failed
 constexpr double kGrowth = 1.01;     ///< of all diameters, whenever no grains overlap
+constexpr double kParted = 1.001;    ///< of the contact distance, to which grains that overlap are pushed apart
+constexpr int kMaxPartings = 1000;   ///< sweeps; beyond this that has failed
 
 template <int Dim>
 double solid_volume(const std::vector<double>& diameter) {
@@ -63,6 +65,15 @@ class HardGrains {
   /// those above 1 only that it is not below.
   double clearance(int i, const Vec<Dim>& x, double scale) const {
     double least = 2.0;
+    visit_near(i, x, [&](int j, const Vec<Dim>& r) {
+      least = std::min(least, r.norm() / (0.5 * scale * (diameter_[i] + diameter_[j])));
+    });
+    return least;
+  }
+
+  /// Calls visit(j, r) for all grains that grain i at x may touch, and others near, r being the way to j.
+  template <typename Visit>
+  void visit_near(int i, const Vec<Dim>& x, Visit&& visit) const {
     for (const Grid& grid : grids_) {
       if (grid.n_grains == 0) continue;
       const double reach = 0.5 * (diameter_[i] + grid.largest);
@@ -74,11 +85,17 @@ class HardGrains {
       Vec<Dim, int> offset = -most;
       int a = 0;
       while (a < Dim) {
-        least = std::min(least, clearance_in(grid.members[flat(centre + offset, grid)], i, x, scale));
+        for (const int j : grid.members[flat(centre + offset, grid)])
+          if (j != i) visit(j, nearest_image(position_[j] - x));
         for (a = 0; a < Dim && ++offset[a] > most[a]; ++a) offset[a] = -most[a];
       }
     }
-    return least;
+  }
+
+  Vec<Dim> nearest_image(Vec<Dim> r) const {
+    for (int a = 0; a < Dim; ++a)
+      if (!room_.walled[a]) r[a] -= room_.side[a] * std::round(r[a] / room_.side[a]);
+    return r;
   }
 
   void place(int i, const Vec<Dim>& x) {
@@ -111,18 +128,6 @@ class HardGrains {
       n_bins *= static_cast<std::size_t>(grid.bins[a]);
     }
     grid.members.resize(n_bins);
-  }
-
-  double clearance_in(const std::vector<int>& members, int i, const Vec<Dim>& x, double scale) const {
-    double least = 2.0;
-    for (const int j : members) {
-      if (j == i) continue;
-      Vec<Dim> r = position_[j] - x;
-      for (int a = 0; a < Dim; ++a)
-        if (!room_.walled[a]) r[a] -= room_.side[a] * std::round(r[a] / room_.side[a]);
-      least = std::min(least, r.norm() / (0.5 * scale * (diameter_[i] + diameter_[j])));
-    }
-    return least;
   }
 
   Vec<Dim, int> bin_of(const Vec<Dim>& x, const Grid& grid) const {
@@ -180,6 +185,12 @@ void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diamete
   }
 }
 
+/// A coordinate in [0, side) of a periodic axis.
+double wrapped(double x, double side) {
+  x -= side * std::floor(x / side);
+  return x < side ? x : 0.0;
+}
+
 /// One Monte Carlo sweep: a trial move of every grain.
 template <int Dim>
 void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale, double reach,
@@ -197,8 +208,7 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
         inside = inside && x[a] >= kept && x[a] <= room.side[a] - kept;
         continue;
       }
-      x[a] -= room.side[a] * std::floor(x[a] / room.side[a]);
-      if (x[a] >= room.side[a]) x[a] = 0.0;
+      x[a] = wrapped(x[a], room.side[a]);
     }
     if (!inside) continue;
     const double clearance = grains.clearance(i, x, scale);
@@ -226,15 +236,10 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
 
 namespace {
 
-/// Positions of hard grains of these diameters at random in a room.
-/// @param solid_fraction  of the room that centres may be in
+/// Moves of grains until their first places are forgotten; before that, growth to their size.
 template <int Dim>
-std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector<double>& diameter,
-                                        double solid_fraction, RandomStream& random) {
-  double scale = std::min(1.0, std::pow(kRandomPlacingLimit<Dim> / solid_fraction, 1.0 / Dim));
-  HardGrains<Dim> hard(room, diameter);
-  place_at_random(hard, diameter, scale, random);
-
+void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, double scale,
+                 RandomStream& random) {
   const double mean_diameter =
       std::pow(solid_volume<Dim>(diameter) / static_cast<double>(diameter.size()), 1.0 / Dim);
   for (int sweep = 0, at_size = 0; at_size < kShuffleSweeps; ++sweep) {
@@ -248,6 +253,59 @@ std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector
     at_size += grown && scale == 1.0;
     if (grown) scale = std::min(1.0, kGrowth * scale);
   }
+}
+
+/// Where a grain that is moved to x stays in the room.
+template <int Dim>
+Vec<Dim> kept_inside(const Room<Dim>& room, double diameter, Vec<Dim> x) {
+  for (int a = 0; a < Dim; ++a) {
+    const double kept = 0.5 * diameter;
+    x[a] = room.walled[a] ? std::clamp(x[a], kept, room.side[a] - kept) : wrapped(x[a], room.side[a]);
+  }
+  return x;
+}
+
+/// Pushes apart, pair by pair, grains that overlap.
+template <int Dim>
+void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
+  std::vector<int> overlapping;
+  const auto keep = [&](int i, const Vec<Dim>& x) { hard.move(i, kept_inside(hard.room(), diameter[i], x)); };
+  for (int sweep = 0; sweep < kMaxPartings; ++sweep) {
+    bool any = false;
+    for (int i = 0; i < static_cast<int>(diameter.size()); ++i) {
+      overlapping.clear();
+      hard.visit_near(i, hard.position()[i], [&](int j, const Vec<Dim>& r) {
+        if (2.0 * r.norm() < diameter[i] + diameter[j]) overlapping.push_back(j);
+      });
+      std::sort(overlapping.begin(), overlapping.end());
+      for (const int j : overlapping) {
+        const Vec<Dim> r = hard.nearest_image(hard.position()[j] - hard.position()[i]);
+        const double distance = r.norm(), wanted = 0.5 * kParted * (diameter[i] + diameter[j]);
+        if (distance >= wanted) continue;
+        const Vec<Dim> push = 0.5 * (wanted / distance - 1.0) * r;
+        keep(i, hard.position()[i] - push);
+        keep(j, hard.position()[j] + push);
+      }
+      any = any || !overlapping.empty();
+    }
+    if (!any) return;
+  }
+  throw InputError("assembly",
+                   "solid_fraction: grains added one by one could not be pushed apart where they overlap");
+}
+
+/// Positions of hard grains of these diameters at random in a room.
+/// @param solid_fraction  of the room that centres may be in
+template <int Dim>
+std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector<double>& diameter,
+                                        GasKind kind, double solid_fraction, RandomStream& random) {
+  const double scale = std::min(1.0, std::pow(kRandomPlacingLimit<Dim> / solid_fraction, 1.0 / Dim));
+  HardGrains<Dim> hard(room, diameter);
+  place_at_random(hard, diameter, scale, random);
+  if (kind == GasKind::equilibrated)
+    equilibrate(hard, diameter, scale, random);
+  else
+    part(hard, diameter);
   return hard.position();
 }
 
@@ -295,19 +353,19 @@ void send_off(Packing<Dim>& packing, double kinetic_pressure, RandomStream& rand
 
 template <int Dim>
 Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, double solid_fraction,
-                      RandomStream& random) {
+                      RandomStream& random, GasKind kind) {
   const std::vector<double> diameter = draw_diameters(options, random);
   const double side = std::pow(solid_volume<Dim>(diameter) / solid_fraction, 1.0 / Dim);
   Packing<Dim> gas = grains_of<Dim>(options, law, diameter);
   gas.cell.matrix *= side;
   gas.grains.position =
-      place_hard_grains<Dim>({Vec<Dim>::Constant(side), {}}, diameter, solid_fraction, random);
+      place_hard_grains<Dim>({Vec<Dim>::Constant(side), {}}, diameter, kind, solid_fraction, random);
   return gas;
 }
 
 template <int Dim>
 Packing<Dim> make_boxed_gas(const GrainOptions& options, const LawParameters& law, const BoxOptions& box,
-                            double solid_fraction, RandomStream& random) {
+                            double solid_fraction, RandomStream& random, GasKind kind) {
   const std::vector<double> diameter = draw_diameters(options, random);
   const double solid = solid_volume<Dim>(diameter);
   Room<Dim> room{box.sides.head<Dim>(), {}};
@@ -324,7 +382,7 @@ Packing<Dim> make_boxed_gas(const GrainOptions& options, const LawParameters& la
   gas.cell.matrix = room.side.asDiagonal();
   double for_centres = 1.0;
   for (int a = 0; a < Dim; ++a) for_centres *= room.side[a] - (room.walled[a] ? largest : 0.0);
-  gas.grains.position = place_hard_grains(room, diameter, solid / for_centres, random);
+  gas.grains.position = place_hard_grains(room, diameter, kind, solid / for_centres, random);
   gas.walls = walls_around<Dim>(gas, box, Vec<Dim>::Zero());
   gas.wall_law = wall_law(law, box);
   send_off(gas, box.kinetic_pressure, random);
@@ -353,12 +411,12 @@ void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   for (Vec<Dim>& v : g.velocity) v *= factor;
 }
 
-template Packing<2> make_gas(const GrainOptions&, const LawParameters&, double, RandomStream&);
-template Packing<3> make_gas(const GrainOptions&, const LawParameters&, double, RandomStream&);
+template Packing<2> make_gas(const GrainOptions&, const LawParameters&, double, RandomStream&, GasKind);
+template Packing<3> make_gas(const GrainOptions&, const LawParameters&, double, RandomStream&, GasKind);
 template Packing<2> make_boxed_gas(const GrainOptions&, const LawParameters&, const BoxOptions&, double,
-                                   RandomStream&);
+                                   RandomStream&, GasKind);
 template Packing<3> make_boxed_gas(const GrainOptions&, const LawParameters&, const BoxOptions&, double,
-                                   RandomStream&);
+                                   RandomStream&, GasKind);
 template void agitate(Packing<2>&, double, RandomStream&);
 template void agitate(Packing<3>&, double, RandomStream&);
 

@@ -13,14 +13,15 @@ inline constexpr double kDensestGasOfSpheres = 0.49;
 /// Diameters of the grains of a scene (length): equally spaced quantiles of its distribution, in random order.
 std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random);
 
-/// Grains at rest without overlap in a square (cubic) cell at the given solid fraction: placed one by one at
-/// random, then shuffled by hard-sphere Monte Carlo moves until their first places are forgotten. Above about
-/// 0.4 (0.3 in 3D) they are placed smaller and grow to size during the moves.
+/// Grains at rest without overlap in a square (cubic) cell at the given solid fraction, placed one by one at random,
+/// those of an equilibrated gas then shuffled by hard-sphere Monte Carlo moves until their first places are
+/// forgotten. Above about 0.4 (0.3 in 3D) they are placed smaller; they grow to size during the moves, or at once,
+/// and are then pushed apart, pair by pair, to 1.001 of the contact distance where they overlap.
 ///
 /// @throws InputError if the grains do not reach their size without overlap: the solid fraction is too high.
 template <int Dim>
 Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, double solid_fraction,
-                      RandomStream& random);
+                      RandomStream& random, GasKind kind = GasKind::equilibrated);
 
 /// The same in a box with walls, centres a radius or more from them. Velocities have one magnitude, random
 /// directions and no total momentum; density times mean squared speed is the kinetic pressure of the box,
@@ -29,7 +30,7 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
 /// @throws InputError if the box is too small for a grain, or as make_gas()
 template <int Dim>
 Packing<Dim> make_boxed_gas(const GrainOptions& options, const LawParameters& law, const BoxOptions& box,
-                            double solid_fraction, RandomStream& random);
+                            double solid_fraction, RandomStream& random, GasKind kind = GasKind::equilibrated);
 
 /// Gives the grains Maxwell velocities: total momentum zero, root mean square of the translational speed
 /// `rms_speed` exactly, no spin.

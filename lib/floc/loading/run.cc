@@ -53,10 +53,10 @@ Run<Dim>::Run(RunOptions options)
     point_.parent_sha256 = assembly.saved.sha256;
     if (assembly.box) take_walls(*assembly.box, options_.law, packing_);
   } else if (assembly.box) {
-    packing_ =
-        make_boxed_gas<Dim>(options_.grains, plan_.front().law, *assembly.box, assembly.solid_fraction, random);
+    packing_ = make_boxed_gas<Dim>(options_.grains, plan_.front().law, *assembly.box, assembly.solid_fraction,
+                                   random, assembly.gas);
   } else {
-    packing_ = make_gas<Dim>(options_.grains, plan_.front().law, assembly.solid_fraction, random);
+    packing_ = make_gas<Dim>(options_.grains, plan_.front().law, assembly.solid_fraction, random, assembly.gas);
   }
   point_.aggregating = assembly.protocol == AssemblyOptions::Protocol::aggregation;
   if (assembly.agitation > 0.0) agitate(packing_, agitation_speed(), random);

@@ -129,6 +129,10 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   const auto protocol = t.choice("protocol", {"direct", "aggregation", "state"});
   scene.assembly.protocol =
       std::array{Protocol::direct, Protocol::aggregation, Protocol::state}[protocol.value_or(0)];
+  if (scene.starts_from_state())
+    t.refuse("gas", "assembly.gas: the grains are those of assembly.state; expected no such key");
+  else if (const auto gas = t.choice("gas", {"equilibrated", "sequential_addition"}, Need::optional))
+    scene.assembly.gas = std::array{GasKind::equilibrated, GasKind::sequential_addition}[*gas];
   const bool boxed = has_box(root);
   if (boxed) {
     read_boxed_gas(t, scene);

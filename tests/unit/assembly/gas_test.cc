@@ -37,6 +37,42 @@ TEST(Gas, IsNotALattice) {
   EXPECT_GT(near(0.2), 2 * near(0.05));
 }
 
+template <int Dim>
+Packing<Dim> gas_of_kind(GasKind kind, int count, double solid_fraction, const BoxOptions* box = nullptr) {
+  GrainOptions grains;
+  grains.count = count;
+  grains.diameter.min = 0.7;
+  grains.diameter.max = 1.0;
+  RandomStream random(1, 1);
+  if (box) return make_boxed_gas<Dim>(grains, test::cohesive_law(), *box, solid_fraction, random, kind);
+  return make_gas<Dim>(grains, test::cohesive_law(), solid_fraction, random, kind);
+}
+
+TEST(Gas, OfSequentialAdditionNearlyTouchesInMorePlacesThanOneInEquilibrium) {
+  const auto near = [](GasKind kind) {
+    const Packing<3> gas = gas_of_kind<3>(kind, 800, 0.37);
+    EXPECT_NEAR(solid_fraction(gas), 0.37, 1e-12);
+    EXPECT_TRUE(find_pairs(gas.cell, gas.grains, 0.0).empty());
+    return find_pairs(gas.cell, gas.grains, 2e-3).size();
+  };
+  EXPECT_GT(near(GasKind::sequential_addition), 5 * near(GasKind::equilibrated));
+}
+
+TEST(Gas, OfSequentialAdditionKeepsClearOfWalls) {
+  BoxOptions box;
+  box.boundary[1] = BoxSide::periodic;
+  const Packing<2> gas = gas_of_kind<2>(GasKind::sequential_addition, 300, 0.5, &box);
+  EXPECT_TRUE(find_pairs(gas.cell, gas.grains, 0.0).empty());
+  for (int i = 0; i < gas.grains.size(); ++i) {
+    EXPECT_GE(gas.grains.position[i][0], gas.grains.radius[i]);
+    EXPECT_LE(gas.grains.position[i][0], gas.cell.matrix(0, 0) - gas.grains.radius[i]);
+  }
+}
+
+TEST(Gas, OfSequentialAdditionTooDenseToPartIsRefused) {
+  EXPECT_THROW((void)gas_of_kind<2>(GasKind::sequential_addition, 50, 0.95), InputError);
+}
+
 TEST(Gas, OfImpossibleDensityIsRefused) {
   EXPECT_THROW((void)test::gas_of(50, test::cohesive_law(), 0.95), InputError);
 }

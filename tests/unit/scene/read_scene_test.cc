@@ -107,6 +107,13 @@ checkpoint_every = 5
   EXPECT_EQ(s.load[0].steps_per_decade, 8);
 }
 
+TEST(ReadScene, TheGasIsEquilibratedUnlessGrainsAreAddedOneByOne) {
+  EXPECT_EQ(read(kScene).assembly.gas, GasKind::equilibrated);
+  std::string text = kScene;
+  text.replace(text.find("agitation = 9.5"), 15, "agitation = 9.5\ngas = \"sequential_addition\"");
+  EXPECT_EQ(read(text).assembly.gas, GasKind::sequential_addition);
+}
+
 TEST(ReadScene, APhysicalTableLeftOutIsPhysicsLeftOut) {
   const Scene s = read(with("rolling = {coefficient = 0.005, stiffness = 10}\n", ""));
   EXPECT_FALSE(s.law.rolling);
@@ -185,6 +192,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadScene{"mass = 1\n", "mass = 0\n", "cell.mass = 0: expected a positive number"},
         BadScene{", stiffness = 10}", "}", "contact.rolling.stiffness is missing"},
+        BadScene{"agitation = 9.5\n", "agitation = 9.5\ngas = \"dense\"\n",
+                 "assembly.gas = 'dense': expected \"equilibrated\" or \"sequential_addition\""},
         BadScene{"force = 1.0, ", "", "contact.adhesion.force is missing"},
         BadScene{"pressure = 0.01", "pressure = \"low\"",
                  "assembly.pressure = 'low': expected a positive number"},

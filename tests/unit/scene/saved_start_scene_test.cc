@@ -143,6 +143,8 @@ TEST_F(SceneOfAState, RefusesWhatContradictsTheState) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
       {{"grains.count=180"}, "[grains]: the grains are those of assembly.state; expected no such table"},
       {{"cell.solid_fraction=0.5"}, "cell.solid_fraction: the cell is that of assembly.state"},
+      {{"assembly.gas=equilibrated"},
+       "assembly.gas: the grains are those of assembly.state; expected no such key"},
       {{"scene.units=SI"}, "units = \"reduced\": expected those of the scene, \"SI\""},
       {{"assembly.copies=[2]"}, "assembly.copies: 1 numbers, expected two"},
       {{"assembly.copies=[2.5, 1]"}, "assembly.copies = [ 2.5, 1 ]: expected two whole numbers of copies"},

@@ -22,7 +22,9 @@ target_compile_options(floc_settings INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
   # What tells g++ that the rows of a loop do not overlap.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas>)
-if(FLOC_WARNINGS_AS_ERRORS)
+if(NOT FLOC_WARNINGS)
+  target_compile_options(floc_settings INTERFACE -w)
+elseif(FLOC_WARNINGS_AS_ERRORS)
   target_compile_options(floc_settings INTERFACE -Werror)
 endif()
 if(FLOC_NATIVE)

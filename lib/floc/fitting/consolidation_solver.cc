@@ -244,10 +244,12 @@ std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoint
   const auto less = [](const Start& a, const Start& b) { return a.sum_of_squares < b.sum_of_squares; };
   std::sort(starts.begin(), starts.end(), less);
   starts.resize(std::min(starts.size(), static_cast<std::size_t>(n_tried)));
+  const std::vector<ParameterLimits> limits = limits_of(n_parameters(law), points);
   for (Start& start : starts) {
     Eigen::VectorXd end = start.theta;
     const double left = minimize_law(law, points, end);
-    if (left < start.sum_of_squares) start = {end, left};
+    // A start far beyond the limits cannot be brought back to the minimum within them.
+    if (left < start.sum_of_squares && within(limits, end)) start = {end, left};
   }
   const auto best = std::min_element(starts.begin(), starts.end(), less);
   return best == starts.end() ? std::nullopt : std::optional(best->theta);

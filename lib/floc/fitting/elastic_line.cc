@@ -49,6 +49,11 @@ FittedPart line_through(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eige
   return {first, n, fit_linear(columns, y.segment(first, n))};
 }
 
+/// Whether its line has a positive modulus.
+bool falls_as_a_whole(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
+  return line_through(P, y, 0, P.size()).fit.coefficients[1] > 0.0;
+}
+
 /// Smallest and largest modulus between neighbouring points of a part.
 std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   double low = secant(P, y, part.first), high = low;
@@ -66,15 +71,22 @@ bool has_equal_secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const
   return low > (1.0 - kEqual) * part.B() && high < (1.0 + kEqual) * part.B();
 }
 
-/// The longest straight part that begins or ends the branch; of two as long the one at low pressures.
+/// Whether Phi falls from every point of a part to the next lower pressure.
+bool falls_throughout(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
+  return secants(P, y, part).first > 0.0;
+}
+
+/// The longest straight part that begins or ends the branch; of two as long the one at low pressures. Of a branch
+/// that does not fall as a whole, every step of the part does.
 std::optional<FittedPart> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   constexpr Eigen::Index kFewest = 4;
   constexpr double kErrors = 2.0;  // 95 % of few points would hide any curve
-  const bool falls = P[0] > P[P.size() - 1];
+  const bool falls = P[0] > P[P.size() - 1], whole = falls_as_a_whole(P, y);
   for (Eigen::Index n = P.size(); n >= kFewest; --n)
     for (const bool at_end : {falls, !falls}) {
       const FittedPart part = line_through(P, y, at_end ? P.size() - n : 0, n);
       if (part.fit.coefficients[1] <= 0.0) continue;
+      if (!whole && !falls_throughout(P, y, part)) continue;
       if (!is_curved(P.segment(part.first, n), y.segment(part.first, n), kErrors) ||
           has_equal_secants(P, y, part))
         return part;
@@ -108,14 +120,21 @@ void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Fi
     fit.parameters[1] = not_identified("phi_unloaded");
 }
 
-/// Moduli of a curved branch, which has no one modulus.
-void fit_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, ElasticFit& fit) {
-  fit.is_curved = true;
-  const std::string curved = fmt::format(
+/// Why there is no modulus of the whole branch.
+std::string words_of_curved(bool falls, const ElasticFit& fit) {
+  if (!falls) return "the branch is not elastic as a whole: its solid fraction grows as the pressure falls";
+  return fmt::format(
       "the branch is curved: the modulus is {:.4g} between its two lowest pressures and {:.4g} between its two "
       "highest",
       fit.secant_low, fit.secant_high);
-  const std::optional<FittedPart> part = straight_part(P, y);
+}
+
+/// Moduli of a curved branch, which has no one modulus.
+/// @param part  its straight part, if it has one
+void fit_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const std::optional<FittedPart>& part,
+                ElasticFit& fit) {
+  fit.is_curved = true;
+  const std::string curved = words_of_curved(falls_as_a_whole(P, y), fit);
   if (!part) {
     fit.parameters = {not_identified("B"), not_identified("phi_unloaded")};
     fit.warnings.push_back(curved + "; no part of it is straight, and B is not identified");
@@ -140,18 +159,19 @@ ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& 
   }
   const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(P.data(), n);
   const Eigen::VectorXd y = Eigen::Map<const Eigen::ArrayXd>(phi.data(), n).log();
-  const FittedPart line = line_through(x, y, 0, n);
-  if (line.fit.coefficients[1] <= 0.0) {
+  const bool is_line = falls_as_a_whole(x, y) && !is_curved(x, y);
+  const std::optional<FittedPart> part = is_line ? line_through(x, y, 0, n) : straight_part(x, y);
+  if (!part && !falls_as_a_whole(x, y)) {
     fit.refusal = "the solid fraction does not fall as the pressure falls: no elastic branch";
     return fit;
   }
   const bool falls = x[0] > x[n - 1];
   fit.secant_low = secant(x, y, falls ? n - 2 : 0);
   fit.secant_high = secant(x, y, falls ? 0 : n - 2);
-  if (is_curved(x, y))
-    fit_curved(x, y, fit);
+  if (is_line)
+    set_parameters(x, y, *part, fit);
   else
-    set_parameters(x, y, line, fit);
+    fit_curved(x, y, part, fit);
   return fit;
 }
 

@@ -28,8 +28,10 @@ struct ElasticFit {
 /// A branch that is curved beyond its scatter has no single modulus. Then B is that of the longest straight
 /// part at one end of it, at least four pressures: straight within its scatter, or with moduli between
 /// neighbouring pressures that are within 15 % of B, all of which its interval then contains. Without such a
-/// part B is not identified. phi_unloaded is identified where the part reaches the lowest pressure. Refused
-/// with fewer than three points, or if Phi does not fall as P does.
+/// part B is not identified. phi_unloaded is identified where the part reaches the lowest pressure.
+///
+/// Nor does a branch that does not fall as a whole, such as one whose packing collapses as the pressure begins to
+/// fall: then the part has to fall at every step. Refused with fewer than three points, or if there is none.
 /// @param P    pressures, >= 0, growing or falling   @param phi  solid fractions, in (0, 1); as many
 [[nodiscard]] ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& phi);
 

@@ -265,6 +265,24 @@ TEST(FitConsolidation, LawsOfOneRegimeStayInIt) {
   EXPECT_NEAR(value(power_fit, "Phi_max"), law.phi_max, 0.01 * law.phi_max);
 }
 
+TEST(FitConsolidation, AFullLawWithoutRegimeTwoIsThePowerLaw) {
+  // A mean of four paths, steep at first: ln P* in steps of 0.288, 1/Phi and weights. The best full law has P1*
+  // far below the first pressure, where it is a power law.
+  const std::vector<double> y = {2.016, 1.933, 1.918, 1.729, 1.625, 1.483, 1.483, 1.476,
+                                 1.459, 1.398, 1.380, 1.378, 1.351, 1.332, 1.327, 1.315,
+                                 1.298, 1.294, 1.293, 1.285, 1.282, 1.276, 1.273};
+  const std::vector<double> weight = {0.30, 0.27, 0.25, 0.27, 0.27, 0.29, 0.38, 0.90, 0.92, 0.95, 0.94, 1.08,
+                                      1.37, 1.37, 1.37, 1.37, 1.37, 1.37, 1.37, 1.37, 1.37, 1.37, 1.37};
+  LawPoints points{Eigen::VectorXd::LinSpaced(23, -3.742, 2.59),
+                   Eigen::Map<const Eigen::VectorXd>(y.data(), 23),
+                   Eigen::Map<const Eigen::VectorXd>(weight.data(), 23)};
+  const auto full = solve_law(ConsolidationLaw::full, points),
+             power = solve_law(ConsolidationLaw::power, points);
+  ASSERT_TRUE(full && power);
+  EXPECT_LT(full->theta[3], points.log_P[0]);
+  EXPECT_NEAR(full->sum_of_squares, power->sum_of_squares, 1e-6 * power->sum_of_squares);
+}
+
 TEST(FitConsolidation, TooLittleIsRefusedInWords) {
   const auto curve = curve_of(kNoRolling.law(), published_pressures(0.01));
   EXPECT_THAT(fit_consolidation(curve, on(0.03, 0.05, ConsolidationLaw::log)).refusal,

@@ -87,6 +87,23 @@ TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
   EXPECT_THAT(none.warnings.at(0), HasSubstr("not identified"));
 }
 
+TEST(Elastic, OfABranchWhoseBeginningCollapsesIsThatOfTheRest) {
+  // The packing rearranges, and gets denser, at the first step; the rest is elastic.
+  const std::vector<double> P = {13.0, 7.0, 3.0, 2.0, 1.0, 0.5, 0.1};
+  std::vector<double> phi = {0.760};
+  for (std::size_t k = 1; k < P.size(); ++k) phi.push_back(0.762 * std::exp(P[k] / 2.5e4));
+  const ElasticFit fit = fit_elastic(P, phi);
+  ASSERT_TRUE(fit.found()) << fit.refusal;
+  EXPECT_EQ(fit.first, 1);
+  EXPECT_EQ(fit.n_points, 6);
+  EXPECT_NEAR(*fit.parameters[0].value, 2.5e4, 1e-6 * 2.5e4);
+  EXPECT_THAT(fit.warnings.at(0), HasSubstr("its solid fraction grows as the pressure falls; B is that of its "
+                                            "straight part, from 0.1 to 7"));
+  // Where one step of the rest does not fall either, nothing is elastic.
+  phi[5] = 0.9;
+  EXPECT_THAT(fit_elastic(P, phi).refusal, HasSubstr("does not fall"));
+}
+
 TEST(Elastic, NoBranchIsRefusedInWords) {
   EXPECT_THAT(fit_elastic({2, 1}, {0.7, 0.69}).refusal, HasSubstr("2 pressures"));
   EXPECT_THAT(fit_elastic({3, 2, 1}, {0.7, 0.71, 0.72}).refusal, HasSubstr("does not fall"));

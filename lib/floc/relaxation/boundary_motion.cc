@@ -36,18 +36,31 @@ void ExplicitDynamics<Dim>::kick_boundary() {
   if (!walls_.empty()) kick_walls();
 }
 
-/// Half a step of acceleration of the walls by the normal forces of their pairs.
+template <int Dim>
+void ExplicitDynamics<Dim>::list_pairs_of_walls() {
+  const PairArrays<Dim>& pairs = interactions_.back().pairs();
+  pairs_of_wall_.assign(walls_.size(), {});
+  for (int p = 0; p < pairs.size(); ++p)
+    if (!pairs.padding(p)) pairs_of_wall_[pairs.j(p)].push_back(p);
+}
+
+/// Forces with which the grains push the walls outwards, each summed in the order of its pairs.
+template <int Dim>
+void ExplicitDynamics<Dim>::sum_forces_on_walls() {
+  const Interaction<Dim>& interaction = interactions_.back();
+  const std::ptrdiff_t size_of_row = row_size<Dim>(interaction.law());
+  for (int w = 0; w < walls_.size(); ++w) {
+    const Wall<Dim>& wall = walls_.walls()[w];
+    const double* const normal = interaction.view().row + force_in_row<Dim>(interaction.law()) + wall.axis;
+    double sum = 0.0;
+    for (const int p : pairs_of_wall_[w]) sum += normal[size_of_row * p];
+    force_on_wall_[w] = wall.side * sum;
+  }
+}
+
+/// Half a step of acceleration of the walls.
 template <int Dim>
 void ExplicitDynamics<Dim>::kick_walls() {
-  std::vector<double> force(walls_.size(), 0.0);
-  const PairArrays<Dim>& pairs = interactions_.back().pairs();
-  const double* row = interactions_.back().view().row + force_in_row<Dim>(interactions_.back().law());
-  const int size_of_row = row_size<Dim>(interactions_.back().law());
-  for (int p = 0; p < pairs.size(); ++p, row += size_of_row) {
-    if (pairs.padding(p)) continue;
-    const Wall<Dim>& wall = walls_.walls()[pairs.j(p)];
-    force[pairs.j(p)] += wall.side * row[wall.axis];
-  }
   const Vec<Dim> side = sides();
   Vec<Dim> area;
   for (int a = 0; a < Dim; ++a) {
@@ -55,7 +68,7 @@ void ExplicitDynamics<Dim>::kick_walls() {
     for (int b = 0; b < Dim; ++b)
       if (b != a) area[a] *= side[b];
   }
-  walls_.kick(0.5 * dt_, control_, force, area);
+  walls_.kick(0.5 * dt_, control_, force_on_wall_, area);
 }
 
 /// Generalised forces on the components of the lattice under stress: their work in a small strain is that of

@@ -48,6 +48,8 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
       holds_liquid_(settings.holds_liquid),
       control_(control),
       walls_(packing.walls),
+      pairs_of_wall_(packing.walls.size()),
+      force_on_wall_(packing.walls.size(), 0.0),
       dt_(settings.time_step),
       skin_(settings.skin),
       threads_(settings.threads),
@@ -59,6 +61,10 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
       drift_{settings.time_step, {}, {}, {}} {
   for (int a = 0; a < Dim; ++a)
     if (walls_.bounds(a)) lattice_rate_(a, a) = 0.0;
+  for (int k = 0; k < kSymmetric<Dim>; ++k) {
+    const auto [a, b] = component_axes<Dim>(k);
+    lattice_under_stress_ |= control.imposed[k] == Imposed::stress && moves_with_lattice(a, b);
+  }
   strain_rate_ = right_quotient<Dim>(lattice_rate_, lattice_);
   add_interactions(packing, settings.instructions, shape_of(packing.cell, control));
   sums_.resize(n_blocks());
@@ -296,6 +302,7 @@ void ExplicitDynamics<Dim>::build_lists() {
   }
   sums_of_rows_ = {lists, row_size<Dim>(interactions_[0].law()), grains_.size()};
   for (std::size_t k = 0; k < interactions_.size(); ++k) interactions_[k].set_rows(sums_of_rows_.rows(k));
+  if (!walls_.empty()) list_pairs_of_walls();
   walls_.mark();
   x_list_ = grains_.x;
   grain_view_ = grains_.view(x_list_, inverse_skin_squared_);
@@ -332,11 +339,11 @@ template <int Dim>
 void ExplicitDynamics<Dim>::sum_and_kick(int block) {
   interactions_[0].kernels().sum_and_kick(grain_view_, interactions_[0].view(), sums_of_rows_.plan(block),
                                           block * kGrainBlock, pair_cell(0.0), kick_, sums_[block]);
-  if (!walls_.empty()) add_wall_virial(block);
+  if (lattice_under_stress_ && !walls_.empty()) add_wall_virial(block);
 }
 
-/// The kernel sums forces on grains times their positions: what a wall exerts counts with the foot of the grain
-/// on it instead, so that along periodic axes, to which walls are parallel, nothing is left of its friction.
+/// The kernel sums forces on grains times their positions: along the periodic axes, to which walls are parallel,
+/// nothing is to be left of the friction that they exert.
 template <int Dim>
 void ExplicitDynamics<Dim>::add_wall_virial(int block) {
   const Interaction<Dim>& interaction = interactions_.back();
@@ -345,15 +352,15 @@ void ExplicitDynamics<Dim>::add_wall_virial(int block) {
   for (int p = pairs.first_of_block(block); p < pairs.first_of_block(block + 1); ++p) {
     if (pairs.padding(p)) continue;
     const double* on_wall = interaction.view().row + static_cast<std::ptrdiff_t>(size_of_row) * p + force;
-    const Wall<Dim>& wall = walls_.walls()[pairs.j(p)];
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < Dim; ++b)
-        sums_[block].virial[a][b] += on_wall[a] * (b == wall.axis ? wall.position : grains_.x[b][pairs.i(p)]);
+        if (moves_with_lattice(a, b)) sums_[block].virial[a][b] += on_wall[a] * grains_.x[b][pairs.i(p)];
   }
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::end_step(Motion motion) {
+  sum_forces_on_walls();
   kick_boundary();
   if (motion != Motion::power_control) return;
   double twice_kinetic = 0.0;
@@ -384,6 +391,7 @@ void ExplicitDynamics<Dim>::refresh_forces() {
   for (int b = 0; b < n_blocks(); ++b) compute_pairs(b, 0.0);
   kick_ = kick_over(0.0);
   for (int b = 0; b < n_blocks(); ++b) sum_and_kick(b);
+  sum_forces_on_walls();
 }
 
 template <int Dim>

@@ -41,6 +41,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   bool moves_with_lattice(int a, int b) const { return !walls_.bounds(a) && !walls_.bounds(b); }
   void kick_boundary();
   void kick_lattice();
+  void list_pairs_of_walls();
+  void sum_forces_on_walls();
   void kick_walls();
   void follow_way();
   void impose_rates();
@@ -78,7 +80,10 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   bool holds_liquid_;
   std::deque<Interaction<Dim>> interactions_;  ///< between grains first, then with walls
   BoundaryControl<Dim> control_;
+  bool lattice_under_stress_ = false;  ///< some component of it, whose load the virial has to balance
   WallMotion<Dim> walls_;
+  std::vector<std::vector<int>> pairs_of_wall_;
+  std::vector<double> force_on_wall_;  ///< outwards, of the last pairs computed
   double dt_;
   double time_ = 0.0;  ///< since this was made
   double skin_;

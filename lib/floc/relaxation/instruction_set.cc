@@ -3,18 +3,19 @@
 namespace floc {
 
 bool supported(InstructionSet set) {
-#if defined(__x86_64__)
   switch (set) {
+#ifdef FLOC_HAS_AVX512
     case InstructionSet::avx512:
       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
              __builtin_cpu_supports("avx512vl");
+#endif
+#ifdef FLOC_HAS_AVX2
     case InstructionSet::avx2:
       return __builtin_cpu_supports("avx2");
-    case InstructionSet::portable:
-      return true;
-  }
 #endif
-  return set == InstructionSet::portable;
+    default:
+      return set == InstructionSet::portable;
+  }
 }
 
 InstructionSet widest_instruction_set() {

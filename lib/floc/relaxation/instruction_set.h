@@ -13,10 +13,10 @@ enum class InstructionSet {
   avx512,    ///< eight
 };
 
-/// Whether this processor has these instructions.
+/// Whether floc was compiled for these instructions (FLOC_INSTRUCTION_SETS of CMake) and this processor has them.
 bool supported(InstructionSet set);
 
-/// The widest this processor has.
+/// The widest of those.
 InstructionSet widest_instruction_set();
 
 }  // namespace floc

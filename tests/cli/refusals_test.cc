@@ -343,7 +343,7 @@ const Refusal kOfCommands[] = {
      "cell.inertial_number_cap: the aggregation protocol passes through P = 0, where it lets nothing move"},
     {"two_caps",
      {},
-     {"scene check " + kDemo + " --set cell.inertial_number_cap=1"},
+     {"scene check " + kDemo + " --set cell.strain_rate_cap=0.05 --set cell.inertial_number_cap=1"},
      "cell.inertial_number_cap: expected either this or strain_rate_cap, not both"},
     {"nothing_to_set_in",
      {},

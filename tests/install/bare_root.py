@@ -181,7 +181,7 @@ def try_packages(reader, build):
     root.run(f"cat > CMakeLists.txt <<'END'\n{cmake}END\ncat > stiffness.cc <<'END'\n{code}END")
     printed = root.run("cmake -S . -B build >build.log && cmake --build build >>build.log && "
                        "build/stiffness demo/state-0026.h5")
-    reader.compare_numbers(page, "B = 27556.8, G = 8738.51", printed)
+    reader.compare_numbers(page, "B = 28042.5, G = 10037.1", printed)
     root.run("apt-get install -qq ./floc-petsc_*.deb >install.log 2>&1; export OMPI_ALLOW_RUN_AS_ROOT=1 "
              "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; mpirun --oversubscribe -n 2 floc moduli --solver petsc "
              "demo/state-0026.h5 --columns B,G --format csv >petsc.csv")

@@ -17,7 +17,8 @@ plot data index 0 using 1:2 with linespoints linewidth 1.5 pointtype 5 linecolor
      data index 3 using 1:2 with linespoints linewidth 1.5 pointtype 8 linecolor 4 title 'tolerance', \
      data index 4 using 1:2 with linespoints linewidth 1.5 pointtype 9 linecolor 5 title 'time_step', \
      data index 5 using 1:2 with linespoints linewidth 1.5 pointtype 10 linecolor 6 title 'patience', \
-     data index 6 using 1:2 with linespoints linewidth 1.5 pointtype 11 linecolor 7 title 'strain_rate_cap'
+     data index 6 using 1:2 with linespoints linewidth 1.5 pointtype 11 linecolor 7 title 'strain_rate_cap', \
+     data index 7 using 1:2 with linespoints linewidth 1.5 pointtype 12 linecolor 8 title 'cell_mass'
 set title 'B'
 unset ylabel
 set key bottom right samplen 1.5 font ',10' noenhanced
@@ -27,5 +28,6 @@ plot data index 0 using 1:3 with linespoints linewidth 1.5 pointtype 5 linecolor
      data index 3 using 1:3 with linespoints linewidth 1.5 pointtype 8 linecolor 4 title 'tolerance', \
      data index 4 using 1:3 with linespoints linewidth 1.5 pointtype 9 linecolor 5 title 'time_step', \
      data index 5 using 1:3 with linespoints linewidth 1.5 pointtype 10 linecolor 6 title 'patience', \
-     data index 6 using 1:3 with linespoints linewidth 1.5 pointtype 11 linecolor 7 title 'strain_rate_cap'
+     data index 6 using 1:3 with linespoints linewidth 1.5 pointtype 11 linecolor 7 title 'strain_rate_cap', \
+     data index 7 using 1:3 with linespoints linewidth 1.5 pointtype 12 linecolor 8 title 'cell_mass'
 unset multiplot

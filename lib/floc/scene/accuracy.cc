@@ -44,9 +44,19 @@ struct Candidate {
   bool is_reference() const { return parameter == "strict"; }
 };
 
-std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table) {
+/// Parameters of the motion of the cell, whose values are factors: "10 times".
+constexpr const char* kMassOfCell = "cell_mass";
+constexpr const char* kCapOfCell = "strain_rate_cap";
+
+bool is_of_cell(const std::string& parameter) {
+  return parameter == kMassOfCell || parameter == kCapOfCell;
+}
+
+/// Settings in the order of their cost; either those that a scene can be given, or those of its cell.
+std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table, bool of_cell = false) {
   std::vector<Candidate> candidates;
   for (const MeasuredAccuracy& row : table) {
+    if (is_of_cell(row.parameter) != of_cell) continue;
     auto at = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
       return c.parameter == row.parameter && c.value == row.value;
     });
@@ -69,18 +79,67 @@ double guaranteed_error(const Candidate& candidate, const std::string& observabl
   return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
 }
 
-double guaranteed_error_of_key(const Candidate& candidate, const std::string& key) {
+/// The factor of a setting of the cell.
+double factor_of(const Candidate& of_cell) {
+  return parse_number<double>(of_cell.value.substr(0, of_cell.value.find(' ')))
+      .value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// What is written as a tenth of a default is that to rounding.
+constexpr double kRoundingOfFactors = 1e-9;
+
+bool is_default(double factor) {
+  return std::abs(factor - 1.0) <= kRoundingOfFactors;
+}
+
+/// The mildest of the measured factors of a parameter that is at least as far from 1 as this one, on its side;
+/// null where there is none.
+const Candidate* nearest_beyond(const std::vector<Candidate>& of_cell, const std::string& parameter,
+                                double factor) {
+  const auto distance = [&](double f) { return factor > 1.0 ? std::log(f) : -std::log(f); };
+  const Candidate* nearest = nullptr;
+  for (const Candidate& c : of_cell) {
+    if (c.parameter != parameter || !(distance(factor_of(c)) >= distance(factor) - kRoundingOfFactors))
+      continue;
+    if (!nearest || distance(factor_of(c)) < distance(factor_of(*nearest))) nearest = &c;
+  }
+  return nearest;
+}
+
+/// Settings of the cell whose errors come to those of every other setting.
+using Additions = std::vector<const Candidate*>;
+
+Additions additions_of(const std::vector<Candidate>& of_cell, const std::vector<CellFactors>& cells) {
+  Additions additions;
+  const auto add = [&](const char* parameter, double factor) {
+    if (is_default(factor)) return;
+    const Candidate* nearest = nearest_beyond(of_cell, parameter, factor);
+    if (nearest && std::find(additions.begin(), additions.end(), nearest) == additions.end())
+      additions.push_back(nearest);
+  };
+  for (const CellFactors& cell : cells) {
+    add(kMassOfCell, cell.mass);
+    add(kCapOfCell, cell.rate_cap);
+  }
+  return additions;
+}
+
+/// The smallest errors that are guaranteed of all that a key asks for, with those of the cell.
+double guaranteed_error_of_key(const Candidate& candidate, const Additions& additions, const std::string& key) {
   double least = 0.0;
-  for (const std::string& observable : observables_of(key))
-    least = std::max(least, guaranteed_error(candidate, observable));
+  for (const std::string& observable : observables_of(key)) {
+    double sum = guaranteed_error(candidate, observable);
+    for (const Candidate* addition : additions) sum += guaranteed_error(*addition, observable);
+    least = std::max(least, sum);
+  }
   return least;
 }
 
-std::string reason_of(const Candidate& chosen, const WantedAccuracy& wanted) {
+std::string errors_of(const Candidate& setting, const WantedAccuracy& wanted) {
   std::vector<std::string> errors;
   for (const auto& [key, asked] : wanted)
     for (const std::string& observable : observables_of(key)) {
-      const MeasuredAccuracy& row = *chosen.of.at(observable);
+      const MeasuredAccuracy& row = *setting.of.at(observable);
       std::string text = observable;
       if (std::isfinite(row.error)) text += fmt::format(" {:.1e} in 95 % of states", row.error);
       if (std::isfinite(row.mean_error))
@@ -88,11 +147,20 @@ std::string reason_of(const Candidate& chosen, const WantedAccuracy& wanted) {
                             std::isfinite(row.error) ? "," : "", row.mean_difference, row.mean_error);
       errors.push_back(text);
     }
+  return fmt::format("{}", fmt::join(errors, "; "));
+}
+
+std::string reason_of(const Candidate& chosen, const Additions& additions, const WantedAccuracy& wanted) {
   const NumericalSettings& s = chosen.settings;
-  return fmt::format(
+  std::string reason = fmt::format(
       "finish {}, time step {}, tolerance {:g}, patience {}: {:.2f} of the cost of the strictest settings. "
       "Measured errors: {}",
-      finish_name(s.finish), s.time_step, s.tolerance, s.patience, chosen.cost_ratio, fmt::join(errors, "; "));
+      finish_name(s.finish), s.time_step, s.tolerance, s.patience, chosen.cost_ratio,
+      errors_of(chosen, wanted));
+  for (const Candidate* addition : additions)
+    reason += fmt::format(". To these come the errors of {} {} the default: {}", addition->parameter,
+                          addition->value, errors_of(*addition, wanted));
+  return reason;
 }
 
 std::vector<std::string> split_cells(const std::string& line) {
@@ -159,8 +227,8 @@ std::vector<std::string> accuracy_keys() {
 
 std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place) {
   // Those of another kind change the physics, the size of the system, or what is done with its states.
-  const std::vector<std::string> kSettable = {"strict",    "scene",    "finish",  "tolerance",
-                                              "time_step", "patience", "together"};
+  const std::vector<std::string> kSettable = {"strict",   "scene",    "finish",    "tolerance", "time_step",
+                                              "patience", "together", kMassOfCell, kCapOfCell};
   std::istringstream in(csv);
   std::string line;
   std::getline(in, line);
@@ -181,28 +249,31 @@ const std::vector<MeasuredAccuracy>& shipped_accuracy_table() {
   return table;
 }
 
-AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const WantedAccuracy& wanted) {
-  const std::vector<Candidate> candidates = candidates_of(table);
+AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const WantedAccuracy& wanted,
+                               const std::vector<CellFactors>& cells) {
+  const std::vector<Candidate> candidates = candidates_of(table), of_cell = candidates_of(table, true);
+  const Additions additions = additions_of(of_cell, cells);
   AccuracyChoice choice;
   for (const auto& [key, asked] : wanted) {
     double floor = std::numeric_limits<double>::infinity();
     for (const Candidate& c : candidates)
-      if (!c.is_reference()) floor = std::min(floor, guaranteed_error_of_key(c, key));
+      if (!c.is_reference()) floor = std::min(floor, guaranteed_error_of_key(c, additions, key));
     if (asked >= floor && floor < std::numeric_limits<double>::infinity()) continue;
     choice.refused_key = key;
     choice.refusal =
         std::isfinite(floor)
-            ? fmt::format("expected at least {:.2g}, the smallest error that the shipped table has for it",
-                          floor)
+            ? fmt::format("expected at least {:.2g}, the smallest error that the shipped table has for it{}",
+                          floor, additions.empty() ? "" : " with a cell that moves as the scene says")
             : "expected another observable: the shipped table has no error for it";
     return choice;
   }
   for (const Candidate& c : candidates)
-    if (std::all_of(wanted.begin(), wanted.end(),
-                    [&](const auto& w) { return guaranteed_error_of_key(c, w.first) <= w.second; })) {
+    if (std::all_of(wanted.begin(), wanted.end(), [&](const auto& w) {
+          return guaranteed_error_of_key(c, additions, w.first) <= w.second;
+        })) {
       choice.name = c.parameter + " " + c.value;
       choice.settings = c.settings;
-      choice.reason = reason_of(c, wanted);
+      choice.reason = reason_of(c, additions, wanted);
       return choice;
     }
   choice.refused_key = wanted.front().first;
@@ -215,6 +286,14 @@ bool covers_stiffness(const std::vector<MeasuredAccuracy>& table, double kappa) 
   return std::any_of(table.begin(), table.end(), [&](const MeasuredAccuracy& row) {
     return row.kappa <= kStiffnessRange * kappa && kappa <= kStiffnessRange * row.kappa;
   });
+}
+
+bool covers_cell(const std::vector<MeasuredAccuracy>& table, const CellFactors& cell) {
+  const std::vector<Candidate> of_cell = candidates_of(table, true);
+  const auto covers = [&](const char* parameter, double factor) {
+    return is_default(factor) || nearest_beyond(of_cell, parameter, factor);
+  };
+  return covers(kMassOfCell, cell.mass) && covers(kCapOfCell, cell.rate_cap);
 }
 
 }  // namespace floc

@@ -20,6 +20,12 @@ struct MeasuredAccuracy {
   double kappa;            ///< a K_N/F0 of the scene that was run
 };
 
+/// How a part of a run moves its cell: mass and cap on the strain rate in units of what a cohesive scene that
+/// gives none takes (cell_defaults.h), as the scene of the table does.
+struct CellFactors {
+  double mass = 1.0, rate_cap = 1.0;
+};
+
 /// Reads such a table (csv, its own output). Only settings that a scene can have are kept.
 /// @throws InputError if a column is missing or a value is not a number
 std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place);
@@ -50,12 +56,19 @@ struct AccuracyChoice {
 /// explains (its 95 % interval). For quantities fitted to a path there are means alone: their difference and
 /// that error together then have to be below what is asked. An error below every one measured is refused: the
 /// reference's own error is not known, so it is no measure of itself.
+/// To the errors of every setting come those measured for cells as heavy and as fast as the scene's.
 /// @param wanted  not empty, known keys, errors > 0
+/// @param cells  of the parts of the run
+/// @pre covers_cell(table, cell) for each
 [[nodiscard]] AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table,
-                                             const WantedAccuracy& wanted);
+                                             const WantedAccuracy& wanted,
+                                             const std::vector<CellFactors>& cells = {});
 
 /// Whether the table was measured on grains as stiff as these, to a factor of ten: errors scale with the
 /// stiffness.
 bool covers_stiffness(const std::vector<MeasuredAccuracy>& table, double kappa);
+
+/// Whether cells at least as far from the defaults were measured.
+bool covers_cell(const std::vector<MeasuredAccuracy>& table, const CellFactors& cell);
 
 }  // namespace floc

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "floc/scene/accuracy.h"
+#include "floc/scene/cell_defaults.h"
 #include "floc/scene/scene_scales.h"
 
 namespace floc {
@@ -18,6 +19,43 @@ std::optional<double> stiffness_number(const Scene& scene) {
   if (!scene.law.adheres()) return std::nullopt;
   const double a = scene.grains.diameter.max;
   return a * scene.law.contact_modulus(scene.dimension, a) / pull_off_force(scene);
+}
+
+/// Of the assembly, then of each stage of the load path.
+std::vector<RelaxationOptions> motions_of_cell(const Scene& scene) {
+  std::vector<RelaxationOptions> parts = {scene.assembly.cell.applied_to(scene.relaxation)};
+  for (const LoadStage& stage : scene.load) parts.push_back(stage.cell.applied_to(scene.relaxation));
+  return parts;
+}
+
+std::vector<CellFactors> cells_of(const Scene& scene) {
+  std::vector<CellFactors> cells;
+  for (const RelaxationOptions& part : motions_of_cell(scene))
+    cells.push_back(
+        {part.cell_mass / kLoadCellMass, part.strain_rate_cap.value_or(kStrainRateCap) / kStrainRateCap});
+  // The mass of the cell while grains are put together is no matter of accuracy: it decides which packing is made.
+  cells.front().mass = 1.0;
+  return cells;
+}
+
+/// The table knows cells as heavy and as fast as the defaults make them, to the factors that were measured.
+void check_table_covers_cell(TableReader& t, const Scene& scene) {
+  for (const RelaxationOptions& part : motions_of_cell(scene))
+    if (part.inertial_number_cap) {
+      t.fault("",
+              "[accuracy]: expected a strain_rate_cap instead of an inertial_number_cap; the shipped table was "
+              "measured with one");
+      return;
+    }
+  for (const CellFactors& cell : cells_of(scene))
+    if (!covers_cell(shipped_accuracy_table(), cell)) {
+      t.fault("", fmt::format(
+                      "[accuracy]: a cell of {:.3g} times the default mass of the load path and {:.3g} times "
+                      "the default strain_rate_cap is outside the range of the shipped table; here give the "
+                      "settings themselves ([equilibrium], run.time_step)",
+                      cell.mass, cell.rate_cap));
+      return;
+    }
 }
 
 /// Settings that [accuracy] chooses: a scene says either the accuracy or these.
@@ -52,6 +90,8 @@ void check_table_covers(TableReader& t, const Scene& scene) {
             fmt::format("[accuracy]: a K_N/F0 = {:g} is outside the range of the shipped table, {:g} to within "
                         "a factor of ten; here give the settings themselves ([equilibrium], run.time_step)",
                         *kappa, shipped_accuracy_table().empty() ? 0.0 : shipped_accuracy_table()[0].kappa));
+  else
+    check_table_covers_cell(t, scene);
 }
 
 /// Writes what was chosen into the scene, so that its text says what is run even when the table is another one.
@@ -91,7 +131,7 @@ bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
             fmt::format("[accuracy] asks for nothing: expected one of {}", fmt::join(accuracy_keys(), ", ")));
     return false;
   }
-  const AccuracyChoice choice = choose_accuracy(shipped_accuracy_table(), wanted);
+  const AccuracyChoice choice = choose_accuracy(shipped_accuracy_table(), wanted, cells_of(scene));
   if (!choice.found()) {
     const auto asked = std::find_if(wanted.begin(), wanted.end(),
                                     [&](const auto& w) { return w.first == choice.refused_key; });

@@ -10,6 +10,7 @@ namespace floc {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string kHeader =
     "knob,value,observable,error_before_high,error_after_high,mean_difference,mean_error95,cost_ratio,"
@@ -30,8 +31,19 @@ const std::string kTable = kHeader +
                            "scene,as it is,B,3e-3,4e-3,,,0.3,1e-5,0.28,auto,1,1e5\n"
                            "scene,as it is,G,1e-3,5e-3,,,0.3,1e-5,0.28,auto,1,1e5\n";
 
+/// Cells other than the default's: cheap, since they are no choice.
+const std::string kTableWithCells = kTable +
+                                    "cell_mass,10 times,phi,1e-3,1e-4,-0.01,0.001,0.05,1e-5,0.28,auto,1,1e5\n"
+                                    "cell_mass,2 times,phi,1e-4,2e-4,0,0.001,0.05,1e-5,0.28,auto,1,1e5\n"
+                                    "cell_mass,0.1 times,phi,1e-6,1e-6,0,0.001,0.05,1e-5,0.28,auto,1,1e5\n"
+                                    "strain_rate_cap,5 times,phi,1e-2,1e-3,0,0.001,0.05,1e-5,0.28,auto,1,1e5\n";
+
 AccuracyChoice choice(const WantedAccuracy& wanted) {
   return choose_accuracy(read_accuracy_table(kTable, "table"), wanted);
+}
+
+AccuracyChoice choice_with(const std::vector<CellFactors>& cells, double phi) {
+  return choose_accuracy(read_accuracy_table(kTableWithCells, "table"), {{"phi", phi}}, cells);
 }
 
 TEST(Accuracy, TheCheapestSettingWhoseErrorIsBelowIsTaken) {
@@ -65,6 +77,39 @@ TEST(Accuracy, BelowAllMeasuredErrorsNothingIsGuaranteed) {
   // The reference, of error zero against itself, is no measure.
   EXPECT_EQ(choice({{"phi", 2e-6}}).name, "scene as it is");
   EXPECT_THAT(choice({{"phi", 1.9e-6}}).refusal, HasSubstr("expected at least 2e-06"));
+}
+
+TEST(Accuracy, TheCellAddsTheErrorOfTheNearestFactorMeasuredBeyondItsOwn) {
+  // Without cells of its own a scene is asked nothing more, and cells are no choice, however cheap.
+  EXPECT_EQ(choice_with({{}}, 5e-2).name, "together coarse");
+  EXPECT_EQ(choice_with({{1.5, 1.0}}, 5.02e-2).name, "together coarse");
+  EXPECT_NE(choice_with({{1.5, 1.0}}, 5.01e-2).name, "together coarse");
+  // Means of 10 times differ by 0.01 +- 0.001: 0.009 more; 0.1 times as heavy, 1e-6.
+  EXPECT_EQ(choice_with({{3.0, 1.0}}, 5.91e-2).name, "together coarse");
+  EXPECT_NE(choice_with({{3.0, 1.0}}, 5.89e-2).name, "together coarse");
+  EXPECT_EQ(choice_with({{0.1, 1.0}}, 5.0001e-2 + 1e-9).name, "together coarse");
+  // Both parameters, of different parts of the run; the same of two parts counts once.
+  EXPECT_EQ(choice_with({{2.0, 1.0}, {1.0, 5.0}, {2.0, 1.0}}, 6.03e-2).name, "together coarse");
+  EXPECT_NE(choice_with({{2.0, 1.0}, {1.0, 5.0}, {2.0, 1.0}}, 6.01e-2).name, "together coarse");
+}
+
+TEST(Accuracy, WhatTheCellAddsIsSaidAndCountsForTheLeastError) {
+  EXPECT_THAT(
+      choice_with({{2.0, 1.0}}, 6e-2).reason,
+      HasSubstr(". To these come the errors of cell_mass 2 times the default: phi 2.0e-04 in 95 % of states"));
+  EXPECT_THAT(choice_with({{2.0, 1.0}}, 2.01e-4).refusal,
+              HasSubstr("expected at least 0.0002, the smallest error that the shipped table has for it with a "
+                        "cell that moves as the scene says"));
+}
+
+TEST(Accuracy, TheTableSpeaksForCellsBetweenThoseMeasured) {
+  const auto table = read_accuracy_table(kTableWithCells, "table");
+  EXPECT_TRUE(covers_cell(table, {1.0, 1.0}));
+  EXPECT_TRUE(covers_cell(table, {10.0, 5.0}));
+  EXPECT_TRUE(covers_cell(table, {0.01 / 0.1, 1.0}));
+  EXPECT_FALSE(covers_cell(table, {10.1, 1.0}));
+  EXPECT_FALSE(covers_cell(table, {0.09, 1.0}));
+  EXPECT_FALSE(covers_cell(table, {1.0, 0.9})) << "slower cells were not measured";
 }
 
 TEST(Accuracy, WhatWasNotMeasuredIsNotGuaranteed) {
@@ -173,6 +218,25 @@ TEST(AccuracyOfAScene, RefusesGrainsTheTableSaysNothingOf) {
   EXPECT_THAT(
       refusal(cohesionless + "[accuracy]\nphi = 0.01\n"),
       HasSubstr("expected a scene with contact.adhesion; the shipped table was measured on cohesive grains"));
+}
+
+TEST(AccuracyOfAScene, CountsWhatItsCellAdds) {
+  const std::string path = "[[load]]\nto = 1\nsteps_per_decade = 2\n[accuracy]\nphi = 0.05\n";
+  // kScene gives the cell of the path ten times the default mass, and the default cap.
+  EXPECT_THAT(parse_scene(kScene + path, "s.toml", ".").accuracy, HasSubstr("cell_mass 10 times the default"));
+  EXPECT_THAT(parse_scene(kScene + path, "s.toml", ".", {"load.0.cell_mass=0.1"}).accuracy,
+              Not(HasSubstr("To these come")));
+  EXPECT_THAT(parse_scene(kScene + path, "s.toml", ".", {"assembly.strain_rate_cap=0.02"}).accuracy,
+              HasSubstr("strain_rate_cap 0.2 times the default"));
+}
+
+TEST(AccuracyOfAScene, RefusesCellsTheTableSaysNothingOf) {
+  const std::string path = "[[load]]\nto = 1\nsteps_per_decade = 2\n[accuracy]\nphi = 0.05\n";
+  EXPECT_THAT(refusal(kScene + path, {"cell.mass=2"}),
+              HasSubstr("a cell of 20 times the default mass of the load path and 1 times the default "
+                        "strain_rate_cap is outside the range of the shipped table"));
+  EXPECT_THAT(refusal(kScene + path, {"load.0.inertial_number_cap=1e-3"}),
+              HasSubstr("expected a strain_rate_cap instead of an inertial_number_cap"));
 }
 
 TEST(AccuracyOfAScene, IsAskedForInsteadOfSettingsNotBesideThem) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "floc/scene/cell_defaults.h"
 #include "floc/scene/read_scene.h"
 #include "support/places.h"
 
@@ -68,7 +69,7 @@ TEST(Tradeoff, ScalesTheCapsOfEveryPartAndTheMassOfTheLoadAlone) {
   EXPECT_DOUBLE_EQ(of(options.load[0].cell).strain_rate_cap.value(), 0.25);
   EXPECT_DOUBLE_EQ(of(options.load[0].cell).cell_mass, 0.02);
   EXPECT_DOUBLE_EQ(of(options.load[1].cell).inertial_number_cap.value(), 5e-3);
-  EXPECT_DOUBLE_EQ(of(options.load[1].cell).cell_mass, 0.1);
+  EXPECT_DOUBLE_EQ(of(options.load[1].cell).cell_mass, 0.1 * kLoadCellMass);
 }
 
 TEST(Tradeoff, PairedPathsStartFromTheSameStatesAndTheReferenceEqualsItself) {

@@ -120,6 +120,18 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
   }
 }
 
+TEST(ShippedTables, ThePrintedPlateauDoesNotIdentifyTheDenseSideOfACompaction) {
+  // Adhesive samples alone have p_crit >= p_D, and e_min runs away from them.
+  const std::string sweep = source_directory() + "/data/tables/compaction/sweep_4000.csv";
+  const Outcome o = run_floc("fit dynamic-compaction " + sweep + " --plateau p_crit --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fit = json::parse(o.out).at(0);
+  for (const char* name : {"A", "a"}) {
+    EXPECT_FALSE(fit["parameters"][name]["identified"]) << name;
+    EXPECT_TRUE(fit["parameters"][name]["value"].is_null()) << name;
+  }
+}
+
 TEST(FitElastic, TheModulusOfAStateStandsBesideTheFit) {
   const ScratchDirectory dir;
   // Four disks of a compressed triangular lattice: B = sqrt(3)/2 K_N.

@@ -23,6 +23,8 @@ import sys
 import tempfile
 import time
 
+import numpy
+
 import pages
 
 # Blocks of commands by a part of their text.
@@ -462,6 +464,49 @@ class Test:
             self.number(mean, statistics.mean(values), what)
             self.number(deviation, statistics.stdev(values), what + ", scatter")
 
+    def compaction_sweep(self):
+        """The base curve of the published number of spheres, and the fit of the sweep of 4000."""
+        base = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/base_17657.csv"))))
+        e_of = {float(r["eta_star"]): r["e"] for r in base}
+        for eta, e, _ in self.claim_table("| eta* | e of 17 657 spheres |"):
+            self.number(e, e_of[float(eta)], f"base curve at eta* = {eta}")
+        rows = {r["parameter"]: r for r in
+                self.rows(self.docs.block("awk -F, 'NR == 1").strip())}
+        for name, value, interval, _ in self.claim_table("| parameter | 4000 spheres |"):
+            what = f"fit of the sweep, {name}"
+            self.number_or_none(value, rows[name]["value"], what)
+            if interval.startswith("at most "):
+                self.number(interval.removeprefix("at most "), rows[name]["high95"], what + ", bound")
+            else:
+                low, high = interval.split(" to ")
+                self.number(low, rows[name]["low95"], what + ", low end")
+                self.number(high, rows[name]["high95"], what + ", high end")
+        self.compaction_collapse({name: float(rows[name]["value"]) for name in ("e_min", "De", "C")})
+
+    def compaction_collapse(self, plateau):
+        """On which group the shares of pulling contacts and the void ratios collapse."""
+        sweep = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/sweep_4000.csv"))))
+        column = {name: numpy.array([float(r[name]) for r in sweep])
+                  for name in ("e", "p", "se", "eta", "eta_star", "z", "z_minus", "seconds")}
+
+        def scatter(group, values, chosen):
+            x, y = numpy.log(column[group][chosen]), values[chosen]
+            return math.sqrt(numpy.mean((numpy.polyval(numpy.polyfit(x, y, 5), x) - y) ** 2))
+
+        reach = plateau["De"] / (1.0 + plateau["C"] * plateau["De"] * numpy.log(column["p"] / 0.01))
+        reduced = (column["e"] - plateau["e_min"]) / reach
+        share = column["z_minus"] / column["z"]
+        every, stiff = column["p"] > 0.0, column["se"] >= 5000.0 * column["p"]
+        found = re.search(r"the adhesion, (\d+) samples of 4000 spheres and (\d+) minutes .* it scatters by ([\d.]+) in eta, and by "
+                          r"([\d.]+) in eta\\\*\. .* of the (\d+) samples with se >= 5000 p: ([\d.]+) in eta and ([\d.]+) in eta",
+                          self.docs.text().replace("\n", " "))
+        if not found:
+            return self.fault("no page says any more on which group the compaction collapses")
+        for shown, value in zip(found.groups(), (len(sweep), column["seconds"].sum() / 60.0, scatter("eta", share, every),
+                                                 scatter("eta_star", share, every), stiff.sum(),
+                                                 scatter("eta", reduced, stiff), scatter("eta_star", reduced, stiff))):
+            self.number(shown, value, "collapse of the compaction")
+
     def powder2d(self):
         means = list(csv.DictReader(open(os.path.join(self.source, "data/campaigns/powder2d/means.csv"))))
         for case, pressure, shown, published in self.claim_table("| case | P* | Phi | published |"):
@@ -670,7 +715,7 @@ class Test:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres,
-                              self.quasistatic, self.compaction, self.powder2d, self.wet, self.loads, self.lattice,
+                              self.quasistatic, self.compaction, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.lattice,
                               self.tradeoff):
                     try:
                         check()

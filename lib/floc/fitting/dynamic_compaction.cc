@@ -285,12 +285,17 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
     };
   });
   p.low95 = p.high95 = std::nullopt;
+  fit.profiled.push_back(p.name);
+  // Along a valley of nearly equal solutions the solver stops early, and the profile seems to be a gorge.
+  constexpr double kFollowed = 0.1;
+  const double width = 2.0 * t95 * error;
+  p.identified = false;
+  if (found.low && found.high && *found.high - *found.low < kFollowed * width) return;
   if (found.low) p.low95 = std::exp(*found.low);
   if (found.high) p.high95 = std::exp(*found.high);
   constexpr double kIdentifiedFactor = 10.0;
   p.identified = p.low95 && p.high95 && *p.value < kIdentifiedFactor * *p.low95 &&
                  *p.high95 < kIdentifiedFactor * *p.value;
-  fit.profiled.push_back(p.name);
 }
 
 /// Of each part of the error of a coordinate what it is of the parameter.

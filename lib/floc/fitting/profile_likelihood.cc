@@ -8,7 +8,7 @@ namespace {
 
 /// Where the profile crosses `allowed` on one side of the solution: steps of `step` (signed) that grow, then
 /// the rule of false position in the root of the excess, which is nearly linear. Absent if it does not up to
-/// `end`.
+/// `end`, or not before the solver fails: what lies beyond is not known.
 std::optional<double> crossing(const ProfileSearch& search, double step, double end,
                                const ProfileFunction& profile) {
   const double target = std::sqrt(search.allowed - search.least);
@@ -36,6 +36,7 @@ std::optional<double> crossing(const ProfileSearch& search, double step, double 
     (m < 0.0 ? miss_inside : miss_outside) = m;
     if (std::abs(m) < kAccuracy * target) return middle;
   }
+  if (!std::isfinite(miss_outside)) return std::nullopt;
   return 0.5 * (inside + outside);
 }
 

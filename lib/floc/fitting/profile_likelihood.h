@@ -5,7 +5,8 @@
 
 namespace floc {
 
-/// An interval by the profile of a sum of squares. An end is absent if the data allow any value on that side.
+/// An interval by the profile of a sum of squares. An end is absent if the data allow any value on that side, as
+/// far as the profile can be followed.
 struct ProfileInterval {
   std::optional<double> low, high;
 };

@@ -66,9 +66,9 @@ int fit_tables(const DynamicCompactionArguments& arguments) {
     if (!fit.found()) return static_cast<int>(kNotConverged);
     for (const FittedParameter& p : fit.parameters) {
       std::vector<TableValue> row = {name, p.name};
-      for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
-      row.push_back(static_cast<std::int64_t>(fit.used.size()));
-      row.push_back(fit.rms);
+      const std::vector<TableValue> cells = parameter_cells(p);
+      row.insert(row.end(), cells.begin(), cells.end());
+      row.insert(row.end(), {static_cast<std::int64_t>(fit.used.size()), fit.rms});
       table.rows.push_back(std::move(row));
     }
     return static_cast<int>(kDone);

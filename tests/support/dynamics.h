@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "floc/assembly/gas.h"
+#include "floc/packing/tile.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/relaxation_options.h"
 
@@ -40,6 +41,17 @@ template <int Dim = 2>
 Packing<Dim> agitated_gas(int n, const LawParameters& law) {
   Packing<Dim> gas = gas_of<Dim>(n, law, Dim == 2 ? 0.6 : 0.45);
   RandomStream random(7, 2);
+  agitate(gas, 1.0, random);
+  return gas;
+}
+
+/// The same with so many grains that one thread keeps the rows of one block at a time.
+template <int Dim>
+Packing<Dim> large_agitated_gas(const LawParameters& law) {
+  Vec<Dim, int> copies = Vec<Dim, int>::Constant(Dim == 2 ? 6 : 3);
+  copies[0] = Dim == 2 ? 5 : 4;
+  Packing<Dim> gas = tiled<Dim>(agitated_gas<Dim>(300, law), copies);
+  RandomStream random(8, 2);
   agitate(gas, 1.0, random);
   return gas;
 }
@@ -100,6 +112,15 @@ void expect_no_trace_of_threads() {
   const auto tasks = std::filesystem::directory_iterator("/proc/self/task");
   EXPECT_GE(std::distance(begin(tasks), end(tasks)), 2);
   expect_same_bits(one, two);
+}
+
+/// Several threads keep the rows of all pairs, one thread those of a block where there are many.
+template <int Dim>
+void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
+  const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
+  const Packing<Dim> one = after(gas, {dt, 0.05, 1}, {200});
+  ASSERT_GT(one.contacts.size(), 500u);
+  expect_same_bits(one, after(gas, {dt, 0.05, 2}, {200}));
 }
 
 /// The laws of every slot the force loop reads. @param n_contacts  more than these at the end

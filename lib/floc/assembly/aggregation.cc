@@ -49,10 +49,10 @@ bool Aggregation<Dim>::advance() {
   flight_time_ = fly();
   time_step_ = step_across_tail(options_, packing_);
   const auto dynamics =
-      make_dynamics(packing_, BoundaryControl<Dim>::fixed(), {time_step_, skin_, options_.threads});
+      take_into_motion(packing_, BoundaryControl<Dim>::fixed(), {time_step_, skin_, options_.threads});
   advance_observed(*dynamics, kStepsPerChunk, Motion::free, observer_, flight_time_, time_step_);
   packing_ = {};
-  packing_ = dynamics->packing();
+  packing_ = dynamics->release_packing();
   if (!options_.skin) skin_ = dynamics->skin();
   n_clusters_ = count_clusters(packing_);
   return n_clusters_ == 1;

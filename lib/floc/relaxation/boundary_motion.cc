@@ -147,11 +147,13 @@ void ExplicitDynamics<Dim>::impose_rates() {
   if (any) lattice_rate_ = upper_product<Dim>(gradient, lattice_);
 }
 
-#define FLOC_INSTANTIATE(Dim)                             \
-  template Vec<Dim> ExplicitDynamics<Dim>::sides() const; \
-  template Cell<Dim> ExplicitDynamics<Dim>::cell() const; \
-  template void ExplicitDynamics<Dim>::kick_boundary();   \
-  template void ExplicitDynamics<Dim>::follow_way();      \
+#define FLOC_INSTANTIATE(Dim)                                 \
+  template Vec<Dim> ExplicitDynamics<Dim>::sides() const;     \
+  template Cell<Dim> ExplicitDynamics<Dim>::cell() const;     \
+  template void ExplicitDynamics<Dim>::kick_boundary();       \
+  template void ExplicitDynamics<Dim>::list_pairs_of_walls(); \
+  template void ExplicitDynamics<Dim>::sum_forces_on_walls(); \
+  template void ExplicitDynamics<Dim>::follow_way();          \
   template void ExplicitDynamics<Dim>::impose_rates();
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

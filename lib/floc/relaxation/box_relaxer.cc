@@ -115,8 +115,7 @@ template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::advance() {
   time_step_ = time_step_of(packing_, options_.time_step, target_.mean());
   const bool finishing = progress_.phase == CompactionProgress::finishing;
-  auto dynamics = make_dynamics(packing_, control(), {time_step_, progress_.skin, options_.threads});
-  packing_.contacts = {};  // dynamics has them now: a large packing is held once
+  auto dynamics = take_into_motion(packing_, control(), {time_step_, progress_.skin, options_.threads});
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
@@ -125,7 +124,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
     return give_up("diverged", "the motion diverged, run.time_step is too large");
   }
   packing_ = {};
-  packing_ = dynamics->packing();
+  packing_ = dynamics->release_packing();
   if (!options_.skin) progress_.skin = dynamics->skin();
   dynamics.reset();
   progress_.n_steps += kStepsPerChunk;

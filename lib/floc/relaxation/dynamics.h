@@ -52,6 +52,9 @@ class Dynamics {
   /// @pre finite()
   virtual Packing<Dim> packing() const = 0;
 
+  /// The same, for a packing that is too large to be held twice: no other step can follow.
+  virtual Packing<Dim> release_packing() = 0;
+
   /// A good first guess of the skin for the next chunk (length).
   virtual double skin() const = 0;
 };
@@ -60,6 +63,11 @@ class Dynamics {
 template <int Dim>
 std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                              const DynamicsSettings& settings);
+
+/// The same, for a packing that is too large to be held twice: its contacts go over, and are gone from it.
+template <int Dim>
+std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
+                                                const DynamicsSettings& settings);
 
 /// Time step of RelaxationOptions::time_step in the scene's units: in sqrt(m_min/K_N), shortened where K_T is
 /// above K_N or the smallest grains roll faster than they vibrate, and in 3D, where grains have more

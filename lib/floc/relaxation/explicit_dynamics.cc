@@ -16,6 +16,8 @@
 namespace floc {
 namespace {
 
+/// From so many grains on, rows of all their pairs do not stay in the caches; those of one block do.
+constexpr int kManyGrains = 8192;
 /// What a new list of pairs costs, in time steps (measured at N = 1400 and 100 000).
 constexpr double kListCost = 23.0;
 /// What grains at rest get of the skin of the fastest: they may be hit.
@@ -41,7 +43,7 @@ void copy(const Mat<Dim>& from, double (&to)[Dim][Dim]) {
 }  // namespace
 
 template <int Dim>
-ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
+ExplicitDynamics<Dim>::ExplicitDynamics(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                         const DynamicsSettings& settings)
     : law_(packing.law),
       wall_law_(packing.wall_law),
@@ -53,6 +55,8 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
       dt_(settings.time_step),
       skin_(settings.skin),
       threads_(settings.threads),
+      rows_kept_(settings.threads == 1 && packing.grains.size() >= kManyGrains ? RowsKept::one_block
+                                                                               : RowsKept::all),
       largest_diameter_(largest_diameter(packing.grains)),
       min_skin_(kMinSkin * skin_length_unit(packing.grains.radius)),
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
@@ -69,8 +73,9 @@ ExplicitDynamics<Dim>::ExplicitDynamics(const Packing<Dim>& packing, const Bound
   add_interactions(packing, settings.instructions, shape_of(packing.cell, control));
   sums_.resize(n_blocks());
   if (law_.liquid()) set_first_reach(packing);
+  const std::vector<History> histories = take_histories(packing);
   build_lists();
-  load_memory(packing);
+  load_memory(histories);
   if (shares_liquid()) spread_liquid();
   refresh_forces();
 }
@@ -87,16 +92,26 @@ void ExplicitDynamics<Dim>::add_interactions(const Packing<Dim>& packing, Instru
 }
 
 template <int Dim>
-void ExplicitDynamics<Dim>::load_memory(const Packing<Dim>& packing) {
+auto ExplicitDynamics<Dim>::take_histories(Packing<Dim>& packing) -> std::vector<History> {
+  std::vector<History> histories;
+  histories.reserve(packing.contacts.size());
+  for (const Contact<Dim>& c : packing.contacts) histories.push_back({{c.i, c.j, c.image}, c.memory});
+  packing.contacts = std::vector<Contact<Dim>>();  // = {} would keep the room that they took
+  return histories;
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::load_memory(const std::vector<History>& histories) {
   std::vector<int> place(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) place[grains_.index[k]] = k;
-  for (const Contact<Dim>& c : packing.contacts) {
-    const bool on_wall = packing.is_wall(c.j);
-    const NeighborPair<Dim> key{place[c.i], on_wall ? c.j - grains_.size() : place[c.j], c.image};
+  for (const auto& [contact, memory] : histories) {
+    const bool on_wall = contact.j >= grains_.size();
+    const NeighborPair<Dim> key{place[contact.i], on_wall ? contact.j - grains_.size() : place[contact.j],
+                                contact.image};
     const bool swap = !on_wall && key.j < key.i;
     Interaction<Dim>& interaction = interactions_[on_wall ? 1 : 0];
     const int p = interaction.pairs().find(swap ? swapped(key) : key);
-    if (p >= 0) interaction.load_memory(p, c.memory, swap);
+    if (p >= 0) interaction.load_memory(p, memory, swap);
   }
   if (bridges_) interactions_[0].refresh_bridges();
 }
@@ -283,24 +298,18 @@ template <int Dim>
 void ExplicitDynamics<Dim>::build_lists() {
   if (!finite()) return;
   adapt_skin();
-  Grains<Dim> now = Grains<Dim>::with_size(grains_.size());
-  grains_.copy_positions_to(now);
-  const std::vector<double> share = skin_shares();
-  inverse_skin_squared_.assign(grains_.x[0].size(), 0.0);
-  for (int k = 0; k < grains_.size(); ++k) {
-    const double skin = 0.5 * skin_ * share[k];
-    now.radius[k] = grains_.radius[k] + skin;
-    inverse_skin_squared_[k] = 1.0 / (skin * skin);
-  }
+  sums_of_rows_ = RowSums<Dim>();  // of the lists that end here
+  std::vector<Pairs> close = close_pairs();
+  out_of_range_share_ = out_of_range_share(close[0]);
   const std::span<const double> radius(grains_.radius.data(), grains_.size());
   std::vector<const PairArrays<Dim>*> lists;
-  for (Interaction<Dim>& interaction : interactions_) {
-    const std::vector<NeighborPair<Dim>> close = close_pairs(interaction, now);
-    if (interaction.partner() == Partner::grain) out_of_range_share_ = out_of_range_share(close);
-    interaction.set_pairs({close, interaction.partner(), radius, grains_.mass, interaction.law(), dt_});
+  for (std::size_t k = 0; k < interactions_.size(); ++k) {
+    Interaction<Dim>& interaction = interactions_[k];
+    interaction.set_pairs({close[k], interaction.partner(), radius, grains_.mass, interaction.law(), dt_});
+    close[k] = Pairs();
     lists.push_back(&interaction.pairs());
   }
-  sums_of_rows_ = {lists, row_size<Dim>(interactions_[0].law()), grains_.size()};
+  sums_of_rows_ = {lists, rotates(interactions_[0].law()), grains_.size(), rows_kept_};
   for (std::size_t k = 0; k < interactions_.size(); ++k) interactions_[k].set_rows(sums_of_rows_.rows(k));
   if (!walls_.empty()) list_pairs_of_walls();
   walls_.mark();
@@ -309,6 +318,26 @@ void ExplicitDynamics<Dim>::build_lists() {
   lattice_at_list_ = lattice_;
   list_stretch_.setIdentity();
   steps_since_list_ = 0;
+}
+
+/// Those of each interaction, by grains whose skins are as wide as the skin of the list and their speeds make
+/// them.
+template <int Dim>
+std::vector<std::vector<NeighborPair<Dim>>> ExplicitDynamics<Dim>::close_pairs() {
+  Grains<Dim> now;  // positions and radii alone
+  now.position.resize(grains_.size());
+  now.radius.resize(grains_.size());
+  grains_.copy_positions_to(now);
+  const std::vector<double> share = skin_shares();
+  inverse_skin_squared_.assign(grains_.x[0].size(), 0.0);
+  for (int k = 0; k < grains_.size(); ++k) {
+    const double skin = 0.5 * skin_ * share[k];
+    now.radius[k] = grains_.radius[k] + skin;
+    inverse_skin_squared_[k] = 1.0 / (skin * skin);
+  }
+  std::vector<Pairs> close;
+  for (const Interaction<Dim>& interaction : interactions_) close.push_back(close_pairs(interaction, now));
+  return close;
 }
 
 /// Pairs that may interact before bodies have moved by their skins.
@@ -332,7 +361,18 @@ PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
 template <int Dim>
 void ExplicitDynamics<Dim>::compute_pairs(int block, double slip_time) {
   const PairCell<Dim> cell = pair_cell(slip_time);
+  if (rows_kept_ == RowsKept::one_block)
+    interactions_[0].set_rows(sums_of_rows_.rows(0), interactions_[0].pairs().first_of_block(block));
   for (const Interaction<Dim>& interaction : interactions_) interaction.compute(block, grain_view_, cell);
+  if (rows_kept_ == RowsKept::one_block) add_to_second_grains(block);
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::add_to_second_grains(int block) {
+  const Interaction<Dim>& interaction = interactions_[0];
+  const PairArrays<Dim>& pairs = interaction.pairs();
+  interaction.kernels().add_to_second_grains(interaction.view(), pairs.first_of_block(block),
+                                             pairs.first_of_block(block + 1), sums_of_rows_.sums_as_j());
 }
 
 template <int Dim>
@@ -388,9 +428,8 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
 /// Forces of the present positions and velocities, histories untouched but for their caps.
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
-  for (int b = 0; b < n_blocks(); ++b) compute_pairs(b, 0.0);
   kick_ = kick_over(0.0);
-  for (int b = 0; b < n_blocks(); ++b) sum_and_kick(b);
+  for (int b = 0; b < n_blocks(); ++b) compute_pairs(b, 0.0), sum_and_kick(b);
   sum_forces_on_walls();
 }
 
@@ -400,6 +439,14 @@ bool ExplicitDynamics<Dim>::finite() const {
   for (const auto& component : grains_.x)
     for (const double x : component) all = all && std::isfinite(x);
   return all;
+}
+
+template <int Dim>
+Packing<Dim> ExplicitDynamics<Dim>::release_packing() {
+  sums_of_rows_ = RowSums<Dim>();
+  x_list_ = {};
+  for (Interaction<Dim>& interaction : interactions_) interaction.keep_memory_alone();
+  return packing();
 }
 
 template <int Dim>
@@ -476,6 +523,13 @@ void ExplicitDynamics<Dim>::append_contacts(const Interaction<Dim>& interaction,
 template <int Dim>
 std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                              const DynamicsSettings& settings) {
+  Packing<Dim> copy = packing;
+  return take_into_motion(copy, control, settings);
+}
+
+template <int Dim>
+std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
+                                                const DynamicsSettings& settings) {
   return std::make_unique<ExplicitDynamics<Dim>>(packing, control, settings);
 }
 
@@ -484,9 +538,13 @@ template Vec<2> ExplicitDynamics<2>::image_shift(const Vec<2, int>&) const;
 template Vec<3> ExplicitDynamics<3>::image_shift(const Vec<3, int>&) const;
 template void ExplicitDynamics<2>::build_lists();
 template void ExplicitDynamics<3>::build_lists();
-template std::unique_ptr<Dynamics<2>> make_dynamics(const Packing<2>&, const BoundaryControl<2>&,
-                                                    const DynamicsSettings&);
-template std::unique_ptr<Dynamics<3>> make_dynamics(const Packing<3>&, const BoundaryControl<3>&,
-                                                    const DynamicsSettings&);
+#define FLOC_INSTANTIATE(Dim)                                                                             \
+  template std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>&, const BoundaryControl<Dim>&, \
+                                                        const DynamicsSettings&);                         \
+  template std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>&, const BoundaryControl<Dim>&,    \
+                                                           const DynamicsSettings&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
 
 }  // namespace floc

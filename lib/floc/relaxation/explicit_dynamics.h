@@ -22,19 +22,29 @@ namespace floc {
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:
-  ExplicitDynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
+  /// @param packing  whose contacts it takes over
+  ExplicitDynamics(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                    const DynamicsSettings& settings);
 
   void advance(int n_steps, Motion motion) override;
   bool finite() const override;
   Packing<Dim> packing() const override;
+  Packing<Dim> release_packing() override;
   double skin() const override;
 
  private:
+  using Pairs = std::vector<NeighborPair<Dim>>;
+  /// What motion needs of a contact.
+  struct History {
+    NeighborPair<Dim> key;
+    ContactMemory<Dim> memory;
+  };
+
   int n_blocks() const { return (grains_.size() + kGrainBlock - 1) / kGrainBlock; }
 
+  static std::vector<History> take_histories(Packing<Dim>& packing);
   void add_interactions(const Packing<Dim>& packing, InstructionSet instructions, LatticeShape shape);
-  void load_memory(const Packing<Dim>& packing);
+  void load_memory(const std::vector<History>& histories);
   Vec<Dim> sides() const;
   Cell<Dim> cell() const;
   /// Whether a component of the boundary belongs to the lattice, and not to walls.
@@ -52,6 +62,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Kick<Dim> kick_over(double half_step) const;
   void kick_and_drift(int block);
   void compute_pairs(int block, double slip_time);
+  void add_to_second_grains(int block);
   void add_wall_virial(int block);
   void sum_and_kick(int block);
   void end_step(Motion motion);
@@ -71,7 +82,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double gap_of(const NeighborPair<Dim>& pair) const;
   LiquidShares share_liquid();
   void spread_liquid();
-  std::vector<NeighborPair<Dim>> close_pairs(const Interaction<Dim>& interaction, const Grains<Dim>& now) const;
+  std::vector<Pairs> close_pairs();
+  Pairs close_pairs(const Interaction<Dim>& interaction, const Grains<Dim>& now) const;
   void append_contacts(const Interaction<Dim>& interaction, const std::vector<Vec<Dim, int>>& wrap,
                        Packing<Dim>& out) const;
   void adapt_skin();
@@ -88,6 +100,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double time_ = 0.0;  ///< since this was made
   double skin_;
   int threads_;
+  RowsKept rows_kept_;
   double largest_diameter_;
   double min_skin_;  ///< (length)
 

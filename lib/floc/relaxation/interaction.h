@@ -31,8 +31,10 @@ class Interaction {
 
   /// Takes a new list of pairs, which inherits the memory of the one before.
   void set_pairs(PairArrays<Dim> pairs);
-  /// Where the rows of the list begin.
-  void set_rows(double* rows) { arrays_.row = rows; }
+  /// Drops what forces alone need.
+  void keep_memory_alone() { pairs_.keep_memory_alone(); }
+  /// Where the rows of the list begin, or those from a pair on.
+  void set_rows(double* rows, int with_row = 0) { arrays_.row = rows, arrays_.with_row = with_row; }
   /// Rows, springs and memory of the pairs of a block.
   void compute(int block, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const;
 

@@ -14,6 +14,7 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
     : partner_(partner) {
   const bool with_walls = partner == Partner::wall;
   const int n_grains = static_cast<int>(radius.size());
+  reserve(pairs.size() + pairs.size() / 8 + static_cast<std::size_t>(n_grains));
   first_of_i_.assign(n_grains, 0);
   end_of_i_.assign(n_grains, 0);
   std::visit(
@@ -46,11 +47,19 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
       any_law);
 }
 
+/// An array that grows as it is filled is held twice for a moment.
+template <int Dim>
+void PairArrays<Dim>::reserve(std::size_t n_pairs) {
+  i_.reserve(n_pairs), j_.reserve(n_pairs);
+  for (auto& component : image_) component.reserve(n_pairs);
+  for (Component* component : {&radii_, &share_i_, &damping_}) component->reserve(n_pairs);
+}
+
 template <int Dim>
 void PairArrays<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping) {
   i_.push_back(key.i);
   j_.push_back(key.j);
-  for (int a = 0; a < Dim; ++a) image_[a].push_back(key.image[a]);
+  for (int a = 0; a < Dim; ++a) image_[a].push_back(static_cast<float>(key.image[a]));
   radii_.push_back(radius_i + radius_j);
   share_i_.push_back(radius_i / (radius_i + radius_j));
   damping_.push_back(damping);
@@ -103,7 +112,7 @@ void PairArrays<Dim>::fill_pack() {
     const int grain = i_.back();
     i_.push_back(grain);
     j_.push_back(partner_ == Partner::wall ? j_.back() : grain);
-    for (int a = 0; a < Dim; ++a) image_[a].push_back(1.0);
+    for (int a = 0; a < Dim; ++a) image_[a].push_back(1.0F);
     for (Component* component : {&radii_, &share_i_, &damping_}) component->push_back(0.0);
   }
 }
@@ -145,6 +154,13 @@ void PairArrays<Dim>::inherit(const PairArrays& old) {
 }
 
 template <int Dim>
+void PairArrays<Dim>::keep_memory_alone() {
+  for (Component* component : {&viscous, &share_i_, &damping_, &reduced_radius_, &reduced_mass_, &radius_i_,
+                               &radius_j_, &strength_, &decay_, &reach_})
+    *component = Component();
+}
+
+template <int Dim>
 PairView<Dim> PairArrays<Dim>::view() {
   PairView<Dim> out;
   out.i = i_.data();
@@ -161,6 +177,7 @@ PairView<Dim> PairArrays<Dim>::view() {
   out.viscous = viscous.data();
   for (std::size_t k = 0; k < memory.size(); ++k) out.memory[k] = memory[k].data();
   out.row = nullptr;
+  out.with_row = 0;
   return out;
 }
 

@@ -55,6 +55,8 @@ class PairArrays {
   int find(const NeighborPair<Dim>& key) const;
   /// Takes over the memory of an older list of the same grains.
   void inherit(const PairArrays& old);
+  /// Drops what forces alone need, of a list that is not going to be stepped again.
+  void keep_memory_alone();
   /// Finds anew what a law that holds liquid needs of each pair, from the volumes in the memory; does nothing
   /// for other laws.
   void refresh_bridges(const AnyContactLaw& law);
@@ -66,6 +68,7 @@ class PairArrays {
   PairView<Dim> view();
 
  private:
+  void reserve(std::size_t n_pairs);
   void add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping);
   Component reduced(std::span<const double> of_grain) const;
   void keep_radii(std::span<const double> radius);
@@ -74,7 +77,7 @@ class PairArrays {
 
   Partner partner_ = Partner::grain;
   AlignedVector<int> i_, j_;
-  std::array<Component, Dim> image_;
+  std::array<AlignedVector<float>, Dim> image_;  ///< whole numbers
   Component radii_, share_i_, damping_;
   Component reduced_radius_, reduced_mass_;                   ///< empty where the law does not need them
   Component radius_i_, radius_j_, strength_, decay_, reach_;  ///< empty where the law holds no liquid

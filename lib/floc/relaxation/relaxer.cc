@@ -173,8 +173,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   const bool finishing = progress_.phase == RelaxationProgress::finishing;
   DynamicsSettings settings{time_step_, progress_.skin, options_.threads};
   settings.holds_liquid = finishing;
-  auto dynamics = make_dynamics(packing_, control, settings);
-  packing_.contacts = {};  // dynamics has them now: a large packing is held once
+  auto dynamics = take_into_motion(packing_, control, settings);
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
@@ -184,7 +183,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
     return RelaxationStatus::gave_up;
   }
   packing_ = {};
-  packing_ = dynamics->packing();
+  packing_ = dynamics->release_packing();
   if (!options_.skin) progress_.skin = dynamics->skin();
   dynamics.reset();
   progress_.n_steps += kStepsPerChunk;

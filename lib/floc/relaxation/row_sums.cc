@@ -37,17 +37,19 @@ int row_place(std::int64_t pair, int row_size) {
 }
 
 template <int Dim>
-RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, int row_size, int n_grains)
-    : row_size_(row_size), plans_(static_cast<std::size_t>((n_grains + kGrainBlock - 1) / kGrainBlock)) {
-  std::int64_t n_pairs = 0;
-  for (const PairArrays<Dim>* pairs : lists) {
-    first_row_.push_back(row_place(n_pairs, row_size));
-    n_pairs += pairs->size();
-  }
-  zero_row_ = row_place(n_pairs, row_size);
-  rows_.assign(static_cast<std::size_t>(zero_row_) + row_size + kRowMargin, 0.0);
+RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, bool rotates, int n_grains,
+                      RowsKept kept)
+    : kept_(kept),
+      row_size_(row_size<Dim>(rotates)),
+      plans_(static_cast<std::size_t>((n_grains + kGrainBlock - 1) / kGrainBlock)) {
+  place_rows(lists);
   const RowsOfGrains as_i = rows_of(lists, [](const PairArrays<Dim>& pairs, int p) { return pairs.i(p); });
-  const RowsOfGrains as_j = rows_of({lists[0]}, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
+  RowsOfGrains as_j{std::vector<int>(plans_.size() * kGrainBlock + 1, 0), {}};
+  const std::size_t sums_of_block = static_cast<std::size_t>(kGrainBlock) * row_lanes<Dim>(rotates);
+  if (kept == RowsKept::all)
+    as_j = rows_of({lists[0]}, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
+  else
+    sums_as_j_.assign(plans_.size() * sums_of_block, 0.0);
   std::vector<std::size_t> first;
   for (std::size_t b = 0; b < plans_.size(); ++b) {
     const int begin = static_cast<int>(b) * kGrainBlock;
@@ -55,6 +57,7 @@ RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, int row_
     plan_side(plans_[b].as_i, begin, as_i);
     first.push_back(listed_rows_.size());
     plan_side(plans_[b].as_j, begin, as_j);
+    plans_[b].sums_as_j = kept == RowsKept::all ? nullptr : sums_as_j_.data() + b * sums_of_block;
   }
   // Only now that the list has stopped growing does it stay where it is.
   for (std::size_t b = 0; b < plans_.size(); ++b) {
@@ -62,6 +65,31 @@ RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, int row_
     plans_[b].as_j.row = listed_rows_.data() + first[2 * b + 1];
   }
   plan_crossings(*lists[0]);
+}
+
+template <int Dim>
+void RowSums<Dim>::place_rows(const std::vector<const PairArrays<Dim>*>& lists) {
+  std::int64_t n_pairs = 0;
+  for (const PairArrays<Dim>* pairs : lists) {
+    first_row_.push_back(row_place(n_pairs, row_size_));
+    int kept = pairs->size();
+    if (kept_ == RowsKept::one_block && pairs == lists[0]) {
+      kept = 0;
+      for (int b = 0; b < static_cast<int>(plans_.size()); ++b)
+        kept = std::max(kept, pairs->first_of_block(b + 1) - pairs->first_of_block(b));
+    }
+    n_pairs += kept;
+  }
+  zero_row_ = row_place(n_pairs, row_size_);
+  rows_.assign(static_cast<std::size_t>(zero_row_) + row_size_ + kRowMargin, 0.0);
+}
+
+template <int Dim>
+int RowSums<Dim>::place_of_row(const std::vector<const PairArrays<Dim>*>& lists, std::size_t list,
+                               int pair) const {
+  if (kept_ == RowsKept::one_block && list == 0)
+    pair -= lists[0]->first_of_block(lists[0]->i(pair) / kGrainBlock);
+  return first_row_[list] + pair * row_size_;
 }
 
 /// In the order of the pairs; grains that pad the last block have none.
@@ -78,7 +106,7 @@ typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const std::vector<cons
   std::vector<int> next(rows.first.begin(), rows.first.end() - 1);
   for (std::size_t l = 0; l < lists.size(); ++l)
     for (int p = 0; p < lists[l]->size(); ++p)
-      if (!lists[l]->padding(p)) rows.row[next[grain_of(*lists[l], p)]++] = first_row_[l] + p * row_size_;
+      if (!lists[l]->padding(p)) rows.row[next[grain_of(*lists[l], p)]++] = place_of_row(lists, l, p);
   return rows;
 }
 

@@ -25,6 +25,10 @@ TEST(Dynamics, ThreadsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_threads<2>();
 }
 
+TEST(Dynamics, KeepingRowsOfOneBlockLeavesNoTraceInTheBits) {
+  test::expect_no_trace_of_kept_rows(test::large_agitated_gas<2>(cohesive_law()));
+}
+
 TEST(Dynamics, VectorInstructionsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_instructions<2>(50u);
 }

@@ -22,6 +22,14 @@ TEST(Spheres, ThreadsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_threads<3>();
 }
 
+TEST(Spheres, KeepingRowsOfOneBlockLeavesNoTraceInTheBits) {
+  LawParameters frictionless = cohesive_law();
+  frictionless.friction.reset();
+  frictionless.rolling.reset();
+  for (const LawParameters& law : {cohesive_law(), frictionless})
+    test::expect_no_trace_of_kept_rows(test::large_agitated_gas<3>(law));
+}
+
 TEST(Spheres, VectorInstructionsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_instructions<3>(30u);
 }

@@ -66,6 +66,12 @@ double momentum(const Packing<2>& packing, int axis) {
   return sum;
 }
 
+TEST(Walls, AroundManyGrainsLeaveTheSameBitsWhicheverRowsAreKept) {
+  for (const int n_axes : {1, 2})
+    test::expect_no_trace_of_kept_rows(
+        boxed(test::large_agitated_gas<2>(cohesive_law()), n_axes, cohesive_law()));
+}
+
 /// The walls of an empty square box approach each other as L = L0 cos(t sqrt(2 p/m)).
 TEST(Walls, OfAnEmptyBoxFollowTheirPressure) {
   Packing<2> box = one_disk();

@@ -68,6 +68,12 @@ struct Pack {
     __builtin_memcpy(&p.v, from, sizeof(Vector));
     return p;
   }
+  static Pack load(const float* from) {
+    typedef float Floats __attribute__((vector_size(sizeof(float) * kWidth)));
+    Floats numbers;
+    __builtin_memcpy(&numbers, from, sizeof(Floats));
+    return Pack(__builtin_convertvector(numbers, Vector));
+  }
   void store(double* to) const { __builtin_memcpy(to, &v, sizeof(Vector)); }
 
   Pack& operator+=(const Pack& b) { return v += b.v, *this; }

@@ -52,6 +52,11 @@ template <int Dim>
 constexpr int row_size(bool rotates) {
   return rotates ? RowLayout<Dim, true>::kSize : RowLayout<Dim, false>::kSize;
 }
+/// Doubles that a grain reads of a row.
+template <int Dim>
+constexpr int row_lanes(bool rotates) {
+  return rotates ? RowLayout<Dim, true>::kLanes : RowLayout<Dim, false>::kLanes;
+}
 /// Place of the force in a row.
 template <int Dim>
 constexpr int force_in_row(bool rotates) {
@@ -79,20 +84,21 @@ struct PairView {
   /// Grains; those of i ascend, by less than kWindow in kPairPadding pairs. For pairs with walls, j is the
   /// wall's number, and i may leap.
   const int *i, *j;
-  const double* image[Dim];  ///< in sides of the cell
-  const double* radii;       ///< Ri + Rj
-  const double* share_i;     ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
+  const float* image[Dim];  ///< in sides of the cell
+  const double* radii;      ///< Ri + Rj
+  const double* share_i;    ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
   const double* damping;
   /// Ri Rj/(Ri + Rj) and mi mj/(mi + mj), null where the law does not need them.
   const double *reduced_radius, *reduced_mass;
   const double *strength, *decay, *reach;    ///< of liquid bridges (Bridge), null where the law has none
   double* viscous;                           ///< dashpot forces of the step before, null where the law has none
   double* memory[MemoryLayout<Dim>::kSize];  ///< what the law remembers; null at places of which it does not
-  double* row;                               ///< one more than there are pairs: the last stays zero
+  double* row;                               ///< of the pair with_row and of those after it
+  int with_row;
 };
 
-/// The rows that each grain of a block sums as the first, or as the second, grain of a pair: places in
-/// PairView::row, for each grain in ascending order of its pairs. Grains with similar numbers of rows stand
+/// The rows that each grain of a block sums as the first, or as the second, grain of a pair: places from
+/// PairView::row on, for each grain in ascending order of its pairs. Grains with similar numbers of rows stand
 /// side by side in groups, which are summed without branches to a depth of their own: depth x kSumGroup places,
 /// those of a grain with fewer rows filled up with the row that stays zero. The rows of a grain beyond the
 /// depth of its group follow on their own.
@@ -107,6 +113,7 @@ struct SideSumsPlan {
 
 struct BlockSumsPlan {
   SideSumsPlan as_i, as_j;
+  double* sums_as_j;  ///< of the grains of the block, as add_to_second_grains() leaves them; null: by as_j
   int n_crossing;
   const int* crossing;  ///< pairs of the block whose branch crosses the boundary, ascending
 };
@@ -165,6 +172,9 @@ struct StepKernels {
   /// The same for pairs of grains with walls.
   void (*compute_wall_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                              const PairCell<Dim>&);
+  /// Adds the rows of the pairs [first, last) to those sums of their second grains, at `sums` for the grain 0.
+  void (*add_to_second_grains)(const PairView<Dim>&, int first, int last, double* sums);
+  /// Uses up sums_as_j, and leaves zeros there.
   void (*sum_and_kick)(const GrainView<Dim>&, const PairView<Dim>&, const BlockSumsPlan&, int first_grain,
                        const PairCell<Dim>&, const Kick<Dim>&, BlockSums<Dim>&);
 };

@@ -68,7 +68,23 @@ struct GrainKernels {
     }
   }
 
+  /// In the order of the pairs, as sum_rows() adds them; those of padding are zero and leave no trace.
+  static void add_to_second_grains(const PairView<Dim>& pairs, int first, int last, double* sums) {
+    const double* row = row_of(pairs, first) + Layout::kReadJ;
+    for (int p = first; p < last; ++p, row += Layout::kSize) {
+      double* const to = sums + static_cast<std::ptrdiff_t>(Layout::kLanes) * pairs.j[p];
+      Row sum;
+      __builtin_memcpy(&sum, to, sizeof(Row));
+      add_row(row, sum);
+      __builtin_memcpy(to, &sum, sizeof(Row));
+    }
+  }
+
  private:
+  static const double* row_of(const PairView<Dim>& pairs, int p) {
+    return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
+  }
+
   /// Axes in ascending order: each reads the velocities, not yet changed, along those after it.
   static void accelerate(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick, int a) {
     double* const v = grains.v[a] + begin;
@@ -138,7 +154,7 @@ struct GrainKernels {
       double shift = pairs.image[b][p] * cell.lattice[b][b];
       if constexpr (kTriangular)
         for (int e = b + 1; e < Dim; ++e) shift += pairs.image[e][p] * cell.lattice[b][e];
-      virial += pairs.row[static_cast<std::ptrdiff_t>(Layout::kSize) * p + Layout::kForce + a] * shift;
+      virial += row_of(pairs, p)[Layout::kForce + a] * shift;
     }
     return virial;
   }
@@ -225,7 +241,12 @@ struct GrainKernels {
                          int begin) {
     Row as_i[kGrainBlock], as_j[kGrainBlock];
     sum_rows(pairs.row + Layout::kReadI, plan.as_i, as_i);
-    sum_rows(pairs.row + Layout::kReadJ, plan.as_j, as_j);
+    if (plan.sums_as_j) {
+      __builtin_memcpy(as_j, plan.sums_as_j, sizeof(as_j));
+      __builtin_memset(plan.sums_as_j, 0, sizeof(as_j));
+    } else {
+      sum_rows(pairs.row + Layout::kReadJ, plan.as_j, as_j);
+    }
     constexpr int kForceI = Layout::kForce - Layout::kReadI, kForceJ = Layout::kForce - Layout::kReadJ;
     for (int k = 0; k < kGrainBlock; ++k) {
       for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = as_j[k][kForceJ + a] - as_i[k][kForceI + a];
@@ -422,7 +443,7 @@ struct PairKernel {
       }
     }
     for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
-    double* const to = pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * p;
+    double* const to = pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
     for (int b = 0; b < Layout::kSize; b += 2)
       Records<Isa>::store_two(to + b, Layout::kSize, row[b], row[b + 1]);
   }
@@ -476,6 +497,7 @@ struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
     } else {
       return {&GrainKernels<Isa, Dim, kShape, L::kHasFriction>::kick_and_drift,
               &PairKernel<Isa, Dim, Grains, L>::compute, &PairKernel<Isa, Dim, Walls, L>::compute,
+              &GrainKernels<Isa, Dim, kShape, L::kHasFriction>::add_to_second_grains,
               &GrainKernels<Isa, Dim, kShape, L::kHasFriction>::sum_and_kick};
     }
   }

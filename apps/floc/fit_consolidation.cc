@@ -157,8 +157,8 @@ int fit_tables(const ConsolidationArguments& arguments) {
 
 Command add_fit_consolidation(CommandLine fit) {
   auto arguments = std::make_shared<ConsolidationArguments>();
-  CommandLine app =
-      fit.add_subcommand("consolidation", "plasticity index lambda and the other parameters of consolidation");
+  CommandLine app = fit.add_subcommand(
+      "consolidation", "slope lambda of the virgin compression line and the other parameters of consolidation");
   app.add_option("TABLE", arguments->inputs,
                  "tables with columns P_star, phi (or void_ratio) and optionally branch; directories of `floc "
                  "run`; - is stdin")

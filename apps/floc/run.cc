@@ -37,9 +37,10 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
       break;
   }
   fmt::print(stderr,
-             "{} equilibria in {}. Next:\n  floc moduli {}/state-*.h5\n  floc fit consolidation {}\n"
+             "{} in {}. Next:\n  floc moduli {}/state-*.h5\n  floc fit consolidation {}\n"
              "  floc verify {}/state-*.h5\n",
-             run.point().step, directory, directory, directory, directory);
+             run.point().step == 1 ? "1 equilibrium" : fmt::format("{} equilibria", run.point().step),
+             directory, directory, directory, directory);
   return kDone;
 }
 

@@ -82,9 +82,8 @@ Command add_structure(CommandLine program) {
       "--profile", command->profile,
       "file for solid fraction, coordination and particle pressure in slices of the cell, one row each");
   app.add_option("--profile-axis", command->profile_axis,
-                 "lattice vector along which the slices follow each other")
-      .one_of({"x", "y", "z"})
-      .show_default();
+                 "lattice vector along which the slices follow each other; the last one unless given")
+      .one_of({"x", "y", "z"});
   app.add_option("--slices", command->n_slices, "number of slices of the profile")
       .between(1, 100000)
       .show_default();

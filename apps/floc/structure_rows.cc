@@ -239,8 +239,9 @@ std::vector<double> contacts_of_each(const Packing<Dim>& packing) {
 template <int Dim>
 void add_profile(const std::string& file, const Packing<Dim>& packing, const StructureCommand& command,
                  Table& table) {
-  const auto axis = static_cast<int>(std::string("xyz").find(command.profile_axis));
-  if (axis >= Dim) throw InputError(file, "is 2D: --profile-axis is x or y");
+  const int axis =
+      command.profile_axis.empty() ? Dim - 1 : static_cast<int>(std::string("xyz").find(command.profile_axis));
+  if (axis >= Dim) throw InputError(file, "is 2D and has no axis z: --profile-axis is x or y");
   std::vector<std::vector<double>> values = {contacts_of_each(packing)};
   if (packing.walls.empty()) values.push_back(particle_pressure(packing));
   for (const ProfileSlice& s : axis_profile(packing, axis, command.n_slices, values))

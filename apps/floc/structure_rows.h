@@ -21,9 +21,9 @@ struct StructureCommand {
   std::string intensity, pairs, gaps, pores, map, prediction;  ///< files for series; empty: none
   std::string porosity, profile;                               ///< the same
   int n_probes = 40;                                           ///< boxes about the centre
-  std::string profile_axis = "z";
-  int n_slices = 20;   ///< of a profile
-  double reach = 5.0;  ///< of g(r), in largest diameters
+  std::string profile_axis;                                    ///< empty: the last
+  int n_slices = 20;                                           ///< of a profile
+  double reach = 5.0;                                          ///< of g(r), in largest diameters
   std::vector<int> map_size = {32, 32};
   std::string format;
 };

@@ -138,9 +138,9 @@ py::tuple network(const States& states, std::optional<double> zero_force, std::o
 
 py::tuple structure(const States& states, bool average, const std::vector<double>& fit_range,
                     std::optional<double> largest_k, std::optional<double> cells_per_wave, double reach,
-                    const std::vector<int>& map_size, int probes, const std::string& profile_axis, int slices,
-                    const Names& tables) {
-  require_one_of("profile_axis", profile_axis, {"x", "y", "z"});
+                    const std::vector<int>& map_size, int probes,
+                    const std::optional<std::string>& profile_axis, int slices, const Names& tables) {
+  if (profile_axis) require_one_of("profile_axis", *profile_axis, {"x", "y", "z"});
   require_tables(
       tables, {"intensity", "pair_correlation", "gaps", "pores", "map", "prediction", "porosity", "profile"});
   StructureCommand command;
@@ -151,7 +151,7 @@ py::tuple structure(const States& states, bool average, const std::vector<double
   command.reach = reach;
   command.map_size = map_size;
   command.n_probes = probes;
-  command.profile_axis = profile_axis;
+  command.profile_axis = profile_axis.value_or("");
   command.n_slices = slices;
   Series series;
   const std::vector<FurtherTable> further = {{"intensity", &command.intensity, &series.intensity},

@@ -17,6 +17,7 @@ TEST(CommandLine, UnknownNamesGetTheNearestThereIs) {
   const Misspelt lines[] = {
       {"modli x.h5", "floc has no command modli; the nearest is moduli"},
       {"modli demo", "floc has no command modli; the nearest is moduli"},
+      {"help modli", "floc has no command modli; the nearest is moduli"},
       {"fit consolidatoin demo", "floc fit has no command consolidatoin; the nearest is consolidation"},
       {"scene chek x.toml", "floc scene has no command chek; the nearest is check"},
       {"moduli --prestres x.h5", "floc moduli has no option --prestres; the nearest is --prestress"},
@@ -36,7 +37,10 @@ TEST(CommandLine, UnknownNamesGetTheNearestThereIs) {
 TEST(CommandLine, OtherFaultsKeepTheirWords) {
   EXPECT_THAT(run_floc("moduli").err, HasSubstr("STATE is required"));
   EXPECT_THAT(run_floc("moduli x.h5 --strains half").err, HasSubstr("--strains"));
+  EXPECT_THAT(run_floc("structure x.h5 --reach 0").err,
+              HasSubstr("--reach: expected a positive number, not 0"));
   EXPECT_EQ(run_floc("moduli --help").code, 0);
+  EXPECT_EQ(run_floc("--help").code, 0);
   EXPECT_EQ(run_floc("--version").code, 0);
 }
 

@@ -184,9 +184,13 @@ TEST_F(Structure, PorosityAndProfilesGoToFiles) {
   double mean = 0.0;
   for (int r = 0; r < 4; ++r) mean += p.number(r, 3) / 4.0;
   EXPECT_NEAR(mean, phi, 1e-12);
-  const Outcome flat = structure("frames.h5 --profile p.csv");
-  EXPECT_EQ(flat.code, 4);
-  EXPECT_THAT(flat.err, HasSubstr("frames.h5: is 2D: --profile-axis is x or y"));
+  const Outcome along_z = structure("frames.h5 --profile p.csv --profile-axis z");
+  EXPECT_EQ(along_z.code, 4);
+  EXPECT_THAT(along_z.err, HasSubstr("frames.h5: is 2D and has no axis z: --profile-axis is x or y"));
+  // The last axis unless another is given.
+  ASSERT_EQ(structure("frames.h5 --profile last.csv").code, 0);
+  ASSERT_EQ(structure("frames.h5 --profile y.csv --profile-axis y").code, 0);
+  EXPECT_EQ(content_of(scratch_.file("last.csv")), content_of(scratch_.file("y.csv")));
 }
 
 TEST_F(Structure, BadInputIsNamedAndTheOthersAreDone) {

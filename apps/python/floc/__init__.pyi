@@ -415,13 +415,13 @@ def network(
 def structure(
     state: _OneState, *, average: bool = False, fit_range: _Sequence[float] = (0.0, 1.0),
     largest_k: float | None = None, cells_per_wave: float | None = None, reach: float = 5.0,
-    map_size: _Sequence[int] = (32, 32), probes: int = 40, profile_axis: str = "z", slices: int = 20,
+    map_size: _Sequence[int] = (32, 32), probes: int = 40, profile_axis: str | None = None, slices: int = 20,
     tables: str | _Iterable[str] = ()) -> Structure: ...
 @_overload
 def structure(
     state: _Iterable[_OneState], *, average: bool = False, fit_range: _Sequence[float] = (0.0, 1.0),
     largest_k: float | None = None, cells_per_wave: float | None = None, reach: float = 5.0,
-    map_size: _Sequence[int] = (32, 32), probes: int = 40, profile_axis: str = "z", slices: int = 20,
+    map_size: _Sequence[int] = (32, 32), probes: int = 40, profile_axis: str | None = None, slices: int = 20,
     tables: str | _Iterable[str] = ()) -> Records[Structure]: ...
 def compare(before: _OneState, after: _OneState, *, rigid_tolerance: float = 0.01,
             tables: str | _Iterable[str] = ()) -> Comparison: ...

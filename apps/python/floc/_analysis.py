@@ -126,7 +126,7 @@ def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_wid
 
 
 def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cells_per_wave=None, reach=5.0,
-              map_size=(32, 32), probes=40, profile_axis="z", slices=20, tables=()):
+              map_size=(32, 32), probes=40, profile_axis=None, slices=20, tables=()):
     """Scattering with xi and dF, pores, local solid fractions, as ``floc structure`` prints them.
 
     Parameters

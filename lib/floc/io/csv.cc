@@ -54,7 +54,8 @@ CsvTable::CsvTable(std::string place, std::vector<std::string> columns)
 void CsvTable::add_row(int line, const std::vector<std::string>& cells) {
   if (cells.size() != columns_.size())
     throw InputError(fmt::format("{}:{}", place_, line),
-                     fmt::format("has {} cells, expected {} as the header has", cells.size(), columns_.size()));
+                     fmt::format("has {} cells, expected {} as in the header of the csv table", cells.size(),
+                                 columns_.size()));
   lines_.push_back(line);
   for (const std::string& cell : cells) cells_.push_back(cell);
 }

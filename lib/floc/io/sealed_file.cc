@@ -87,7 +87,8 @@ SealedFile::SealedFile(const std::string& path)
   std::vector<char> buffer;
   if (read_at(fd, path, 0, kHdf5Signature.size(), buffer) != kHdf5Signature)
     throw InputError(
-        path, size == 0 ? "is empty, expected a floc state (HDF5)" : "is not a floc state: not an HDF5 file");
+        path, size == 0 ? "is empty, expected a floc state (HDF5)"
+                        : "is not a floc state: not an HDF5 file. floc run and floc convert write such states");
   const std::size_t n = size < kSealSize ? 0 : size - kSealSize;
   const std::string tail(read_at(fd, path, n, kSealSize, buffer));
   if (n == 0 || !tail.starts_with(kSealBegin) || !tail.ends_with(kSealEnd))

@@ -57,7 +57,8 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
   if (scene.starts_from_state())
     return root.refuse("grains", "[grains]: the grains are those of assembly.state; expected no such table");
   TableReader t = root.table("grains", "a table [grains]");
-  const auto count = t.integer("count", {2, kMaxGrains, "a whole number of grains, 2 to 1e8"});
+  const auto count =
+      t.integer("count", {2, kMaxGrains, "a whole number of grains, 2 to 1e8, written as digits alone"});
   scene.grains.count = static_cast<int>(count.value_or(0));
   scene.grains.density =
       t.number("density", {positive, "a positive number (mass per area in 2D, per volume in 3D)"},

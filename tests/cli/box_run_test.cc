@@ -6,50 +6,11 @@
 #include <filesystem>
 
 #include "floc/io/csv.h"
+#include "support/box_scene.h"
 #include "support/kill_and_resume.h"
 
 namespace floc::test {
 namespace {
-
-/// Sticky grains pressed together by walls on all sides, then under twice the pressure, in a second or so.
-std::string box(int dimension) {
-  const std::string sides = dimension == 2 ? "[1, 1.3]" : "[1, 1, 1.3]";
-  return R"([scene]
-name = "box"
-dimension = )" +
-         std::to_string(dimension) + R"(
-units = "reduced"
-[grains]
-count = 60
-diameter = {distribution = "uniform", min = 0.8, max = 1.0}
-[contact]
-normal = {law = "linear", stiffness = 1e3}
-adhesion = {law = "constant", force = 0.2}
-damping = {restitution = 0.4472136}
-friction = {coefficient = 0.4, stiffness = 1.5e3}
-[box]
-sides = )" +
-         sides +
-         R"(
-mass = 20
-pressure = 0.1
-friction = 0.4
-adhesion = 0
-[assembly]
-protocol = "direct"
-solid_fraction = 0.35
-kinetic_pressure = 0.02
-[[load]]
-name = "load"
-to = 0.2
-steps = 1
-[equilibrium]
-stop_time = 200
-[run]
-seed = 3
-checkpoint_every = 0.02
-)";
-}
 
 /// With one part of the text exchanged for another.
 std::string with(std::string text, const std::string& old, const std::string& replacement) {
@@ -70,7 +31,7 @@ class BoxRun : public ::testing::TestWithParam<int> {
 };
 
 TEST_P(BoxRun, MakesStatesThatVerifyAndRowsThatSayWhatWallsBear) {
-  const Outcome made = run(box(GetParam()), "-o out");
+  const Outcome made = run(box_scene(GetParam()), "-o out");
   ASSERT_EQ(made.code, 0) << made.err;
   const Outcome verified = floc("verify out/state-*.h5");
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
@@ -82,20 +43,20 @@ TEST_P(BoxRun, MakesStatesThatVerifyAndRowsThatSayWhatWallsBear) {
 }
 
 TEST_P(BoxRun, GivesTheSameFilesForTwoThreads) {
-  ASSERT_EQ(run(box(GetParam()), "--until 0 -o one").code, 0);
-  ASSERT_EQ(run(box(GetParam()), "--until 0 -o two --threads 2").code, 0);
+  ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o one").code, 0);
+  ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o two --threads 2").code, 0);
   expect_same_results(file("one"), file("two"), 1);
 }
 
 TEST_P(BoxRun, SurvivesTenKillsWithoutATrace) {
-  kill_and_resume(10, 11, box(GetParam()), 2);
+  kill_and_resume(10, 11, box_scene(GetParam()), 2);
 }
 
 /// A saved box is where the next run starts: its walls stand where they stood.
 TEST_P(BoxRun, StartsFromAStateWithWalls) {
-  ASSERT_EQ(run(box(GetParam()), "--until 0 -o first").code, 0);
+  ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o first").code, 0);
   std::string next =
-      with(box(GetParam()), "protocol = \"direct\"\nsolid_fraction = 0.35\nkinetic_pressure = 0.02",
+      with(box_scene(GetParam()), "protocol = \"direct\"\nsolid_fraction = 0.35\nkinetic_pressure = 0.02",
            "protocol = \"state\"\nstate = \"first/state-0000.h5\"");
   const std::size_t grains = next.find("[grains]"), contact = next.find("[contact]");
   next.erase(grains, contact - grains);
@@ -108,7 +69,8 @@ TEST_P(BoxRun, StartsFromAStateWithWalls) {
 
 /// Walls across an axis may bear another pressure than the rest.
 TEST_P(BoxRun, PutsAStressOfItsOwnOnAnAxis) {
-  const Outcome made = run(with(box(GetParam()), "to = 0.2", "control = \"triaxial\"\nto = 0.2"), "-o out");
+  const Outcome made =
+      run(with(box_scene(GetParam()), "to = 0.2", "control = \"triaxial\"\nto = 0.2"), "-o out");
   ASSERT_EQ(made.code, 0) << made.err;
   const CsvTable path = CsvTable::read(file("out/path.csv"));
   ASSERT_EQ(path.n_rows(), 2);
@@ -120,7 +82,7 @@ TEST_P(BoxRun, PutsAStressOfItsOwnOnAnAxis) {
 
 /// Moduli of a boxed sample lie between its bounds; a row of increments names walls after the grains.
 TEST_P(BoxRun, HasModuliBetweenItsBounds) {
-  ASSERT_EQ(run(box(GetParam()), "--until 0 -o out").code, 0);
+  ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o out").code, 0);
   const Outcome made = floc("moduli out/state-0000.h5 --increments inc.csv --format csv");
   ASSERT_EQ(made.code, 0) << made.err;
   write_text(file("moduli.csv"), made.out);
@@ -141,7 +103,7 @@ TEST_P(BoxRun, HasModuliBetweenItsBounds) {
 
 /// Other programs get the grains in a box that begins at zero, and are told of its walls.
 TEST_P(BoxRun, IsExportedWithItsWalls) {
-  ASSERT_EQ(run(box(GetParam()), "--until 0 -o out").code, 0);
+  ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o out").code, 0);
   ASSERT_EQ(floc("convert out/state-0000.h5 box.data").code, 0);
   EXPECT_THAT(content_of(file("box.data")), testing::HasSubstr("fix wall/gran"));
   ASSERT_EQ(floc("convert out/state-0000.h5 box.xyz").code, 0);
@@ -157,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Dimensions, BoxRun, testing::Values(2, 3));
 /// A box of which the aggregate still has mechanisms is recorded as it is when its time is over.
 TEST(BoxRun, RecordsWhatHasNotSettledAsStopped) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("box.toml"), with(box(3), "stop_time = 200", "stop_time = 2"));
+  write_text(scratch.file("box.toml"), with(box_scene(3), "stop_time = 200", "stop_time = 2"));
   const Outcome made = run_floc("run box.toml --until 0 -o out", scratch.path());
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_THAT(content_of(scratch.file("out/path.csv")), testing::HasSubstr(",stopped,"));
@@ -167,7 +129,7 @@ TEST(BoxRun, RecordsWhatHasNotSettledAsStopped) {
 /// The groups of the published study.
 TEST(BoxSceneCheck, PrintsItsGroups) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("box.toml"), box(3));
+  write_text(scratch.file("box.toml"), box_scene(3));
   const Outcome check = run_floc("scene check box.toml --format csv", scratch.path());
   ASSERT_EQ(check.code, 0) << check.err;
   EXPECT_THAT(check.out, testing::HasSubstr("\neta,2,"));
@@ -182,7 +144,7 @@ class BoxRefusal : public ::testing::TestWithParam<BadBox> {};
 
 TEST_P(BoxRefusal, NamesWhatWasExpected) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("bad.toml"), with(box(3), GetParam().old, GetParam().replacement));
+  write_text(scratch.file("bad.toml"), with(box_scene(3), GetParam().old, GetParam().replacement));
   const Outcome check = run_floc("scene check bad.toml", scratch.path());
   EXPECT_NE(check.code, 0);
   EXPECT_THAT(check.err + check.out, testing::HasSubstr(GetParam().words));
@@ -225,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(BoxRefusal, OfAStressThatNoWallCarries) {
   const ScratchDirectory scratch;
   const std::string fixed =
-      with(box(3), "sides = [1, 1, 1.3]", "sides = [1, 1, 1.3]\nboundary = {z = \"fixed\"}");
+      with(box_scene(3), "sides = [1, 1, 1.3]", "sides = [1, 1, 1.3]\nboundary = {z = \"fixed\"}");
   const auto check = [&](int axis) {
     write_text(
         scratch.file("bad.toml"),
@@ -251,7 +213,7 @@ TEST(BoxRefusal, OfKeysInAPeriodicScene) {
 /// What knows periodic cells alone says so.
 TEST(BoxRefusal, OfCommandsThatKnowPeriodicCellsAlone) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("box.toml"), box(2));
+  write_text(scratch.file("box.toml"), box_scene(2));
   ASSERT_EQ(run_floc("run box.toml --until 0 -o out", scratch.path()).code, 0);
   for (const char* command : {"structure out/state-0000.h5", "modes out/state-0000.h5", "report out -o r.html",
                               "moduli out/state-0000.h5 --strains full", "network out/state-0000.h5"}) {

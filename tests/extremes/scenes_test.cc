@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "support/box_scene.h"
 #include "support/run_program.h"
 #include "support/wet_scene.h"
 
@@ -90,7 +91,7 @@ strain_step = 1e-3
 struct Extreme {
   const char* name;
   std::vector<const char*> set;
-  const char* scene = kScene;
+  std::string scene = kScene;
 };
 
 std::string settings(const std::vector<const char*>& set) {
@@ -175,6 +176,18 @@ const Extreme kExtremes[] = {
     {"triaxial_P_1e_minus_4", {"assembly.pressure=1e-4"}, kTriaxial},
     {"triaxial_P_10", {"assembly.pressure=10"}, kTriaxial},
     {"constant_volume_P_10", {"assembly.pressure=10", "load.0.control=constant_volume"}, kTriaxial},
+    {"box_of_disks_eta_1e_minus_3", {"contact.adhesion.force=1e-4"}, box_scene(2)},
+    {"box_eta_1e_minus_3", {"contact.adhesion.force=1e-4"}, box_scene(3)},
+    {"box_eta_1e4", {"box.pressure=1e-4", "contact.adhesion.force=1", "load.0.to=2e-4"}, box_scene(3)},
+    {"box_stiff", {"contact.normal.stiffness=1e6", "contact.friction.stiffness=1.5e6"}, box_scene(3)},
+    {"box_soft", {"contact.normal.stiffness=3", "contact.friction.stiffness=4.5"}, box_scene(3)},
+    {"box_of_sticky_walls", {"box.adhesion=0.2"}, box_scene(3)},
+    {"box_of_smooth_walls", {"box.friction=0"}, box_scene(3)},
+    {"box_mu_0", {"contact.friction.coefficient=0", "box.friction=0"}, box_scene(3)},
+    {"box_mu_10", {"contact.friction.coefficient=10", "box.friction=10"}, box_scene(3)},
+    {"box_of_a_fast_gas", {"assembly.kinetic_pressure=10"}, box_scene(3)},
+    {"box_of_two_disks", {"grains.count=2"}, box_scene(2)},
+    {"box_of_sizes_1_to_10", {"grains.diameter={distribution=\"uniform\",min=0.1,max=1.0}"}, box_scene(3)},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Scene, ::testing::ValuesIn(kExtremes),
                          [](const auto& test) { return std::string(test.param.name); });
@@ -184,7 +197,7 @@ struct Refusal {
   std::vector<const char*> set;
   int code;
   const char* message;
-  const char* scene = kScene;
+  std::string scene = kScene;
 };
 void PrintTo(const Refusal& refusal, std::ostream* out) {
   *out << refusal.name;
@@ -239,6 +252,12 @@ const Refusal kRefusals[] = {
      4,
      "expected Poisson's ratio nu, in (-1, 0.5)",
      kSpheres},
+    {"walls_lighter_than_the_gas_holds", {"box.mass=0.1"}, 3, "run away: no grain touches them", box_scene(3)},
+    {"box_too_small_for_two_spheres",
+     {"grains.count=2"},
+     4,
+     "assembly: solid_fraction: grains could be grown without overlap only to",
+     box_scene(3)},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Refused, ::testing::ValuesIn(kRefusals),
                          [](const auto& test) { return std::string(test.param.name); });

@@ -141,12 +141,6 @@ void read_box(TableReader& root, Scene& scene) {
                 "a positive number (speed at which walls approach each other until they "
                 "bear their pressure)"},
                Need::optional);
-  // An attraction across gaps may make the stiffness matrix indefinite, which is not known between walls.
-  if (scene.law.range() > 0.0)
-    root.table("contact", "", Need::optional)
-        .fault("adhesion",
-               "contact.adhesion: acts across a gap, under which the stability of a box is not determined; "
-               "expected law = \"constant\"");
   check_room(t, scene, box);
   t.refuse_other_keys();
 }

@@ -79,7 +79,7 @@ TEST(BoxModuli, OfACrystalAreThoseOfItsChains) {
 /// A straight chain of n grains between two walls across the last axis; the others are periodic, twice as long
 /// as a grain.
 template <int Dim>
-Packing<Dim> chain_between_walls(int n, const LawParameters& law, const LawParameters& wall_law) {
+Packing<Dim> chain_betweekWalls(int n, const LawParameters& law, const LawParameters& wall_law) {
   const double overlap = 1e-3;
   Packing<Dim> packing;
   packing.law = law;
@@ -103,7 +103,7 @@ Packing<Dim> chain_between_walls(int n, const LawParameters& law, const LawParam
 template <int Dim>
 void expect_moduli_of_a_chain(int n, double kt) {
   const double kn = 1e4, kw = 3e4;
-  const Packing<Dim> packing = chain_between_walls<Dim>(n, linear(kn, kt), linear(kw, kt));
+  const Packing<Dim> packing = chain_betweekWalls<Dim>(n, linear(kn, kt), linear(kw, kt));
   const Moduli m = elastic_moduli(packing, ModuliOptions{});
   const double side = packing.cell.matrix(Dim - 1, Dim - 1);
   const double expected = side / wall_area(packing, Dim - 1) / (2.0 / kw + (n - 1) / kn);
@@ -154,15 +154,16 @@ Packing<2> disordered() {
   return packing;
 }
 
-/// Strains that pressures on the walls make, all four walls being bodies of their own: K of grains and walls as
-/// a dense matrix, a column a pressure.
-Eigen::MatrixXd compliance_by_bodies(const Packing<2>& packing) {
+constexpr int kWalls = 4;
+
+/// K of grains and walls, all four walls being bodies of their own, as a dense matrix.
+Eigen::MatrixXd stiffness_of_bodies(const Packing<2>& packing) {
   const ContactNetwork<2> network = contact_network(packing);
-  const int n = network.n_unknowns(), n_walls = 4;
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + n_walls, n + n_walls);
+  const int n = network.n_unknowns();
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + kWalls, n + kWalls);
   for (const NetworkContact<2>& c : network.contacts) {
     const ContactRows<2> g = contact_rows(c);
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kDofs<2>, n + n_walls);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kDofs<2>, n + kWalls);
     rows.middleCols<3>(3 * c.i) += g.on_i;
     if (c.on_wall())
       rows(0, n + c.wall) = -c.normal()[packing.walls[c.wall].axis];
@@ -170,10 +171,17 @@ Eigen::MatrixXd compliance_by_bodies(const Packing<2>& packing) {
       rows.middleCols<3>(3 * c.j) += g.on_j;
     K += rows.transpose() * row_stiffness(c).asDiagonal() * rows;
   }
+  return K;
+}
+
+/// Strains that pressures on the walls make, a column a pressure.
+Eigen::MatrixXd compliance_by_bodies(const Packing<2>& packing) {
+  const Eigen::MatrixXd K = stiffness_of_bodies(packing);
+  const Eigen::Index n = K.rows() - kWalls;
   Eigen::MatrixXd strain(2, 2);
   for (int b = 0; b < 2; ++b) {
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(n + n_walls);
-    for (int w = 0; w < n_walls; ++w)
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(n + kWalls);
+    for (int w = 0; w < kWalls; ++w)
       if (packing.walls[w].axis == b) load[n + w] = -packing.walls[w].side * wall_area(packing, b);
     const Eigen::VectorXd u = K.completeOrthogonalDecomposition().solve(load);
     for (int a = 0; a < 2; ++a) strain(a, b) = -(u[n + 2 * a + 1] - u[n + 2 * a]) / packing.cell.matrix(a, a);
@@ -189,6 +197,32 @@ TEST(BoxModuli, AreTheInverseOfWhatPressuresOnFreeWallsDo) {
   EXPECT_GE(m.bounds.B_voigt, m.B);
   EXPECT_GT(m.response.wall_shift.cwiseAbs().maxCoeff(), 1e-6);  // walls of an axis move together, too
   EXPECT_EQ(m.response.n_free_shifts, 0);
+}
+
+/// Attractions across gaps have negative stiffness. Whether the packing is stable is read off the matrix of all
+/// bodies, to which the boundary's strains and common displacements are other coordinates.
+TEST(BoxModuli, AttractionsAcrossGapsDestabiliseInAsManyWaysAsTheMatrixOfAllBodiesSays) {
+  int n_stable = 0, n_unstable = 0;
+  for (const double force : {1.0, 30.0, 100.0, 300.0}) {
+    LawParameters law = linear(1e4, 8e3), wall_law = linear(1.3e4, 5e3);
+    law.adhesion = TailAdhesion{force, 0.05};
+    wall_law.adhesion = TailAdhesion{0.5 * force, 0.05};
+    law.rolling = RollingSpring{0.1, 100.0};
+    Packing<2> packing = crystal<2>(5, law, wall_law, 3e-3);
+    for (int i = 0; i < packing.grains.size(); ++i)
+      packing.grains.position[i] += 5e-3 * Vec<2>(std::sin(3.0 * i), std::cos(7.0 * i));
+    find_contacts(packing);
+    int n_across_gaps = 0;
+    for (const Contact<2>& c : packing.contacts) n_across_gaps += c.distant;
+    EXPECT_GT(n_across_gaps, 5);
+    const Eigen::VectorXd eigenvalue =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness_of_bodies(packing)).eigenvalues();
+    const auto n_negative = static_cast<int>((eigenvalue.array() < -1e-9 * eigenvalue.maxCoeff()).count());
+    EXPECT_EQ(stability(packing).n_negative, n_negative) << force;
+    ++(n_negative == 0 ? n_stable : n_unstable);
+  }
+  EXPECT_GT(n_stable, 0);
+  EXPECT_GT(n_unstable, 1);
 }
 
 /// Moduli of disks are stiffnesses of contacts whatever the unit of length.

@@ -11,7 +11,6 @@
 #include "floc/network/carrying_structure.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
-#include "floc/packing/require_periodic.h"
 #include "floc/structure/elastic_energy.h"
 #include "floc/structure/particle_stress.h"
 #include "repeated_warnings.h"
@@ -48,6 +47,13 @@ void add_mechanics(const State<Dim>& state, const CarryingStructure& held, doubl
   const auto vanishing =
       strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)).vanishing;
   if (!vanishing.empty()) warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
+}
+
+/// The same grains held, without the contacts that hold them to walls.
+template <int Dim>
+CarryingStructure between_grains(const Packing<Dim>& packing, CarryingStructure held) {
+  std::erase_if(held.contacts, [&](int k) { return packing.is_wall(packing.contacts[k].j); });
+  return held;
 }
 
 template <int Dim>
@@ -108,7 +114,6 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
                        NetworkTables& side) {
   const auto start = std::chrono::steady_clock::now();
   const Packing<Dim>& packing = state.packing;
-  require_periodic(packing, "the force network is measured", file);
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
     warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
   NetworkRow row;
@@ -129,8 +134,8 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   row.phases = pressure_phases(contact_network(packing), pressure);
   const CarryingStructure held =
       carrying_structure(packing, zero_force, command.least_contacts.value_or(least_contacts(packing)));
-  row.carrying = carrying_forces(packing, held);
-  if (command.mechanics()) add_mechanics(state, held, tolerance, row);
+  row.carrying = carrying_forces(packing, between_grains(packing, held));
+  if (command.mechanics() && packing.walls.empty()) add_mechanics(state, held, tolerance, row);
   add_contacts_and_stress(packing, row);
   row.bonds = bond_row(file, packing, pressure, zero_force, command.bonds, side.bonds);
   if (!command.distributions.empty()) add_distributions(file, packing, command, side);

@@ -45,7 +45,7 @@ struct NetworkRow {
   Coordination coordination;
   ForceMoments moments;
   PressurePhases phases;
-  std::optional<NetworkMechanics> mechanics;  ///< absent, as what follows, where they are left out
+  std::optional<NetworkMechanics> mechanics;  ///< absent, as the next two, where they are left out
   ForceCorrelation correlation;
   std::optional<Indeterminacy> hyperstaticity;
   CarryingForces carrying;
@@ -67,8 +67,8 @@ struct NetworkTables {
   BondTables bonds;
 };
 
-/// What is asked for of one state; rows of files go to `side`.
-/// @throws InputError if the state has walls
+/// What is asked for of one state; rows of files go to `side`. Contacts with walls hold grains and press them, but
+/// are not among the contacts counted, and the mechanics of a state with walls are left out.
 template <int Dim>
 NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkCommand& command,
                        NetworkTables& side);

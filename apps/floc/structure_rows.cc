@@ -264,6 +264,32 @@ void add_prediction(const std::string& file, const State<Dim>& state, Series& se
                                     coordination(state.packing, 0.0).z, p.pressure, p.z, p.z_pushed});
 }
 
+/// What is worked out with the periodic images of the grains.
+template <int Dim>
+void add_periodic_structure(const Packing<Dim>& packing, const StructureCommand& command, Series& series,
+                            StructureRow& row) {
+  add_scattering(packing, command, series, row);
+  if constexpr (Dim == 2) {
+    add_pores(packing, command, series, row);
+    if (!command.map.empty()) add_map(row.file, packing, command, series.map);
+  } else {
+    add_voronoi(packing, command, series, row);
+  }
+}
+
+/// Between walls there are no such images. @throws InputError naming a table that needs them
+template <int Dim>
+void refuse_periodic_tables(const Packing<Dim>& packing, const StructureCommand& command,
+                            const std::string& file) {
+  for (const auto& [table, path] : {std::pair{"I(k) is measured", &command.intensity},
+                                    {"coordination against the gap is measured", &command.gaps},
+                                    {"pores are found", &command.pores},
+                                    {"a map is made", &command.map},
+                                    {"a prediction is made", &command.prediction}})
+    if (!path->empty()) require_periodic(packing, table, file);
+  if (command.average) require_periodic(packing, "an average is taken", file);
+}
+
 }  // namespace
 
 void require_fit_range(const StructureCommand& command) {
@@ -276,7 +302,6 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
                            Series& series) {
   const auto start = std::chrono::steady_clock::now();
   const Packing<Dim>& packing = state.packing;
-  require_periodic(packing, "structure is measured", file);
   if (series.dimension == 0) series.dimension = Dim;
   if (command.average && series.dimension != Dim)
     throw InputError(
@@ -287,13 +312,10 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
   row.n_grains = packing.grains.size();
   row.reduced_pressure = reduced_pressure(packing, static_stress(packing).trace() / Dim);
   row.solid_fraction = solid_fraction(packing);
-  add_scattering(packing, command, series, row);
-  if constexpr (Dim == 2) {
-    add_pores(packing, command, series, row);
-    if (!command.map.empty()) add_map(file, packing, command, series.map);
-  } else {
-    add_voronoi(packing, command, series, row);
-  }
+  if (packing.walls.empty())
+    add_periodic_structure(packing, command, series, row);
+  else
+    refuse_periodic_tables(packing, command, file);
   if (!series.reference_phi) series.reference = file, series.reference_phi = row.solid_fraction;
   if (!command.pairs.empty()) add_pairs(file, packing, command, series);
   if (!command.gaps.empty()) add_gaps(file, state, series);

@@ -81,7 +81,8 @@ struct Series {
   StructureRow mean;  ///< sums, until they are divided by the number of states
 };
 
-/// What is asked for of one state; rows of series go to `series`.
+/// What is asked for of one state; rows of series go to `series`. Between walls these are g(r), porosity and profiles.
+/// @throws InputError if the state has walls and another table is asked for
 template <int Dim>
 StructureRow structure_row(const std::string& file, const State<Dim>& state, const StructureCommand& command,
                            Series& series);

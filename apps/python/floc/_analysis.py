@@ -104,18 +104,14 @@ def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_wid
     near_zero : float, shuffles : int, pressure_bin_width : float
         As ``--near-zero``, ``--shuffles`` and ``--pressure-bin-width``.
     without : sequence of {"mechanics"}
-        Columns left as None: what needs the moduli, which takes most of the time in a large packing.
+        Columns left as None: what needs the moduli, which takes most of the time in a large packing. They are None
+        for a state with walls.
     tables : sequence of str
         "pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours", "clusters".
 
     Returns
     -------
     Network, or a list of them for a sequence of states
-
-    Raises
-    ------
-    InputError
-        If the state has walls.
     """
     states, single = states_of(state)
     table, further = _core.network(
@@ -148,7 +144,7 @@ def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cel
     Raises
     ------
     InputError
-        If the state has walls.
+        If the state has walls, and tables other than "pair_correlation", "porosity" and "profile" are asked for.
     """
     states, single = states_of(state)
     table, further = _core.structure(

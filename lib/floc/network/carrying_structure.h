@@ -23,9 +23,9 @@ template <int Dim>
 int least_contacts(const Packing<Dim>& packing);
 
 /// Grains with fewer than `least` carrying contacts are removed, and their contacts with them, until no such
-/// grain is left. Unlike in find_rattlers(), contacts below `smallest_force` hold nothing.
+/// grain is left. Contacts with walls hold their grains like others. Unlike in find_rattlers(), contacts below
+/// `smallest_force` hold nothing.
 /// @param smallest_force  |F_N| of a carrying contact exceeds it (force), >= 0   @param least  >= 1
-/// @pre the packing has no walls
 template <int Dim>
 CarryingStructure carrying_structure(const Packing<Dim>& packing, double smallest_force, int least);
 

@@ -38,6 +38,7 @@ template <int Dim>
 std::vector<double> contact_forces(const Packing<Dim>& packing, ForceKind kind) {
   std::vector<double> forces;
   for (const Contact<Dim>& c : packing.contacts) {
+    if (packing.is_wall(c.j)) continue;
     if (kind == ForceKind::normal) {
       forces.push_back(c.normal_force);
     } else if (!c.distant) {

@@ -24,7 +24,7 @@ enum class ForceUnit {
   pressure,  ///< P a^(Dim-1), moments times a
 };
 
-/// The forces of one kind, one entry per contact in the order of the list (force, or force * length).
+/// The forces of one kind, one entry per contact between grains in the order of the list (force, or force * length).
 template <int Dim>
 std::vector<double> contact_forces(const Packing<Dim>& packing, ForceKind kind);
 

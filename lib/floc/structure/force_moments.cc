@@ -8,11 +8,12 @@
 namespace floc {
 template <int Dim>
 ForceMoments force_moments(const Packing<Dim>& packing) {
+  const auto counted = [&packing](const Contact<Dim>& c) { return !c.distant && !packing.is_wall(c.j); };
   ForceMoments out;
   double mean = 0.0;
   int n = 0;
   for (const Contact<Dim>& c : packing.contacts) {
-    if (c.distant) continue;
+    if (!counted(c)) continue;
     ++n;
     mean += c.elastic_force;
     out.mean_normal += c.normal_force;
@@ -23,10 +24,10 @@ ForceMoments force_moments(const Packing<Dim>& packing) {
   out.mean_normal /= n;
   if (!(mean > 0.0)) return out;
   for (const Contact<Dim>& c : packing.contacts)
-    for (int q = 2; q <= 4 && !c.distant; ++q) out.Z[q - 2] += std::pow(c.elastic_force / mean, q) / n;
+    for (int q = 2; q <= 4 && counted(c); ++q) out.Z[q - 2] += std::pow(c.elastic_force / mean, q) / n;
   MobilisationByForce mobilisation(mean);
   for (const Contact<Dim>& c : packing.contacts)
-    if (!c.distant) mobilisation.add(c);
+    if (counted(c)) mobilisation.add(c);
   out.M1 = mobilisation.M1();
   out.M2 = mobilisation.M2();
   return out;

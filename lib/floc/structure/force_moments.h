@@ -18,6 +18,7 @@ struct ForceMoments {
   double M1 = 0.0, M2 = 0.0;
 };
 
+/// Of contacts between grains.
 template <int Dim>
 ForceMoments force_moments(const Packing<Dim>& packing);
 

@@ -464,6 +464,22 @@ class Test:
             self.number(mean, statistics.mean(values), what)
             self.number(deviation, statistics.stdev(values), what + ", scatter")
 
+    def compaction_variants(self):
+        rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/variants_1000.csv"))))
+        columns = [(gas, eta) for gas in ("equilibrated", "sequential_addition") for eta in (0.05, 1.0)]
+        for name, _, stiffness, *shown in self.claim_table("| variant | what is changed | se |"):
+            for (gas, eta), cell in zip(columns, shown, strict=True):
+                values = [float(r["e"]) for r in rows if r["gas"] == gas and r["variant"] == name.strip("`") and
+                          float(r["se"]) == float(stiffness) and abs(float(r["eta_star"]) - eta) < 1e-9]
+                what = f"{name} of 1000 spheres, se = {stiffness}, eta* = {eta}, {gas}"
+                if not cell:
+                    if values:
+                        self.fault(f"{what}: the table has no value")
+                    continue
+                mean, deviation = cell.split(" +- ")
+                self.number(mean, statistics.mean(values), what)
+                self.number(deviation, statistics.stdev(values), what + ", scatter")
+
     def compaction_sweep(self):
         """The base curve of the published number of spheres, and the fit of the sweep of 4000."""
         base = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/base_17657.csv"))))
@@ -715,7 +731,7 @@ class Test:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres,
-                              self.quasistatic, self.compaction, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.lattice,
+                              self.quasistatic, self.compaction, self.compaction_variants, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.lattice,
                               self.tradeoff):
                     try:
                         check()

@@ -480,6 +480,16 @@ class Test:
                 self.number(mean, statistics.mean(values), what)
                 self.number(deviation, statistics.stdev(values), what + ", scatter")
 
+    def compaction_moduli(self):
+        rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/moduli_1000.csv"))))
+        names = ("phi", "B", "G", "C11", "C33", "B_voigt", "B_reuss")
+        for boundary, *shown in self.claim_table("| boundary | Phi | B | G |"):
+            for name, cell in zip(names, shown, strict=True):
+                values = [float(r[name]) / (1.0 if name == "phi" else 0.1) for r in rows if r["boundary"] == boundary]
+                mean, deviation = cell.split(" +- ")
+                self.number(mean, statistics.mean(values), f"{name} of 1000 spheres, {boundary}")
+                self.number(deviation, statistics.stdev(values), f"{name} of 1000 spheres, {boundary}, scatter")
+
     def compaction_sweep(self):
         """The base curve of the published number of spheres, and the fit of the sweep of 4000."""
         base = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/base_17657.csv"))))
@@ -731,7 +741,7 @@ class Test:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres,
-                              self.quasistatic, self.compaction, self.compaction_variants, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.lattice,
+                              self.quasistatic, self.compaction, self.compaction_variants, self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.lattice,
                               self.tradeoff):
                     try:
                         check()

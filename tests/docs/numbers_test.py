@@ -590,6 +590,12 @@ class Test:
             for name, shown in zip(columns, cells[2:], strict=True):
                 self.number(shown, row[name], f"oedometer {cells[0]}, {name}")
         self.consolidation_curves(list(csv.DictReader(open(os.path.join(tables, "curves.csv")))))
+        states = list(csv.DictReader(open(os.path.join(tables, "pressed.csv"))))
+        for pressure, *shown in self.claim_table("| P*, pressed at once | Phi | K0 |"):
+            for name, cell in zip(("phi", "K0"), shown, strict=True):
+                values = [float(r[name]) for r in states if abs(float(r["P_star"]) / float(pressure) - 1.0) < 0.01]
+                for part, value in zip(cell.split(" +- "), (statistics.mean(values), statistics.stdev(values)), strict=True):
+                    self.number(part, value, f"{name} of a powder pressed at once, P* = {pressure}")
 
     def consolidation_curves(self, states):
         for cells in self.claim_table("| P* | Phi, isotropic | Phi, oedometer | K0 |"):

@@ -137,6 +137,12 @@ class Test:
         if not pages.rounds_to(shown, float(value)):
             self.fault(f"{what}: the page says {shown}, the program {value}")
 
+    def mean_and_scatter(self, shown, values, what):
+        """Of "mean +- standard deviation" over samples."""
+        mean, deviation = shown.split(" +- ")
+        self.number(mean, statistics.mean(values), what)
+        self.number(deviation, statistics.stdev(values), what + ", scatter")
+
     def number_or_none(self, shown, value, what):
         """A page shows "-" where the program has no value."""
         if shown == "-" or value in ("", "-"):
@@ -460,9 +466,7 @@ class Test:
             values = [float(r["e"]) for r in points if float(r["eta_star"]) == eta and r["N"] == count and
                       float(r["se"]) == stiffness]
             what = f"compaction of {count} spheres at eta* = {eta}"
-            mean, deviation = cells[2].split(" +- ")
-            self.number(mean, statistics.mean(values), what)
-            self.number(deviation, statistics.stdev(values), what + ", scatter")
+            self.mean_and_scatter(cells[2], values, what)
 
     def compaction_variants(self):
         rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/variants_1000.csv"))))
@@ -476,9 +480,7 @@ class Test:
                     if values:
                         self.fault(f"{what}: the table has no value")
                     continue
-                mean, deviation = cell.split(" +- ")
-                self.number(mean, statistics.mean(values), what)
-                self.number(deviation, statistics.stdev(values), what + ", scatter")
+                self.mean_and_scatter(cell, values, what)
 
     def compaction_moduli(self):
         rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/moduli_1000.csv"))))
@@ -486,9 +488,7 @@ class Test:
         for boundary, *shown in self.claim_table("| boundary | Phi | B | G |"):
             for name, cell in zip(names, shown, strict=True):
                 values = [float(r[name]) / (1.0 if name == "phi" else 0.1) for r in rows if r["boundary"] == boundary]
-                mean, deviation = cell.split(" +- ")
-                self.number(mean, statistics.mean(values), f"{name} of 1000 spheres, {boundary}")
-                self.number(deviation, statistics.stdev(values), f"{name} of 1000 spheres, {boundary}, scatter")
+                self.mean_and_scatter(cell, values, f"{name} of 1000 spheres, {boundary}")
 
     def compaction_sweep(self):
         """The base curve of the published number of spheres, and the fit of the sweep of 4000."""
@@ -579,8 +579,7 @@ class Test:
             self.number(cells[1], len(found), f"biaxial tests of {cells[0]} packings")
             for name, shown in zip(columns, cells[2:], strict=True):
                 values = [float(r[name]) for r in found]
-                for part, value in zip(shown.split(" +- "), (statistics.mean(values), statistics.stdev(values)), strict=True):
-                    self.number(part, value, f"biaxial tests of {cells[0]} packings, {name}")
+                self.mean_and_scatter(shown, values, f"biaxial tests of {cells[0]} packings, {name}")
         tests = {r["seed"]: r for r in csv.DictReader(open(os.path.join(tables, "oedometer.csv")))}
         columns = ["K0_mean", "K0_stddev", "K0_top", "ratio_of_moduli", "ratio_1", "ratio_2", "ratio_3"]
         for cells in self.claim_table("| sample | Phi | K0, mean of states"):
@@ -594,8 +593,7 @@ class Test:
         for pressure, *shown in self.claim_table("| P*, pressed at once | Phi | K0 |"):
             for name, cell in zip(("phi", "K0"), shown, strict=True):
                 values = [float(r[name]) for r in states if abs(float(r["P_star"]) / float(pressure) - 1.0) < 0.01]
-                for part, value in zip(cell.split(" +- "), (statistics.mean(values), statistics.stdev(values)), strict=True):
-                    self.number(part, value, f"{name} of a powder pressed at once, P* = {pressure}")
+                self.mean_and_scatter(cell, values, f"{name} of a powder pressed at once, P* = {pressure}")
 
     def consolidation_curves(self, states):
         for cells in self.claim_table("| P* | Phi, isotropic | Phi, oedometer | K0 |"):
@@ -607,8 +605,7 @@ class Test:
                 if bool(shown) != (len(values) == 8):
                     self.fault(f"{what}: {len(values)} states, the page says {shown or 'none'}")
                 elif shown:
-                    for part, value in zip(shown.split(" +- "), (statistics.mean(values), statistics.stdev(values))):
-                        self.number(part, value, what)
+                    self.mean_and_scatter(shown, values, what)
         text = " ".join(self.docs.text().split())
         for pattern, arguments in ((r"is ([\d.]+) \+- ([\d.]+) under isotropic and ([\d.]+) \+- ([\d.]+) under oedometric load",
                                     "--law log --window 0.05 0.5"),
@@ -747,7 +744,8 @@ class Test:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres,
-                              self.quasistatic, self.compaction, self.compaction_variants, self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.lattice,
+                              self.quasistatic, self.compaction, self.compaction_variants, self.compaction_moduli,
+                              self.compaction_sweep, self.powder2d, self.wet, self.loads, self.lattice,
                               self.tradeoff):
                     try:
                         check()

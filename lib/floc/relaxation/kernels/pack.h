@@ -72,20 +72,45 @@ struct Pack {
     typedef float Floats __attribute__((vector_size(sizeof(float) * kWidth)));
     Floats numbers;
     __builtin_memcpy(&numbers, from, sizeof(Floats));
+#if defined(__x86_64__)
+    if constexpr (kWidth == 8) return Pack(Vector(_mm512_cvtps_pd(__m256(numbers))));
+#endif
     return Pack(__builtin_convertvector(numbers, Vector));
   }
-  void store(double* to) const { __builtin_memcpy(to, &v, sizeof(Vector)); }
+  void store(double* to) const {
+    __builtin_memcpy(to, &v, sizeof(Vector));
+  }
 
-  Pack& operator+=(const Pack& b) { return v += b.v, *this; }
-  Pack& operator-=(const Pack& b) { return v -= b.v, *this; }
-  Pack& operator*=(const Pack& b) { return v *= b.v, *this; }
-  Pack operator-() const { return Pack(Vector(-v)); }
-  friend Pack operator+(const Pack& a, const Pack& b) { return Pack(Vector(a.v + b.v)); }
-  friend Pack operator-(const Pack& a, const Pack& b) { return Pack(Vector(a.v - b.v)); }
-  friend Pack operator*(const Pack& a, const Pack& b) { return Pack(Vector(a.v * b.v)); }
-  friend Pack operator/(const Pack& a, const Pack& b) { return Pack(Vector(a.v / b.v)); }
-  friend Mask operator<(const Pack& a, const Pack& b) { return {Bits(a.v < b.v)}; }
-  friend Mask operator==(const Pack& a, const Pack& b) { return {Bits(a.v == b.v)}; }
+  Pack& operator+=(const Pack& b) {
+    return v += b.v, *this;
+  }
+  Pack& operator-=(const Pack& b) {
+    return v -= b.v, *this;
+  }
+  Pack& operator*=(const Pack& b) {
+    return v *= b.v, *this;
+  }
+  Pack operator-() const {
+    return Pack(Vector(-v));
+  }
+  friend Pack operator+(const Pack& a, const Pack& b) {
+    return Pack(Vector(a.v + b.v));
+  }
+  friend Pack operator-(const Pack& a, const Pack& b) {
+    return Pack(Vector(a.v - b.v));
+  }
+  friend Pack operator*(const Pack& a, const Pack& b) {
+    return Pack(Vector(a.v * b.v));
+  }
+  friend Pack operator/(const Pack& a, const Pack& b) {
+    return Pack(Vector(a.v / b.v));
+  }
+  friend Mask operator<(const Pack& a, const Pack& b) {
+    return {Bits(a.v < b.v)};
+  }
+  friend Mask operator==(const Pack& a, const Pack& b) {
+    return {Bits(a.v == b.v)};
+  }
   friend Pack blend(const Mask& when, const Pack& a, const Pack& b) {
     return Pack(Vector(when.bits ? a.v : b.v));
   }
@@ -113,7 +138,7 @@ struct Records {
     if constexpr (P::kWidth == 8) {
       const auto two = [&](int l) { return _mm_loadh_pd(_mm_load_sd(base + place[l]), base + place[l + 1]); };
       const __m256d low = _mm256_set_m128d(two(2), two(0)), high = _mm256_set_m128d(two(6), two(4));
-      out.v = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+      out.v = _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
       return out;
     }
 #endif
@@ -129,19 +154,49 @@ struct Records {
       typedef int Ints __attribute__((vector_size(4 * P::kWidth)));
       Ints places;
       __builtin_memcpy(&places, place, sizeof(Ints));
-      return P(__builtin_shuffle(P::load(base + place[0]).v,
-                                 __builtin_convertvector(places - place[0], typename P::Bits)));
+      places -= place[0];
+#if defined(__x86_64__)
+      const auto within = typename P::Bits(_mm512_cvtepi32_epi64(__m256i(places)));
+#else
+      const auto within = __builtin_convertvector(places, typename P::Bits);
+#endif
+      return P(__builtin_shuffle(P::load(base + place[0]).v, within));
     }
 #endif
     return gather(base, place);
   }
 
-  /// base[stride * l] = a[l], and b[l] after it.
-  static void store_two(double* base, int stride, const P& a, const P& b) {
-    const typename P::Vector even = low_halves(a.v, b.v);
-    const typename P::Vector odd = high_halves(a.v, b.v);
-    store_chunks(base, 2 * stride, even, std::make_integer_sequence<int, P::kWidth / 2>());
-    store_chunks(base + stride, 2 * stride, odd, std::make_integer_sequence<int, P::kWidth / 2>());
+  /// The records of the lanes one after another: row[0][l], row[1][l], ... to base[size * l] and after it.
+  template <std::size_t size>
+  static void store_rows(double* base, const P (&row)[size]) {
+    static_assert(size % 2 == 0);
+    constexpr int kEights = P::kWidth == 8 ? static_cast<int>(size) / 8 : 0;
+    for (int k = 0; k < kEights; ++k) store_eight(base + 8 * k, size, row + 8 * k);
+    for (std::size_t k = 8 * kEights; k < size; k += 2) store_two(base + k, size, row[k], row[k + 1]);
+  }
+
+  /// Calls take(l, column l of a) for 8 rows a(0), a(1), ... of 8 numbers. Pairs of numbers are sorted whole, as
+  /// moving them costs the same as moving one.
+  template <class Rows, class Take>
+  static void transpose([[maybe_unused]] Rows a, [[maybe_unused]] Take take) {
+    if constexpr (P::kWidth == 8) {
+      const auto even = [](const Vector& p, const Vector& q) -> Vector {
+        return __builtin_shufflevector(p, q, 0, 1, 4, 5, 8, 9, 12, 13);
+      };
+      const auto odd = [](const Vector& p, const Vector& q) -> Vector {
+        return __builtin_shufflevector(p, q, 2, 3, 6, 7, 10, 11, 14, 15);
+      };
+      const auto half = [&](int first, const Vector& p, const Vector& q, const Vector& r, const Vector& s) {
+        const Vector even_pq = even(p, q), odd_pq = odd(p, q), even_rs = even(r, s), odd_rs = odd(r, s);
+        take(first, P(even(even_pq, even_rs)));
+        take(first + 2, P(even(odd_pq, odd_rs)));
+        take(first + 4, P(odd(even_pq, even_rs)));
+        take(first + 6, P(odd(odd_pq, odd_rs)));
+      };
+      half(0, low_halves(a(0), a(1)), low_halves(a(2), a(3)), low_halves(a(4), a(5)), low_halves(a(6), a(7)));
+      half(1, high_halves(a(0), a(1)), high_halves(a(2), a(3)), high_halves(a(4), a(5)),
+           high_halves(a(6), a(7)));
+    }
   }
 
  private:
@@ -165,6 +220,20 @@ struct Records {
     } else {
       return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
     }
+  }
+
+  /// base[stride * l + k] = a[k][l] for 8 k and 8 l.
+  static void store_eight(double* base, std::ptrdiff_t stride, const P* a) {
+    transpose([&](int k) -> const Vector& { return a[k].v; },
+              [&](int l, const P& row) { row.store(base + stride * l); });
+  }
+
+  /// base[stride * l] = a[l], and b[l] after it.
+  static void store_two(double* base, std::ptrdiff_t stride, const P& a, const P& b) {
+    const Vector even = low_halves(a.v, b.v);
+    const Vector odd = high_halves(a.v, b.v);
+    store_chunks(base, 2 * stride, even, std::make_integer_sequence<int, P::kWidth / 2>());
+    store_chunks(base + stride, 2 * stride, odd, std::make_integer_sequence<int, P::kWidth / 2>());
   }
 
   template <int... chunk>

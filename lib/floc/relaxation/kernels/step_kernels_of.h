@@ -50,10 +50,10 @@ struct GrainKernels {
                                             const Kick<Dim>& kick, BlockSums<Dim>& sums) {
     sum_forces(grains, pairs, plan, begin);
     // Sum over pairs of f r = sum over grains of F x + what the pairs across the boundary add.
+    crossing_virial(pairs, plan, cell, sums.virial);
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
-        sums.virial[a][b] = crossing_virial(pairs, plan, cell, a, b) +
-                            block_sum(grains.force[a] + begin, grains.x[b] + begin, nullptr);
+        sums.virial[a][b] += block_sum(grains.force[a] + begin, grains.x[b] + begin, nullptr);
     for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
@@ -144,19 +144,22 @@ struct GrainKernels {
     }
   }
 
-  /// Force along a on the grains j of pairs across the boundary, times the component b of their image's
-  /// displacement.
-  static double crossing_virial(const PairView<Dim>& pairs, const BlockSumsPlan& plan,
-                                const PairCell<Dim>& cell, int a, int b) {
-    double virial = 0.0;
+  /// Force on the grains j of pairs across the boundary, times their image's displacement.
+  static void crossing_virial(const PairView<Dim>& pairs, const BlockSumsPlan& plan, const PairCell<Dim>& cell,
+                              double (&virial)[Dim][Dim]) {
+    double sum[Dim][Dim] = {};
     for (int c = 0; c < plan.n_crossing; ++c) {
       const int p = plan.crossing[c];
-      double shift = pairs.image[b][p] * cell.lattice[b][b];
-      if constexpr (kTriangular)
-        for (int e = b + 1; e < Dim; ++e) shift += pairs.image[e][p] * cell.lattice[b][e];
-      virial += row_of(pairs, p)[Layout::kForce + a] * shift;
+      const double* const force = row_of(pairs, p) + Layout::kForce;
+      for (int b = 0; b < Dim; ++b) {
+        double shift = pairs.image[b][p] * cell.lattice[b][b];
+        if constexpr (kTriangular)
+          for (int e = b + 1; e < Dim; ++e) shift += pairs.image[e][p] * cell.lattice[b][e];
+        for (int a = kTriangular ? 0 : b; a <= b; ++a) sum[a][b] += force[a] * shift;
+      }
     }
-    return virial;
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < (kTriangular ? Dim : a + 1); ++b) virial[a][b] = sum[a][b];
   }
 
   static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step) {
@@ -247,7 +250,31 @@ struct GrainKernels {
     } else {
       sum_rows(pairs.row + Layout::kReadJ, plan.as_j, as_j);
     }
+    set_forces(grains, begin, as_i, as_j);
+  }
+
+  static void set_forces(const GrainView<Dim>& grains, int begin, const Row (&as_i)[kGrainBlock],
+                         const Row (&as_j)[kGrainBlock]) {
     constexpr int kForceI = Layout::kForce - Layout::kReadI, kForceJ = Layout::kForce - Layout::kReadJ;
+    if constexpr (Layout::kLanes == 8 && P::kWidth == 8) {
+      constexpr int kMomentI = Layout::kMomentI - Layout::kReadI;
+      static_assert(kForceJ == 0 && Layout::kMomentJ - Layout::kReadJ == Dim);
+      for (int k = 0; k < kGrainBlock; k += 8) {
+        Records<Isa>::transpose(
+            [&](int l) {
+              // Force and moment of i as those of j lie, the force turned round.
+              const Row from_i =
+                  __builtin_shufflevector(as_i[k + l], as_i[k + l], kForceI, kForceI + 1, kForceI + 2, kMomentI,
+                                          kMomentI + 1, kMomentI + 2, 6, 7);
+              return Row(as_j[k + l] + from_i * Row{-1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0});
+            },
+            [&](int lane, const P& sums) {
+              if (lane < Dim) sums.store(grains.force[lane] + begin + k);
+              if (Dim <= lane && lane < 2 * Dim) sums.store(grains.torque[lane - Dim] + begin + k);
+            });
+      }
+      return;
+    }
     for (int k = 0; k < kGrainBlock; ++k) {
       for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = as_j[k][kForceJ + a] - as_i[k][kForceI + a];
       if constexpr (kRotates)
@@ -279,26 +306,19 @@ struct PairKernel {
   [[gnu::flatten]] static void compute(const void* any_law, const GrainView<Dim>& grains,
                                        const PairView<Dim>& pairs, int first, int last,
                                        const PairCell<Dim>& cell) {
+    if (first == last) return;
     const Law law = *static_cast<const Law*>(any_law);  // a copy that no store of the loop can alias
-    PairKinematics kinematics[kPacksInFlight];
-    for (int p = first; p < last;) {
-      const int n_packs =
-          (last - p < kPacksInFlight * P::kWidth ? last - p : kPacksInFlight * P::kWidth) / P::kWidth;
-      for (int k = 0; k < n_packs; ++k) {
-        if constexpr (Partner::kWall)
-          kinematics[k] = wall_kinematics(grains, pairs, p + k * P::kWidth, cell);
-        else
-          kinematics[k] = pair_kinematics(grains, pairs, p + k * P::kWidth, cell);
-      }
-      for (int k = 0; k < n_packs; ++k, p += P::kWidth) respond(law, kinematics[k], pairs, p);
+    // The geometry of the next pack is found beside the forces of the present one: each is a long chain of
+    // operations, most of which wait for the one before, and the processor does not see far enough ahead.
+    PairKinematics now = kinematics(grains, pairs, first, cell);
+    for (int p = first; p < last; p += P::kWidth) {
+      const PairKinematics next = kinematics(grains, pairs, p + P::kWidth < last ? p + P::kWidth : p, cell);
+      respond(law, now, pairs, p);
+      now = next;
     }
   }
 
  private:
-  /// Packs whose geometry is found before their forces: each half is short enough for several packs to be under
-  /// way at once, whereas one long chain of operations would have to be waited for.
-  static constexpr int kPacksInFlight = 8;
-
   /// Whether anything that the law remembers lies in the tangent plane, and turns with it.
   static constexpr bool kTurns = Dim == 3 && kRotates;
   struct NoTurn {};
@@ -318,16 +338,28 @@ struct PairKernel {
     RotationVector<Dim, P> spin;
   };
 
+  static PairKinematics kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                   const PairCell<Dim>& cell) {
+    if constexpr (Partner::kWall)
+      return wall_kinematics(grains, pairs, p, cell);
+    else
+      return pair_kinematics(grains, pairs, p, cell);
+  }
+
   template <class Gather>
   static GrainKinematics gather_grains(const GrainView<Dim>& grains, const int* grain, Gather gather) {
     GrainKinematics gathered;
-    for (int a = 0; a < Dim; ++a) {
-      gathered.x[a] = gather(grains.x[a], grain);
-      gathered.v[a] = gather(grains.v[a], grain);
-    }
+    gather_axes(grains.x, grain, gather, gathered.x, std::make_integer_sequence<int, Dim>());
+    gather_axes(grains.v, grain, gather, gathered.v, std::make_integer_sequence<int, Dim>());
     if constexpr (kRotates)
-      for (int a = 0; a < kRotations<Dim>; ++a) gathered.spin[a] = gather(grains.spin[a], grain);
+      gather_axes(grains.spin, grain, gather, gathered.spin,
+                  std::make_integer_sequence<int, kRotations<Dim>>());
     return gathered;
+  }
+  template <class Arrays, class Gather, class Vectors, int... axis>
+  static void gather_axes(const Arrays& from, const int* grain, Gather gather, Vectors& to,
+                          std::integer_sequence<int, axis...>) {
+    ((to[axis] = gather(from[axis], grain)), ...);
   }
 
   static PairKinematics pair_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
@@ -444,8 +476,7 @@ struct PairKernel {
     }
     for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
     double* const to = pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
-    for (int b = 0; b < Layout::kSize; b += 2)
-      Records<Isa>::store_two(to + b, Layout::kSize, row[b], row[b + 1]);
+    Records<Isa>::store_rows(to, row);
   }
 
   /// Turns what the law remembers in the tangent plane into the present one.

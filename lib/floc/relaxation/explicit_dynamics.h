@@ -61,6 +61,11 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   PairCell<Dim> pair_cell(double slip_time) const;
   Kick<Dim> kick_over(double half_step) const;
   void kick_and_drift(int block);
+  /// Whether what the next block needs is fetched while the present one is computed.
+  bool fetches_ahead() const;
+  enum class GrainPass { drift, kick };
+  void fetch_grains(int block, GrainPass pass) const;
+  void compute_and_kick(double slip_time);
   void compute_pairs(int block, double slip_time);
   void add_to_second_grains(int block);
   void add_wall_virial(int block);

@@ -4,6 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include "floc/relaxation/fetch.h"
+
 namespace floc {
 
 template <int Dim>
@@ -29,6 +31,34 @@ template <int Dim>
 void Interaction<Dim>::compute(int block, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const {
   const auto kernel = partner_ == Partner::wall ? kernels_.compute_wall_pairs : kernels_.compute_pairs;
   kernel(composed_law_, grains, arrays_, pairs_.first_of_block(block), pairs_.first_of_block(block + 1), cell);
+}
+
+template <int Dim>
+void Interaction<Dim>::fetch_pairs(int block) const {
+  const int first = pairs_.first_of_block(block), last = pairs_.first_of_block(block + 1);
+  fetch(arrays_.i, first, last), fetch(arrays_.j, first, last);
+  for (const float* component : arrays_.image) fetch(component, first, last);
+  for (const double* numbers :
+       {arrays_.radii, arrays_.share_i, arrays_.damping, arrays_.reduced_radius, arrays_.reduced_mass,
+        arrays_.strength, arrays_.decay, arrays_.reach, static_cast<const double*>(arrays_.viscous)})
+    fetch(numbers, first, last);
+  for (const double* numbers : arrays_.memory) fetch(numbers, first, last);
+}
+
+template <int Dim>
+void Interaction<Dim>::fetch_second_grains(int block, const GrainView<Dim>& grains,
+                                           const double* sums_as_j) const {
+  constexpr int kGrainsOfLine = static_cast<int>(kCacheLine / sizeof(double));
+  const int lanes = row_lanes<Dim>(rotates(law_));
+  int line = -1;
+  for (int p = pairs_.first_of_block(block); p < pairs_.first_of_block(block + 1); ++p) {
+    const int j = arrays_.j[p];
+    fetch(sums_as_j + static_cast<std::ptrdiff_t>(lanes) * j);
+    if (j / kGrainsOfLine == line) continue;
+    line = j / kGrainsOfLine;
+    for (int a = 0; a < Dim; ++a) fetch(grains.x[a] + j), fetch(grains.v[a] + j);
+    for (const double* component : grains.spin) fetch(component + j);
+  }
 }
 
 template <int Dim>

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #include "floc/relaxation/instruction_set.h"
@@ -44,6 +45,23 @@ struct VectorOf<8> {
   typedef long long Bits __attribute__((vector_size(64)));
 };
 
+/// Floats, or whole numbers, as doubles or long ones, lane by lane.
+template <class Isa, class Numbers>
+auto widened(const Numbers& numbers) {
+  using Vector = VectorOf<Isa::kWidth>;
+  constexpr bool kFloats = std::is_floating_point_v<std::remove_cvref_t<decltype(numbers[0])>>;
+  using Wide = std::conditional_t<kFloats, typename Vector::Type, typename Vector::Bits>;
+#if defined(__x86_64__)
+  // Of its own accord GCC does it in halves.
+  if constexpr (Isa::kWidth == 8 && kFloats)
+    return Wide(_mm512_cvtps_pd(__m256(numbers)));
+  else if constexpr (Isa::kWidth == 8)
+    return Wide(_mm512_cvtepi32_epi64(__m256i(numbers)));
+  else
+#endif
+    return __builtin_convertvector(numbers, Wide);
+}
+
 /// As many doubles as fit a register of the instruction set, added and compared lane by lane. A number type for
 /// the contact laws.
 template <class Isa>
@@ -72,45 +90,20 @@ struct Pack {
     typedef float Floats __attribute__((vector_size(sizeof(float) * kWidth)));
     Floats numbers;
     __builtin_memcpy(&numbers, from, sizeof(Floats));
-#if defined(__x86_64__)
-    if constexpr (kWidth == 8) return Pack(Vector(_mm512_cvtps_pd(__m256(numbers))));
-#endif
-    return Pack(__builtin_convertvector(numbers, Vector));
+    return Pack(widened<Isa>(numbers));
   }
-  void store(double* to) const {
-    __builtin_memcpy(to, &v, sizeof(Vector));
-  }
+  void store(double* to) const { __builtin_memcpy(to, &v, sizeof(Vector)); }
 
-  Pack& operator+=(const Pack& b) {
-    return v += b.v, *this;
-  }
-  Pack& operator-=(const Pack& b) {
-    return v -= b.v, *this;
-  }
-  Pack& operator*=(const Pack& b) {
-    return v *= b.v, *this;
-  }
-  Pack operator-() const {
-    return Pack(Vector(-v));
-  }
-  friend Pack operator+(const Pack& a, const Pack& b) {
-    return Pack(Vector(a.v + b.v));
-  }
-  friend Pack operator-(const Pack& a, const Pack& b) {
-    return Pack(Vector(a.v - b.v));
-  }
-  friend Pack operator*(const Pack& a, const Pack& b) {
-    return Pack(Vector(a.v * b.v));
-  }
-  friend Pack operator/(const Pack& a, const Pack& b) {
-    return Pack(Vector(a.v / b.v));
-  }
-  friend Mask operator<(const Pack& a, const Pack& b) {
-    return {Bits(a.v < b.v)};
-  }
-  friend Mask operator==(const Pack& a, const Pack& b) {
-    return {Bits(a.v == b.v)};
-  }
+  Pack& operator+=(const Pack& b) { return v += b.v, *this; }
+  Pack& operator-=(const Pack& b) { return v -= b.v, *this; }
+  Pack& operator*=(const Pack& b) { return v *= b.v, *this; }
+  Pack operator-() const { return Pack(Vector(-v)); }
+  friend Pack operator+(const Pack& a, const Pack& b) { return Pack(Vector(a.v + b.v)); }
+  friend Pack operator-(const Pack& a, const Pack& b) { return Pack(Vector(a.v - b.v)); }
+  friend Pack operator*(const Pack& a, const Pack& b) { return Pack(Vector(a.v * b.v)); }
+  friend Pack operator/(const Pack& a, const Pack& b) { return Pack(Vector(a.v / b.v)); }
+  friend Mask operator<(const Pack& a, const Pack& b) { return {Bits(a.v < b.v)}; }
+  friend Mask operator==(const Pack& a, const Pack& b) { return {Bits(a.v == b.v)}; }
   friend Pack blend(const Mask& when, const Pack& a, const Pack& b) {
     return Pack(Vector(when.bits ? a.v : b.v));
   }
@@ -154,13 +147,7 @@ struct Records {
       typedef int Ints __attribute__((vector_size(4 * P::kWidth)));
       Ints places;
       __builtin_memcpy(&places, place, sizeof(Ints));
-      places -= place[0];
-#if defined(__x86_64__)
-      const auto within = typename P::Bits(_mm512_cvtepi32_epi64(__m256i(places)));
-#else
-      const auto within = __builtin_convertvector(places, typename P::Bits);
-#endif
-      return P(__builtin_shuffle(P::load(base + place[0]).v, within));
+      return P(__builtin_shuffle(P::load(base + place[0]).v, widened<Isa>(places - place[0])));
     }
 #endif
     return gather(base, place);

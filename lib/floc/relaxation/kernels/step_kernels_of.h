@@ -273,14 +273,14 @@ struct GrainKernels {
               if (Dim <= lane && lane < 2 * Dim) sums.store(grains.torque[lane - Dim] + begin + k);
             });
       }
-      return;
-    }
-    for (int k = 0; k < kGrainBlock; ++k) {
-      for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = as_j[k][kForceJ + a] - as_i[k][kForceI + a];
-      if constexpr (kRotates)
-        for (int a = 0; a < kRotations<Dim>; ++a)
-          grains.torque[a][begin + k] =
-              as_i[k][Layout::kMomentI - Layout::kReadI + a] + as_j[k][Layout::kMomentJ - Layout::kReadJ + a];
+    } else {
+      for (int k = 0; k < kGrainBlock; ++k) {
+        for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = as_j[k][kForceJ + a] - as_i[k][kForceI + a];
+        if constexpr (kRotates)
+          for (int a = 0; a < kRotations<Dim>; ++a)
+            grains.torque[a][begin + k] =
+                as_i[k][Layout::kMomentI - Layout::kReadI + a] + as_j[k][Layout::kMomentJ - Layout::kReadJ + a];
+      }
     }
   }
 };

@@ -91,7 +91,7 @@ class Moduli(Same):
     def test_leaves_other_threads_alone(self):
         """A thread counts while moduli are computed: the interpreter is free."""
         state = floc.read(samples.last_state("powder"))
-        large = tiled(state, 6)
+        large = tiled(state, 15)
         ticks = []
         done = threading.Event()
 
@@ -106,7 +106,7 @@ class Moduli(Same):
         during = len(ticks) - before
         done.set()
         thread.join()
-        self.assertGreater(during, 2)  # while the interpreter is held, none: one may come before and one after
+        self.assertGreater(during, 10)
 
     def test_leaves_numpy_its_threads(self):
         """OpenBLAS runs on one thread while floc uses it, and on as many as before afterwards."""

@@ -69,7 +69,7 @@ def yade_steps(folder, script, scene):
 def compare(build, scene, folder):
     _, script, laws, yade_script, yade_law = SCENES[scene]
     state = make_packing(os.path.join(build, "apps/floc/floc"), scene, folder)
-    programs = {"floc, stress control": lambda: floc_steps(build, state)}
+    programs = {"floc, stress control": functools.partial(floc_steps, build, state)}
     if shutil.which("lmp"):
         for law, name in laws.items():
             for barostat, how in {"yes": "fix nph", "no": "no barostat"}.items():

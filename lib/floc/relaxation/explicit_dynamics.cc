@@ -198,20 +198,14 @@ bool ExplicitDynamics<Dim>::fetches_ahead() const {
 template <int Dim>
 void ExplicitDynamics<Dim>::fetch_grains(int block, GrainPass pass) const {
   const int first = block * kGrainBlock, last = first + kGrainBlock;
-  const auto fetch_all = [&](const auto&... arrays) {
-    const auto each = [&](const auto& components) {
-      for (const double* component : components) fetch(component, first, last);
-    };
-    (each(arrays), ...);
-  };
   const GrainView<Dim>& g = grain_view_;
-  fetch_all(g.v, g.force, g.spin, g.torque);
+  fetch_each(g.x, first, last), fetch_each(g.v, first, last), fetch_each(g.force, first, last);
+  fetch_each(g.spin, first, last), fetch_each(g.torque, first, last);
   fetch(g.inverse_mass, first, last), fetch(g.inverse_inertia, first, last);
   if (pass == GrainPass::drift) {
-    fetch_all(g.x, g.orientation, g.x_list);
-    fetch(g.inverse_skin_squared, first, last);
+    fetch_each(g.orientation, first, last), fetch_each(g.x_list, first, last),
+        fetch(g.inverse_skin_squared, first, last);
   } else {
-    fetch_all(g.x);
     fetch(g.mass, first, last), fetch(g.inertia, first, last);
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "floc/base/aligned_vector.h"
 
 namespace floc {
@@ -17,6 +19,12 @@ template <class T>
 void fetch(const T* array, int first, int last) {
   if (array == nullptr) return;
   for (int k = first; k < last; k += static_cast<int>(kCacheLine / sizeof(T))) fetch(array + k);
+}
+
+/// The same for each of several arrays.
+template <class T, std::size_t n>
+void fetch_each(T* const (&arrays)[n], int first, int last) {
+  for (const T* array : arrays) fetch(array, first, last);
 }
 
 }  // namespace floc

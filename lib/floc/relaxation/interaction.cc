@@ -36,13 +36,12 @@ void Interaction<Dim>::compute(int block, const GrainView<Dim>& grains, const Pa
 template <int Dim>
 void Interaction<Dim>::fetch_pairs(int block) const {
   const int first = pairs_.first_of_block(block), last = pairs_.first_of_block(block + 1);
+  const double* const numbers[] = {arrays_.radii,          arrays_.share_i,      arrays_.damping,
+                                   arrays_.reduced_radius, arrays_.reduced_mass, arrays_.strength,
+                                   arrays_.decay,          arrays_.reach,        arrays_.viscous};
   fetch(arrays_.i, first, last), fetch(arrays_.j, first, last);
-  for (const float* component : arrays_.image) fetch(component, first, last);
-  for (const double* numbers :
-       {arrays_.radii, arrays_.share_i, arrays_.damping, arrays_.reduced_radius, arrays_.reduced_mass,
-        arrays_.strength, arrays_.decay, arrays_.reach, static_cast<const double*>(arrays_.viscous)})
-    fetch(numbers, first, last);
-  for (const double* numbers : arrays_.memory) fetch(numbers, first, last);
+  fetch_each(arrays_.image, first, last), fetch_each(numbers, first, last),
+      fetch_each(arrays_.memory, first, last);
 }
 
 template <int Dim>
@@ -56,8 +55,7 @@ void Interaction<Dim>::fetch_second_grains(int block, const GrainView<Dim>& grai
     fetch(sums_as_j + static_cast<std::ptrdiff_t>(lanes) * j);
     if (j / kGrainsOfLine == line) continue;
     line = j / kGrainsOfLine;
-    for (int a = 0; a < Dim; ++a) fetch(grains.x[a] + j), fetch(grains.v[a] + j);
-    for (const double* component : grains.spin) fetch(component + j);
+    fetch_each(grains.x, j, j + 1), fetch_each(grains.v, j, j + 1), fetch_each(grains.spin, j, j + 1);
   }
 }
 

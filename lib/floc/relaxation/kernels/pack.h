@@ -45,7 +45,7 @@ struct VectorOf<8> {
   typedef long long Bits __attribute__((vector_size(64)));
 };
 
-/// Floats, or whole numbers, as doubles or long ones, lane by lane.
+/// Numbers of 32 bits, with or without a fraction, as such of 64 bits, lane by lane.
 template <class Isa, class Numbers>
 auto widened(const Numbers& numbers) {
   using Vector = VectorOf<Isa::kWidth>;

@@ -1,0 +1,283 @@
+#pragma once
+
+#include <cstddef>
+
+#include "floc/relaxation/kernels/pack.h"
+#include "floc/relaxation/kernels/step_kernels.h"
+
+namespace floc {
+
+/// The passes over the grains of a block. Like all code of the kernels a template on the instruction set, which
+/// calls no inline function that is not.
+template <class Isa, int Dim, LatticeShape kShape, bool kRotates>
+struct GrainKernels {
+  using Layout = RowLayout<Dim, kRotates>;
+  static constexpr bool kTriangular = kShape == LatticeShape::triangular;
+  using P = Pack<Isa>;
+  using Row = typename VectorOf<Layout::kLanes>::Type;
+
+  [[gnu::flatten]] static void kick_and_drift(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick,
+                                              const Drift<Dim>& drift, BlockSums<Dim>& sums) {
+    double moved_squared[kGrainBlock] = {};
+    // In a triangular lattice an axis drifts with the velocities along those after it, kicked already.
+    if constexpr (kTriangular)
+      for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
+    for (int a = 0; a < Dim; ++a) {
+      if constexpr (!kTriangular) accelerate(grains, begin, kick, a);
+      move(grains, begin, drift, a, moved_squared);
+    }
+    if constexpr (kRotates) {
+      kick_rotation(grains, begin, kick.half_step);
+      turn(grains, begin, drift.time_step);
+    }
+    P largest(0.0);
+    for (int k = 0; k < kGrainBlock; k += P::kWidth) {
+      const P consumed = P::load(moved_squared + k) * P::load(grains.inverse_skin_squared + begin + k);
+      largest = blend(largest < consumed, consumed, largest);
+    }
+    sums.consumed_squared = 0.0;
+    for (int l = 0; l < P::kWidth; ++l)
+      if (sums.consumed_squared < largest.v[l]) sums.consumed_squared = largest.v[l];
+  }
+
+  [[gnu::flatten]] static void sum_and_kick(const GrainView<Dim>& grains, const PairView<Dim>& pairs,
+                                            const BlockSumsPlan& plan, int begin, const PairCell<Dim>& cell,
+                                            const Kick<Dim>& kick, BlockSums<Dim>& sums) {
+    sum_forces(grains, pairs, plan, begin);
+    // Sum over pairs of f r = sum over grains of F x + what the pairs across the boundary add.
+    crossing_virial(pairs, plan, cell, sums.virial);
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
+        sums.virial[a][b] += block_sum(grains.force[a] + begin, grains.x[b] + begin, nullptr);
+    for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
+        sums.momentum_flux[a][b] = block_sum(grains.v[a] + begin, grains.v[b] + begin, grains.mass + begin);
+    if constexpr (kRotates) {
+      kick_rotation(grains, begin, kick.half_step);
+      sums.rotation = 0.0;
+      for (int a = 0; a < kRotations<Dim>; ++a) {
+        const double* const spin = grains.spin[a] + begin;
+        sums.rotation += block_sum(spin, spin, grains.inertia + begin);
+      }
+    }
+  }
+
+  /// In the order of the pairs, as sum_rows() adds them; those of padding are zero and leave no trace.
+  static void add_to_second_grains(const PairView<Dim>& pairs, int first, int last, double* sums) {
+    const double* row = row_of(pairs, first) + Layout::kReadJ;
+    for (int p = first; p < last; ++p, row += Layout::kSize) {
+      double* const to = sums + static_cast<std::ptrdiff_t>(Layout::kLanes) * pairs.j[p];
+      Row sum;
+      __builtin_memcpy(&sum, to, sizeof(Row));
+      add_row(row, sum);
+      __builtin_memcpy(to, &sum, sizeof(Row));
+    }
+  }
+
+ private:
+  static const double* row_of(const PairView<Dim>& pairs, int p) {
+    return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
+  }
+
+  /// Axes in ascending order: each reads the velocities, not yet changed, along those after it.
+  static void accelerate(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick, int a) {
+    double* const v = grains.v[a] + begin;
+    const double* const force = grains.force[a] + begin;
+    const double* const inverse_mass = grains.inverse_mass + begin;
+    const double half_step = kick.half_step, keep = kick.keep[a][a], gain = kick.gain[a][a];
+#pragma GCC ivdep
+    for (int k = 0; k < kGrainBlock; ++k) v[k] = v[k] * keep + half_step * inverse_mass[k] * force[k] * gain;
+    if constexpr (kTriangular) {
+      for (int b = a + 1; b < Dim; ++b) {
+        const double* const v_b = grains.v[b] + begin;
+        const double* const force_b = grains.force[b] + begin;
+        const double keep_b = kick.keep[a][b], gain_b = kick.gain[a][b];
+#pragma GCC ivdep
+        for (int k = 0; k < kGrainBlock; ++k)
+          v[k] += v_b[k] * keep_b + half_step * inverse_mass[k] * force_b[k] * gain_b;
+      }
+    }
+  }
+
+  /// Moves the grains along one axis, and adds to the squares of their displacements since the list was built.
+  static void move(const GrainView<Dim>& grains, int begin, const Drift<Dim>& drift, int a,
+                   double (&moved_squared)[kGrainBlock]) {
+    const double* const v = grains.v[a] + begin;
+    double* const x = grains.x[a] + begin;
+    const double* const x_list = grains.x_list[a] + begin;
+    const double stretch = drift.stretch[a][a], step = drift.drift[a][a],
+                 list_stretch = drift.list_stretch[a][a];
+    if constexpr (!kTriangular) {
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) {
+        x[k] = stretch * x[k] + step * v[k];
+        const double moved = x[k] - list_stretch * x_list[k];
+        moved_squared[k] += moved * moved;
+      }
+    } else {
+      double moved[kGrainBlock];
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) {
+        x[k] = stretch * x[k] + step * v[k];
+        moved[k] = -list_stretch * x_list[k];
+      }
+      for (int b = a + 1; b < Dim; ++b) {
+        const double* const v_b = grains.v[b] + begin;
+        const double* const x_b = grains.x[b] + begin;
+        const double* const x_list_b = grains.x_list[b] + begin;
+        const double stretch_b = drift.stretch[a][b], step_b = drift.drift[a][b],
+                     list_b = drift.list_stretch[a][b];
+#pragma GCC ivdep
+        for (int k = 0; k < kGrainBlock; ++k) {
+          x[k] += stretch_b * x_b[k] + step_b * v_b[k];
+          moved[k] -= list_b * x_list_b[k];
+        }
+      }
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) moved_squared[k] += (x[k] + moved[k]) * (x[k] + moved[k]);
+    }
+  }
+
+  /// Force on the grains j of pairs across the boundary, times their image's displacement.
+  static void crossing_virial(const PairView<Dim>& pairs, const BlockSumsPlan& plan, const PairCell<Dim>& cell,
+                              double (&virial)[Dim][Dim]) {
+    double sum[Dim][Dim] = {};
+    for (int c = 0; c < plan.n_crossing; ++c) {
+      const int p = plan.crossing[c];
+      const double* const force = row_of(pairs, p) + Layout::kForce;
+      for (int b = 0; b < Dim; ++b) {
+        double shift = pairs.image[b][p] * cell.lattice[b][b];
+        if constexpr (kTriangular)
+          for (int e = b + 1; e < Dim; ++e) shift += pairs.image[e][p] * cell.lattice[b][e];
+        for (int a = kTriangular ? 0 : b; a <= b; ++a) sum[a][b] += force[a] * shift;
+      }
+    }
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < (kTriangular ? Dim : a + 1); ++b) virial[a][b] = sum[a][b];
+  }
+
+  static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step) {
+    const double* const inverse_inertia = grains.inverse_inertia + begin;
+    for (int a = 0; a < kRotations<Dim>; ++a) {
+      const double* const torque = grains.torque[a] + begin;
+      double* const spin = grains.spin[a] + begin;
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) spin[k] += torque[k] * (half_step * inverse_inertia[k]);
+    }
+  }
+
+  /// Turns the grains by their spins; nothing reads their orientations. In 3D q <- (1, spin dt/2) q, whose
+  /// direction is right to second order, kept from growing.
+  static void turn(const GrainView<Dim>& grains, int begin, double time_step) {
+    if constexpr (Dim == 2) {
+      const double* const spin = grains.spin[0] + begin;
+      double* const angle = grains.orientation[0] + begin;
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) angle[k] += time_step * spin[k];
+    } else {
+      const double *const x = grains.spin[0] + begin, *const y = grains.spin[1] + begin,
+                          *const z = grains.spin[2] + begin;
+      double *const qw = grains.orientation[0] + begin, *const qx = grains.orientation[1] + begin,
+                    *const qy = grains.orientation[2] + begin, *const qz = grains.orientation[3] + begin;
+      const double half = 0.5 * time_step;
+#pragma GCC ivdep
+      for (int k = 0; k < kGrainBlock; ++k) {
+        const double a = half * x[k], b = half * y[k], c = half * z[k];
+        const double keep = 1.0 - 0.5 * (a * a + b * b + c * c);
+        const double w0 = qw[k], x0 = qx[k], y0 = qy[k], z0 = qz[k];
+        qw[k] = keep * w0 - (a * x0 + b * y0 + c * z0);
+        qx[k] = keep * x0 + (a * w0 + b * z0 - c * y0);
+        qy[k] = keep * y0 + (b * w0 + c * x0 - a * z0);
+        qz[k] = keep * z0 + (c * w0 + a * y0 - b * x0);
+      }
+    }
+  }
+
+  /// sum p q over a block, in eight interleaved parts: a fixed order that registers of any width can follow,
+  /// and no chain of additions to wait for. @param weight  of each term, null for 1
+  static double block_sum(const double* p, const double* q, const double* weight) {
+    P part[8 / P::kWidth];
+    for (P& pack : part) pack = P(0.0);
+    for (int k = 0; k < kGrainBlock; k += 8) {
+      for (int l = 0; l < 8; l += P::kWidth) {
+        P term = P::load(p + k + l) * P::load(q + k + l);
+        if (weight) term *= P::load(weight + k + l);
+        part[l / P::kWidth] += term;
+      }
+    }
+    double s[8];
+    for (int l = 0; l < 8; l += P::kWidth) part[l / P::kWidth].store(s + l);
+    return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
+  }
+
+  static void add_row(const double* from, Row& sum) {
+    Row row;
+    __builtin_memcpy(&row, from, sizeof(Row));
+    sum += row;
+  }
+
+  /// Sums of the rows of each grain of the block. Rows of pairs that do not interact are zero and leave no
+  /// trace, so the sums do not depend on which of them the list holds.
+  /// @param first  the part that grains read of the row at place 0
+  static void sum_rows(const double* first, const SideSumsPlan& plan, Row (&total)[kGrainBlock]) {
+    const int* row = plan.row;
+    for (int g = 0; g < SideSumsPlan::kGroups; ++g) {
+      Row sum[kSumGroup] = {};
+      for (const int* const end = row + plan.depth[g] * kSumGroup; row != end; row += kSumGroup)
+        for (int l = 0; l < kSumGroup; ++l) add_row(first + row[l], sum[l]);
+      for (int l = 0; l < kSumGroup; ++l) total[plan.grain[g * kSumGroup + l]] = sum[l];
+    }
+    for (int k = 0; k < plan.n_deep; ++k) {
+      Row sum = total[plan.grain[k]];
+      for (const int* const end = row + plan.n_beyond[k]; row != end; ++row) add_row(first + *row, sum);
+      total[plan.grain[k]] = sum;
+    }
+  }
+
+  static void sum_forces(const GrainView<Dim>& grains, const PairView<Dim>& pairs, const BlockSumsPlan& plan,
+                         int begin) {
+    Row as_i[kGrainBlock], as_j[kGrainBlock];
+    sum_rows(pairs.row + Layout::kReadI, plan.as_i, as_i);
+    if (plan.sums_as_j) {
+      __builtin_memcpy(as_j, plan.sums_as_j, sizeof(as_j));
+      __builtin_memset(plan.sums_as_j, 0, sizeof(as_j));
+    } else {
+      sum_rows(pairs.row + Layout::kReadJ, plan.as_j, as_j);
+    }
+    set_forces(grains, begin, as_i, as_j);
+  }
+
+  static void set_forces(const GrainView<Dim>& grains, int begin, const Row (&as_i)[kGrainBlock],
+                         const Row (&as_j)[kGrainBlock]) {
+    constexpr int kForceI = Layout::kForce - Layout::kReadI, kForceJ = Layout::kForce - Layout::kReadJ;
+    if constexpr (Layout::kLanes == 8 && P::kWidth == 8) {
+      constexpr int kMomentI = Layout::kMomentI - Layout::kReadI;
+      static_assert(kForceJ == 0 && Layout::kMomentJ - Layout::kReadJ == Dim);
+      for (int k = 0; k < kGrainBlock; k += 8) {
+        Records<Isa>::transpose(
+            [&](int l) {
+              // Force and moment of i as those of j lie, the force turned round.
+              const Row from_i =
+                  __builtin_shufflevector(as_i[k + l], as_i[k + l], kForceI, kForceI + 1, kForceI + 2, kMomentI,
+                                          kMomentI + 1, kMomentI + 2, 6, 7);
+              return Row(as_j[k + l] + from_i * Row{-1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0});
+            },
+            [&](int lane, const P& sums) {
+              if (lane < Dim) sums.store(grains.force[lane] + begin + k);
+              if (Dim <= lane && lane < 2 * Dim) sums.store(grains.torque[lane - Dim] + begin + k);
+            });
+      }
+    } else {
+      for (int k = 0; k < kGrainBlock; ++k) {
+        for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = as_j[k][kForceJ + a] - as_i[k][kForceI + a];
+        if constexpr (kRotates)
+          for (int a = 0; a < kRotations<Dim>; ++a)
+            grains.torque[a][begin + k] =
+                as_i[k][Layout::kMomentI - Layout::kReadI + a] + as_j[k][Layout::kMomentJ - Layout::kReadJ + a];
+      }
+    }
+  }
+};
+
+}  // namespace floc

@@ -1,0 +1,245 @@
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "floc/contact/contact_law.h"
+#include "floc/geometry/frame_turn.h"
+#include "floc/relaxation/kernels/pack.h"
+#include "floc/relaxation/kernels/step_kernels.h"
+
+namespace floc {
+
+/// What the second body of a pair is.
+struct GrainsInRectangularLattice {
+  static constexpr bool kWall = false, kTriangular = false;
+};
+struct GrainsInTriangularLattice {
+  static constexpr bool kWall = false, kTriangular = true;
+};
+struct Walls {
+  static constexpr bool kWall = true, kTriangular = false;
+};
+
+/// The pass over the pairs of a block. Like all code of the kernels a template on the instruction set, which calls
+/// no inline function that is not.
+template <class Isa, int Dim, class Partner, class Law>
+struct PairKernel {
+  static constexpr bool kRotates = Law::kHasFriction;
+  using Layout = RowLayout<Dim, kRotates>;
+  using P = Pack<Isa>;
+  using V = Vec<Dim, P>;
+
+  [[gnu::flatten]] static void compute(const void* any_law, const GrainView<Dim>& grains,
+                                       const PairView<Dim>& pairs, int first, int last,
+                                       const PairCell<Dim>& cell) {
+    if (first == last) return;
+    const Law law = *static_cast<const Law*>(any_law);  // a copy that no store of the loop can alias
+    // The geometry of the next pack is found beside the forces of the present one: each is a long chain of
+    // operations, most of which wait for the one before, and the processor does not see far enough ahead.
+    PairKinematics now = kinematics(grains, pairs, first, cell);
+    for (int p = first; p < last; p += P::kWidth) {
+      const PairKinematics next = kinematics(grains, pairs, p + P::kWidth < last ? p + P::kWidth : p, cell);
+      respond(law, now, pairs, p);
+      now = next;
+    }
+  }
+
+ private:
+  /// Whether anything that the law remembers lies in the tangent plane, and turns with it.
+  static constexpr bool kTurns = Dim == 3 && kRotates;
+  struct NoTurn {};
+  using Turn = std::conditional_t<kTurns, FrameTurn<P>, NoTurn>;
+
+  /// Geometry and relative motion of one pack of pairs.
+  struct PairKinematics {
+    V n;
+    P arm_i, arm_j;
+    ContactMotion<Dim, P> motion;
+    [[no_unique_address]] Turn turn;
+  };
+
+  /// Position and velocities of the first, or the second, grain of each pair of a pack.
+  struct GrainKinematics {
+    V x, v;
+    RotationVector<Dim, P> spin;
+  };
+
+  static PairKinematics kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                   const PairCell<Dim>& cell) {
+    if constexpr (Partner::kWall)
+      return wall_kinematics(grains, pairs, p, cell);
+    else
+      return pair_kinematics(grains, pairs, p, cell);
+  }
+
+  template <class Gather>
+  static GrainKinematics gather_grains(const GrainView<Dim>& grains, const int* grain, Gather gather) {
+    GrainKinematics gathered;
+    gather_axes(grains.x, grain, gather, gathered.x, std::make_integer_sequence<int, Dim>());
+    gather_axes(grains.v, grain, gather, gathered.v, std::make_integer_sequence<int, Dim>());
+    if constexpr (kRotates)
+      gather_axes(grains.spin, grain, gather, gathered.spin,
+                  std::make_integer_sequence<int, kRotations<Dim>>());
+    return gathered;
+  }
+  /// Without a loop, which would take what it gathers through memory.
+  template <class Arrays, class Gather, class Vectors, int... axis>
+  static void gather_axes(const Arrays& from, const int* grain, Gather gather, Vectors& to,
+                          std::integer_sequence<int, axis...>) {
+    ((to[axis] = gather(from[axis], grain)), ...);
+  }
+
+  static PairKinematics pair_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                        const PairCell<Dim>& cell) {
+    const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather_window);
+    const GrainKinematics j = gather_grains(grains, pairs.j + p, Records<Isa>::gather);
+    V r, affine;
+    for (int a = 0; a < Dim; ++a) {
+      r[a] = (j.x[a] - i.x[a]) + P::load(pairs.image[a] + p) * P(cell.lattice[a][a]);
+      if constexpr (Partner::kTriangular)
+        for (int b = a + 1; b < Dim; ++b) r[a] += P::load(pairs.image[b] + p) * P(cell.lattice[a][b]);
+    }
+    for (int a = 0; a < Dim; ++a) {
+      affine[a] = P(cell.strain_rate[a][a]) * r[a];
+      if constexpr (Partner::kTriangular)
+        for (int b = a + 1; b < Dim; ++b) affine[a] += P(cell.strain_rate[a][b]) * r[b];
+    }
+    const P distance = sqrt(r.squaredNorm());
+    const V n = r * (P(1.0) / distance);
+    const V centres = (j.v - i.v) + affine;
+    PairKinematics a = normal_kinematics(n, distance, centres, pairs, p);
+    a.arm_i = P::load(pairs.share_i + p) * distance;
+    a.arm_j = distance - a.arm_i;
+    if constexpr (kRotates) {
+      // Both turn their surfaces the same way round.
+      RotationVector<Dim, P> surfaces = a.arm_i * i.spin + a.arm_j * j.spin;
+      if constexpr (kTurns) {
+        const P inverse = P(1.0) / distance;
+        a.turn = {n, V(centres * (P(cell.slip_time) * inverse)),
+                  RotationVector<Dim, P>(P(cell.slip_time) * (i.spin + j.spin))};
+        // The branch at the middle of the step, to which these velocities belong.
+        surfaces = surfaces * (P(1.0) - P(0.5 * cell.slip_time) * a.motion.gap_rate * inverse);
+      }
+      add_slip(a, centres, surfaces, RotationVector<Dim, P>(i.spin - j.spin), cell);
+    }
+    return a;
+  }
+
+  /// The foot of a grain's centre on the plane moves with the wall, and across it as the grains around do on
+  /// average.
+  static PairKinematics wall_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                        const PairCell<Dim>& cell) {
+    const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather);
+    const int* const wall = pairs.j + p;
+    V n;
+    for (int a = 0; a < Dim; ++a) n[a] = Records<Isa>::gather(cell.walls.normal[a], wall);
+    const P distance = Records<Isa>::gather(cell.walls.level, wall) - n.dot(i.x);
+    const V foot = Records<Isa>::gather(cell.walls.level_rate, wall) * n - i.v;
+    PairKinematics a = normal_kinematics(n, distance, foot, pairs, p);
+    a.arm_i = distance;
+    a.arm_j = P(0.0);
+    // The normal stays; about it the frame turns with the mean of the grain's spin and none.
+    if constexpr (kTurns) a.turn = {n, V(V::Zero()), RotationVector<Dim, P>(P(cell.slip_time) * i.spin)};
+    if constexpr (kRotates) add_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), i.spin, cell);
+    return a;
+  }
+
+  /// @param velocity  of j's centre against i's
+  static PairKinematics normal_kinematics(const V& n, const P& distance, const V& velocity,
+                                          const PairView<Dim>& pairs, int p) {
+    PairKinematics a;
+    a.n = n;
+    a.motion = {distance - P::load(pairs.radii + p), n.dot(velocity), P(0.0), Shear<Dim, P>::Zero(),
+                RotationVector<Dim, P>::Zero()};
+    if constexpr (Law::kNeedsReducedRadius) a.motion.pair.reduced_radius = P::load(pairs.reduced_radius + p);
+    if constexpr (Law::kNeedsReducedMass) a.motion.pair.reduced_mass = P::load(pairs.reduced_mass + p);
+    return a;
+  }
+
+  /// In 3D across the normal of the middle of the step, which makes it right to second order.
+  /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
+  static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
+                       const RotationVector<Dim, P>& rotation, const PairCell<Dim>& cell) {
+    if constexpr (kTurns) {
+      const V& middle = a.turn.mean_normal();
+      const V slip = to_shear<P>(middle, V(velocity - cross<P>(surfaces, middle)));
+      a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, slip);
+      if constexpr (Law::kHasRolling)
+        a.motion.relative_rotation = P(cell.slip_time) * to_shear<P>(a.n, V(to_shear<P>(middle, V(rotation))));
+      if constexpr (Law::kHasTwisting) a.motion.twist = P(cell.slip_time) * middle.dot(rotation);
+    } else {
+      a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
+      a.motion.relative_rotation = P(cell.slip_time) * rolling_part<P>(a.n, rotation);
+    }
+  }
+
+  static void respond(const Law& law, const PairKinematics& a, const PairView<Dim>& pairs, int p) {
+    ContactMotion<Dim, P> motion = a.motion;
+    if constexpr (Law::kHasDamping) motion.damping = P::load(pairs.damping + p);
+    PackedMemory<Law::template kMemorySize<Dim>, P> memory;
+    load(pairs, p, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
+    if constexpr (kTurns)
+      turn(a.turn, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
+    typename Law::template PairParameters<P> parameters;
+    if constexpr (Law::kHoldsLiquid)
+      parameters = {P::load(pairs.strength + p), P::load(pairs.decay + p), P::load(pairs.reach + p)};
+    const ContactForces<Dim, P> f = law.respond(motion, memory, parameters);
+    store(memory, pairs, p, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
+
+    V on_j = f.normal.force() * a.n;
+    if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous + p) * a.n;
+    P row[Layout::kSize];
+    for (P& number : row) number = P(0.0);
+    if constexpr (kRotates) {
+      const V shear = from_shear<P>(a.n, f.shear);
+      on_j -= shear;
+      const RotationVector<Dim, P> unit = moment<P>(a.n, shear);
+      RotationVector<Dim, P> springs = f.rolling;
+      if constexpr (Law::kHasTwisting) springs += f.twisting * a.n;
+      for (int b = 0; b < kRotations<Dim>; ++b) {
+        row[Layout::kMomentI + b] = a.arm_i * unit[b] - springs[b];
+        row[Layout::kMomentJ + b] = a.arm_j * unit[b] + springs[b];
+      }
+    }
+    for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
+    double* const to = pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
+    Records<Isa>::store_rows(to, row);
+  }
+
+  /// Turns what the law remembers in the tangent plane into the present one.
+  template <class Memory, int... k>
+  static void turn(const Turn& turn, Memory& memory, std::integer_sequence<int, k...>) {
+    ((turn_number<k>(turn, memory)), ...);
+  }
+  template <int k, class Memory>
+  static void turn_number([[maybe_unused]] const Turn& turn, [[maybe_unused]] Memory& memory) {
+    if constexpr (begins_tangent<Law, Dim>(k)) {
+      const V turned = turn(V(memory.value[k], memory.value[k + 1], memory.value[k + 2]));
+      for (int a = 0; a < Dim; ++a) memory.value[k + a] = turned[a];
+    }
+  }
+
+  template <class Memory, int... k>
+  static void load(const PairView<Dim>& pairs, [[maybe_unused]] int p, Memory& memory,
+                   std::integer_sequence<int, k...>) {
+    ((memory.value[k] = P::load(pairs.memory[memory_place<Law, Dim>(k)] + p)), ...);
+  }
+  template <class Memory, int... k>
+  static void store(const Memory& memory, const PairView<Dim>& pairs, [[maybe_unused]] int p,
+                    std::integer_sequence<int, k...>) {
+    (memory.value[k].store(pairs.memory[memory_place<Law, Dim>(k)] + p), ...);
+  }
+
+  /// Dashpot forces in this step, given their present values and those of the step before, which they replace.
+  /// Zero where the surfaces do not touch; a new contact has no step before.
+  static P viscous(const P& now, double* last) {
+    const P before = P::load(last);
+    now.store(last);
+    const P both = P(kDashpotShare) * now + P(1.0 - kDashpotShare) * before;
+    return blend(now * before == P(0.0), now, both);
+  }
+};
+
+}  // namespace floc

@@ -55,7 +55,8 @@ void Interaction<Dim>::fetch_second_grains(int block, const GrainView<Dim>& grai
     fetch(sums_as_j + static_cast<std::ptrdiff_t>(lanes) * j);
     if (j / kGrainsOfLine == line) continue;
     line = j / kGrainsOfLine;
-    fetch_each(grains.x, j, j + 1), fetch_each(grains.v, j, j + 1), fetch_each(grains.spin, j, j + 1);
+    for (int a = 0; a < Dim; ++a) fetch(grains.x[a] + j), fetch(grains.v[a] + j);
+    for (const double* component : grains.spin) fetch(component + j);
   }
 }
 

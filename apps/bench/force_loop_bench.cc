@@ -102,7 +102,7 @@ void passes(benchmark::State& state) {
       step_kernels<2>(widest_instruction_set(), LatticeShape::rectangular, law.index());
   const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
   const GrainView<2> g = grains.view(x_list, inverse_skin_squared);
-  RowSums<2> row_sums({&pairs}, rotates(law), grains.size());
+  RowSums<2> row_sums({&pairs}, row_kind<2>(law), grains.size());
   PairView<2> p = pairs.view();
   p.row = row_sums.rows(0);
   const PairCell<2> cell{{{packing.cell.matrix(0, 0), 0.0}, {0.0, packing.cell.matrix(1, 1)}}, {}, 0.0, {}};
@@ -126,7 +126,7 @@ void passes(benchmark::State& state) {
             [&](int b) { kernels.sum_and_kick(g, p, row_sums.plan(b), b * kGrainBlock, cell, kick, sums); });
     const std::clock_t start = std::clock();
     const PairArrays<2> list = new_pairs();
-    benchmark::DoNotOptimize(RowSums<2>({&list}, rotates(law), grains.size()));
+    benchmark::DoNotOptimize(RowSums<2>({&list}, row_kind<2>(law), grains.size()));
     seconds[3] += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   }
   const double step = seconds[0] + seconds[1] + seconds[2];

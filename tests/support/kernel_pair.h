@@ -15,10 +15,11 @@ class KernelPair {
  public:
   KernelPair(const LawParameters& law, double overlap, InstructionSet instructions)
       : grains_(start(overlap), {0, 1}),
-        interaction_(Partner::grain, law, compose_law(law), instructions, LatticeShape::rectangular) {
+        interaction_(Partner::grain, law, compose_law(law), row_kind<3>(compose_law(law)), instructions,
+                     LatticeShape::rectangular) {
     const std::array<double, 2> radius{0.5, 0.5}, mass{1.0, 1.0};
     interaction_.set_pairs({{{0, 1, {0, 0, 0}}}, Partner::grain, radius, mass, interaction_.law(), 1e-9});
-    rows_ = {{&interaction_.pairs()}, rotates(interaction_.law()), 2};
+    rows_ = {{&interaction_.pairs()}, interaction_.rows(), 2};
     interaction_.set_rows(rows_.rows(0));
     inverse_skin_squared_.assign(grains_.x[0].size(), 1.0);
   }
@@ -59,9 +60,15 @@ class KernelPair {
   }
 
   Vec<3> normal() const { return (position(1) - position(0)).normalized(); }
-  Vec<3> force_on_j() const { return row(RowLayout<3, true>::kForce); }
-  Vec<3> moment_on_i() const { return row(RowLayout<3, true>::kMomentI); }
-  Vec<3> moment_on_j() const { return row(RowLayout<3, true>::kMomentJ); }
+  Vec<3> force_on_j() const { return row(force_in_row<3>(interaction_.rows())); }
+  Vec<3> moment_on_i() const {
+    if (interaction_.rows() == RowKind::moments) return row(RowLayout<3, RowKind::moments>::kMomentI);
+    return number_in_row(Levers::kArmI) * row(Levers::kUnitMoment);
+  }
+  Vec<3> moment_on_j() const {
+    if (interaction_.rows() == RowKind::moments) return row(RowLayout<3, RowKind::moments>::kMomentJ);
+    return number_in_row(Levers::kArmJ) * row(Levers::kUnitMoment);
+  }
   double normal_force() const { return force_on_j().dot(normal()); }
   /// On i.
   Vec<3> tangential_force() const { return normal() * normal_force() - force_on_j(); }
@@ -80,10 +87,9 @@ class KernelPair {
     grains.mass.assign(2, 1.0);
     return grains;
   }
-  Vec<3> row(int at) const {
-    const double* first = interaction_.view().row + at;
-    return {first[0], first[1], first[2]};
-  }
+  using Levers = RowLayout<3, RowKind::levers>;
+  double number_in_row(int at) const { return interaction_.view().row[at]; }
+  Vec<3> row(int at) const { return {number_in_row(at), number_in_row(at + 1), number_in_row(at + 2)}; }
 
   GrainArrays<3> grains_;
   Interaction<3> interaction_;

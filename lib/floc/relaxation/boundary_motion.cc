@@ -48,10 +48,10 @@ void ExplicitDynamics<Dim>::list_pairs_of_walls() {
 template <int Dim>
 void ExplicitDynamics<Dim>::sum_forces_on_walls() {
   const Interaction<Dim>& interaction = interactions_.back();
-  const std::ptrdiff_t size_of_row = row_size<Dim>(interaction.law());
+  const std::ptrdiff_t size_of_row = row_size<Dim>(interaction.rows());
   for (int w = 0; w < walls_.size(); ++w) {
     const Wall<Dim>& wall = walls_.walls()[w];
-    const double* const normal = interaction.view().row + force_in_row<Dim>(interaction.law()) + wall.axis;
+    const double* const normal = interaction.view().row + force_in_row<Dim>(interaction.rows()) + wall.axis;
     double sum = 0.0;
     for (const int p : pairs_of_wall_[w]) sum += normal[size_of_row * p];
     force_on_wall_[w] = wall.side * sum;

@@ -26,10 +26,11 @@ constexpr int kGrainsBeyondCaches = 30'000;
 constexpr double kListCost = 23.0;
 /// What grains at rest get of the skin of the fastest: they may be hit.
 constexpr double kMinSkinShare = 0.25;
-constexpr double kMinSkin = 1e-3;  // of the largest diameter, or the smallest where they differ much
+constexpr double kMinSkin = 1e-4;  // of the largest diameter, or the smallest where they differ much
 /// Skin of lists with which liquid is shared out, of the reach of the furthest bridge: two surfaces come nearer to
 /// each other by that at most before it is shared out again.
 constexpr double kSkinOfReach = 0.25;
+constexpr double kMinSkinOfLiquid = 1e-3;  // as kMinSkin
 
 template <int Dim>
 LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control) {
@@ -91,8 +92,8 @@ void ExplicitDynamics<Dim>::add_interactions(const Packing<Dim>& packing, Instru
   if (!walls_.empty()) parameters.push_back(packing.wall_law);
   const std::vector<AnyContactLaw> laws = laws_of_same_rows(parameters);
   for (std::size_t k = 0; k < laws.size(); ++k)
-    interactions_.emplace_back(k == 0 ? Partner::grain : Partner::wall, parameters[k], laws[k], instructions,
-                               shape);
+    interactions_.emplace_back(k == 0 ? Partner::grain : Partner::wall, parameters[k], laws[k],
+                               row_kind<Dim>(laws[0]), instructions, shape);
 }
 
 template <int Dim>
@@ -272,7 +273,8 @@ bool ExplicitDynamics<Dim>::list_is_stale() const {
 template <int Dim>
 void ExplicitDynamics<Dim>::adapt_skin() {
   if (shares_liquid()) {  // its skin decides when that happens, and must not follow what lists cost
-    skin_ = std::clamp(kSkinOfReach * interactions_[0].range(), min_skin_, 0.5 * largest_diameter_);
+    skin_ = std::clamp(kSkinOfReach * interactions_[0].range(), kMinSkinOfLiquid / kMinSkin * min_skin_,
+                       0.5 * largest_diameter_);
     return;
   }
   if (interactions_[0].pairs().size() == 0 || steps_since_list_ == 0) return;
@@ -280,7 +282,9 @@ void ExplicitDynamics<Dim>::adapt_skin() {
   const double cost = list_cost_share();
   if (cost > out_of_range_share_)
     skin_ = std::min((cost > 4.0 * out_of_range_share_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
-  if (cost < 0.5 * out_of_range_share_) skin_ = std::max(0.8 * skin_, min_skin_);
+  // Twice what motion consumed of a skin is enough for a list that lasts as long.
+  if (cost < 0.5 * out_of_range_share_)
+    skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin()), min_skin_);
 }
 
 /// The next chunk begins with a new list in any case: where one list has served for all of this one, twice
@@ -332,7 +336,7 @@ void ExplicitDynamics<Dim>::build_lists() {
     close[k] = Pairs();
     lists.push_back(&interaction.pairs());
   }
-  sums_of_rows_ = {lists, rotates(interactions_[0].law()), grains_.size(), rows_kept_};
+  sums_of_rows_ = {lists, interactions_[0].rows(), grains_.size(), rows_kept_};
   for (std::size_t k = 0; k < interactions_.size(); ++k) interactions_[k].set_rows(sums_of_rows_.rows(k));
   if (!walls_.empty()) list_pairs_of_walls();
   walls_.mark();
@@ -425,7 +429,7 @@ template <int Dim>
 void ExplicitDynamics<Dim>::add_wall_virial(int block) {
   const Interaction<Dim>& interaction = interactions_.back();
   const PairArrays<Dim>& pairs = interaction.pairs();
-  const int size_of_row = row_size<Dim>(interaction.law()), force = force_in_row<Dim>(interaction.law());
+  const int size_of_row = row_size<Dim>(interaction.rows()), force = force_in_row<Dim>(interaction.rows());
   for (int p = pairs.first_of_block(block); p < pairs.first_of_block(block + 1); ++p) {
     if (pairs.padding(p)) continue;
     const double* on_wall = interaction.view().row + static_cast<std::ptrdiff_t>(size_of_row) * p + force;

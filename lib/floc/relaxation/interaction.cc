@@ -10,9 +10,10 @@ namespace floc {
 
 template <int Dim>
 Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law,
-                              InstructionSet instructions, LatticeShape shape)
+                              RowKind rows, InstructionSet instructions, LatticeShape shape)
     : partner_(partner),
       law_(law),
+      rows_(rows),
       range_(parameters.range()),
       swap_parity_(swap_parity<Dim>(parameters)),
       kernels_(step_kernels<Dim>(instructions, shape, law_.index())),
@@ -25,6 +26,7 @@ void Interaction<Dim>::set_pairs(PairArrays<Dim> pairs) {
   pairs_ = std::move(pairs);
   pairs_.refresh_bridges(law_);
   arrays_ = pairs_.view();
+  arrays_.rows = rows_;
 }
 
 template <int Dim>
@@ -48,11 +50,11 @@ template <int Dim>
 void Interaction<Dim>::fetch_second_grains(int block, const GrainView<Dim>& grains,
                                            const double* sums_as_j) const {
   constexpr int kGrainsOfLine = static_cast<int>(kCacheLine / sizeof(double));
-  const int lanes = row_lanes<Dim>(rotates(law_));
+  const int sum_size = row_sum_size<Dim>(rows_);
   int line = -1;
   for (int p = pairs_.first_of_block(block); p < pairs_.first_of_block(block + 1); ++p) {
     const int j = arrays_.j[p];
-    fetch(sums_as_j + static_cast<std::ptrdiff_t>(lanes) * j);
+    fetch(sums_as_j + static_cast<std::ptrdiff_t>(sum_size) * j);
     if (j / kGrainsOfLine == line) continue;
     line = j / kGrainsOfLine;
     for (int a = 0; a < Dim; ++a) fetch(grains.x[a] + j), fetch(grains.v[a] + j);
@@ -75,6 +77,14 @@ ContactMemory<Dim> Interaction<Dim>::memory(int pair, bool swapped) const {
   return memory;
 }
 
+namespace {
+
+bool rotates(const AnyContactLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return Law::kHasFriction; }, law);
+}
+
+}  // namespace
+
 std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters) {
   std::vector<AnyContactLaw> laws;
   for (const LawParameters& p : parameters) laws.push_back(compose_law(p));
@@ -84,11 +94,14 @@ std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& p
   return laws;
 }
 
-bool rotates(const AnyContactLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return Law::kHasFriction; }, law);
+template <int Dim>
+RowKind row_kind(const AnyContactLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return kRowKind<Law, Dim>; }, law);
 }
 
 template class Interaction<2>;
 template class Interaction<3>;
+template RowKind row_kind<2>(const AnyContactLaw&);
+template RowKind row_kind<3>(const AnyContactLaw&);
 
 }  // namespace floc

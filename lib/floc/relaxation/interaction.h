@@ -11,14 +11,15 @@ namespace floc {
 template <int Dim>
 class Interaction {
  public:
-  /// @param law  as composed for the kernels: all interactions of a packing write rows of one size
-  ///             (laws_of_same_rows())
-  Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law,
+  /// @param law   as composed for the kernels (laws_of_same_rows())
+  /// @param rows  that all interactions of the packing write: those of the law between grains
+  Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law, RowKind rows,
               InstructionSet instructions, LatticeShape shape);
   Interaction(Interaction&&) = delete;  // the kernel is given the address of the law
 
   Partner partner() const { return partner_; }
   const AnyContactLaw& law() const { return law_; }
+  RowKind rows() const { return rows_; }
   /// Gaps that its lists of pairs reach across: those of the law, or of the bridges that exist.
   double range() const { return range_; }
   void set_range(double range) { range_ = range; }
@@ -51,6 +52,7 @@ class Interaction {
  private:
   Partner partner_;
   AnyContactLaw law_;
+  RowKind rows_;
   double range_;
   ContactMemory<Dim> swap_parity_;
   const StepKernels<Dim>& kernels_;
@@ -59,21 +61,13 @@ class Interaction {
   PairView<Dim> arrays_;
 };
 
-/// The laws of the interactions of a packing, composed so that all rows have one size: where some have
+/// The laws of the interactions of a packing, composed so that all rows can be of one kind: where some have
 /// friction, the others have a spring that can carry nothing.
 /// @param parameters  those of grains, then perhaps those of walls
 std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters);
 
-/// Whether grains rotate under this law.
-bool rotates(const AnyContactLaw& law);
-/// Number of doubles in a row of this law, and the place of the force in it.
+/// What the rows of pairs of grains hold under this law.
 template <int Dim>
-int row_size(const AnyContactLaw& law) {
-  return row_size<Dim>(rotates(law));
-}
-template <int Dim>
-int force_in_row(const AnyContactLaw& law) {
-  return force_in_row<Dim>(rotates(law));
-}
+RowKind row_kind(const AnyContactLaw& law);
 
 }  // namespace floc

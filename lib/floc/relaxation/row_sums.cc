@@ -37,15 +37,15 @@ int row_place(std::int64_t pair, int row_size) {
 }
 
 template <int Dim>
-RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, bool rotates, int n_grains,
+RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind rows, int n_grains,
                       RowsKept kept)
     : kept_(kept),
-      row_size_(row_size<Dim>(rotates)),
+      row_size_(row_size<Dim>(rows)),
       plans_(static_cast<std::size_t>((n_grains + kGrainBlock - 1) / kGrainBlock)) {
   place_rows(lists);
   const RowsOfGrains as_i = rows_of(lists, [](const PairArrays<Dim>& pairs, int p) { return pairs.i(p); });
   RowsOfGrains as_j{std::vector<int>(plans_.size() * kGrainBlock + 1, 0), {}};
-  const std::size_t sums_of_block = static_cast<std::size_t>(kGrainBlock) * row_lanes<Dim>(rotates);
+  const std::size_t sums_of_block = static_cast<std::size_t>(kGrainBlock) * row_sum_size<Dim>(rows);
   if (kept == RowsKept::all)
     as_j = rows_of({lists[0]}, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
   else
@@ -81,7 +81,7 @@ void RowSums<Dim>::place_rows(const std::vector<const PairArrays<Dim>*>& lists) 
     n_pairs += kept;
   }
   zero_row_ = row_place(n_pairs, row_size_);
-  rows_.assign(static_cast<std::size_t>(zero_row_) + row_size_ + kRowMargin, 0.0);
+  rows_.assign(static_cast<std::size_t>(zero_row_) + row_size_, 0.0);
 }
 
 template <int Dim>

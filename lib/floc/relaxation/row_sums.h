@@ -29,8 +29,7 @@ class RowSums {
   RowSums(RowSums&&) noexcept = default;  // no copies: the plans point into the lists of rows
   RowSums& operator=(RowSums&&) noexcept = default;
   /// @param lists    first of pairs of grains, then perhaps of grains with walls
-  /// @param rotates  whether grains do: rows hold moments then
-  RowSums(const std::vector<const PairArrays<Dim>*>& lists, bool rotates, int n_grains,
+  RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind rows, int n_grains,
           RowsKept kept = RowsKept::all);
 
   /// Where the rows of a list begin, of pairs of grains perhaps those of one block.

@@ -9,12 +9,20 @@ namespace floc {
 
 /// The passes over the grains of a block. Like all code of the kernels a template on the instruction set, which
 /// calls no inline function that is not.
-template <class Isa, int Dim, LatticeShape kShape, bool kRotates>
+template <class Isa, int Dim, LatticeShape kShape, RowKind kRows>
 struct GrainKernels {
-  using Layout = RowLayout<Dim, kRotates>;
+  using Layout = RowLayout<Dim, kRows>;
+  static constexpr bool kRotates = kRows != RowKind::forces;
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   using P = Pack<Isa>;
-  using Row = typename VectorOf<Layout::kLanes>::Type;
+  /// Sum of rows: forces and moments, in 3D each a vector of its own. What lies beside them in a row is summed,
+  /// too, and not used.
+  static constexpr int kParts = Dim == 3 && kRotates ? 2 : 1;
+  using Part = typename VectorOf<row_sum_size<Dim>(kRows) / kParts>::Type;
+  struct Sum {
+    Part part[kParts];
+  };
+  enum class Side { i, j };
 
   [[gnu::flatten]] static void kick_and_drift(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick,
                                               const Drift<Dim>& drift, BlockSums<Dim>& sums) {
@@ -65,13 +73,13 @@ struct GrainKernels {
 
   /// In the order of the pairs, as sum_rows() adds them; those of padding are zero and leave no trace.
   static void add_to_second_grains(const PairView<Dim>& pairs, int first, int last, double* sums) {
-    const double* row = row_of(pairs, first) + Layout::kReadJ;
+    const double* row = row_of(pairs, first);
     for (int p = first; p < last; ++p, row += Layout::kSize) {
-      double* const to = sums + static_cast<std::ptrdiff_t>(Layout::kLanes) * pairs.j[p];
-      Row sum;
-      __builtin_memcpy(&sum, to, sizeof(Row));
-      add_row(row, sum);
-      __builtin_memcpy(to, &sum, sizeof(Row));
+      double* const to = sums + static_cast<std::ptrdiff_t>(row_sum_size<Dim>(kRows)) * pairs.j[p];
+      Sum sum;
+      __builtin_memcpy(&sum, to, sizeof(Sum));
+      add_row<Side::j>(row, sum);
+      __builtin_memcpy(to, &sum, sizeof(Sum));
     }
   }
 
@@ -211,70 +219,76 @@ struct GrainKernels {
     return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
   }
 
-  static void add_row(const double* from, Row& sum) {
-    Row row;
-    __builtin_memcpy(&row, from, sizeof(Row));
-    sum += row;
+  template <Side side>
+  static void add_row(const double* row, Sum& sum) {
+    Part part;
+    __builtin_memcpy(&part, row + Layout::kForce, sizeof(part));
+    sum.part[0] += part;
+    if constexpr (kRows == RowKind::levers) {
+      __builtin_memcpy(&part, row + Layout::kUnitMoment, sizeof(part));
+      sum.part[1] += row[side == Side::i ? Layout::kArmI : Layout::kArmJ] * part;
+    } else if constexpr (kParts == 2) {
+      __builtin_memcpy(&part, row + (side == Side::i ? Layout::kMomentI : Layout::kMomentJ), sizeof(part));
+      sum.part[1] += part;
+    }
   }
 
   /// Sums of the rows of each grain of the block. Rows of pairs that do not interact are zero and leave no
   /// trace, so the sums do not depend on which of them the list holds.
-  /// @param first  the part that grains read of the row at place 0
-  static void sum_rows(const double* first, const SideSumsPlan& plan, Row (&total)[kGrainBlock]) {
+  template <Side side>
+  static void sum_rows(const double* first, const SideSumsPlan& plan, Sum (&total)[kGrainBlock]) {
     const int* row = plan.row;
     for (int g = 0; g < SideSumsPlan::kGroups; ++g) {
-      Row sum[kSumGroup] = {};
+      Sum sum[kSumGroup] = {};
       for (const int* const end = row + plan.depth[g] * kSumGroup; row != end; row += kSumGroup)
-        for (int l = 0; l < kSumGroup; ++l) add_row(first + row[l], sum[l]);
+        for (int l = 0; l < kSumGroup; ++l) add_row<side>(first + row[l], sum[l]);
       for (int l = 0; l < kSumGroup; ++l) total[plan.grain[g * kSumGroup + l]] = sum[l];
     }
     for (int k = 0; k < plan.n_deep; ++k) {
-      Row sum = total[plan.grain[k]];
-      for (const int* const end = row + plan.n_beyond[k]; row != end; ++row) add_row(first + *row, sum);
+      Sum sum = total[plan.grain[k]];
+      for (const int* const end = row + plan.n_beyond[k]; row != end; ++row) add_row<side>(first + *row, sum);
       total[plan.grain[k]] = sum;
     }
   }
 
   static void sum_forces(const GrainView<Dim>& grains, const PairView<Dim>& pairs, const BlockSumsPlan& plan,
                          int begin) {
-    Row as_i[kGrainBlock], as_j[kGrainBlock];
-    sum_rows(pairs.row + Layout::kReadI, plan.as_i, as_i);
+    Sum as_i[kGrainBlock], as_j[kGrainBlock];
+    sum_rows<Side::i>(pairs.row, plan.as_i, as_i);
     if (plan.sums_as_j) {
       __builtin_memcpy(as_j, plan.sums_as_j, sizeof(as_j));
       __builtin_memset(plan.sums_as_j, 0, sizeof(as_j));
     } else {
-      sum_rows(pairs.row + Layout::kReadJ, plan.as_j, as_j);
+      sum_rows<Side::j>(pairs.row, plan.as_j, as_j);
     }
     set_forces(grains, begin, as_i, as_j);
   }
 
-  static void set_forces(const GrainView<Dim>& grains, int begin, const Row (&as_i)[kGrainBlock],
-                         const Row (&as_j)[kGrainBlock]) {
-    constexpr int kForceI = Layout::kForce - Layout::kReadI, kForceJ = Layout::kForce - Layout::kReadJ;
-    if constexpr (Layout::kLanes == 8 && P::kWidth == 8) {
-      constexpr int kMomentI = Layout::kMomentI - Layout::kReadI;
-      static_assert(kForceJ == 0 && Layout::kMomentJ - Layout::kReadJ == Dim);
+  static void set_forces(const GrainView<Dim>& grains, int begin, const Sum (&as_i)[kGrainBlock],
+                         const Sum (&as_j)[kGrainBlock]) {
+    if constexpr (kParts == 2 && P::kWidth == 8) {
       for (int k = 0; k < kGrainBlock; k += 8) {
         Records<Isa>::transpose(
             [&](int l) {
-              // Force and moment of i as those of j lie, the force turned round.
-              const Row from_i =
-                  __builtin_shufflevector(as_i[k + l], as_i[k + l], kForceI, kForceI + 1, kForceI + 2, kMomentI,
-                                          kMomentI + 1, kMomentI + 2, 6, 7);
-              return Row(as_j[k + l] + from_i * Row{-1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0});
+              typename P::Vector i, j;
+              __builtin_memcpy(&i, &as_i[k + l], sizeof(i));
+              __builtin_memcpy(&j, &as_j[k + l], sizeof(j));
+              return typename P::Vector(j + i * typename P::Vector{-1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0});
             },
             [&](int lane, const P& sums) {
               if (lane < Dim) sums.store(grains.force[lane] + begin + k);
-              if (Dim <= lane && lane < 2 * Dim) sums.store(grains.torque[lane - Dim] + begin + k);
+              if (4 <= lane && lane < 4 + Dim) sums.store(grains.torque[lane - 4] + begin + k);
             });
       }
     } else {
+      // In 2D one vector holds the force and the moments on i and on j.
+      constexpr int kMomentI = Dim == 2 ? 2 : 0, kMomentJ = Dim == 2 ? 3 : 0;
       for (int k = 0; k < kGrainBlock; ++k) {
-        for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = as_j[k][kForceJ + a] - as_i[k][kForceI + a];
+        const Sum &i = as_i[k], &j = as_j[k];
+        for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = j.part[0][a] - i.part[0][a];
         if constexpr (kRotates)
           for (int a = 0; a < kRotations<Dim>; ++a)
-            grains.torque[a][begin + k] =
-                as_i[k][Layout::kMomentI - Layout::kReadI + a] + as_j[k][Layout::kMomentJ - Layout::kReadJ + a];
+            grains.torque[a][begin + k] = i.part[kParts - 1][kMomentI + a] + j.part[kParts - 1][kMomentJ + a];
       }
     }
   }

@@ -27,7 +27,6 @@ struct Walls {
 template <class Isa, int Dim, class Partner, class Law>
 struct PairKernel {
   static constexpr bool kRotates = Law::kHasFriction;
-  using Layout = RowLayout<Dim, kRotates>;
   using P = Pack<Isa>;
   using V = Vec<Dim, P>;
 
@@ -190,20 +189,48 @@ struct PairKernel {
 
     V on_j = f.normal.force() * a.n;
     if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous + p) * a.n;
-    P row[Layout::kSize];
-    for (P& number : row) number = P(0.0);
+    Moments moments;
     if constexpr (kRotates) {
       const V shear = from_shear<P>(a.n, f.shear);
       on_j -= shear;
-      const RotationVector<Dim, P> unit = moment<P>(a.n, shear);
-      RotationVector<Dim, P> springs = f.rolling;
-      if constexpr (Law::kHasTwisting) springs += f.twisting * a.n;
+      moments.of_unit_arm = moment<P>(a.n, shear);
+      moments.of_springs = f.rolling;
+      if constexpr (Law::kHasTwisting) moments.of_springs += f.twisting * a.n;
+    }
+    if constexpr (!Partner::kWall || !kRotates)
+      store_row<kRowKind<Law, Dim>>(a, on_j, moments, pairs, p);
+    else if (Dim == 3 && pairs.rows == RowKind::levers)
+      store_row<Dim == 3 ? RowKind::levers : RowKind::moments>(a, on_j, moments, pairs, p);
+    else
+      store_row<RowKind::moments>(a, on_j, moments, pairs, p);
+  }
+
+  struct Moments {
+    RotationVector<Dim, P> of_unit_arm, of_springs;
+  };
+
+  template <RowKind kKind>
+  static void store_row(const PairKinematics& a, const V& on_j, const Moments& moments,
+                        const PairView<Dim>& pairs, int p) {
+    using Layout = RowLayout<Dim, kKind>;
+    P row[Layout::kSize];
+    for (P& number : row) number = P(0.0);
+    for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
+    if constexpr (kKind == RowKind::levers && Partner::kWall) {
+      // The wall's moment is not summed: springs, too, are a moment of a unit arm.
+      row[Layout::kArmI] = P(1.0);
+      for (int b = 0; b < kRotations<Dim>; ++b)
+        row[Layout::kUnitMoment + b] = a.arm_i * moments.of_unit_arm[b] - moments.of_springs[b];
+    } else if constexpr (kKind == RowKind::levers) {
+      row[Layout::kArmI] = a.arm_i;
+      row[Layout::kArmJ] = a.arm_j;
+      for (int b = 0; b < kRotations<Dim>; ++b) row[Layout::kUnitMoment + b] = moments.of_unit_arm[b];
+    } else if constexpr (kKind == RowKind::moments) {
       for (int b = 0; b < kRotations<Dim>; ++b) {
-        row[Layout::kMomentI + b] = a.arm_i * unit[b] - springs[b];
-        row[Layout::kMomentJ + b] = a.arm_j * unit[b] + springs[b];
+        row[Layout::kMomentI + b] = a.arm_i * moments.of_unit_arm[b] - moments.of_springs[b];
+        row[Layout::kMomentJ + b] = a.arm_j * moments.of_unit_arm[b] + moments.of_springs[b];
       }
     }
-    for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
     double* const to = pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
     Records<Isa>::store_rows(to, row);
   }

@@ -25,42 +25,57 @@ inline constexpr int kSumGroup = 8;
 inline constexpr double kDashpotShare = 0.8;
 inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
 
-/// The row that a pair writes: force on j and, where grains rotate, the moments on i and on j. Places are in
-/// doubles from its beginning. Grain i and grain j each read a vector of kLanes that holds what concerns them.
-template <int Dim, bool kRotates>
+/// What the row of a pair holds besides the force on j.
+enum class RowKind {
+  forces,   ///< nothing: grains do not rotate
+  levers,   ///< of spheres that neither roll nor twist against each other: both moments are that of one arm's
+            ///< length times the arm, whose lengths follow
+  moments,  ///< the moments on i and on j
+};
+
+/// Row that a pair writes. Places are in doubles from its beginning.
+template <int Dim, RowKind kKind>
 struct RowLayout;
 template <>
-struct RowLayout<2, false> {
-  static constexpr int kSize = 2, kLanes = 2, kForce = 0, kReadI = 0, kReadJ = 0;
+struct RowLayout<2, RowKind::forces> {
+  static constexpr int kSize = 2, kForce = 0;
 };
 template <>
-struct RowLayout<2, true> {
-  static constexpr int kSize = 4, kLanes = 4, kForce = 0, kMomentI = 2, kMomentJ = 3, kReadI = 0, kReadJ = 0;
+struct RowLayout<2, RowKind::moments> {
+  static constexpr int kSize = 4, kForce = 0, kMomentI = 2, kMomentJ = 3;
 };
 template <>
-struct RowLayout<3, false> {
-  static constexpr int kSize = 4, kLanes = 4, kForce = 0, kReadI = 0, kReadJ = 0;
+struct RowLayout<3, RowKind::forces> {
+  static constexpr int kSize = 4, kForce = 0;
 };
 template <>
-struct RowLayout<3, true> {
-  static constexpr int kSize = 10, kLanes = 8, kMomentI = 0, kForce = 3, kMomentJ = 6, kReadI = 0, kReadJ = 3;
+struct RowLayout<3, RowKind::levers> {
+  static constexpr int kSize = 8, kForce = 0, kArmI = 3, kUnitMoment = 4, kArmJ = 7;
 };
-/// How far a grain may read beyond the end of the last row.
-inline constexpr int kRowMargin = 8;
+template <>
+struct RowLayout<3, RowKind::moments> {
+  static constexpr int kSize = 10, kMomentI = 0, kForce = 3, kMomentJ = 6;
+};
 
+template <class Law, int Dim>
+inline constexpr RowKind kRowKind = !Law::kHasFriction                                    ? RowKind::forces
+                                    : Dim == 3 && !Law::kHasRolling && !Law::kHasTwisting ? RowKind::levers
+                                                                                          : RowKind::moments;
 template <int Dim>
-constexpr int row_size(bool rotates) {
-  return rotates ? RowLayout<Dim, true>::kSize : RowLayout<Dim, false>::kSize;
-}
-/// Doubles that a grain reads of a row.
-template <int Dim>
-constexpr int row_lanes(bool rotates) {
-  return rotates ? RowLayout<Dim, true>::kLanes : RowLayout<Dim, false>::kLanes;
+constexpr int row_size(RowKind kind) {
+  if (kind == RowKind::levers) return RowLayout<3, RowKind::levers>::kSize;
+  return kind == RowKind::forces ? RowLayout<Dim, RowKind::forces>::kSize
+                                 : RowLayout<Dim, RowKind::moments>::kSize;
 }
 /// Place of the force in a row.
 template <int Dim>
-constexpr int force_in_row(bool rotates) {
-  return rotates ? RowLayout<Dim, true>::kForce : RowLayout<Dim, false>::kForce;
+constexpr int force_in_row(RowKind kind) {
+  return kind == RowKind::moments ? RowLayout<Dim, RowKind::moments>::kForce : 0;
+}
+/// Doubles in the sum of a grain's rows: forces, moments and what pads them to whole vectors.
+template <int Dim>
+constexpr int row_sum_size(RowKind kind) {
+  return (Dim == 2 ? 2 : 4) * (kind == RowKind::forces ? 1 : 2);
 }
 
 /// Numbers of an orientation: an angle, or a quaternion (w, x, y, z) whose length does not matter.
@@ -95,6 +110,7 @@ struct PairView {
   double* memory[MemoryLayout<Dim>::kSize];  ///< what the law remembers; null at places of which it does not
   double* row;                               ///< of the pair with_row and of those after it
   int with_row;
+  RowKind rows;  ///< of pairs of grains, to which those with walls are added
 };
 
 /// The rows that each grain of a block sums as the first, or as the second, grain of a pair: places from

@@ -21,10 +21,11 @@ struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
     if constexpr (L::kDimension != 0 && L::kDimension != Dim) {
       return {};
     } else {
-      return {&GrainKernels<Isa, Dim, kShape, L::kHasFriction>::kick_and_drift,
-              &PairKernel<Isa, Dim, Grains, L>::compute, &PairKernel<Isa, Dim, Walls, L>::compute,
-              &GrainKernels<Isa, Dim, kShape, L::kHasFriction>::add_to_second_grains,
-              &GrainKernels<Isa, Dim, kShape, L::kHasFriction>::sum_and_kick};
+      // What rows hold makes no difference to the drift.
+      using Drift = GrainKernels<Isa, Dim, kShape, L::kHasFriction ? RowKind::moments : RowKind::forces>;
+      using Sums = GrainKernels<Isa, Dim, kShape, kRowKind<L, Dim>>;
+      return {&Drift::kick_and_drift, &PairKernel<Isa, Dim, Grains, L>::compute,
+              &PairKernel<Isa, Dim, Walls, L>::compute, &Sums::add_to_second_grains, &Sums::sum_and_kick};
     }
   }
   static constexpr StepKernels<Dim> kTable[] = {kernels_of<Law>()...};

@@ -121,7 +121,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   if (!dynamics->finite()) {
     find_contacts(packing_);
     measure();
-    return give_up("diverged", "the motion diverged, run.time_step is too large");
+    return give_up("diverged", "the motion diverged: run.time_step is too large, or box.mass too small for it");
   }
   packing_ = {};
   packing_ = dynamics->release_packing();

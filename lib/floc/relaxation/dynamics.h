@@ -45,7 +45,7 @@ class Dynamics {
 
   virtual void advance(int n_steps, Motion motion) = 0;
 
-  /// False when positions are no longer finite: the time step was too large.
+  /// False when positions are no longer finite, or millions of cells away: the time step was too large.
   virtual bool finite() const = 0;
 
   /// The packing as it is now, with its contact list; grains in the order of the packing this was made from.

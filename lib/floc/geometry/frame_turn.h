@@ -12,26 +12,40 @@ template <class T>
 class FrameTurn {
  public:
   FrameTurn() = default;
-  /// @param normal           after the step
-  /// @param displacement     of the branch in the step, over its length after it
-  /// @param twice_rotation   sum of the rotations of the two grains (radians)
-  FrameTurn(const Vec<3, T>& normal, const Vec<3, T>& displacement, const RotationVector<3, T>& twice_rotation)
-      : n_(normal) {
-    const T along = n_.dot(displacement);
-    // n0 = (n1 - tilt)/sqrt(1 + tilt^2), tilt = (displacement across n1)/(1 - along).
-    const Vec<3, T> tilt = (displacement - along * n_) * (T(1) + along * (T(1) + along * (T(1) + along)));
-    const T s = tilt.squaredNorm();
+  /// @param normal         after the step
+  /// @param along, across  displacement of the branch in the step over its length after it: along the normal, and
+  ///                       the rest, a vector
+  /// @param spins          sum of the spins of the two grains (radians/time)
+  FrameTurn(const Vec<3, T>& normal, const T& along, const Vec<3, T>& across, const RotationVector<3, T>& spins,
+            const T& time_step)
+      : n_(normal), across_(across) {
+    // n0 = (n1 - tilt)/sqrt(1 + tilt^2), tilt = across/(1 - along).
+    const T tilt = T(1) + along * (T(1) + along * (T(1) + along));
+    const T across_squared = across.squaredNorm();
+    const T s = tilt * tilt * across_squared;
     // (n0 + n1)/(1 + n0.n1) = n1 - tilt/(1 + sqrt(1 + tilt^2))
-    mean_normal_ = n_ - tilt * (T(0.5) - s * (T(0.125) - T(0.0625) * s));
-    const T half_angle = T(0.25) * twice_rotation.dot(mean_normal_);
+    lean_ = tilt * (T(0.5) - s * (T(0.125) - T(0.0625) * s));
+    along_middle_ = along - lean_ * across_squared;
+    mean_normal_ = n_ - lean_ * across;
+    const T half_angle = T(0.25) * time_step * spins.dot(mean_normal_);
     const T squared = half_angle * half_angle;
     const T scale = T(1) - squared * (T(1) - squared);  // 1/(1 + squared)
-    cos_ = (T(1) - squared) * scale;
     sin_ = T(2) * half_angle * scale;
+    cos_ = (T(1) - squared) * scale;
   }
 
   /// Half way between the old normal and the new, of length 1 up to the square of the angle between them.
   const Vec<3, T>& mean_normal() const { return mean_normal_; }
+
+  /// Slip of two surfaces across the mean normal m, seen across the new one: with the displacement d of the branch,
+  /// P1 Pm (d - s x m) and Pi u = u - ni ni.u.
+  /// @param length    of the branch after the step
+  /// @param surfaces  s: what turning moves the surface of i against that of j, a sum of arms times rotations
+  Vec<3, T> slip(const T& length, const RotationVector<3, T>& surfaces) const {
+    // m = n1 - lean across, so that P1 Pm d = (1 + lean m.d) across and P1 (s x m) = (s + lean (s.n1) across) x n1.
+    const RotationVector<3, T> about = surfaces + (lean_ * surfaces.dot(n_)) * across_;
+    return (length * (T(1) + lean_ * along_middle_)) * across_ - cross<T>(about, n_);
+  }
 
   /// @param v  normal to the old normal
   Vec<3, T> operator()(const Vec<3, T>& v) const {
@@ -42,6 +56,9 @@ class FrameTurn {
  private:
   Vec<3, T> n_, mean_normal_;
   T cos_, sin_;
+  Vec<3, T> across_;
+  T lean_;          // m = n1 - lean across
+  T along_middle_;  // displacement along m
 };
 
 }  // namespace floc

@@ -31,6 +31,8 @@ constexpr double kMinSkin = 1e-4;  // of the largest diameter, or the smallest w
 /// each other by that at most before it is shared out again.
 constexpr double kSkinOfReach = 0.25;
 constexpr double kMinSkinOfLiquid = 1e-3;  // as kMinSkin
+/// How far a grain may be, in sides of the cell; the search for neighbours can hold ten times as much.
+constexpr double kFurthest = 1e8;
 
 template <int Dim>
 LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control) {
@@ -392,7 +394,6 @@ void ExplicitDynamics<Dim>::compute_and_kick(double slip_time) {
   for (int b = 0; b < n_blocks(); ++b) {
     const bool fetches_next = fetches_ahead() && b + 1 < n_blocks();
     if (fetches_ahead()) fetch_grains(b, GrainPass::kick);
-    if (fetches_next) interactions_[0].fetch_pairs(b + 1);
     compute_pairs(b, slip_time);
     if (fetches_next) interactions_[0].fetch_second_grains(b + 1, grain_view_, sums_of_rows_.sums_as_j());
     sum_and_kick(b);
@@ -477,8 +478,9 @@ void ExplicitDynamics<Dim>::refresh_forces() {
 template <int Dim>
 bool ExplicitDynamics<Dim>::finite() const {
   bool all = lattice_.allFinite() && lattice_rate_.allFinite() && sides().allFinite();
+  const double furthest = kFurthest * sides().cwiseAbs().minCoeff();
   for (const auto& component : grains_.x)
-    for (const double x : component) all = all && std::isfinite(x);
+    for (const double x : component) all = all && std::abs(x) < furthest;
   return all;
 }
 

@@ -36,17 +36,6 @@ void Interaction<Dim>::compute(int block, const GrainView<Dim>& grains, const Pa
 }
 
 template <int Dim>
-void Interaction<Dim>::fetch_pairs(int block) const {
-  const int first = pairs_.first_of_block(block), last = pairs_.first_of_block(block + 1);
-  const double* const numbers[] = {arrays_.radii,          arrays_.share_i,      arrays_.damping,
-                                   arrays_.reduced_radius, arrays_.reduced_mass, arrays_.strength,
-                                   arrays_.decay,          arrays_.reach,        arrays_.viscous};
-  fetch(arrays_.i, first, last), fetch(arrays_.j, first, last);
-  fetch_each(arrays_.image, first, last), fetch_each(numbers, first, last),
-      fetch_each(arrays_.memory, first, last);
-}
-
-template <int Dim>
 void Interaction<Dim>::fetch_second_grains(int block, const GrainView<Dim>& grains,
                                            const double* sums_as_j) const {
   constexpr int kGrainsOfLine = static_cast<int>(kCacheLine / sizeof(double));

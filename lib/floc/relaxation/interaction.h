@@ -39,9 +39,8 @@ class Interaction {
   /// Rows, springs and memory of the pairs of a block.
   void compute(int block, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const;
 
-  /// Fetches what compute() reads of a block: its pairs, or their second grains.
+  /// Fetches the second grains of a block's pairs, which compute() reads. The pairs themselves the processor foresees.
   /// @param sums_as_j  RowSums::sums_as_j(), fetched with them
-  void fetch_pairs(int block) const;
   void fetch_second_grains(int block, const GrainView<Dim>& grains, const double* sums_as_j) const;
 
   /// Copies the memory of a contact into that of its pair, and back. @param swapped  the pair is the contact

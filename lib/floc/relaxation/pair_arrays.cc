@@ -1,17 +1,26 @@
 #include "floc/relaxation/pair_arrays.h"
 
 #include <algorithm>
+#include <functional>
 #include <variant>
 
 #include "floc/packing/contact_order.h"
 
 namespace floc {
+namespace {
+
+bool all_equal(std::span<const double> numbers) {
+  return std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
+}
+
+}  // namespace
 
 template <int Dim>
 PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner,
                             std::span<const double> radius, std::span<const double> mass,
                             const AnyContactLaw& any_law, double time_step)
-    : partner_(partner) {
+    : partner_(partner),
+      own_numbers_(partner == Partner::grain && all_equal(radius) && all_equal(mass) ? 0 : -1) {
   const bool with_walls = partner == Partner::wall;
   const int n_grains = static_cast<int>(radius.size());
   reserve(pairs.size() + pairs.size() / 8 + static_cast<std::size_t>(n_grains));
@@ -19,6 +28,15 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
   end_of_i_.assign(n_grains, 0);
   std::visit(
       [&]<class Law>(const Law& law) {
+        const auto add_numbers_of = [&](int i, int j) {
+          const CollisionMass masses =
+              with_walls ? CollisionMass::against_wall(mass[i]) : CollisionMass::between(mass[i], mass[j]);
+          add_numbers(radius[i], with_walls ? 0.0 : radius[j],
+                      Law::kDampingFollowsStiffness
+                          ? law.damping_coefficient(masses)
+                          : lagging_damping(law.damping_coefficient(masses), masses.effective, time_step));
+        };
+        for (int k = 0; own_numbers_ == 0 && k < kPairPadding; ++k) add_numbers_of(0, 0);
         std::size_t next = 0;
         for (int i = 0; i < n_grains; ++i) {
           if (i % kGrainBlock == 0) pad_block();
@@ -27,13 +45,8 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
             fill_pack();
           first_of_i_[i] = size();
           for (; next < pairs.size() && pairs[next].i == i; ++next) {
-            const int j = pairs[next].j;
-            const CollisionMass masses =
-                with_walls ? CollisionMass::against_wall(mass[i]) : CollisionMass::between(mass[i], mass[j]);
-            add(pairs[next], radius[i], with_walls ? 0.0 : radius[j],
-                Law::kDampingFollowsStiffness
-                    ? law.damping_coefficient(masses)
-                    : lagging_damping(law.damping_coefficient(masses), masses.effective, time_step));
+            add(pairs[next]);
+            if (own_numbers_ != 0) add_numbers_of(i, pairs[next].j);
           }
           end_of_i_[i] = size();
         }
@@ -52,14 +65,19 @@ template <int Dim>
 void PairArrays<Dim>::reserve(std::size_t n_pairs) {
   i_.reserve(n_pairs), j_.reserve(n_pairs);
   for (auto& component : image_) component.reserve(n_pairs);
+  if (own_numbers_ == 0) return;
   for (Component* component : {&radii_, &share_i_, &damping_}) component->reserve(n_pairs);
 }
 
 template <int Dim>
-void PairArrays<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double radius_j, double damping) {
+void PairArrays<Dim>::add(const NeighborPair<Dim>& key) {
   i_.push_back(key.i);
   j_.push_back(key.j);
   for (int a = 0; a < Dim; ++a) image_[a].push_back(static_cast<float>(key.image[a]));
+}
+
+template <int Dim>
+void PairArrays<Dim>::add_numbers(double radius_i, double radius_j, double damping) {
   radii_.push_back(radius_i + radius_j);
   share_i_.push_back(radius_i / (radius_i + radius_j));
   damping_.push_back(damping);
@@ -69,6 +87,7 @@ void PairArrays<Dim>::add(const NeighborPair<Dim>& key, double radius_i, double 
 /// its grain has.
 template <int Dim>
 typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const double> of_grain) const {
+  if (own_numbers_ == 0) return Component(kPairPadding, floc::reduced(of_grain[0], of_grain[0]));
   Component values(size());
   for (int p = 0; p < size(); ++p)
     values[p] = partner_ == Partner::wall ? of_grain[i_[p]] : floc::reduced(of_grain[i_[p]], of_grain[j_[p]]);
@@ -112,7 +131,8 @@ void PairArrays<Dim>::fill_pack() {
     const int grain = i_.back();
     i_.push_back(grain);
     j_.push_back(partner_ == Partner::wall ? j_.back() : grain);
-    for (int a = 0; a < Dim; ++a) image_[a].push_back(1.0F);
+    for (int a = 0; a < Dim; ++a) image_[a].push_back(kPaddingImage);
+    if (own_numbers_ == 0) continue;
     for (Component* component : {&radii_, &share_i_, &damping_}) component->push_back(0.0);
   }
 }
@@ -176,6 +196,7 @@ PairView<Dim> PairArrays<Dim>::view() {
   out.reach = reach_.data();
   out.viscous = viscous.data();
   for (std::size_t k = 0; k < memory.size(); ++k) out.memory[k] = memory[k].data();
+  out.own_numbers = own_numbers_;
   out.row = nullptr;
   out.with_row = 0;
   return out;

@@ -105,23 +105,28 @@ struct PairKernel {
       if constexpr (Partner::kTriangular)
         for (int b = a + 1; b < Dim; ++b) affine[a] += P(cell.strain_rate[a][b]) * r[b];
     }
-    const P distance = sqrt(r.squaredNorm());
-    const V n = r * (P(1.0) / distance);
+    const P squared = r.squaredNorm();
+    const P distance = sqrt(squared);
+    // In 3D root and division beside each other; in 2D one after the other, as its bits have always come.
+    const P inverse = Dim == 3 ? distance * (P(1.0) / squared) : P(1.0) / distance;
+    const V n = r * inverse;
     const V centres = (j.v - i.v) + affine;
     PairKinematics a = normal_kinematics(n, distance, centres, pairs, p);
-    a.arm_i = P::load(pairs.share_i + p) * distance;
+    a.arm_i = number(pairs.share_i, pairs, p) * distance;
     a.arm_j = distance - a.arm_i;
-    if constexpr (kRotates) {
+    if constexpr (kTurns) {
+      const P time(cell.slip_time), per_length = time * inverse;
+      const P along = per_length * a.motion.gap_rate;
+      a.turn = {n, along, V(per_length * centres - along * n), RotationVector<Dim, P>(i.spin + j.spin), time};
+      // The branch at the middle of the step, to which these velocities belong, times the step.
+      const P middle = distance * (time - P(0.5 * cell.slip_time) * along);
+      const P arm_i = number(pairs.share_i, pairs, p) * middle;
+      a.motion.slip = a.turn.slip(distance, RotationVector<Dim, P>(arm_i * i.spin + (middle - arm_i) * j.spin));
+      add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
+    } else if constexpr (kRotates) {
       // Both turn their surfaces the same way round.
-      RotationVector<Dim, P> surfaces = a.arm_i * i.spin + a.arm_j * j.spin;
-      if constexpr (kTurns) {
-        const P inverse = P(1.0) / distance;
-        a.turn = {n, V(centres * (P(cell.slip_time) * inverse)),
-                  RotationVector<Dim, P>(P(cell.slip_time) * (i.spin + j.spin))};
-        // The branch at the middle of the step, to which these velocities belong.
-        surfaces = surfaces * (P(1.0) - P(0.5 * cell.slip_time) * a.motion.gap_rate * inverse);
-      }
-      add_slip(a, centres, surfaces, RotationVector<Dim, P>(i.spin - j.spin), cell);
+      add_slip(a, centres, RotationVector<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), cell);
+      add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
     }
     return a;
   }
@@ -140,9 +145,17 @@ struct PairKernel {
     a.arm_i = distance;
     a.arm_j = P(0.0);
     // The normal stays; about it the frame turns with the mean of the grain's spin and none.
-    if constexpr (kTurns) a.turn = {n, V(V::Zero()), RotationVector<Dim, P>(P(cell.slip_time) * i.spin)};
-    if constexpr (kRotates) add_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), i.spin, cell);
+    if constexpr (kTurns) a.turn = {n, P(0.0), V(V::Zero()), i.spin, P(cell.slip_time)};
+    if constexpr (kRotates) {
+      add_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), cell);
+      add_rotation(a, i.spin, cell);
+    }
     return a;
+  }
+
+  /// Of a pack of pairs, from an array that PairView::own_numbers tells about.
+  static P number(const double* numbers, const PairView<Dim>& pairs, int p) {
+    return P::load(numbers + (p & pairs.own_numbers));
   }
 
   /// @param velocity  of j's centre against i's
@@ -150,33 +163,37 @@ struct PairKernel {
                                           const PairView<Dim>& pairs, int p) {
     PairKinematics a;
     a.n = n;
-    a.motion = {distance - P::load(pairs.radii + p), n.dot(velocity), P(0.0), Shear<Dim, P>::Zero(),
+    a.motion = {distance - number(pairs.radii, pairs, p), n.dot(velocity), P(0.0), Shear<Dim, P>::Zero(),
                 RotationVector<Dim, P>::Zero()};
-    if constexpr (Law::kNeedsReducedRadius) a.motion.pair.reduced_radius = P::load(pairs.reduced_radius + p);
-    if constexpr (Law::kNeedsReducedMass) a.motion.pair.reduced_mass = P::load(pairs.reduced_mass + p);
+    if constexpr (Law::kNeedsReducedRadius)
+      a.motion.pair.reduced_radius = number(pairs.reduced_radius, pairs, p);
+    if constexpr (Law::kNeedsReducedMass) a.motion.pair.reduced_mass = number(pairs.reduced_mass, pairs, p);
     return a;
   }
 
-  /// In 3D across the normal of the middle of the step, which makes it right to second order.
+  /// Where the normal does not turn, or turning it changes nothing.
   /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
   static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
-                       const RotationVector<Dim, P>& rotation, const PairCell<Dim>& cell) {
+                       const PairCell<Dim>& cell) {
+    a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
+  }
+
+  /// In 3D across the normal of the middle of the step, which makes it right to second order.
+  static void add_rotation(PairKinematics& a, const RotationVector<Dim, P>& rotation,
+                           const PairCell<Dim>& cell) {
     if constexpr (kTurns) {
       const V& middle = a.turn.mean_normal();
-      const V slip = to_shear<P>(middle, V(velocity - cross<P>(surfaces, middle)));
-      a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, slip);
       if constexpr (Law::kHasRolling)
         a.motion.relative_rotation = P(cell.slip_time) * to_shear<P>(a.n, V(to_shear<P>(middle, V(rotation))));
       if constexpr (Law::kHasTwisting) a.motion.twist = P(cell.slip_time) * middle.dot(rotation);
     } else {
-      a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
       a.motion.relative_rotation = P(cell.slip_time) * rolling_part<P>(a.n, rotation);
     }
   }
 
   static void respond(const Law& law, const PairKinematics& a, const PairView<Dim>& pairs, int p) {
     ContactMotion<Dim, P> motion = a.motion;
-    if constexpr (Law::kHasDamping) motion.damping = P::load(pairs.damping + p);
+    if constexpr (Law::kHasDamping) motion.damping = number(pairs.damping, pairs, p);
     PackedMemory<Law::template kMemorySize<Dim>, P> memory;
     load(pairs, p, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
     if constexpr (kTurns)

@@ -100,8 +100,11 @@ struct PairView {
   /// wall's number, and i may leap.
   const int *i, *j;
   const float* image[Dim];  ///< in sides of the cell
-  const double* radii;      ///< Ri + Rj
-  const double* share_i;    ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
+  /// -1 where every pair has numbers of its own from `radii` to `reduced_mass`; 0 where they are the same for all
+  /// pairs, and stand there for one pack.
+  int own_numbers;
+  const double* radii;    ///< Ri + Rj
+  const double* share_i;  ///< Ri/(Ri + Rj): share of the branch that is grain i's lever arm
   const double* damping;
   /// Ri Rj/(Ri + Rj) and mi mj/(mi + mj), null where the law does not need them.
   const double *reduced_radius, *reduced_mass;

@@ -36,7 +36,7 @@ class KernelPair {
       }
     PairCell<3> cell{{}, {}, time, {}};
     for (int a = 0; a < 3; ++a) cell.lattice[a][a] = 100.0;
-    interaction_.compute(0, grains_.view(grains_.x, inverse_skin_squared_), cell);
+    interaction_.compute(0, 1, grains_.view(grains_.x, inverse_skin_squared_), cell);
   }
   /// The same to an overlap, without slip.
   void approach(double overlap, double time = 1.0) {

@@ -66,7 +66,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   enum class GrainPass { drift, kick };
   void fetch_grains(int block, GrainPass pass) const;
   void compute_and_kick(double slip_time);
-  void compute_pairs(int block, double slip_time);
+  void compute_pairs(int first, int last, double slip_time);
   void add_to_second_grains(int block);
   void add_wall_virial(int block);
   void sum_and_kick(int block);

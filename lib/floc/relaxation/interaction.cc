@@ -7,6 +7,13 @@
 #include "floc/relaxation/fetch.h"
 
 namespace floc {
+namespace {
+
+bool rotates(const AnyContactLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return Law::kHasFriction; }, law);
+}
+
+}  // namespace
 
 template <int Dim>
 Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law,
@@ -30,9 +37,10 @@ void Interaction<Dim>::set_pairs(PairArrays<Dim> pairs) {
 }
 
 template <int Dim>
-void Interaction<Dim>::compute(int block, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const {
+void Interaction<Dim>::compute(int first, int last, const GrainView<Dim>& grains,
+                               const PairCell<Dim>& cell) const {
   const auto kernel = partner_ == Partner::wall ? kernels_.compute_wall_pairs : kernels_.compute_pairs;
-  kernel(composed_law_, grains, arrays_, pairs_.first_of_block(block), pairs_.first_of_block(block + 1), cell);
+  kernel(composed_law_, grains, arrays_, pairs_.first_of_block(first), pairs_.first_of_block(last), cell);
 }
 
 template <int Dim>
@@ -65,14 +73,6 @@ ContactMemory<Dim> Interaction<Dim>::memory(int pair, bool swapped) const {
       memory[k] = swapped ? swap_parity_[k] * pairs_.memory[k][pair] : pairs_.memory[k][pair];
   return memory;
 }
-
-namespace {
-
-bool rotates(const AnyContactLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return Law::kHasFriction; }, law);
-}
-
-}  // namespace
 
 std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters) {
   std::vector<AnyContactLaw> laws;

@@ -36,8 +36,8 @@ class Interaction {
   void keep_memory_alone() { pairs_.keep_memory_alone(); }
   /// Where the rows of the list begin, or those from a pair on.
   void set_rows(double* rows, int with_row = 0) { arrays_.row = rows, arrays_.with_row = with_row; }
-  /// Rows, springs and memory of the pairs of a block.
-  void compute(int block, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const;
+  /// Rows, springs and memory of the pairs of the blocks [first, last).
+  void compute(int first, int last, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const;
 
   /// Fetches the second grains of a block's pairs, which compute() reads. The pairs themselves the processor foresees.
   /// @param sums_as_j  RowSums::sums_as_j(), fetched with them

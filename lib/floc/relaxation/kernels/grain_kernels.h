@@ -267,6 +267,7 @@ struct GrainKernels {
   static void set_forces(const GrainView<Dim>& grains, int begin, const Sum (&as_i)[kGrainBlock],
                          const Sum (&as_j)[kGrainBlock]) {
     if constexpr (kParts == 2 && P::kWidth == 8) {
+      constexpr int kMoments = sizeof(Part) / sizeof(double);
       for (int k = 0; k < kGrainBlock; k += 8) {
         Records<Isa>::transpose(
             [&](int l) {
@@ -277,7 +278,8 @@ struct GrainKernels {
             },
             [&](int lane, const P& sums) {
               if (lane < Dim) sums.store(grains.force[lane] + begin + k);
-              if (4 <= lane && lane < 4 + Dim) sums.store(grains.torque[lane - 4] + begin + k);
+              if (kMoments <= lane && lane < kMoments + Dim)
+                sums.store(grains.torque[lane - kMoments] + begin + k);
             });
       }
     } else {

@@ -74,6 +74,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void refresh_forces();
   double list_cost_share() const;
   double consumed_skin() const;
+  double min_skin() const;
   std::vector<double> skin_shares() const;
   double shrink_since_list() const;
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
@@ -107,7 +108,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   int threads_;
   RowsKept rows_kept_;
   double largest_diameter_;
-  double min_skin_;  ///< (length)
+  double skin_unit_;  ///< skin_length_unit()
 
   GrainArrays<Dim> grains_;
   GrainView<Dim> grain_view_;

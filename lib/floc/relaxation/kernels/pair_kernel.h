@@ -214,12 +214,15 @@ struct PairKernel {
       moments.of_springs = f.rolling;
       if constexpr (Law::kHasTwisting) moments.of_springs += f.twisting * a.n;
     }
-    if constexpr (!Partner::kWall || !kRotates)
+    // Rows with a wall are of the kind that grains write between them.
+    if constexpr (Partner::kWall && kTurns) {
+      if (pairs.rows == RowKind::levers)
+        store_row<RowKind::levers>(a, on_j, moments, pairs, p);
+      else
+        store_row<RowKind::moments>(a, on_j, moments, pairs, p);
+    } else {
       store_row<kRowKind<Law, Dim>>(a, on_j, moments, pairs, p);
-    else if (Dim == 3 && pairs.rows == RowKind::levers)
-      store_row<Dim == 3 ? RowKind::levers : RowKind::moments>(a, on_j, moments, pairs, p);
-    else
-      store_row<RowKind::moments>(a, on_j, moments, pairs, p);
+    }
   }
 
   struct Moments {

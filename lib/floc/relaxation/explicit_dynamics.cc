@@ -61,8 +61,7 @@ ExplicitDynamics<Dim>::ExplicitDynamics(Packing<Dim>& packing, const BoundaryCon
       skin_unit_(skin_length_unit(packing.grains.radius)),
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
       lattice_(packing.cell.matrix.transpose()),
-      lattice_rate_(packing.cell.velocity.transpose()),
-      drift_{settings.time_step, {}, {}, {}} {
+      lattice_rate_(packing.cell.velocity.transpose()) {
   for (int a = 0; a < Dim; ++a)
     if (walls_.bounds(a)) lattice_rate_(a, a) = 0.0;
   for (int k = 0; k < kSymmetric<Dim>; ++k) {
@@ -125,10 +124,14 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
     const int thread = omp_get_thread_num();
     const int first = n_blocks() * thread / threads;
     const int last = n_blocks() * (thread + 1) / threads;
+    Rotation stands = Rotation::at_end;
     for (int step = 0; step < n_steps; ++step) {
+      // Nobody asks for spins before the last of the steps, but power control, which stops the grains.
+      const Rotation next =
+          step + 1 < n_steps && motion == Motion::free ? Rotation::in_middle : Rotation::at_end;
       if (thread == 0) begin_step();
       barrier.wait();
-      for (int b = first; b < last; ++b) kick_and_drift(b);
+      for (int b = first; b < last; ++b) kick_and_drift(b, stands);
       barrier.wait();
       if (list_is_stale()) {
         barrier.wait();  // all threads have tested the list before it changes
@@ -136,14 +139,15 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
         barrier.wait();
       }
       if (threads == 1) {
-        compute_and_kick(dt_);
+        compute_and_kick(dt_, next);
       } else {
         compute_pairs(first, last, dt_);
         barrier.wait();
-        for (int b = first; b < last; ++b) sum_and_kick(b);
+        for (int b = first; b < last; ++b) sum_and_kick(b, next);
         barrier.wait();
       }
       if (thread == 0) end_step(motion);
+      stands = next;
     }
   }
 }
@@ -181,9 +185,10 @@ Kick<Dim> ExplicitDynamics<Dim>::kick_over(double half_step) const {
 }
 
 template <int Dim>
-void ExplicitDynamics<Dim>::kick_and_drift(int block) {
+void ExplicitDynamics<Dim>::kick_and_drift(int block, Rotation stands) {
   if (fetches_ahead() && block + 1 < n_blocks()) fetch_grains(block + 1, GrainPass::drift);
-  interactions_[0].kernels().kick_and_drift(grain_view_, block * kGrainBlock, kick_, drift_, sums_[block]);
+  interactions_[0].kernels().kick_and_drift(grain_view_, block * kGrainBlock, kick_, drift_, stands,
+                                            sums_[block]);
 }
 
 template <int Dim>
@@ -196,13 +201,12 @@ void ExplicitDynamics<Dim>::fetch_grains(int block, GrainPass pass) const {
   const int first = block * kGrainBlock, last = first + kGrainBlock;
   const GrainView<Dim>& g = grain_view_;
   fetch_each(g.x, first, last), fetch_each(g.v, first, last), fetch_each(g.force, first, last);
-  fetch_each(g.spin, first, last), fetch_each(g.torque, first, last);
-  fetch(g.inverse_mass, first, last), fetch(g.inverse_inertia, first, last);
+  if (g.own_masses != 0) fetch(g.inverse_mass, first, last);
   if (pass == GrainPass::drift) {
-    fetch_each(g.orientation, first, last), fetch_each(g.x_list, first, last),
-        fetch(g.inverse_skin_squared, first, last);
+    fetch_each(g.x_list, first, last), fetch(g.inverse_skin_squared, first, last);
   } else {
-    fetch(g.mass, first, last), fetch(g.inertia, first, last);
+    fetch_each(g.spin, first, last), fetch_each(g.orientation, first, last);
+    if (g.own_masses != 0) fetch(g.inverse_inertia, first, last), fetch(g.mass, first, last);
   }
 }
 
@@ -217,7 +221,7 @@ PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
 /// All blocks by one thread, those of a group before the next: pairs belong to their lower grain, so that the rows of
 /// a block are in it and in those before it, still in the cache.
 template <int Dim>
-void ExplicitDynamics<Dim>::compute_and_kick(double slip_time) {
+void ExplicitDynamics<Dim>::compute_and_kick(double slip_time, Rotation to) {
   const int group = rows_kept_ == RowsKept::one_block ? 1 : kBlocksOfGroup;
   for (int first = 0; first < n_blocks(); first += group) {
     const int last = std::min(first + group, n_blocks());
@@ -225,7 +229,7 @@ void ExplicitDynamics<Dim>::compute_and_kick(double slip_time) {
     if (fetches_ahead()) fetch_grains(first, GrainPass::kick);
     compute_pairs(first, last, slip_time);
     if (fetches_next) interactions_[0].fetch_second_grains(last, grain_view_, sums_of_rows_.sums_as_j());
-    for (int b = first; b < last; ++b) sum_and_kick(b);
+    for (int b = first; b < last; ++b) sum_and_kick(b, to);
   }
 }
 
@@ -248,9 +252,9 @@ void ExplicitDynamics<Dim>::add_to_second_grains(int block) {
 }
 
 template <int Dim>
-void ExplicitDynamics<Dim>::sum_and_kick(int block) {
+void ExplicitDynamics<Dim>::sum_and_kick(int block, Rotation to) {
   interactions_[0].kernels().sum_and_kick(grain_view_, interactions_[0].view(), sums_of_rows_.plan(block),
-                                          block * kGrainBlock, pair_cell(0.0), kick_, sums_[block]);
+                                          block * kGrainBlock, pair_cell(0.0), kick_, to, sums_[block]);
   if (lattice_under_stress_ && !walls_.empty()) add_wall_virial(block);
 }
 
@@ -301,7 +305,7 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
   kick_ = kick_over(0.0);
-  compute_and_kick(0.0);
+  compute_and_kick(0.0, Rotation::at_end);
   sum_forces_on_walls();
 }
 

@@ -60,16 +60,16 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void begin_step();
   PairCell<Dim> pair_cell(double slip_time) const;
   Kick<Dim> kick_over(double half_step) const;
-  void kick_and_drift(int block);
+  void kick_and_drift(int block, Rotation stands);
   /// Whether what the next block needs is fetched while the present one is computed.
   bool fetches_ahead() const;
   enum class GrainPass { drift, kick };
   void fetch_grains(int block, GrainPass pass) const;
-  void compute_and_kick(double slip_time);
+  void compute_and_kick(double slip_time, Rotation to);
   void compute_pairs(int first, int last, double slip_time);
   void add_to_second_grains(int block);
   void add_wall_virial(int block);
-  void sum_and_kick(int block);
+  void sum_and_kick(int block, Rotation to);
   void end_step(Motion motion);
   void refresh_forces();
   double list_cost_share() const;
@@ -118,7 +118,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Mat<Dim> lattice_, lattice_rate_;  ///< h and h'
   Mat<Dim> strain_rate_;             ///< velocity gradient h' h^-1 at mid-step
   Kick<Dim> kick_;                   ///< of each half of this step
-  Drift<Dim> drift_;                 ///< of this step
+  Drift<Dim> drift_{};               ///< of this step
   std::vector<BlockSums<Dim>> sums_;
   double kinetic_ = 0.0;  ///< total kinetic energy with the cell's, for the power control
 

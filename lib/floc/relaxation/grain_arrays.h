@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -109,6 +110,10 @@ GrainView<Dim> GrainArrays<Dim>::view(const std::array<Component, Dim>& x_list,
     out.torque[a] = torque[a].data();
   }
   for (int a = 0; a < kOrientationNumbers<Dim>; ++a) out.orientation[a] = orientation[a].data();
+  const auto alike = [&](const Component& numbers) {
+    return std::all_of(numbers.begin(), numbers.begin() + size(), [&](double m) { return m == numbers[0]; });
+  };
+  out.own_masses = alike(mass) && alike(inertia) ? 0 : -1;
   out.mass = mass.data();
   out.inverse_mass = inverse_mass.data();
   out.inertia = inertia.data();

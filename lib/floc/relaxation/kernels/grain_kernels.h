@@ -23,9 +23,10 @@ struct GrainKernels {
     Part part[kParts];
   };
   enum class Side { i, j };
+  using Torques = double[kRotations<Dim>][kGrainBlock];
 
   [[gnu::flatten]] static void kick_and_drift(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick,
-                                              const Drift<Dim>& drift, BlockSums<Dim>& sums) {
+                                              const Drift<Dim>& drift, Rotation stands, BlockSums<Dim>& sums) {
     double moved_squared[kGrainBlock] = {};
     // In a triangular lattice an axis drifts with the velocities along those after it, kicked already.
     if constexpr (kTriangular)
@@ -35,8 +36,11 @@ struct GrainKernels {
       move(grains, begin, drift, a, moved_squared);
     }
     if constexpr (kRotates) {
-      kick_rotation(grains, begin, kick.half_step);
-      turn(grains, begin, drift.time_step);
+      if (stands == Rotation::at_end) {
+        for (int a = 0; a < kRotations<Dim>; ++a)
+          kick_rotation(grains, begin, kick.half_step, a, grains.torque[a] + begin);
+        turn(grains, begin, kick.half_step);
+      }
     }
     P largest(0.0);
     for (int k = 0; k < kGrainBlock; k += P::kWidth) {
@@ -50,8 +54,9 @@ struct GrainKernels {
 
   [[gnu::flatten]] static void sum_and_kick(const GrainView<Dim>& grains, const PairView<Dim>& pairs,
                                             const BlockSumsPlan& plan, int begin, const PairCell<Dim>& cell,
-                                            const Kick<Dim>& kick, BlockSums<Dim>& sums) {
-    sum_forces(grains, pairs, plan, begin);
+                                            const Kick<Dim>& kick, Rotation to, BlockSums<Dim>& sums) {
+    alignas(64) Torques torque;
+    sum_forces(grains, pairs, plan, begin, torque);
     // Sum over pairs of f r = sum over grains of F x + what the pairs across the boundary add.
     crossing_virial(pairs, plan, cell, sums.virial);
     for (int a = 0; a < Dim; ++a)
@@ -60,13 +65,15 @@ struct GrainKernels {
     for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
-        sums.momentum_flux[a][b] = block_sum(grains.v[a] + begin, grains.v[b] + begin, grains.mass + begin);
+        sums.momentum_flux[a][b] =
+            block_sum(grains.v[a] + begin, grains.v[b] + begin, masses(grains, grains.mass, begin));
     if constexpr (kRotates) {
-      kick_rotation(grains, begin, kick.half_step);
-      sums.rotation = 0.0;
-      for (int a = 0; a < kRotations<Dim>; ++a) {
-        const double* const spin = grains.spin[a] + begin;
-        sums.rotation += block_sum(spin, spin, grains.inertia + begin);
+      for (int a = 0; a < kRotations<Dim>; ++a) kick_rotation(grains, begin, kick.half_step, a, torque[a]);
+      if (to == Rotation::in_middle) {
+        for (int a = 0; a < kRotations<Dim>; ++a) kick_rotation(grains, begin, kick.half_step, a, torque[a]);
+        turn(grains, begin, kick.half_step);
+      } else {
+        end_rotation(grains, begin, torque, sums);
       }
     }
   }
@@ -88,11 +95,16 @@ struct GrainKernels {
     return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
   }
 
+  /// Of the block that begins there, from an array that GrainView::own_masses tells about.
+  static const double* masses(const GrainView<Dim>& grains, const double* of_grains, int begin) {
+    return of_grains + (begin & grains.own_masses);
+  }
+
   /// Axes in ascending order: each reads the velocities, not yet changed, along those after it.
   static void accelerate(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick, int a) {
     double* const v = grains.v[a] + begin;
     const double* const force = grains.force[a] + begin;
-    const double* const inverse_mass = grains.inverse_mass + begin;
+    const double* const inverse_mass = masses(grains, grains.inverse_mass, begin);
     const double half_step = kick.half_step, keep = kick.keep[a][a], gain = kick.gain[a][a];
 #pragma GCC ivdep
     for (int k = 0; k < kGrainBlock; ++k) v[k] = v[k] * keep + half_step * inverse_mass[k] * force[k] * gain;
@@ -165,20 +177,30 @@ struct GrainKernels {
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b) virial[a][b] = sum[a][b];
   }
 
-  static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step) {
-    const double* const inverse_inertia = grains.inverse_inertia + begin;
-    for (int a = 0; a < kRotations<Dim>; ++a) {
-      const double* const torque = grains.torque[a] + begin;
-      double* const spin = grains.spin[a] + begin;
+  static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step, int a,
+                            const double* torque) {
+    const double* const inverse_inertia = masses(grains, grains.inverse_inertia, begin);
+    double* const spin = grains.spin[a] + begin;
 #pragma GCC ivdep
-      for (int k = 0; k < kGrainBlock; ++k) spin[k] += torque[k] * (half_step * inverse_inertia[k]);
+    for (int k = 0; k < kGrainBlock; ++k) spin[k] += torque[k] * (half_step * inverse_inertia[k]);
+  }
+
+  /// What is asked of the rotation at the end of a step.
+  static void end_rotation(const GrainView<Dim>& grains, int begin, const Torques& torque,
+                           BlockSums<Dim>& sums) {
+    sums.rotation = 0.0;
+    for (int a = 0; a < kRotations<Dim>; ++a) {
+      const double* const spin = grains.spin[a] + begin;
+      sums.rotation += block_sum(spin, spin, masses(grains, grains.inertia, begin));
+      __builtin_memcpy(grains.torque[a] + begin, torque[a], sizeof(torque[a]));
     }
   }
 
-  /// Turns the grains by their spins; nothing reads their orientations. In 3D q <- (1, spin dt/2) q, whose
-  /// direction is right to second order, kept from growing.
-  static void turn(const GrainView<Dim>& grains, int begin, double time_step) {
+  /// Turns the grains by their spins over a whole step; nothing reads their orientations. In 3D
+  /// q <- (1, spin dt/2) q, whose direction is right to second order, kept from growing.
+  static void turn(const GrainView<Dim>& grains, int begin, double half_step) {
     if constexpr (Dim == 2) {
+      const double time_step = 2.0 * half_step;
       const double* const spin = grains.spin[0] + begin;
       double* const angle = grains.orientation[0] + begin;
 #pragma GCC ivdep
@@ -188,10 +210,9 @@ struct GrainKernels {
                           *const z = grains.spin[2] + begin;
       double *const qw = grains.orientation[0] + begin, *const qx = grains.orientation[1] + begin,
                     *const qy = grains.orientation[2] + begin, *const qz = grains.orientation[3] + begin;
-      const double half = 0.5 * time_step;
 #pragma GCC ivdep
       for (int k = 0; k < kGrainBlock; ++k) {
-        const double a = half * x[k], b = half * y[k], c = half * z[k];
+        const double a = half_step * x[k], b = half_step * y[k], c = half_step * z[k];
         const double keep = 1.0 - 0.5 * (a * a + b * b + c * c);
         const double w0 = qw[k], x0 = qx[k], y0 = qy[k], z0 = qz[k];
         qw[k] = keep * w0 - (a * x0 + b * y0 + c * z0);
@@ -252,7 +273,7 @@ struct GrainKernels {
   }
 
   static void sum_forces(const GrainView<Dim>& grains, const PairView<Dim>& pairs, const BlockSumsPlan& plan,
-                         int begin) {
+                         int begin, Torques& torque) {
     Sum as_i[kGrainBlock], as_j[kGrainBlock];
     sum_rows<Side::i>(pairs.row, plan.as_i, as_i);
     if (plan.sums_as_j) {
@@ -261,11 +282,11 @@ struct GrainKernels {
     } else {
       sum_rows<Side::j>(pairs.row, plan.as_j, as_j);
     }
-    set_forces(grains, begin, as_i, as_j);
+    set_forces(grains, begin, as_i, as_j, torque);
   }
 
   static void set_forces(const GrainView<Dim>& grains, int begin, const Sum (&as_i)[kGrainBlock],
-                         const Sum (&as_j)[kGrainBlock]) {
+                         const Sum (&as_j)[kGrainBlock], Torques& torque) {
     if constexpr (kParts == 2 && P::kWidth == 8) {
       constexpr int kMoments = sizeof(Part) / sizeof(double);
       for (int k = 0; k < kGrainBlock; k += 8) {
@@ -278,8 +299,7 @@ struct GrainKernels {
             },
             [&](int lane, const P& sums) {
               if (lane < Dim) sums.store(grains.force[lane] + begin + k);
-              if (kMoments <= lane && lane < kMoments + Dim)
-                sums.store(grains.torque[lane - kMoments] + begin + k);
+              if (kMoments <= lane && lane < kMoments + Dim) sums.store(torque[lane - kMoments] + k);
             });
       }
     } else {
@@ -290,7 +310,7 @@ struct GrainKernels {
         for (int a = 0; a < Dim; ++a) grains.force[a][begin + k] = j.part[0][a] - i.part[0][a];
         if constexpr (kRotates)
           for (int a = 0; a < kRotations<Dim>; ++a)
-            grains.torque[a][begin + k] = i.part[kParts - 1][kMomentI + a] + j.part[kParts - 1][kMomentJ + a];
+            torque[a][k] = i.part[kParts - 1][kMomentI + a] + j.part[kParts - 1][kMomentJ + a];
       }
     }
   }

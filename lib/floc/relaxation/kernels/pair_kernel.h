@@ -30,11 +30,15 @@ struct PairKernel {
   using P = Pack<Isa>;
   using V = Vec<Dim, P>;
 
-  [[gnu::flatten]] static void compute(const void* any_law, const GrainView<Dim>& grains,
-                                       const PairView<Dim>& pairs, int first, int last,
-                                       const PairCell<Dim>& cell) {
+  [[gnu::flatten]] static void compute(const void* any_law, const GrainView<Dim>& grains_given,
+                                       const PairView<Dim>& pairs_given, int first, int last,
+                                       const PairCell<Dim>& cell_given) {
     if (first == last) return;
-    const Law law = *static_cast<const Law*>(any_law);  // a copy that no store of the loop can alias
+    // Copies that no store of the loop can alias.
+    const Law law = *static_cast<const Law*>(any_law);
+    const GrainView<Dim> grains = grains_given;
+    const PairView<Dim> pairs = pairs_given;
+    const PairCell<Dim> cell = cell_given;
     // The geometry of the next pack is found beside the forces of the present one: each is a long chain of
     // operations, most of which wait for the one before, and the processor does not see far enough ahead.
     PairKinematics now = kinematics(grains, pairs, first, cell);

@@ -88,6 +88,8 @@ struct GrainView {
   double *x[Dim], *v[Dim], *force[Dim];
   double *spin[kRotations<Dim>], *torque[kRotations<Dim>];
   double* orientation[kOrientationNumbers<Dim>];
+  /// -1 where grains differ in mass or inertia; 0 where they do not, and the first block's numbers are those of all.
+  int own_masses;
   const double *mass, *inverse_mass, *inertia, *inverse_inertia;
   const double* x_list[Dim];           ///< positions when the list was built
   const double* inverse_skin_squared;  ///< of the distances that grains may move before the next list
@@ -155,10 +157,17 @@ struct Kick {
   double keep[Dim][Dim], gain[Dim][Dim];
 };
 
+/// Where the rotation of the grains stands between two steps. Unlike the velocities it does not wait for the
+/// boundary: where nothing asks for spins at the end of a step, the next step's half kick and turn follow at once,
+/// and each torque and spin is read a single time.
+enum class Rotation {
+  at_end,    ///< of the step, as positions and forces do
+  in_middle  ///< of the next step, which has turned the grains already
+};
+
 /// A drift x <- stretch x + drift v of the whole step after the kick.
 template <int Dim>
 struct Drift {
-  double time_step;
   double stretch[Dim][Dim], drift[Dim][Dim];
   double list_stretch[Dim][Dim];  ///< deformation since the list was built
 };
@@ -183,8 +192,9 @@ struct PairCell {
 /// The passes of a time step, for one law and one instruction set.
 template <int Dim>
 struct StepKernels {
+  /// @param stands  of the rotation: where it is in the middle of this step, it stays as it is
   void (*kick_and_drift)(const GrainView<Dim>&, int first_grain, const Kick<Dim>&, const Drift<Dim>&,
-                         BlockSums<Dim>&);
+                         Rotation stands, BlockSums<Dim>&);
   /// Rows and springs of the pairs [first, last). @param law  the composed law, of the alternative chosen
   void (*compute_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                         const PairCell<Dim>&);
@@ -193,9 +203,10 @@ struct StepKernels {
                              const PairCell<Dim>&);
   /// Adds the rows of the pairs [first, last) to those sums of their second grains, at `sums` for the grain 0.
   void (*add_to_second_grains)(const PairView<Dim>&, int first, int last, double* sums);
-  /// Uses up sums_as_j, and leaves zeros there.
+  /// Uses up sums_as_j, and leaves zeros there. @param to  where to leave the rotation; at the end of the step it
+  /// leaves the torques, too
   void (*sum_and_kick)(const GrainView<Dim>&, const PairView<Dim>&, const BlockSumsPlan&, int first_grain,
-                       const PairCell<Dim>&, const Kick<Dim>&, BlockSums<Dim>&);
+                       const PairCell<Dim>&, const Kick<Dim>&, Rotation to, BlockSums<Dim>&);
 };
 
 /// Which lattices a kernel is for; chosen once per run: the general one slows laws without friction by a tenth.

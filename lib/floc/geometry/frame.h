@@ -59,7 +59,7 @@ inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
 }
 template <class T>
 inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
-  return shear;
+  return {shear[0], shear[1], shear[2]};  // GCC takes a copy of the whole through memory
 }
 
 /// The part of a relative rotation that rolls: in 2D all of it, in 3D the part normal to n.

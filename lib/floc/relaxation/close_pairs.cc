@@ -147,7 +147,8 @@ void ExplicitDynamics<Dim>::build_lists() {
   std::vector<const PairArrays<Dim>*> lists;
   for (std::size_t k = 0; k < interactions_.size(); ++k) {
     Interaction<Dim>& interaction = interactions_[k];
-    interaction.set_pairs({close[k], interaction.partner(), radius, grains_.mass, interaction.law(), dt_});
+    interaction.set_pairs(
+        {close[k], interaction.partner(), radius, grains_.mass, interaction.law(), dt_, blocks_of_group()});
     close[k] = Pairs();
     lists.push_back(&interaction.pairs());
   }

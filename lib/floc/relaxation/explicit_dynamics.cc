@@ -218,11 +218,17 @@ PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
   return cell;
 }
 
+/// Those whose pairs are computed in one pass. Threads share the blocks out one by one.
+template <int Dim>
+int ExplicitDynamics<Dim>::blocks_of_group() const {
+  return rows_kept_ == RowsKept::one_block || threads_ > 1 ? 1 : kBlocksOfGroup;
+}
+
 /// All blocks by one thread, those of a group before the next: pairs belong to their lower grain, so that the rows of
 /// a block are in it and in those before it, still in the cache.
 template <int Dim>
 void ExplicitDynamics<Dim>::compute_and_kick(double slip_time, Rotation to) {
-  const int group = rows_kept_ == RowsKept::one_block ? 1 : kBlocksOfGroup;
+  const int group = blocks_of_group();
   for (int first = 0; first < n_blocks(); first += group) {
     const int last = std::min(first + group, n_blocks());
     const bool fetches_next = fetches_ahead() && last < n_blocks();
@@ -411,6 +417,7 @@ std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>& packing, const Bou
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                             \
+  template int ExplicitDynamics<Dim>::blocks_of_group() const;                                            \
   template std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>&, const BoundaryControl<Dim>&, \
                                                         const DynamicsSettings&);                         \
   template std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>&, const BoundaryControl<Dim>&,    \

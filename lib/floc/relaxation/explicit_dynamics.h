@@ -65,6 +65,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   bool fetches_ahead() const;
   enum class GrainPass { drift, kick };
   void fetch_grains(int block, GrainPass pass) const;
+  int blocks_of_group() const;
   void compute_and_kick(double slip_time, Rotation to);
   void compute_pairs(int first, int last, double slip_time);
   void add_to_second_grains(int block);

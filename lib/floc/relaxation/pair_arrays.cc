@@ -18,9 +18,10 @@ bool all_equal(std::span<const double> numbers) {
 template <int Dim>
 PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner,
                             std::span<const double> radius, std::span<const double> mass,
-                            const AnyContactLaw& any_law, double time_step)
+                            const AnyContactLaw& any_law, double time_step, int blocks_of_group)
     : partner_(partner),
-      own_numbers_(partner == Partner::grain && all_equal(radius) && all_equal(mass) ? 0 : -1) {
+      own_numbers_(partner == Partner::grain && all_equal(radius) && all_equal(mass) ? 0 : -1),
+      blocks_of_group_(blocks_of_group) {
   const bool with_walls = partner == Partner::wall;
   const int n_grains = static_cast<int>(radius.size());
   reserve(pairs.size() + pairs.size() / 8 + static_cast<std::size_t>(n_grains));
@@ -39,7 +40,7 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
         for (int k = 0; own_numbers_ == 0 && k < kPairPadding; ++k) add_numbers_of(0, 0);
         std::size_t next = 0;
         for (int i = 0; i < n_grains; ++i) {
-          if (i % kGrainBlock == 0) pad_block();
+          if (i % kGrainBlock == 0) begin_block();
           if (const int filled = size() % kPairPadding;
               filled != 0 && i - i_[size() - filled] >= kWindow && !with_walls)
             fill_pack();
@@ -50,7 +51,8 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
           }
           end_of_i_[i] = size();
         }
-        pad_block();
+        fill_pack();
+        first_of_block_.push_back(size());
         if constexpr (Law::kHasDamping) viscous.assign(size(), 0.0);
         if constexpr (Law::kNeedsReducedRadius) reduced_radius_ = reduced(radius);
         if constexpr (Law::kNeedsReducedMass) reduced_mass_ = reduced(mass);
@@ -137,10 +139,9 @@ void PairArrays<Dim>::fill_pack() {
   }
 }
 
-/// Ends a block, if one was begun, and begins the next.
 template <int Dim>
-void PairArrays<Dim>::pad_block() {
-  fill_pack();
+void PairArrays<Dim>::begin_block() {
+  if (static_cast<int>(first_of_block_.size()) % blocks_of_group_ == 0) fill_pack();
   first_of_block_.push_back(size());
 }
 

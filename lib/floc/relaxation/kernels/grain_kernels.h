@@ -38,7 +38,7 @@ struct GrainKernels {
     if constexpr (kRotates) {
       if (stands == Rotation::at_end) {
         for (int a = 0; a < kRotations<Dim>; ++a)
-          kick_rotation(grains, begin, kick.half_step, a, grains.torque[a] + begin);
+          kick_rotation<1>(grains, begin, kick.half_step, a, grains.torque[a] + begin);
         turn(grains, begin, kick.half_step);
       }
     }
@@ -68,11 +68,11 @@ struct GrainKernels {
         sums.momentum_flux[a][b] =
             block_sum(grains.v[a] + begin, grains.v[b] + begin, masses(grains, grains.mass, begin));
     if constexpr (kRotates) {
-      for (int a = 0; a < kRotations<Dim>; ++a) kick_rotation(grains, begin, kick.half_step, a, torque[a]);
       if (to == Rotation::in_middle) {
-        for (int a = 0; a < kRotations<Dim>; ++a) kick_rotation(grains, begin, kick.half_step, a, torque[a]);
+        for (int a = 0; a < kRotations<Dim>; ++a) kick_rotation<2>(grains, begin, kick.half_step, a, torque[a]);
         turn(grains, begin, kick.half_step);
       } else {
+        for (int a = 0; a < kRotations<Dim>; ++a) kick_rotation<1>(grains, begin, kick.half_step, a, torque[a]);
         end_rotation(grains, begin, torque, sums);
       }
     }
@@ -177,12 +177,18 @@ struct GrainKernels {
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b) virial[a][b] = sum[a][b];
   }
 
+  /// As many half kicks with the same torques about one axis.
+  template <int kHalves>
   static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step, int a,
                             const double* torque) {
     const double* const inverse_inertia = masses(grains, grains.inverse_inertia, begin);
     double* const spin = grains.spin[a] + begin;
 #pragma GCC ivdep
-    for (int k = 0; k < kGrainBlock; ++k) spin[k] += torque[k] * (half_step * inverse_inertia[k]);
+    for (int k = 0; k < kGrainBlock; ++k) {
+      const double half = torque[k] * (half_step * inverse_inertia[k]);
+      spin[k] += half;
+      if constexpr (kHalves == 2) spin[k] += half;
+    }
   }
 
   /// What is asked of the rotation at the end of a step.

@@ -124,14 +124,19 @@ struct Records {
   using P = Pack<Isa>;
 
   /// base[place[l]] in lane l.
-  static P gather(const double* base, const int* place) {
+  [[gnu::always_inline]] static P gather(const double* base, const int* place) {
     P out;
 #if defined(__x86_64__)
-    // Pairs of lanes one by one: a fifth faster in all than the instruction that gathers (Xeon of 2023).
+    // Lane by lane: pairs of lanes, put together by shuffles, took a fifth less time in all than the instruction
+    // that gathers (Xeon of 2023), and this takes another 4 % less (EPYC of 2023).
     if constexpr (P::kWidth == 8) {
-      const auto two = [&](int l) { return _mm_loadh_pd(_mm_load_sd(base + place[l]), base + place[l + 1]); };
-      const __m256d low = _mm256_set_m128d(two(2), two(0)), high = _mm256_set_m128d(two(6), two(4));
-      out.v = _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
+      const auto four = [&](int l) {
+        __m256d lanes = _mm256_castpd128_pd256(_mm_load_sd(base + place[l]));
+        lanes = _mm256_mask_broadcastsd_pd(lanes, 1 << 1, _mm_load_sd(base + place[l + 1]));
+        lanes = _mm256_mask_broadcastsd_pd(lanes, 1 << 2, _mm_load_sd(base + place[l + 2]));
+        return _mm256_mask_broadcastsd_pd(lanes, 1 << 3, _mm_load_sd(base + place[l + 3]));
+      };
+      out.v = _mm512_insertf64x4(_mm512_castpd256_pd512(four(0)), four(4), 1);
       return out;
     }
 #endif
@@ -141,7 +146,7 @@ struct Records {
 
   /// The same for places that ascend by less than kWindow in all: one load and a shuffle instead of as many
   /// loads as lanes.
-  static P gather_window(const double* base, const int* place) {
+  [[gnu::always_inline]] static P gather_window(const double* base, const int* place) {
 #if !defined(__clang__)  // it has no shuffle by places that it does not know
     if constexpr (P::kWidth == kWindow) {
       typedef int Ints __attribute__((vector_size(4 * P::kWidth)));
@@ -155,7 +160,7 @@ struct Records {
 
   /// The records of the lanes one after another: row[0][l], row[1][l], ... to base[size * l] and after it.
   template <std::size_t size>
-  static void store_rows(double* base, const P (&row)[size]) {
+  [[gnu::always_inline]] static void store_rows(double* base, const P (&row)[size]) {
     static_assert(size % 2 == 0);
     constexpr int kEights = P::kWidth == 8 ? static_cast<int>(size) / 8 : 0;
     for (int k = 0; k < kEights; ++k) store_eight(base + 8 * k, size, row + 8 * k);
@@ -165,7 +170,7 @@ struct Records {
   /// Calls take(l, column l of a) for 8 rows a(0), a(1), ... of 8 numbers. Pairs of numbers are sorted whole, as
   /// moving them costs the same as moving one.
   template <class Rows, class Take>
-  static void transpose([[maybe_unused]] Rows a, [[maybe_unused]] Take take) {
+  [[gnu::always_inline]] static void transpose([[maybe_unused]] Rows a, [[maybe_unused]] Take take) {
     if constexpr (P::kWidth == 8) {
       const auto even = [](const Vector& p, const Vector& q) -> Vector {
         return __builtin_shufflevector(p, q, 0, 1, 4, 5, 8, 9, 12, 13);
@@ -190,7 +195,7 @@ struct Records {
   using Vector = typename P::Vector;
   using Two = VectorOf<2>::Type;
 
-  static Vector low_halves(const Vector& a, const Vector& b) {
+  [[gnu::always_inline]] static Vector low_halves(const Vector& a, const Vector& b) {
     if constexpr (P::kWidth == 2) {
       return __builtin_shufflevector(a, b, 0, 2);
     } else if constexpr (P::kWidth == 4) {
@@ -199,7 +204,7 @@ struct Records {
       return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
     }
   }
-  static Vector high_halves(const Vector& a, const Vector& b) {
+  [[gnu::always_inline]] static Vector high_halves(const Vector& a, const Vector& b) {
     if constexpr (P::kWidth == 2) {
       return __builtin_shufflevector(a, b, 1, 3);
     } else if constexpr (P::kWidth == 4) {
@@ -210,13 +215,13 @@ struct Records {
   }
 
   /// base[stride * l + k] = a[k][l] for 8 k and 8 l.
-  static void store_eight(double* base, std::ptrdiff_t stride, const P* a) {
+  [[gnu::always_inline]] static void store_eight(double* base, std::ptrdiff_t stride, const P* a) {
     transpose([&](int k) -> const Vector& { return a[k].v; },
               [&](int l, const P& row) { row.store(base + stride * l); });
   }
 
   /// base[stride * l] = a[l], and b[l] after it.
-  static void store_two(double* base, std::ptrdiff_t stride, const P& a, const P& b) {
+  [[gnu::always_inline]] static void store_two(double* base, std::ptrdiff_t stride, const P& a, const P& b) {
     const Vector even = low_halves(a.v, b.v);
     const Vector odd = high_halves(a.v, b.v);
     store_chunks(base, 2 * stride, even, std::make_integer_sequence<int, P::kWidth / 2>());
@@ -224,12 +229,12 @@ struct Records {
   }
 
   template <int... chunk>
-  static void store_chunks(double* base, std::ptrdiff_t stride, const Vector& v,
-                           std::integer_sequence<int, chunk...>) {
+  [[gnu::always_inline]] static void store_chunks(double* base, std::ptrdiff_t stride, const Vector& v,
+                                                  std::integer_sequence<int, chunk...>) {
     (store_chunk<chunk>(base + stride * chunk, v), ...);
   }
   template <int chunk>
-  static void store_chunk(double* to, const Vector& v) {
+  [[gnu::always_inline]] static void store_chunk(double* to, const Vector& v) {
     Two t;
     if constexpr (P::kWidth == 2) t = v;
 #if defined(__x86_64__)

@@ -23,8 +23,7 @@ struct Walls {
 };
 
 /// The pass over the pairs of a block. Like all code of the kernels a template on the instruction set, which calls
-/// no inline function that is not. Its functions are inlined at once, not when the whole is flattened: GCC then finds
-/// what of a struct it can keep in registers however many laws it compiles (6 % with spheres).
+/// no inline function that is not.
 template <class Isa, int Dim, class Partner, class Law>
 struct PairKernel {
   static constexpr bool kRotates = Law::kHasFriction;
@@ -70,9 +69,8 @@ struct PairKernel {
     RotationVector<Dim, P> spin;
   };
 
-  [[gnu::always_inline]] static PairKinematics kinematics(const GrainView<Dim>& grains,
-                                                          const PairView<Dim>& pairs, int p,
-                                                          const PairCell<Dim>& cell) {
+  static PairKinematics kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                   const PairCell<Dim>& cell) {
     if constexpr (Partner::kWall)
       return wall_kinematics(grains, pairs, p, cell);
     else
@@ -80,8 +78,7 @@ struct PairKernel {
   }
 
   template <class Gather>
-  [[gnu::always_inline]] static GrainKinematics gather_grains(const GrainView<Dim>& grains, const int* grain,
-                                                              Gather gather) {
+  static GrainKinematics gather_grains(const GrainView<Dim>& grains, const int* grain, Gather gather) {
     GrainKinematics gathered;
     gather_axes(grains.x, grain, gather, gathered.x, std::make_integer_sequence<int, Dim>());
     gather_axes(grains.v, grain, gather, gathered.v, std::make_integer_sequence<int, Dim>());
@@ -92,14 +89,13 @@ struct PairKernel {
   }
   /// Without a loop, which would take what it gathers through memory.
   template <class Arrays, class Gather, class Vectors, int... axis>
-  [[gnu::always_inline]] static void gather_axes(const Arrays& from, const int* grain, Gather gather,
-                                                 Vectors& to, std::integer_sequence<int, axis...>) {
+  static void gather_axes(const Arrays& from, const int* grain, Gather gather, Vectors& to,
+                          std::integer_sequence<int, axis...>) {
     ((to[axis] = gather(from[axis], grain)), ...);
   }
 
-  [[gnu::always_inline]] static PairKinematics pair_kinematics(const GrainView<Dim>& grains,
-                                                               const PairView<Dim>& pairs, int p,
-                                                               const PairCell<Dim>& cell) {
+  static PairKinematics pair_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                        const PairCell<Dim>& cell) {
     const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather_window);
     const GrainKinematics j = gather_grains(grains, pairs.j + p, Records<Isa>::gather);
     V r, affine;
@@ -141,9 +137,8 @@ struct PairKernel {
 
   /// The foot of a grain's centre on the plane moves with the wall, and across it as the grains around do on
   /// average.
-  [[gnu::always_inline]] static PairKinematics wall_kinematics(const GrainView<Dim>& grains,
-                                                               const PairView<Dim>& pairs, int p,
-                                                               const PairCell<Dim>& cell) {
+  static PairKinematics wall_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
+                                        const PairCell<Dim>& cell) {
     const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather);
     const int* const wall = pairs.j + p;
     V n;
@@ -163,14 +158,13 @@ struct PairKernel {
   }
 
   /// Of a pack of pairs, from an array that PairView::own_numbers tells about.
-  [[gnu::always_inline]] static P number(const double* numbers, const PairView<Dim>& pairs, int p) {
+  static P number(const double* numbers, const PairView<Dim>& pairs, int p) {
     return P::load(numbers + (p & pairs.own_numbers));
   }
 
   /// @param velocity  of j's centre against i's
-  [[gnu::always_inline]] static PairKinematics normal_kinematics(const V& n, const P& distance,
-                                                                 const V& velocity, const PairView<Dim>& pairs,
-                                                                 int p) {
+  static PairKinematics normal_kinematics(const V& n, const P& distance, const V& velocity,
+                                          const PairView<Dim>& pairs, int p) {
     PairKinematics a;
     a.n = n;
     a.motion = {distance - number(pairs.radii, pairs, p), n.dot(velocity), P(0.0), Shear<Dim, P>::Zero(),
@@ -183,15 +177,14 @@ struct PairKernel {
 
   /// Where the normal does not turn, or turning it changes nothing.
   /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
-  [[gnu::always_inline]] static void add_slip(PairKinematics& a, const V& velocity,
-                                              const RotationVector<Dim, P>& surfaces,
-                                              const PairCell<Dim>& cell) {
+  static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
+                       const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
   }
 
   /// In 3D across the normal of the middle of the step, which makes it right to second order.
-  [[gnu::always_inline]] static void add_rotation(PairKinematics& a, const RotationVector<Dim, P>& rotation,
-                                                  const PairCell<Dim>& cell) {
+  static void add_rotation(PairKinematics& a, const RotationVector<Dim, P>& rotation,
+                           const PairCell<Dim>& cell) {
     if constexpr (kTurns) {
       const V& middle = a.turn.mean_normal();
       if constexpr (Law::kHasRolling)
@@ -202,8 +195,7 @@ struct PairKernel {
     }
   }
 
-  [[gnu::always_inline]] static void respond(const Law& law, const PairKinematics& a,
-                                             const PairView<Dim>& pairs, int p) {
+  static void respond(const Law& law, const PairKinematics& a, const PairView<Dim>& pairs, int p) {
     ContactMotion<Dim, P> motion = a.motion;
     if constexpr (Law::kHasDamping) motion.damping = number(pairs.damping, pairs, p);
     PackedMemory<Law::template kMemorySize<Dim>, P> memory;
@@ -242,8 +234,8 @@ struct PairKernel {
   };
 
   template <RowKind kKind>
-  [[gnu::always_inline]] static void store_row(const PairKinematics& a, const V& on_j, const Moments& moments,
-                                               const PairView<Dim>& pairs, int p) {
+  static void store_row(const PairKinematics& a, const V& on_j, const Moments& moments,
+                        const PairView<Dim>& pairs, int p) {
     using Layout = RowLayout<Dim, kKind>;
     P row[Layout::kSize];
     for (P& number : row) number = P(0.0);
@@ -269,12 +261,11 @@ struct PairKernel {
 
   /// Turns what the law remembers in the tangent plane into the present one.
   template <class Memory, int... k>
-  [[gnu::always_inline]] static void turn(const Turn& turn, Memory& memory, std::integer_sequence<int, k...>) {
+  static void turn(const Turn& turn, Memory& memory, std::integer_sequence<int, k...>) {
     ((turn_number<k>(turn, memory)), ...);
   }
   template <int k, class Memory>
-  [[gnu::always_inline]] static void turn_number([[maybe_unused]] const Turn& turn,
-                                                 [[maybe_unused]] Memory& memory) {
+  static void turn_number([[maybe_unused]] const Turn& turn, [[maybe_unused]] Memory& memory) {
     if constexpr (begins_tangent<Law, Dim>(k)) {
       const V turned = turn(V(memory.value[k], memory.value[k + 1], memory.value[k + 2]));
       for (int a = 0; a < Dim; ++a) memory.value[k + a] = turned[a];
@@ -282,19 +273,19 @@ struct PairKernel {
   }
 
   template <class Memory, int... k>
-  [[gnu::always_inline]] static void load(const PairView<Dim>& pairs, [[maybe_unused]] int p, Memory& memory,
-                                          std::integer_sequence<int, k...>) {
+  static void load(const PairView<Dim>& pairs, [[maybe_unused]] int p, Memory& memory,
+                   std::integer_sequence<int, k...>) {
     ((memory.value[k] = P::load(pairs.memory[memory_place<Law, Dim>(k)] + p)), ...);
   }
   template <class Memory, int... k>
-  [[gnu::always_inline]] static void store(const Memory& memory, const PairView<Dim>& pairs,
-                                           [[maybe_unused]] int p, std::integer_sequence<int, k...>) {
+  static void store(const Memory& memory, const PairView<Dim>& pairs, [[maybe_unused]] int p,
+                    std::integer_sequence<int, k...>) {
     (memory.value[k].store(pairs.memory[memory_place<Law, Dim>(k)] + p), ...);
   }
 
   /// Dashpot forces in this step, given their present values and those of the step before, which they replace.
   /// Zero where the surfaces do not touch; a new contact has no step before.
-  [[gnu::always_inline]] static P viscous(const P& now, double* last) {
+  static P viscous(const P& now, double* last) {
     const P before = P::load(last);
     now.store(last);
     const P both = P(kDashpotShare) * now + P(1.0 - kDashpotShare) * before;

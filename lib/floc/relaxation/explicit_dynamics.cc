@@ -18,8 +18,8 @@ namespace {
 
 /// From so many grains on, rows of all their pairs do not stay in the caches; those of one block do.
 constexpr int kManyGrains = 8192;
-/// Blocks whose pairs one thread computes before it sums them: each pass over pairs begins and ends slowly (4 % faster
-/// with 4000 spheres than block by block; as fast with 4, slower with all).
+/// Blocks whose pairs one thread computes before it sums them: each pass over pairs begins and ends slowly (4 %
+/// faster with 4000 spheres than block by block; as fast with 4, slower with all).
 constexpr int kBlocksOfGroup = 16;
 /// From so many on, grains and pairs leave the last cache, too, and have to be fetched ahead (measured with 32 MB
 /// of cache; a quarter faster at 100 000 spheres, a quarter slower at 13 500).

@@ -26,10 +26,10 @@ inline double lagging_damping(double coefficient, double effective_mass, double 
 }
 
 /// Neighbour pairs as the force loop reads them, of grains i <= j or of a grain i and wall j, one array per
-/// component. A block of grains owns the pairs whose first grain it owns; they are contiguous and in order, and those
-/// of each group of blocks padded to whole vectors with pairs that no grain sums: of a grain and its own image far
-/// away, or of a grain and a wall. Where all grains are alike, numbers that follow from their sizes are kept once for all pairs: of 100 000
-/// spheres a step is a tenth faster.
+/// component. A block of grains owns the pairs whose first grain it owns; they are contiguous and in order. Those of
+/// each group of blocks are padded to whole vectors with pairs that no grain sums: of a grain and its own image far
+/// away, or of a grain and a wall. Where all grains are alike, numbers that follow from their sizes are kept once
+/// for all pairs: of 100 000 spheres a step is a tenth faster.
 template <int Dim>
 class PairArrays {
  public:

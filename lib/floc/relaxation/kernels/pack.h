@@ -119,8 +119,8 @@ struct Pack {
 };
 
 /// Reads numbers from scattered places, and writes records: neighbouring doubles that belong to one pair. Its
-/// functions are inlined at once, not when a kernel is flattened: what GCC then keeps in registers does not depend on
-/// how many laws it compiles (3 to 6 % with spheres).
+/// functions are inlined at once, not when a kernel is flattened: what GCC then keeps in registers does not depend
+/// on how many laws it compiles (3 to 6 % with spheres).
 template <class Isa>
 struct Records {
   using P = Pack<Isa>;

@@ -13,7 +13,7 @@ namespace floc {
 
 /// Grains that a block owns; all arrays of grains are padded to whole blocks.
 inline constexpr int kGrainBlock = 64;
-/// The pairs of a block are padded to a multiple of this.
+/// The pairs of a group of blocks are padded to a multiple of this.
 inline constexpr int kPairPadding = 8;
 /// Grains of a block that are summed side by side.
 inline constexpr int kSumGroup = 8;
@@ -88,14 +88,15 @@ struct GrainView {
   double *x[Dim], *v[Dim], *force[Dim];
   double *spin[kRotations<Dim>], *torque[kRotations<Dim>];
   double* orientation[kOrientationNumbers<Dim>];
-  /// -1 where grains differ in mass or inertia; 0 where they do not, and the first block's numbers are those of all.
+  /// -1 where grains differ in mass or inertia; 0 where they do not, and the first block's numbers are those of
+  /// all.
   int own_masses;
   const double *mass, *inverse_mass, *inertia, *inverse_inertia;
   const double* x_list[Dim];           ///< positions when the list was built
   const double* inverse_skin_squared;  ///< of the distances that grains may move before the next list
 };
 
-/// The pairs of all blocks, likewise; those of each block are padded by pairs that do not interact.
+/// The pairs of all blocks, likewise, with padding by pairs that do not interact.
 template <int Dim>
 struct PairView {
   /// Grains; those of i ascend, by less than kWindow in kPairPadding pairs. For pairs with walls, j is the

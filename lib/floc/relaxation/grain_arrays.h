@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "floc/base/aligned_vector.h"
@@ -9,6 +11,10 @@
 #include "floc/relaxation/kernels/step_kernels.h"
 
 namespace floc {
+
+inline bool all_equal(std::span<const double> numbers) {
+  return std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
+}
 
 /// The grains as the force loop reads them: one array per component, in the order of a space-filling curve. The
 /// arrays are padded with grains that nothing moves: to whole blocks of kGrainBlock, and by as much as a window
@@ -30,6 +36,10 @@ struct GrainArrays {
   GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order);
 
   int size() const { return static_cast<int>(index.size()); }
+  /// A component without its padding.
+  std::span<const double> of_grains(const Component& component) const {
+    return {component.data(), index.size()};
+  }
   void copy_positions_to(Grains<Dim>& grains) const;
   /// Orientation of the k-th grain here.
   Orientation<Dim> orientation_of(std::size_t k) const;
@@ -110,10 +120,7 @@ GrainView<Dim> GrainArrays<Dim>::view(const std::array<Component, Dim>& x_list,
     out.torque[a] = torque[a].data();
   }
   for (int a = 0; a < kOrientationNumbers<Dim>; ++a) out.orientation[a] = orientation[a].data();
-  const auto alike = [&](const Component& numbers) {
-    return std::all_of(numbers.begin(), numbers.begin() + size(), [&](double m) { return m == numbers[0]; });
-  };
-  out.own_masses = alike(mass) && alike(inertia) ? 0 : -1;
+  out.own_masses = all_equal(of_grains(mass)) && all_equal(of_grains(inertia)) ? 0 : -1;
   out.mass = mass.data();
   out.inverse_mass = inverse_mass.data();
   out.inertia = inertia.data();

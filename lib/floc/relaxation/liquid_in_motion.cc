@@ -19,7 +19,7 @@ constexpr double kReachMargin = 1.05;
 /// Lists hold every pair with liquid on it, and those that may get some.
 template <int Dim>
 void ExplicitDynamics<Dim>::set_first_reach(const Packing<Dim>& packing) {
-  bridges_.emplace(*law_.liquid(), std::span<const double>(grains_.radius.data(), grains_.size()));
+  bridges_.emplace(*law_.liquid(), grains_.of_grains(grains_.radius));
   const double reach = kReachMargin * interaction_range(packing);
   interactions_[0].set_range(holds_liquid_ ? reach : std::max(reach, bridges_->first_reach()));
 }

@@ -1,20 +1,12 @@
 #include "floc/relaxation/pair_arrays.h"
 
 #include <algorithm>
-#include <functional>
 #include <variant>
 
 #include "floc/packing/contact_order.h"
+#include "floc/relaxation/grain_arrays.h"
 
 namespace floc {
-namespace {
-
-bool all_equal(std::span<const double> numbers) {
-  return std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
-}
-
-}  // namespace
-
 template <int Dim>
 PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner,
                             std::span<const double> radius, std::span<const double> mass,

@@ -20,7 +20,7 @@ class KernelPair {
     const std::array<double, 2> radius{0.5, 0.5}, mass{1.0, 1.0};
     interaction_.set_pairs({{{0, 1, {0, 0, 0}}}, Partner::grain, radius, mass, interaction_.law(), 1e-9, 1});
     rows_ = {{&interaction_.pairs()}, interaction_.rows(), 2};
-    interaction_.set_rows(rows_.rows(0));
+    interaction_.set_rows(rows_.rows_of_group(0));
     inverse_skin_squared_.assign(grains_.x[0].size(), 1.0);
   }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "floc/relaxation/explicit_dynamics.h"
@@ -18,6 +19,31 @@ constexpr double kMinSkin = 1e-4;
 /// each other by that at most before it is shared out again.
 constexpr double kSkinOfReach = 0.25;
 constexpr double kMinSkinOfLiquid = 1e-3;
+/// What the rounding of a step may add to a displacement, of the furthest coordinate.
+constexpr double kRoundings = 32.0 * std::numeric_limits<double>::epsilon();
+
+template <std::size_t n>
+double furthest(const std::array<AlignedVector<double>, n>& x) {
+  double largest = 0.0;
+  for (const auto& component : x)
+    for (const double coordinate : component) largest = std::max(largest, std::abs(coordinate));
+  return largest;
+}
+
+/// Bound of how much the largest of some matrices stretches a vector: |M|^2 <= |M|_1 |M|_inf.
+template <int Dim, class... Matrices>
+double spectral_bound(const double (&first)[Dim][Dim], const Matrices&... others) {
+  double rows = 0.0, columns = 0.0;
+  for (int a = 0; a < Dim; ++a) {
+    double row = 0.0, column = 0.0;
+    for (int b = 0; b < Dim; ++b) {
+      row += std::max({std::abs(first[a][b]), std::abs(others[a][b])...});
+      column += std::max({std::abs(first[b][a]), std::abs(others[b][a])...});
+    }
+    rows = std::max(rows, row), columns = std::max(columns, column);
+  }
+  return std::sqrt(rows * columns);
+}
 
 }  // namespace
 
@@ -34,13 +60,37 @@ double ExplicitDynamics<Dim>::list_cost_share() const {
 }
 
 /// What motion has taken of the skin since the list was built: the largest displacement in halves of each
-/// grain's own skin, and the affine shrinking.
+/// grain's own skin, and the affine shrinking. @param moved  that displacement
 template <int Dim>
-double ExplicitDynamics<Dim>::consumed_skin() const {
-  double squared = 0.0;
-  for (const BlockSums<Dim>& s : sums_) squared = std::max(squared, s.consumed_squared);
-  return std::max(std::sqrt(squared) * skin_, 2.0 * walls_.moved_since_mark()) +
+double ExplicitDynamics<Dim>::consumed_skin(double moved) const {
+  return std::max(moved * skin_, 2.0 * walls_.moved_since_mark()) +
          shrink_since_list() * (largest_diameter_ + interactions_[0].range() + skin_) / kMinSkinShare;
+}
+
+/// Before the grains drift: x' - L' x_list = S (x - L x_list) + D v', where |v'| <= max(|keep|, |gain|) (|v| + |dt F/2m|)
+/// after the kick. So lists mostly prove to be good without a look at every grain, and before it moves.
+template <int Dim>
+void ExplicitDynamics<Dim>::bound_motion() {
+  double next_speed_squared = 0.0;
+  for (const BlockSums<Dim>& s : sums_) next_speed_squared = std::max(next_speed_squared, s.next_speed_squared);
+  moved_ =
+      spectral_bound(drift_.stretch) * moved_ + rounding_ +
+      spectral_bound(drift_.drift) * spectral_bound(kick_.keep, kick_.gain) * std::sqrt(next_speed_squared);
+}
+
+template <int Dim>
+double ExplicitDynamics<Dim>::motion_of(int block) const {
+  double list_stretch[Dim][Dim];
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) list_stretch[a][b] = list_stretch_(a, b);
+  return std::sqrt(interactions_[0].kernels().motion_squared(grain_view_, block * kGrainBlock, list_stretch));
+}
+
+/// After the grains have drifted and the motion of each block has been measured.
+template <int Dim>
+void ExplicitDynamics<Dim>::renew_list() {
+  moved_ = *std::max_element(motion_of_block_.begin(), motion_of_block_.end());
+  if (list_is_stale()) rebuild_list();
 }
 
 /// Of the skin, for each grain: a list that all grains hold for the same time gives more to those that are
@@ -78,11 +128,11 @@ Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const {
   return shift;
 }
 
-/// The list holds too many pairs out of range, or a pair outside it might interact.
+/// The list holds too many pairs out of range, or a pair outside it might interact, for all that is known of motion.
 template <int Dim>
 bool ExplicitDynamics<Dim>::list_is_stale() const {
   if (list_cost_share() < 0.5 * out_of_range_share_ && skin_ > min_skin() && !shares_liquid()) return true;
-  return consumed_skin() >= skin_;
+  return !(consumed_skin(moved_) < skin_);
 }
 
 template <int Dim>
@@ -99,7 +149,7 @@ void ExplicitDynamics<Dim>::adapt_skin() {
     skin_ = std::min((cost > 4.0 * out_of_range_share_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
   // Twice what motion consumed of a skin is enough for a list that lasts as long.
   if (cost < 0.5 * out_of_range_share_)
-    skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin()), min_skin());
+    skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(moved_)), min_skin());
 }
 
 /// The next chunk begins with a new list in any case: where one list has served for all of this one, twice
@@ -107,7 +157,9 @@ void ExplicitDynamics<Dim>::adapt_skin() {
 template <int Dim>
 double ExplicitDynamics<Dim>::skin() const {
   if (!on_first_list_ || steps_since_list_ == 0) return skin_;
-  return std::min(skin_, std::max(2.0 * consumed_skin(), min_skin()));
+  double moved = 0.0;
+  for (int b = 0; b < n_blocks(); ++b) moved = std::max(moved, motion_of(b));
+  return std::min(skin_, std::max(2.0 * consumed_skin(moved), min_skin()));
 }
 
 /// Share of a step that goes into pairs out of each other's range: a grain costs about as much as a pair.
@@ -153,14 +205,19 @@ void ExplicitDynamics<Dim>::build_lists() {
     close[k] = Pairs();
     lists.push_back(&interaction.pairs());
   }
-  sums_of_rows_ = {lists, interactions_[0].rows(), grains_.size(), rows_kept_};
-  for (std::size_t k = 0; k < interactions_.size(); ++k) interactions_[k].set_rows(sums_of_rows_.rows(k));
+  sums_of_rows_ = {lists, interactions_[0].rows(), grains_.size(),
+                   threads_ == 1 ? RowsKept::until_summed : RowsKept::for_good, blocks_of_group()};
+  interactions_[0].set_rows(sums_of_rows_.rows_of_group(0));
+  if (!walls_.empty()) interactions_[1].set_rows(sums_of_rows_.rows_with_walls());
+  drift_order_ = {interactions_[0].pairs(), n_blocks(), blocks_of_group()};
   if (!walls_.empty()) list_pairs_of_walls();
   walls_.mark();
   x_list_ = grains_.x;
   grain_view_ = grains_.view(x_list_, inverse_skin_squared_);
   lattice_at_list_ = lattice_;
   list_stretch_.setIdentity();
+  moved_ = 0.0;
+  rounding_ = kRoundings * furthest(x_list_) / (0.5 * kMinSkinShare * skin_);
   steps_since_list_ = 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "floc/geometry/upper_triangular.h"
 #include "floc/neighbors/space_order.h"
@@ -11,19 +12,13 @@
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/barrier.h"
-#include "floc/relaxation/fetch.h"
 
 namespace floc {
 namespace {
 
-/// From so many grains on, rows of all their pairs do not stay in the caches; those of one block do.
-constexpr int kManyGrains = 8192;
 /// Blocks whose pairs one thread computes before it sums them: each pass over pairs begins and ends slowly (4 %
 /// faster with 4000 spheres than block by block; as fast with 4, slower with all).
 constexpr int kBlocksOfGroup = 16;
-/// From so many on, grains and pairs leave the last cache, too, and have to be fetched ahead (measured with 32 MB
-/// of cache; a quarter faster at 100 000 spheres, a quarter slower at 13 500).
-constexpr int kGrainsBeyondCaches = 30'000;
 /// How far a grain may be, in sides of the cell; the search for neighbours can hold ten times as much.
 constexpr double kFurthest = 1e8;
 
@@ -55,8 +50,6 @@ ExplicitDynamics<Dim>::ExplicitDynamics(Packing<Dim>& packing, const BoundaryCon
       dt_(settings.time_step),
       skin_(settings.skin),
       threads_(settings.threads),
-      rows_kept_(settings.threads == 1 && packing.grains.size() >= kManyGrains ? RowsKept::one_block
-                                                                               : RowsKept::all),
       largest_diameter_(largest_diameter(packing.grains)),
       skin_unit_(skin_length_unit(packing.grains.radius)),
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
@@ -71,6 +64,7 @@ ExplicitDynamics<Dim>::ExplicitDynamics(Packing<Dim>& packing, const BoundaryCon
   strain_rate_ = right_quotient<Dim>(lattice_rate_, lattice_);
   add_interactions(packing, settings.instructions, shape_of(packing.cell, control));
   sums_.resize(n_blocks());
+  motion_of_block_.resize(n_blocks());
   if (law_.liquid()) set_first_reach(packing);
   const std::vector<History> histories = take_histories(packing);
   build_lists();
@@ -131,20 +125,25 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
           step + 1 < n_steps && motion == Motion::free ? Rotation::in_middle : Rotation::at_end;
       if (thread == 0) begin_step();
       barrier.wait();
-      for (int b = first; b < last; ++b) kick_and_drift(b, stands);
-      barrier.wait();
-      if (list_is_stale()) {
-        barrier.wait();  // all threads have tested the list before it changes
-        if (thread == 0) rebuild_list();
-        barrier.wait();
-      }
-      if (threads == 1) {
-        compute_and_kick(dt_, next);
+      if (threads == 1 && !list_is_stale()) {
+        compute_and_kick(dt_, stands, next);
       } else {
-        compute_pairs(first, last, dt_);
+        for (int b = first; b < last; ++b) kick_and_drift(b, stands);
         barrier.wait();
-        for (int b = first; b < last; ++b) sum_and_kick(b, next);
-        barrier.wait();
+        if (list_is_stale()) {
+          for (int b = first; b < last; ++b) measure_motion(b);
+          barrier.wait();
+          if (thread == 0) renew_list();
+          barrier.wait();
+        }
+        if (threads == 1) {
+          compute_and_kick(dt_, std::nullopt, next);
+        } else {
+          compute_pairs(first, last, dt_);
+          barrier.wait();
+          for (int b = first; b < last; ++b) sum_and_kick(b, next);
+          barrier.wait();
+        }
       }
       if (thread == 0) end_step(motion);
       stands = next;
@@ -165,8 +164,8 @@ void ExplicitDynamics<Dim>::begin_step() {
   copy<Dim>(dt_ * right_quotient<Dim>(next, middle), drift_.drift);
   lattice_ = next;
   list_stretch_ = right_quotient<Dim>(lattice_, lattice_at_list_);
-  copy<Dim>(list_stretch_, drift_.list_stretch);
   kick_ = kick_over(0.5 * dt_);
+  bound_motion();
   walls_.drift(dt_);
   time_ += dt_;
   ++steps_since_list_;
@@ -186,28 +185,14 @@ Kick<Dim> ExplicitDynamics<Dim>::kick_over(double half_step) const {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::kick_and_drift(int block, Rotation stands) {
-  if (fetches_ahead() && block + 1 < n_blocks()) fetch_grains(block + 1, GrainPass::drift);
-  interactions_[0].kernels().kick_and_drift(grain_view_, block * kGrainBlock, kick_, drift_, stands,
-                                            sums_[block]);
+  interactions_[0].kernels().kick_and_drift(grain_view_, block * kGrainBlock, kick_, drift_, stands);
 }
 
+/// Of the grains that the pairs of a group of blocks are the first to read.
 template <int Dim>
-bool ExplicitDynamics<Dim>::fetches_ahead() const {
-  return rows_kept_ == RowsKept::one_block && grains_.size() >= kGrainsBeyondCaches;
-}
-
-template <int Dim>
-void ExplicitDynamics<Dim>::fetch_grains(int block, GrainPass pass) const {
-  const int first = block * kGrainBlock, last = first + kGrainBlock;
-  const GrainView<Dim>& g = grain_view_;
-  fetch_each(g.x, first, last), fetch_each(g.v, first, last), fetch_each(g.force, first, last);
-  if (g.own_masses != 0) fetch(g.inverse_mass, first, last);
-  if (pass == GrainPass::drift) {
-    fetch_each(g.x_list, first, last), fetch(g.inverse_skin_squared, first, last);
-  } else {
-    fetch_each(g.spin, first, last), fetch_each(g.orientation, first, last);
-    if (g.own_masses != 0) fetch(g.inverse_inertia, first, last), fetch(g.mass, first, last);
-  }
+void ExplicitDynamics<Dim>::drift_for_group(int group, Rotation stands) {
+  for (int k = group == 0 ? 0 : drift_order_.end[group - 1]; k < drift_order_.end[group]; ++k)
+    kick_and_drift(drift_order_.block[k], stands);
 }
 
 template <int Dim>
@@ -221,40 +206,28 @@ PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
 /// Those whose pairs are computed in one pass. Threads share the blocks out one by one.
 template <int Dim>
 int ExplicitDynamics<Dim>::blocks_of_group() const {
-  return rows_kept_ == RowsKept::one_block || threads_ > 1 ? 1 : kBlocksOfGroup;
+  return threads_ > 1 ? 1 : kBlocksOfGroup;
 }
 
 /// All blocks by one thread, those of a group before the next: pairs belong to their lower grain, so that the rows of
-/// a block are in it and in those before it, still in the cache.
+/// a block are in its group and in those before.
 template <int Dim>
-void ExplicitDynamics<Dim>::compute_and_kick(double slip_time, Rotation to) {
-  const int group = blocks_of_group();
-  for (int first = 0; first < n_blocks(); first += group) {
-    const int last = std::min(first + group, n_blocks());
-    const bool fetches_next = fetches_ahead() && last < n_blocks();
-    if (fetches_ahead()) fetch_grains(first, GrainPass::kick);
+void ExplicitDynamics<Dim>::compute_and_kick(double slip_time, std::optional<Rotation> undrifted, Rotation to) {
+  for (int first = 0, group = 0; first < n_blocks(); first += blocks_of_group(), ++group) {
+    const int last = std::min(first + blocks_of_group(), n_blocks());
+    if (undrifted) drift_for_group(group, *undrifted);
+    interactions_[0].set_rows(sums_of_rows_.rows_of_group(group),
+                              interactions_[0].pairs().first_of_block(first));
     compute_pairs(first, last, slip_time);
-    if (fetches_next) interactions_[0].fetch_second_grains(last, grain_view_, sums_of_rows_.sums_as_j());
     for (int b = first; b < last; ++b) sum_and_kick(b, to);
   }
 }
 
-/// Those of the blocks [first, last); of one block where the rows of one are kept.
+/// Those of the blocks [first, last).
 template <int Dim>
 void ExplicitDynamics<Dim>::compute_pairs(int first, int last, double slip_time) {
   const PairCell<Dim> cell = pair_cell(slip_time);
-  if (rows_kept_ == RowsKept::one_block)
-    interactions_[0].set_rows(sums_of_rows_.rows(0), interactions_[0].pairs().first_of_block(first));
   for (const Interaction<Dim>& interaction : interactions_) interaction.compute(first, last, grain_view_, cell);
-  if (rows_kept_ == RowsKept::one_block) add_to_second_grains(first);
-}
-
-template <int Dim>
-void ExplicitDynamics<Dim>::add_to_second_grains(int block) {
-  const Interaction<Dim>& interaction = interactions_[0];
-  const PairArrays<Dim>& pairs = interaction.pairs();
-  interaction.kernels().add_to_second_grains(interaction.view(), pairs.first_of_block(block),
-                                             pairs.first_of_block(block + 1), sums_of_rows_.sums_as_j());
 }
 
 template <int Dim>
@@ -311,7 +284,8 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
   kick_ = kick_over(0.0);
-  compute_and_kick(0.0, Rotation::at_end);
+  compute_and_kick(0.0, std::nullopt, Rotation::at_end);
+  moved_ = std::numeric_limits<double>::infinity();  // a kick of no time tells nothing of the next speeds
   sum_forces_on_walls();
 }
 

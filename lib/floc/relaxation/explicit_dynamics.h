@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "floc/packing/liquid.h"
+#include "floc/relaxation/drift_order.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/interaction.h"
@@ -61,26 +62,28 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   PairCell<Dim> pair_cell(double slip_time) const;
   Kick<Dim> kick_over(double half_step) const;
   void kick_and_drift(int block, Rotation stands);
-  /// Whether what the next block needs is fetched while the present one is computed.
-  bool fetches_ahead() const;
-  enum class GrainPass { drift, kick };
-  void fetch_grains(int block, GrainPass pass) const;
+  void drift_for_group(int group, Rotation stands);
   int blocks_of_group() const;
-  void compute_and_kick(double slip_time, Rotation to);
+  /// @param undrifted  how the rotation of the grains stands, where they are still to drift, each block just before
+  ///                   pairs read it
+  void compute_and_kick(double slip_time, std::optional<Rotation> undrifted, Rotation to);
   void compute_pairs(int first, int last, double slip_time);
-  void add_to_second_grains(int block);
   void add_wall_virial(int block);
   void sum_and_kick(int block, Rotation to);
   void end_step(Motion motion);
   void refresh_forces();
   double list_cost_share() const;
-  double consumed_skin() const;
+  double consumed_skin(double moved) const;
+  void bound_motion();
+  double motion_of(int block) const;
+  void measure_motion(int block) { motion_of_block_[block] = motion_of(block); }
   double min_skin() const;
   std::vector<double> skin_shares() const;
   double shrink_since_list() const;
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   bool list_is_stale() const;
   double out_of_range_share(const std::vector<NeighborPair<Dim>>& pairs) const;
+  void renew_list();
   void rebuild_list();
   void build_lists();
   bool shares_liquid() const { return bridges_.has_value() && !holds_liquid_; }
@@ -107,7 +110,6 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double time_ = 0.0;  ///< since this was made
   double skin_;
   int threads_;
-  RowsKept rows_kept_;
   double largest_diameter_;
   double skin_unit_;  ///< skin_length_unit()
 
@@ -128,6 +130,10 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Mat<Dim> lattice_at_list_;
   Mat<Dim> list_stretch_;                ///< deformation since the list was built
   std::optional<BridgeSearch> bridges_;  ///< where the law has liquid
+  DriftOrder drift_order_;
+  /// No grain has moved further since the list was built, in halves of its skin; and what rounding may add in a step.
+  double moved_ = 0.0, rounding_ = 0.0;
+  std::vector<double> motion_of_block_;  ///< when it was last measured
   int steps_since_list_ = 0;
   bool on_first_list_ = true;
   double out_of_range_share_ = 0.0;  ///< of a step, when the list was built

@@ -4,8 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include "floc/relaxation/fetch.h"
-
 namespace floc {
 namespace {
 
@@ -41,22 +39,6 @@ void Interaction<Dim>::compute(int first, int last, const GrainView<Dim>& grains
                                const PairCell<Dim>& cell) const {
   const auto kernel = partner_ == Partner::wall ? kernels_.compute_wall_pairs : kernels_.compute_pairs;
   kernel(composed_law_, grains, arrays_, pairs_.first_of_block(first), pairs_.first_of_block(last), cell);
-}
-
-template <int Dim>
-void Interaction<Dim>::fetch_second_grains(int block, const GrainView<Dim>& grains,
-                                           const double* sums_as_j) const {
-  constexpr int kGrainsOfLine = static_cast<int>(kCacheLine / sizeof(double));
-  const int sum_size = row_sum_size<Dim>(rows_);
-  int line = -1;
-  for (int p = pairs_.first_of_block(block); p < pairs_.first_of_block(block + 1); ++p) {
-    const int j = arrays_.j[p];
-    fetch(sums_as_j + static_cast<std::ptrdiff_t>(sum_size) * j);
-    if (j / kGrainsOfLine == line) continue;
-    line = j / kGrainsOfLine;
-    for (int a = 0; a < Dim; ++a) fetch(grains.x[a] + j), fetch(grains.v[a] + j);
-    for (const double* component : grains.spin) fetch(component + j);
-  }
 }
 
 template <int Dim>

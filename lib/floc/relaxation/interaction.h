@@ -39,10 +39,6 @@ class Interaction {
   /// Rows, springs and memory of the pairs of the blocks [first, last).
   void compute(int first, int last, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const;
 
-  /// Fetches the second grains of a block's pairs, which compute() reads. The pairs themselves the processor foresees.
-  /// @param sums_as_j  RowSums::sums_as_j(), fetched with them
-  void fetch_second_grains(int block, const GrainView<Dim>& grains, const double* sums_as_j) const;
-
   /// Copies the memory of a contact into that of its pair, and back. @param swapped  the pair is the contact
   /// seen from its other grain
   void load_memory(int pair, const ContactMemory<Dim>& memory, bool swapped);

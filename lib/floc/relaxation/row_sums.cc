@@ -37,19 +37,13 @@ int row_place(std::int64_t pair, int row_size) {
 }
 
 template <int Dim>
-RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind rows, int n_grains,
-                      RowsKept kept)
-    : kept_(kept),
+RowSums<Dim>::RowSums(const Lists& lists, RowKind rows, int n_grains, RowsKept kept, int blocks_of_group)
+    : blocks_of_group_(blocks_of_group),
       row_size_(row_size<Dim>(rows)),
       plans_(static_cast<std::size_t>((n_grains + kGrainBlock - 1) / kGrainBlock)) {
-  place_rows(lists);
+  place_rows(lists, kept);
   const RowsOfGrains as_i = rows_of(lists, [](const PairArrays<Dim>& pairs, int p) { return pairs.i(p); });
-  RowsOfGrains as_j{std::vector<int>(plans_.size() * kGrainBlock + 1, 0), {}};
-  const std::size_t sums_of_block = static_cast<std::size_t>(kGrainBlock) * row_sum_size<Dim>(rows);
-  if (kept == RowsKept::all)
-    as_j = rows_of({lists[0]}, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
-  else
-    sums_as_j_.assign(plans_.size() * sums_of_block, 0.0);
+  const RowsOfGrains as_j = rows_of({lists[0]}, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
   std::vector<std::size_t> first;
   for (std::size_t b = 0; b < plans_.size(); ++b) {
     const int begin = static_cast<int>(b) * kGrainBlock;
@@ -57,7 +51,7 @@ RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind 
     plan_side(plans_[b].as_i, begin, as_i);
     first.push_back(listed_rows_.size());
     plan_side(plans_[b].as_j, begin, as_j);
-    plans_[b].sums_as_j = kept == RowsKept::all ? nullptr : sums_as_j_.data() + b * sums_of_block;
+    plans_[b].rows = rows_.data();
   }
   // Only now that the list has stopped growing does it stay where it is.
   for (std::size_t b = 0; b < plans_.size(); ++b) {
@@ -68,35 +62,56 @@ RowSums<Dim>::RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind 
 }
 
 template <int Dim>
-void RowSums<Dim>::place_rows(const std::vector<const PairArrays<Dim>*>& lists) {
-  std::int64_t n_pairs = 0;
-  for (const PairArrays<Dim>* pairs : lists) {
-    first_row_.push_back(row_place(n_pairs, row_size_));
-    int kept = pairs->size();
-    if (kept_ == RowsKept::one_block && pairs == lists[0]) {
-      kept = 0;
-      for (int b = 0; b < static_cast<int>(plans_.size()); ++b)
-        kept = std::max(kept, pairs->first_of_block(b + 1) - pairs->first_of_block(b));
-    }
-    n_pairs += kept;
+void RowSums<Dim>::place_rows(const Lists& lists, RowsKept kept) {
+  const PairArrays<Dim>& pairs = *lists[0];
+  std::int64_t n_rows = 0;
+  const auto take = [&](std::int64_t first, std::int64_t n) {
+    n_rows = std::max(n_rows, first + n);
+    return row_place(first, row_size_);
+  };
+  if (kept == RowsKept::for_good) {
+    for (int g = 0; g < n_groups(); ++g)
+      first_row_.push_back(take(first_pair(pairs, g), first_pair(pairs, g + 1) - first_pair(pairs, g)));
+  } else {
+    int most = 0;
+    for (int g = 0; g < n_groups(); ++g) most = std::max(most, first_pair(pairs, g + 1) - first_pair(pairs, g));
+    for (const int slot : slots_of_groups(pairs)) first_row_.push_back(take(std::int64_t{most} * slot, most));
   }
-  zero_row_ = row_place(n_pairs, row_size_);
+  if (lists.size() > 1) first_row_with_walls_ = take(n_rows, lists[1]->size());
+  zero_row_ = take(n_rows, 1);
   rows_.assign(static_cast<std::size_t>(zero_row_) + row_size_, 0.0);
 }
 
+/// A group takes the slot over from one all of whose rows have been summed, of those the latest, or a new one.
 template <int Dim>
-int RowSums<Dim>::place_of_row(const std::vector<const PairArrays<Dim>*>& lists, std::size_t list,
-                               int pair) const {
-  if (kept_ == RowsKept::one_block && list == 0)
-    pair -= lists[0]->first_of_block(lists[0]->i(pair) / kGrainBlock);
-  return first_row_[list] + pair * row_size_;
+std::vector<int> RowSums<Dim>::slots_of_groups(const PairArrays<Dim>& pairs) const {
+  std::vector<int> slots, free;
+  std::vector<std::vector<int>> left(n_groups());  // slots that are free once a group is summed
+  int n_slots = 0;
+  for (int g = 0; g < n_groups(); ++g) {
+    if (free.empty()) free.push_back(n_slots++);
+    slots.push_back(free.back());
+    free.pop_back();
+    int last = g;
+    for (int p = first_pair(pairs, g); p < first_pair(pairs, g + 1); ++p)
+      last = std::max(last, group_of(pairs.j(p)));
+    left[last].push_back(slots.back());
+    free.insert(free.end(), left[g].begin(), left[g].end());
+  }
+  return slots;
+}
+
+template <int Dim>
+int RowSums<Dim>::place_of_row(const Lists& lists, std::size_t list, int pair) const {
+  if (list > 0) return first_row_with_walls_ + pair * row_size_;
+  const int group = group_of(lists[0]->i(pair));
+  return first_row_[group] + (pair - first_pair(*lists[0], group)) * row_size_;
 }
 
 /// In the order of the pairs; grains that pad the last block have none.
 template <int Dim>
 template <class GrainOf>
-typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const std::vector<const PairArrays<Dim>*>& lists,
-                                                          const GrainOf& grain_of) const {
+typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, const GrainOf& grain_of) const {
   RowsOfGrains rows{std::vector<int>(plans_.size() * kGrainBlock + 1, 0), {}};
   for (const PairArrays<Dim>* pairs : lists)
     for (int p = 0; p < pairs->size(); ++p)

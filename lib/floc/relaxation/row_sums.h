@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -12,33 +13,34 @@ namespace floc {
 /// @throws InputError if it is beyond what the sums' plans can address, at 537 million pairs with friction
 int row_place(std::int64_t pair, int row_size);
 
-/// Rows of pairs of grains that are kept at a time.
+/// How long the rows of pairs of grains keep their places.
 enum class RowsKept {
-  all,        ///< for threads that share the blocks
-  one_block,  ///< which take a small part of the memory, and stay in the cache
+  for_good,      ///< for threads that share the blocks
+  until_summed,  ///< and others take over the places, few of which stay in the caches
 };
 
-/// The rows that the pairs of all interactions write (PairView::row), list after list, and the rows that each
-/// grain sums: those of pairs in which it is the first grain, then the second, either in the order of the lists
-/// and of their pairs. Where the rows of one block alone are kept, blocks come in order, and what a block adds to
-/// second grains is added to sums of theirs (sums_as_j()) before the next writes its rows: the same additions.
+/// The rows that the pairs of all interactions write, and the rows that each grain sums: those of pairs in which it
+/// is the first grain, then the second, either in the order of the lists and of their pairs. Pairs of grains write
+/// group by group of blocks; where rows are kept until they are summed, a group has to be summed before the next is
+/// computed.
 template <int Dim>
 class RowSums {
  public:
   RowSums() = default;
   RowSums(RowSums&&) noexcept = default;  // no copies: the plans point into the lists of rows
   RowSums& operator=(RowSums&&) noexcept = default;
-  /// @param lists    first of pairs of grains, then perhaps of grains with walls
+  /// @param lists            first of pairs of grains, then perhaps of grains with walls, whose rows are kept for good
+  /// @param blocks_of_group  which are computed in one pass
   RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind rows, int n_grains,
-          RowsKept kept = RowsKept::all);
+          RowsKept kept = RowsKept::for_good, int blocks_of_group = 1);
 
-  /// Where the rows of a list begin, of pairs of grains perhaps those of one block.
-  double* rows(std::size_t list) { return rows_.data() + first_row_[list]; }
-  /// Sums of each grain's rows as the second of a pair, where the rows of one block are kept.
-  double* sums_as_j() { return sums_as_j_.data(); }
+  /// Where the rows of a group's pairs begin; of rows kept for good, groups follow each other.
+  double* rows_of_group(int group) { return rows_.data() + first_row_[group]; }
+  double* rows_with_walls() { return rows_.data() + first_row_with_walls_; }
   const BlockSumsPlan& plan(int block) const { return plans_[block]; }
 
  private:
+  using Lists = std::vector<const PairArrays<Dim>*>;
   /// For each grain, where the rows begin of the pairs in which it is the first, or the second, grain.
   struct RowsOfGrains {
     std::vector<int> first;  ///< of each grain in `row`, and the end
@@ -46,18 +48,26 @@ class RowSums {
     int count(int grain) const { return first[grain + 1] - first[grain]; }
   };
 
+  int n_groups() const { return (static_cast<int>(plans_.size()) + blocks_of_group_ - 1) / blocks_of_group_; }
+  int group_of(int grain) const { return grain / kGrainBlock / blocks_of_group_; }
+  int first_pair(const PairArrays<Dim>& pairs, int group) const {
+    return pairs.first_of_block(std::min(group * blocks_of_group_, static_cast<int>(plans_.size())));
+  }
+  void place_rows(const Lists& lists, RowsKept kept);
+  std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs) const;
+  int place_of_row(const Lists& lists, std::size_t list, int pair) const;
   template <class GrainOf>
-  RowsOfGrains rows_of(const std::vector<const PairArrays<Dim>*>& lists, const GrainOf& grain_of) const;
-  void place_rows(const std::vector<const PairArrays<Dim>*>& lists);
-  int place_of_row(const std::vector<const PairArrays<Dim>*>& lists, std::size_t list, int pair) const;
+  RowsOfGrains rows_of(const Lists& lists, const GrainOf& grain_of) const;
   void plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& rows);
   void plan_crossings(const PairArrays<Dim>& pairs);
 
-  RowsKept kept_ = RowsKept::all;
-  int row_size_ = 0;            ///< doubles
-  int zero_row_ = 0;            ///< place of the row that stays zero
-  std::vector<int> first_row_;  ///< place of the first row of each list
-  AlignedVector<double> rows_, sums_as_j_;
+  int blocks_of_group_ = 1;
+  int row_size_ = 0;  ///< doubles
+  // Places in rows_:
+  int zero_row_ = 0;  ///< of the row that stays zero
+  int first_row_with_walls_ = 0;
+  std::vector<int> first_row_;  ///< of each group
+  AlignedVector<double> rows_;
   std::vector<BlockSumsPlan> plans_;
   std::vector<int> listed_rows_, crossing_;  ///< what the plans point into
 };

@@ -26,14 +26,13 @@ struct GrainKernels {
   using Torques = double[kRotations<Dim>][kGrainBlock];
 
   [[gnu::flatten]] static void kick_and_drift(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick,
-                                              const Drift<Dim>& drift, Rotation stands, BlockSums<Dim>& sums) {
-    double moved_squared[kGrainBlock] = {};
+                                              const Drift<Dim>& drift, Rotation stands) {
     // In a triangular lattice an axis drifts with the velocities along those after it, kicked already.
     if constexpr (kTriangular)
       for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
     for (int a = 0; a < Dim; ++a) {
       if constexpr (!kTriangular) accelerate(grains, begin, kick, a);
-      move(grains, begin, drift, a, moved_squared);
+      move(grains, begin, drift, a);
     }
     if constexpr (kRotates) {
       if (stands == Rotation::at_end) {
@@ -42,27 +41,30 @@ struct GrainKernels {
         turn(grains, begin, kick.half_step);
       }
     }
+  }
+
+  [[gnu::flatten]] static double motion_squared(const GrainView<Dim>& grains, int begin,
+                                                const double (&list_stretch)[Dim][Dim]) {
+    double moved_squared[kGrainBlock] = {};
+    for (int a = 0; a < Dim; ++a) add_displacement(grains, begin, list_stretch, a, moved_squared);
     P largest(0.0);
-    for (int k = 0; k < kGrainBlock; k += P::kWidth) {
-      const P consumed = P::load(moved_squared + k) * P::load(grains.inverse_skin_squared + begin + k);
-      largest = blend(largest < consumed, consumed, largest);
-    }
-    sums.consumed_squared = 0.0;
-    for (int l = 0; l < P::kWidth; ++l)
-      if (sums.consumed_squared < largest.v[l]) sums.consumed_squared = largest.v[l];
+    for (int k = 0; k < kGrainBlock; k += P::kWidth)
+      keep_larger(P::load(moved_squared + k) * P::load(grains.inverse_skin_squared + begin + k), largest);
+    return largest_lane(largest);
   }
 
   [[gnu::flatten]] static void sum_and_kick(const GrainView<Dim>& grains, const PairView<Dim>& pairs,
                                             const BlockSumsPlan& plan, int begin, const PairCell<Dim>& cell,
                                             const Kick<Dim>& kick, Rotation to, BlockSums<Dim>& sums) {
     alignas(64) Torques torque;
-    sum_forces(grains, pairs, plan, begin, torque);
+    sum_forces(grains, plan, begin, torque);
     // Sum over pairs of f r = sum over grains of F x + what the pairs across the boundary add.
     crossing_virial(pairs, plan, cell, sums.virial);
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
         sums.virial[a][b] += block_sum(grains.force[a] + begin, grains.x[b] + begin, nullptr);
     for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
+    sums.next_speed_squared = next_speed_squared(grains, begin, kick.half_step);
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
         sums.momentum_flux[a][b] =
@@ -75,18 +77,6 @@ struct GrainKernels {
         for (int a = 0; a < kRotations<Dim>; ++a) kick_rotation<1>(grains, begin, kick.half_step, a, torque[a]);
         end_rotation(grains, begin, torque, sums);
       }
-    }
-  }
-
-  /// In the order of the pairs, as sum_rows() adds them; those of padding are zero and leave no trace.
-  static void add_to_second_grains(const PairView<Dim>& pairs, int first, int last, double* sums) {
-    const double* row = row_of(pairs, first);
-    for (int p = first; p < last; ++p, row += Layout::kSize) {
-      double* const to = sums + static_cast<std::ptrdiff_t>(row_sum_size<Dim>(kRows)) * pairs.j[p];
-      Sum sum;
-      __builtin_memcpy(&sum, to, sizeof(Sum));
-      add_row<Side::j>(row, sum);
-      __builtin_memcpy(to, &sum, sizeof(Sum));
     }
   }
 
@@ -120,43 +110,79 @@ struct GrainKernels {
     }
   }
 
-  /// Moves the grains along one axis, and adds to the squares of their displacements since the list was built.
-  static void move(const GrainView<Dim>& grains, int begin, const Drift<Dim>& drift, int a,
-                   double (&moved_squared)[kGrainBlock]) {
+  /// Moves the grains along one axis.
+  static void move(const GrainView<Dim>& grains, int begin, const Drift<Dim>& drift, int a) {
     const double* const v = grains.v[a] + begin;
     double* const x = grains.x[a] + begin;
+    const double stretch = drift.stretch[a][a], step = drift.drift[a][a];
+#pragma GCC ivdep
+    for (int k = 0; k < kGrainBlock; ++k) x[k] = stretch * x[k] + step * v[k];
+    if constexpr (kTriangular) {
+      for (int b = a + 1; b < Dim; ++b) {
+        const double* const v_b = grains.v[b] + begin;
+        const double* const x_b = grains.x[b] + begin;
+        const double stretch_b = drift.stretch[a][b], step_b = drift.drift[a][b];
+#pragma GCC ivdep
+        for (int k = 0; k < kGrainBlock; ++k) x[k] += stretch_b * x_b[k] + step_b * v_b[k];
+      }
+    }
+  }
+
+  /// Adds the squares of the displacements along one axis since the list was built.
+  static void add_displacement(const GrainView<Dim>& grains, int begin, const double (&list_stretch)[Dim][Dim],
+                               int a, double (&moved_squared)[kGrainBlock]) {
+    const double* const x = grains.x[a] + begin;
     const double* const x_list = grains.x_list[a] + begin;
-    const double stretch = drift.stretch[a][a], step = drift.drift[a][a],
-                 list_stretch = drift.list_stretch[a][a];
+    const double stretch = list_stretch[a][a];
     if constexpr (!kTriangular) {
 #pragma GCC ivdep
       for (int k = 0; k < kGrainBlock; ++k) {
-        x[k] = stretch * x[k] + step * v[k];
-        const double moved = x[k] - list_stretch * x_list[k];
+        const double moved = x[k] - stretch * x_list[k];
         moved_squared[k] += moved * moved;
       }
     } else {
       double moved[kGrainBlock];
 #pragma GCC ivdep
-      for (int k = 0; k < kGrainBlock; ++k) {
-        x[k] = stretch * x[k] + step * v[k];
-        moved[k] = -list_stretch * x_list[k];
-      }
+      for (int k = 0; k < kGrainBlock; ++k) moved[k] = -stretch * x_list[k];
       for (int b = a + 1; b < Dim; ++b) {
-        const double* const v_b = grains.v[b] + begin;
-        const double* const x_b = grains.x[b] + begin;
         const double* const x_list_b = grains.x_list[b] + begin;
-        const double stretch_b = drift.stretch[a][b], step_b = drift.drift[a][b],
-                     list_b = drift.list_stretch[a][b];
+        const double stretch_b = list_stretch[a][b];
 #pragma GCC ivdep
-        for (int k = 0; k < kGrainBlock; ++k) {
-          x[k] += stretch_b * x_b[k] + step_b * v_b[k];
-          moved[k] -= list_b * x_list_b[k];
-        }
+        for (int k = 0; k < kGrainBlock; ++k) moved[k] -= stretch_b * x_list_b[k];
       }
 #pragma GCC ivdep
       for (int k = 0; k < kGrainBlock; ++k) moved_squared[k] += (x[k] + moved[k]) * (x[k] + moved[k]);
     }
+  }
+
+  /// BlockSums::next_speed_squared: (p + q)^2 <= 1.2 p^2 + 6 q^2, and a kick is mostly small beside the velocity.
+  static double next_speed_squared(const GrainView<Dim>& grains, int begin, double half_step) {
+    const double* const inverse_mass = masses(grains, grains.inverse_mass, begin);
+    P largest(0.0);
+    for (int k = 0; k < kGrainBlock; k += P::kWidth) {
+      const P gain = P(half_step) * P::load(inverse_mass + k);
+      P speed_squared(0.0), force_squared(0.0);
+      for (int a = 0; a < Dim; ++a) {
+        const P v = P::load(grains.v[a] + begin + k), force = P::load(grains.force[a] + begin + k);
+        speed_squared += v * v;
+        force_squared += force * force;
+      }
+      keep_larger((P(1.2) * speed_squared + P(6.0) * (gain * gain) * force_squared) *
+                      P::load(grains.inverse_skin_squared + begin + k),
+                  largest);
+    }
+    return largest_lane(largest);
+  }
+
+  static void keep_larger(const P& number, P& largest) {
+    largest = blend(largest < number, number, largest);
+  }
+
+  static double largest_lane(const P& lanes) {
+    double largest = 0.0;
+    for (int l = 0; l < P::kWidth; ++l)
+      if (largest < lanes.v[l]) largest = lanes.v[l];
+    return largest;
   }
 
   /// Force on the grains j of pairs across the boundary, times their image's displacement.
@@ -278,16 +304,10 @@ struct GrainKernels {
     }
   }
 
-  static void sum_forces(const GrainView<Dim>& grains, const PairView<Dim>& pairs, const BlockSumsPlan& plan,
-                         int begin, Torques& torque) {
+  static void sum_forces(const GrainView<Dim>& grains, const BlockSumsPlan& plan, int begin, Torques& torque) {
     Sum as_i[kGrainBlock], as_j[kGrainBlock];
-    sum_rows<Side::i>(pairs.row, plan.as_i, as_i);
-    if (plan.sums_as_j) {
-      __builtin_memcpy(as_j, plan.sums_as_j, sizeof(as_j));
-      __builtin_memset(plan.sums_as_j, 0, sizeof(as_j));
-    } else {
-      sum_rows<Side::j>(pairs.row, plan.as_j, as_j);
-    }
+    sum_rows<Side::i>(plan.rows, plan.as_i, as_i);
+    sum_rows<Side::j>(plan.rows, plan.as_j, as_j);
     set_forces(grains, begin, as_i, as_j, torque);
   }
 

@@ -120,7 +120,7 @@ struct PairView {
 };
 
 /// The rows that each grain of a block sums as the first, or as the second, grain of a pair: places from
-/// PairView::row on, for each grain in ascending order of its pairs. Grains with similar numbers of rows stand
+/// BlockSumsPlan::rows on, for each grain in ascending order of its pairs. Grains with similar numbers of rows stand
 /// side by side in groups, which are summed without branches to a depth of their own: depth x kSumGroup places,
 /// those of a grain with fewer rows filled up with the row that stays zero. The rows of a grain beyond the
 /// depth of its group follow on their own.
@@ -135,7 +135,7 @@ struct SideSumsPlan {
 
 struct BlockSumsPlan {
   SideSumsPlan as_i, as_j;
-  double* sums_as_j;  ///< of the grains of the block, as add_to_second_grains() leaves them; null: by as_j
+  const double* rows;
   int n_crossing;
   const int* crossing;  ///< pairs of the block whose branch crosses the boundary, ascending
 };
@@ -147,7 +147,7 @@ struct alignas(64) BlockSums {
                                  ///< a rectangular one its diagonal
   double momentum_flux[Dim][Dim] = {};  ///< sum m v_a v_b, likewise
   double rotation = 0.0;                ///< sum I w^2
-  double consumed_squared = 0.0;  ///< largest displacement since the list was built, in skins of the grain
+  double next_speed_squared = 0.0;      ///< bound of the largest |v| + |F half_step/m|, in skins of the grain
 };
 
 /// Half a step of acceleration: v <- keep v + gain (half_step/m) F. The matrices here are upper triangular
@@ -170,7 +170,6 @@ enum class Rotation {
 template <int Dim>
 struct Drift {
   double stretch[Dim][Dim], drift[Dim][Dim];
-  double list_stretch[Dim][Dim];  ///< deformation since the list was built
 };
 
 /// Walls as pairs see them, one array entry per wall: the plane n x = level, n the unit normal from the grains
@@ -195,17 +194,17 @@ template <int Dim>
 struct StepKernels {
   /// @param stands  of the rotation: where it is in the middle of this step, it stays as it is
   void (*kick_and_drift)(const GrainView<Dim>&, int first_grain, const Kick<Dim>&, const Drift<Dim>&,
-                         Rotation stands, BlockSums<Dim>&);
+                         Rotation stands);
+  /// Square of the largest displacement since the list was built, in skins of the grain.
+  /// @param list_stretch  deformation since then
+  double (*motion_squared)(const GrainView<Dim>&, int first_grain, const double (&list_stretch)[Dim][Dim]);
   /// Rows and springs of the pairs [first, last). @param law  the composed law, of the alternative chosen
   void (*compute_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                         const PairCell<Dim>&);
   /// The same for pairs of grains with walls.
   void (*compute_wall_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                              const PairCell<Dim>&);
-  /// Adds the rows of the pairs [first, last) to those sums of their second grains, at `sums` for the grain 0.
-  void (*add_to_second_grains)(const PairView<Dim>&, int first, int last, double* sums);
-  /// Uses up sums_as_j, and leaves zeros there. @param to  where to leave the rotation; at the end of the step it
-  /// leaves the torques, too
+  /// @param to  where to leave the rotation; at the end of the step it leaves the torques, too
   void (*sum_and_kick)(const GrainView<Dim>&, const PairView<Dim>&, const BlockSumsPlan&, int first_grain,
                        const PairCell<Dim>&, const Kick<Dim>&, Rotation to, BlockSums<Dim>&);
 };

@@ -24,8 +24,8 @@ struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
       // What rows hold makes no difference to the drift.
       using Drift = GrainKernels<Isa, Dim, kShape, L::kHasFriction ? RowKind::moments : RowKind::forces>;
       using Sums = GrainKernels<Isa, Dim, kShape, kRowKind<L, Dim>>;
-      return {&Drift::kick_and_drift, &PairKernel<Isa, Dim, Grains, L>::compute,
-              &PairKernel<Isa, Dim, Walls, L>::compute, &Sums::add_to_second_grains, &Sums::sum_and_kick};
+      return {&Drift::kick_and_drift, &Drift::motion_squared, &PairKernel<Isa, Dim, Grains, L>::compute,
+              &PairKernel<Isa, Dim, Walls, L>::compute, &Sums::sum_and_kick};
     }
   }
   static constexpr StepKernels<Dim> kTable[] = {kernels_of<Law>()...};

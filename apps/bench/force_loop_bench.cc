@@ -94,8 +94,7 @@ void passes(benchmark::State& state) {
   grains.copy_positions_to(ordered);
   std::copy_n(grains.radius.begin(), grains.size(), ordered.radius.begin());
   const auto new_pairs = [&] {
-    return PairArrays<2>(find_pairs(packing.cell, ordered, 0.005), Partner::grain, ordered.radius,
-                         grains.of_grains(grains.mass), law, 1e-4, 1);
+    return PairArrays<2>(find_pairs(packing.cell, ordered, 0.005), Partner::grain, grains, law, 1e-4, 1);
   };
   PairArrays<2> pairs = new_pairs();
   const StepKernels<2>& kernels =

@@ -45,7 +45,7 @@ Packing<Dim> agitated_gas(int n, const LawParameters& law) {
   return gas;
 }
 
-/// The same with so many grains that one thread keeps the rows of one block at a time.
+/// The same with so many grains that the rows of many blocks have been summed before those of the last are written.
 template <int Dim>
 Packing<Dim> large_agitated_gas(const LawParameters& law) {
   Vec<Dim, int> copies = Vec<Dim, int>::Constant(Dim == 2 ? 6 : 3);
@@ -114,7 +114,7 @@ void expect_no_trace_of_threads() {
   expect_same_bits(one, two);
 }
 
-/// Several threads keep the rows of all pairs, one thread those of a block where there are many.
+/// Several threads keep all rows; in one thread's, later rows take over the places of earlier ones.
 template <int Dim>
 void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
   const double dt = time_step_of(gas, RelaxationOptions{}.time_step);

@@ -17,8 +17,7 @@ class KernelPair {
       : grains_(start(overlap), {0, 1}),
         interaction_(Partner::grain, law, compose_law(law), row_kind<3>(compose_law(law)), instructions,
                      LatticeShape::rectangular) {
-    const std::array<double, 2> radius{0.5, 0.5}, mass{1.0, 1.0};
-    interaction_.set_pairs({{{0, 1, {0, 0, 0}}}, Partner::grain, radius, mass, interaction_.law(), 1e-9, 1});
+    interaction_.set_pairs({{{0, 1, {0, 0, 0}}}, Partner::grain, grains_, interaction_.law(), 1e-9, 1});
     rows_ = {{&interaction_.pairs()}, interaction_.rows(), 2};
     interaction_.set_rows(rows_.rows_of_group(0));
     inverse_skin_squared_.assign(grains_.x[0].size(), 1.0);

@@ -22,13 +22,56 @@ std::uint64_t morton(const Vec<Dim>& s) {
   return code;
 }
 
+/// From so many on, the rows of spheres pay.
+constexpr int kManySpheres = 10'000;
+/// Thickness of rows and layers, of the mean spacing of grains (with 108 000 spheres 0.5 and 0.9 are slower by 8 %).
+constexpr double kRowThickness = 0.7;
+constexpr int kBitsOfRows = 20, kBitsAlongRow = 24;
+
+/// Number of rows across an axis.
+double rows_across(double width, double spacing) {
+  return std::clamp(std::round(width / (kRowThickness * spacing)), 1.0, std::exp2(kBitsOfRows));
+}
+
+std::uint64_t place_in_rows(const Vec<3>& s, double rows_of_layer, double layers) {
+  const auto part = [](double coordinate, double of) {
+    return static_cast<std::uint64_t>(std::min((coordinate - std::floor(coordinate)) * of, of - 1.0));
+  };
+  return (part(s[2], layers) << kBitsOfRows | part(s[1], rows_of_layer)) << kBitsAlongRow |
+         part(s[0], std::exp2(kBitsAlongRow));
+}
+
+template <int Dim>
+std::vector<std::uint64_t> places_along_curve(const Cell<Dim>& cell, const Grains<Dim>& grains) {
+  const Mat<Dim> to_reduced = cell.matrix.transpose().inverse();
+  std::vector<std::uint64_t> code;
+  for (const Vec<Dim>& x : grains.position) code.push_back(morton<Dim>(to_reduced * x));
+  return code;
+}
+
+std::vector<std::uint64_t> places_in_rows(const Cell<3>& cell, const Grains<3>& grains) {
+  const Mat<3> to_reduced = cell.matrix.transpose().inverse();
+  const double spacing = std::cbrt(cell.volume() / grains.size());
+  // Across the faces: the lattice may be oblique.
+  const double rows_of_layer = rows_across(1.0 / to_reduced.row(1).norm(), spacing),
+               layers = rows_across(1.0 / to_reduced.row(2).norm(), spacing);
+  std::vector<std::uint64_t> code;
+  for (const Vec<3>& x : grains.position) code.push_back(place_in_rows(to_reduced * x, rows_of_layer, layers));
+  return code;
+}
+
+template <int Dim>
+std::vector<std::uint64_t> places(const Cell<Dim>& cell, const Grains<Dim>& grains) {
+  if constexpr (Dim == 3)
+    if (grains.size() >= kManySpheres) return places_in_rows(cell, grains);
+  return places_along_curve(cell, grains);
+}
+
 }  // namespace
 
 template <int Dim>
 std::vector<int> space_order(const Cell<Dim>& cell, const Grains<Dim>& grains) {
-  const Mat<Dim> to_reduced = cell.matrix.transpose().inverse();
-  std::vector<std::uint64_t> code(grains.size());
-  for (int i = 0; i < grains.size(); ++i) code[i] = morton<Dim>(to_reduced * grains.position[i]);
+  const std::vector<std::uint64_t> code = places(cell, grains);
   std::vector<int> order(grains.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int p, int q) { return code[p] < code[q]; });

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
+#include <vector>
 
 #include "floc/relaxation/explicit_dynamics.h"
 
@@ -195,13 +195,11 @@ void ExplicitDynamics<Dim>::build_lists() {
   sums_of_rows_ = RowSums<Dim>();  // of the lists that end here
   std::vector<Pairs> close = close_pairs();
   out_of_range_share_ = out_of_range_share(close[0]);
-  const std::span<const double> radius = grains_.of_grains(grains_.radius),
-                                mass = grains_.of_grains(grains_.mass);
   std::vector<const PairArrays<Dim>*> lists;
   for (std::size_t k = 0; k < interactions_.size(); ++k) {
     Interaction<Dim>& interaction = interactions_[k];
     interaction.set_pairs(
-        {close[k], interaction.partner(), radius, mass, interaction.law(), dt_, blocks_of_group()});
+        {close[k], interaction.partner(), grains_, interaction.law(), dt_, blocks_of_group()});
     close[k] = Pairs();
     lists.push_back(&interaction.pairs());
   }

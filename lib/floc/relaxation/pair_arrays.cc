@@ -4,16 +4,15 @@
 #include <variant>
 
 #include "floc/packing/contact_order.h"
-#include "floc/relaxation/grain_arrays.h"
 
 namespace floc {
 template <int Dim>
 PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner,
-                            std::span<const double> radius, std::span<const double> mass,
-                            const AnyContactLaw& any_law, double time_step, int blocks_of_group)
-    : partner_(partner),
-      own_numbers_(partner == Partner::grain && all_equal(radius) && all_equal(mass) ? 0 : -1),
-      blocks_of_group_(blocks_of_group) {
+                            const GrainArrays<Dim>& grains, const AnyContactLaw& any_law, double time_step,
+                            int blocks_of_group)
+    : partner_(partner), blocks_of_group_(blocks_of_group) {
+  const std::span<const double> radius = grains.of_grains(grains.radius), mass = grains.of_grains(grains.mass);
+  if (partner == Partner::grain && all_equal(radius) && all_equal(mass)) own_numbers_ = 0;
   const bool with_walls = partner == Partner::wall;
   const int n_grains = static_cast<int>(radius.size());
   reserve(pairs.size() + pairs.size() / 8 + static_cast<std::size_t>(n_grains));

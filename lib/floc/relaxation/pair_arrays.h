@@ -10,6 +10,7 @@
 #include "floc/contact/law_table.h"
 #include "floc/contact/memory_layout.h"
 #include "floc/neighbors/pairs.h"
+#include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
 namespace floc {
@@ -29,7 +30,7 @@ inline double lagging_damping(double coefficient, double effective_mass, double 
 /// component. A block of grains owns the pairs whose first grain it owns; they are contiguous and in order. Those of
 /// each group of blocks are padded to whole vectors with pairs that no grain sums: of a grain and its own image far
 /// away, or of a grain and a wall. Where all grains are alike, numbers that follow from their sizes are kept once
-/// for all pairs: of 100 000 spheres a step is a tenth faster.
+/// for all pairs.
 template <int Dim>
 class PairArrays {
  public:
@@ -40,10 +41,10 @@ class PairArrays {
   std::array<Component, MemoryLayout<Dim>::kSize> memory;
 
   PairArrays() = default;
-  /// @param pairs  sorted, of the grains whose radii and masses are given in the order of GrainArrays
+  /// @param pairs            sorted, of grains by their places among `grains`
   /// @param blocks_of_group  blocks whose pairs are always computed together, and padded together
-  PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner, std::span<const double> radius,
-             std::span<const double> mass, const AnyContactLaw& law, double time_step, int blocks_of_group);
+  PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner, const GrainArrays<Dim>& grains,
+             const AnyContactLaw& law, double time_step, int blocks_of_group);
 
   /// Pairs and padding.
   int size() const { return static_cast<int>(i_.size()); }

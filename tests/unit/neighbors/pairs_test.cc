@@ -179,6 +179,28 @@ TEST(SpaceOrder, IsAPermutationThatKeepsNeighboursClose) {
   for (int k = 0; k < grains.size(); ++k) ASSERT_EQ(order[k], k);
 }
 
+TEST(SpaceOrder, OfManySpheresHasNeighboursWithinAFewLayers) {
+  constexpr int kGrains = 12'000;
+  constexpr double kSide = 24.0;
+  Cell<3> cell;
+  cell.matrix *= kSide;
+  cell.matrix(1, 0) = 5.0;
+  Grains<3> grains = random_grains(kGrains, cell, 0.5, 2);
+  for (Vec<3>& x : grains.position) x = cell.wrapped(x);
+  const std::vector<int> order = space_order(cell, grains);
+  std::vector<int> place(order.size(), -1);
+  for (int k = 0; k < kGrains; ++k) place[order[k]] = k;
+  EXPECT_THAT(place, testing::Each(testing::Ge(0)));
+  int furthest = 0, n_pairs = 0;
+  for (const NeighborPair<3>& pair : find_pairs(cell, grains, 0.0)) {
+    if (!pair.image.isZero()) continue;  // across the boundary, where the order begins anew
+    furthest = std::max(furthest, std::abs(place[pair.i] - place[pair.j]));
+    ++n_pairs;
+  }
+  EXPECT_GT(n_pairs, kGrains / 4);
+  EXPECT_LT(furthest, 3.0 / kSide * kGrains);
+}
+
 TEST(FindPairs, RefusesARadiusNearTheLargestNumberInWords) {
   Grains<2> grains = Grains<2>::with_size(2);
   grains.radius = {1e308, 0.5};

@@ -25,7 +25,7 @@ TEST(Dynamics, ThreadsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_threads<2>();
 }
 
-TEST(Dynamics, KeepingRowsOfOneBlockLeavesNoTraceInTheBits) {
+TEST(Dynamics, PlacesOfRowsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_kept_rows(test::large_agitated_gas<2>(cohesive_law()));
 }
 

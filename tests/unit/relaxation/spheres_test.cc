@@ -22,7 +22,7 @@ TEST(Spheres, ThreadsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_threads<3>();
 }
 
-TEST(Spheres, KeepingRowsOfOneBlockLeavesNoTraceInTheBits) {
+TEST(Spheres, PlacesOfRowsLeaveNoTraceInTheBits) {
   LawParameters frictionless = cohesive_law();
   frictionless.friction.reset();
   frictionless.rolling.reset();

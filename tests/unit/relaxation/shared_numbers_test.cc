@@ -1,0 +1,25 @@
+#include <gtest/gtest.h>
+
+#include "support/listed_gas.h"
+
+/// Numbers of equal grains, and of their pairs, are kept once: steps would be slower without that, and no less right.
+namespace floc {
+namespace {
+
+/// Grains that do not fill their last block, with padding after them.
+constexpr int kGrains = 3 * kGrainBlock / 2;
+
+TEST(SharedNumbers, OfEqualGrainsAreKeptOnce) {
+  test::ListedGas gas(kGrains);
+  EXPECT_EQ(gas.grains.view({}, {}).own_masses, 0);
+  EXPECT_EQ(gas.pair_view().own_numbers, 0);
+}
+
+TEST(SharedNumbers, OfUnequalGrainsAreTheirOwn) {
+  test::ListedGas gas(kGrains, 1, test::ListedGas::Sizes::unequal);
+  EXPECT_EQ(gas.grains.view({}, {}).own_masses, -1);
+  EXPECT_EQ(gas.pair_view().own_numbers, -1);
+}
+
+}  // namespace
+}  // namespace floc

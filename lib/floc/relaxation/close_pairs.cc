@@ -59,11 +59,11 @@ double ExplicitDynamics<Dim>::list_cost_share() const {
   return kListCost / steps_since_list_;
 }
 
-/// What motion has taken of the skin since the list was built: the largest displacement in halves of each
-/// grain's own skin, and the affine shrinking. @param moved  that displacement
+/// What motion has taken of the skin since the list was built, as far as it is known: the largest displacement in
+/// halves of each grain's own skin, and the affine shrinking.
 template <int Dim>
-double ExplicitDynamics<Dim>::consumed_skin(double moved) const {
-  return std::max(moved * skin_, 2.0 * walls_.moved_since_mark()) +
+double ExplicitDynamics<Dim>::consumed_skin() const {
+  return std::max(moved_ * skin_, 2.0 * walls_.moved_since_mark()) +
          shrink_since_list() * (largest_diameter_ + interactions_[0].range() + skin_) / kMinSkinShare;
 }
 
@@ -79,17 +79,23 @@ void ExplicitDynamics<Dim>::bound_motion() {
 }
 
 template <int Dim>
-double ExplicitDynamics<Dim>::motion_of(int block) const {
+void ExplicitDynamics<Dim>::measure_motion(int block) {
   double list_stretch[Dim][Dim];
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) list_stretch[a][b] = list_stretch_(a, b);
-  return std::sqrt(interactions_[0].kernels().motion_squared(grain_view_, block * kGrainBlock, list_stretch));
+  motion_of_block_[block] =
+      std::sqrt(interactions_[0].kernels().motion_squared(grain_view_, block * kGrainBlock, list_stretch));
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::take_measured_motion() {
+  moved_ = *std::max_element(motion_of_block_.begin(), motion_of_block_.end());
 }
 
 /// After the grains have drifted and the motion of each block has been measured.
 template <int Dim>
 void ExplicitDynamics<Dim>::renew_list() {
-  moved_ = *std::max_element(motion_of_block_.begin(), motion_of_block_.end());
+  take_measured_motion();
   if (list_is_stale()) rebuild_list();
 }
 
@@ -132,7 +138,7 @@ Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const {
 template <int Dim>
 bool ExplicitDynamics<Dim>::list_is_stale() const {
   if (list_cost_share() < 0.5 * out_of_range_share_ && skin_ > min_skin() && !shares_liquid()) return true;
-  return !(consumed_skin(moved_) < skin_);
+  return !(consumed_skin() < skin_);
 }
 
 template <int Dim>
@@ -149,7 +155,7 @@ void ExplicitDynamics<Dim>::adapt_skin() {
     skin_ = std::min((cost > 4.0 * out_of_range_share_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
   // Twice what motion consumed of a skin is enough for a list that lasts as long.
   if (cost < 0.5 * out_of_range_share_)
-    skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(moved_)), min_skin());
+    skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin()), min_skin());
 }
 
 /// The next chunk begins with a new list in any case: where one list has served for all of this one, twice
@@ -157,9 +163,7 @@ void ExplicitDynamics<Dim>::adapt_skin() {
 template <int Dim>
 double ExplicitDynamics<Dim>::skin() const {
   if (!on_first_list_ || steps_since_list_ == 0) return skin_;
-  double moved = 0.0;
-  for (int b = 0; b < n_blocks(); ++b) moved = std::max(moved, motion_of(b));
-  return std::min(skin_, std::max(2.0 * consumed_skin(moved), min_skin()));
+  return std::min(skin_, std::max(2.0 * consumed_skin(), min_skin()));
 }
 
 /// Share of a step that goes into pairs out of each other's range: a grain costs about as much as a pair.

@@ -148,6 +148,10 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
       if (thread == 0) end_step(motion);
       stands = next;
     }
+    // skin() asks for it.
+    for (int b = first; b < last; ++b) measure_motion(b);
+    barrier.wait();
+    if (thread == 0) take_measured_motion();
   }
 }
 

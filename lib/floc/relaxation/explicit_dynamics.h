@@ -73,10 +73,10 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void end_step(Motion motion);
   void refresh_forces();
   double list_cost_share() const;
-  double consumed_skin(double moved) const;
+  double consumed_skin() const;
   void bound_motion();
-  double motion_of(int block) const;
-  void measure_motion(int block) { motion_of_block_[block] = motion_of(block); }
+  void measure_motion(int block);
+  void take_measured_motion();
   double min_skin() const;
   std::vector<double> skin_shares() const;
   double shrink_since_list() const;

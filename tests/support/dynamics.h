@@ -45,11 +45,12 @@ Packing<Dim> agitated_gas(int n, const LawParameters& law) {
   return gas;
 }
 
-/// The same with so many grains that the rows of many blocks have been summed before those of the last are written.
+/// The same with so many grains that the rows of many blocks have been summed before those of the last are written, and
+/// so long that threads share few blocks.
 template <int Dim>
 Packing<Dim> large_agitated_gas(const LawParameters& law) {
-  Vec<Dim, int> copies = Vec<Dim, int>::Constant(Dim == 2 ? 6 : 3);
-  copies[0] = Dim == 2 ? 5 : 4;
+  Vec<Dim, int> copies = Vec<Dim, int>::Ones();
+  copies[Dim - 1] = 36;
   Packing<Dim> gas = tiled<Dim>(agitated_gas<Dim>(300, law), copies);
   RandomStream random(8, 2);
   agitate(gas, 1.0, random);

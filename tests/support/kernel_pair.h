@@ -18,7 +18,7 @@ class KernelPair {
         interaction_(Partner::grain, law, compose_law(law), row_kind<3>(compose_law(law)), instructions,
                      LatticeShape::rectangular) {
     interaction_.set_pairs({{{0, 1, {0, 0, 0}}}, Partner::grain, grains_, interaction_.law(), 1e-9, 1});
-    rows_ = {{&interaction_.pairs()}, interaction_.rows(), 2};
+    rows_ = {{&interaction_.pairs()}, interaction_.rows(), 2, SweepPlan(interaction_.pairs(), 1, 1, 1)};
     interaction_.set_rows(rows_.rows_of_group(0));
     inverse_skin_squared_.assign(grains_.x[0].size(), 1.0);
   }
@@ -35,7 +35,7 @@ class KernelPair {
       }
     PairCell<3> cell{{}, {}, time, {}};
     for (int a = 0; a < 3; ++a) cell.lattice[a][a] = 100.0;
-    interaction_.compute(0, 1, grains_.view(grains_.x, inverse_skin_squared_), cell);
+    interaction_.compute(interaction_.view(), 0, 1, grains_.view(grains_.x, inverse_skin_squared_), cell);
   }
   /// The same to an overlap, without slip.
   void approach(double overlap, double time = 1.0) {

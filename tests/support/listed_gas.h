@@ -9,7 +9,7 @@
 
 namespace floc::test {
 
-/// A gas of spheres and its list of close pairs, as the force loop holds them.
+/// A gas of spheres, many times as long as wide, and its list of close pairs, as the force loop holds them.
 struct ListedGas {
   enum class Sizes { equal, unequal };
 
@@ -26,13 +26,15 @@ struct ListedGas {
   GrainArrays<3> grains;
 
  private:
+  static constexpr int kCopies = 24;
+
   static Packing<3> gas_with(int n, Sizes sizes) {
     GrainOptions grains;
-    grains.count = n;
+    grains.count = n / kCopies;
     grains.diameter.min = sizes == Sizes::equal ? 1.0 : 0.5;
     grains.diameter.max = 1.0;
     RandomStream random(1, 1);
-    return make_gas<3>(grains, cohesive_law(), 0.3, random);
+    return tiled<3>(make_gas<3>(grains, cohesive_law(), 0.3, random), {1, 1, kCopies});
   }
   std::vector<NeighborPair<3>> close_pairs() const {
     Grains<3> ordered = Grains<3>::with_size(grains.size());

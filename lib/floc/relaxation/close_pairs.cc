@@ -203,11 +203,9 @@ void ExplicitDynamics<Dim>::build_lists() {
     close[k] = Pairs();
     lists.push_back(&interaction.pairs());
   }
-  sums_of_rows_ = {lists, interactions_[0].rows(), grains_.size(),
-                   threads_ == 1 ? RowsKept::until_summed : RowsKept::for_good, blocks_of_group()};
-  interactions_[0].set_rows(sums_of_rows_.rows_of_group(0));
+  sweep_plan_ = {interactions_[0].pairs(), n_blocks(), threads_, blocks_of_group()};
+  sums_of_rows_ = {lists, interactions_[0].rows(), grains_.size(), sweep_plan_};
   if (!walls_.empty()) interactions_[1].set_rows(sums_of_rows_.rows_with_walls());
-  drift_order_ = {interactions_[0].pairs(), n_blocks(), blocks_of_group()};
   if (!walls_.empty()) list_pairs_of_walls();
   walls_.mark();
   x_list_ = grains_.x;

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Blocks whose pairs one thread computes before it sums them: each pass over pairs begins and ends slowly (4 %
+/// Blocks whose pairs a thread computes before it sums them, at most: each pass over pairs begins and ends slowly (4 %
 /// faster with 4000 spheres than block by block; as fast with 4, slower with all).
 constexpr int kBlocksOfGroup = 16;
 /// How far a grain may be, in sides of the cell; the search for neighbours can hold ten times as much.
@@ -111,13 +111,15 @@ void ExplicitDynamics<Dim>::load_memory(const std::vector<History>& histories) {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
-  const int threads = std::min(threads_, n_blocks());  // a thread without a block would only wait
+  const int threads = sweep_plan_.n_threads();
   Barrier barrier(threads);
 #pragma omp parallel num_threads(threads) if (threads > 1)
   {
     const int thread = omp_get_thread_num();
-    const int first = n_blocks() * thread / threads;
-    const int last = n_blocks() * (thread + 1) / threads;
+    const auto for_each_block = [&](const auto& visit) {  // of this thread
+      const int last = sweep_plan_.first_block(sweep_plan_.first_group(thread + 1));
+      for (int b = sweep_plan_.first_block(sweep_plan_.first_group(thread)); b < last; ++b) visit(b);
+    };
     Rotation stands = Rotation::at_end;
     for (int step = 0; step < n_steps; ++step) {
       // Nobody asks for spins before the last of the steps, but power control, which stops the grains.
@@ -125,31 +127,25 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
           step + 1 < n_steps && motion == Motion::free ? Rotation::in_middle : Rotation::at_end;
       if (thread == 0) begin_step();
       barrier.wait();
-      if (threads == 1 && !list_is_stale()) {
-        compute_and_kick(dt_, stands, next);
-      } else {
-        for (int b = first; b < last; ++b) kick_and_drift(b, stands);
+      const bool drifts_first = list_is_stale();
+      if (drifts_first) {
+        for_each_block([&](int b) { kick_and_drift(b, stands); });
+        for_each_block([&](int b) { measure_motion(b); });
         barrier.wait();
-        if (list_is_stale()) {
-          for (int b = first; b < last; ++b) measure_motion(b);
-          barrier.wait();
-          if (thread == 0) renew_list();
-          barrier.wait();
-        }
-        if (threads == 1) {
-          compute_and_kick(dt_, std::nullopt, next);
-        } else {
-          compute_pairs(first, last, dt_);
-          barrier.wait();
-          for (int b = first; b < last; ++b) sum_and_kick(b, next);
-          barrier.wait();
-        }
+        if (thread == 0) renew_list();
+      } else {
+        for (const int b : sweep_plan_.shared_of(thread)) kick_and_drift(b, stands);
       }
+      barrier.wait();
+      sweep(thread, dt_, drifts_first ? std::nullopt : std::optional(stands), next);
+      barrier.wait();
+      sum_shared_blocks(thread, next);
+      barrier.wait();
       if (thread == 0) end_step(motion);
       stands = next;
     }
     // skin() asks for it.
-    for (int b = first; b < last; ++b) measure_motion(b);
+    for_each_block([&](int b) { measure_motion(b); });
     barrier.wait();
     if (thread == 0) take_measured_motion();
   }
@@ -192,13 +188,6 @@ void ExplicitDynamics<Dim>::kick_and_drift(int block, Rotation stands) {
   interactions_[0].kernels().kick_and_drift(grain_view_, block * kGrainBlock, kick_, drift_, stands);
 }
 
-/// Of the grains that the pairs of a group of blocks are the first to read.
-template <int Dim>
-void ExplicitDynamics<Dim>::drift_for_group(int group, Rotation stands) {
-  for (int k = group == 0 ? 0 : drift_order_.end[group - 1]; k < drift_order_.end[group]; ++k)
-    kick_and_drift(drift_order_.block[k], stands);
-}
-
 template <int Dim>
 PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
   PairCell<Dim> cell{{}, {}, slip_time, walls_.view()};
@@ -207,37 +196,47 @@ PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
   return cell;
 }
 
-/// Those whose pairs are computed in one pass. Threads share the blocks out one by one.
+/// Those whose pairs are computed in one pass: as many for each thread, and nearly equal.
 template <int Dim>
 int ExplicitDynamics<Dim>::blocks_of_group() const {
-  return threads_ > 1 ? 1 : kBlocksOfGroup;
+  const auto parts = [](int all, int most) { return (all + most - 1) / most; };
+  const int groups_of_thread = parts(n_blocks(), threads_ * kBlocksOfGroup);
+  return parts(n_blocks(), threads_ * groups_of_thread);
 }
 
-/// All blocks by one thread, those of a group before the next: pairs belong to their lower grain, so that the rows of
-/// a block are in its group and in those before.
+/// Pairs of a thread's blocks, and sums of those that it shares with no other.
 template <int Dim>
-void ExplicitDynamics<Dim>::compute_and_kick(double slip_time, std::optional<Rotation> undrifted, Rotation to) {
-  for (int first = 0, group = 0; first < n_blocks(); first += blocks_of_group(), ++group) {
-    const int last = std::min(first + blocks_of_group(), n_blocks());
-    if (undrifted) drift_for_group(group, *undrifted);
-    interactions_[0].set_rows(sums_of_rows_.rows_of_group(group),
-                              interactions_[0].pairs().first_of_block(first));
-    compute_pairs(first, last, slip_time);
-    for (int b = first; b < last; ++b) sum_and_kick(b, to);
+void ExplicitDynamics<Dim>::sweep(int thread, double slip_time, std::optional<Rotation> undrifted,
+                                  Rotation to) {
+  const PairCell<Dim> cell = pair_cell(slip_time);
+  for (int group = sweep_plan_.first_group(thread); group < sweep_plan_.first_group(thread + 1); ++group) {
+    if (undrifted)
+      for (const int b : sweep_plan_.drifting_for(group)) kick_and_drift(b, *undrifted);
+    const int first = sweep_plan_.first_block(group), last = sweep_plan_.first_block(group + 1);
+    const PairView<Dim> pairs = pairs_of_group(group);
+    interactions_[0].compute(pairs, first, last, grain_view_, cell);
+    if (!walls_.empty()) interactions_[1].compute(interactions_[1].view(), first, last, grain_view_, cell);
+    for (int b = first; b < last; ++b)
+      if (!sweep_plan_.is_shared(b)) sum_and_kick(pairs, b, to);
   }
 }
 
-/// Those of the blocks [first, last).
 template <int Dim>
-void ExplicitDynamics<Dim>::compute_pairs(int first, int last, double slip_time) {
-  const PairCell<Dim> cell = pair_cell(slip_time);
-  for (const Interaction<Dim>& interaction : interactions_) interaction.compute(first, last, grain_view_, cell);
+void ExplicitDynamics<Dim>::sum_shared_blocks(int thread, Rotation to) {
+  for (const int b : sweep_plan_.shared_of(thread))
+    sum_and_kick(pairs_of_group(sweep_plan_.group_of(b)), b, to);
 }
 
 template <int Dim>
-void ExplicitDynamics<Dim>::sum_and_kick(int block, Rotation to) {
-  interactions_[0].kernels().sum_and_kick(grain_view_, interactions_[0].view(), sums_of_rows_.plan(block),
-                                          block * kGrainBlock, pair_cell(0.0), kick_, to, sums_[block]);
+PairView<Dim> ExplicitDynamics<Dim>::pairs_of_group(int group) {
+  const int first = interactions_[0].pairs().first_of_block(sweep_plan_.first_block(group));
+  return interactions_[0].view(sums_of_rows_.rows_of_group(group), first);
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::sum_and_kick(const PairView<Dim>& pairs, int block, Rotation to) {
+  interactions_[0].kernels().sum_and_kick(grain_view_, pairs, sums_of_rows_.plan(block), block * kGrainBlock,
+                                          pair_cell(0.0), kick_, to, sums_[block]);
   if (lattice_under_stress_ && !walls_.empty()) add_wall_virial(block);
 }
 
@@ -288,7 +287,9 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
   kick_ = kick_over(0.0);
-  compute_and_kick(0.0, std::nullopt, Rotation::at_end);
+  for (int thread = 0; thread < sweep_plan_.n_threads(); ++thread)
+    sweep(thread, 0.0, std::nullopt, Rotation::at_end);
+  for (int thread = 0; thread < sweep_plan_.n_threads(); ++thread) sum_shared_blocks(thread, Rotation::at_end);
   moved_ = std::numeric_limits<double>::infinity();  // a kick of no time tells nothing of the next speeds
   sum_forces_on_walls();
 }

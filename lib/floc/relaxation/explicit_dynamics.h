@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "floc/packing/liquid.h"
-#include "floc/relaxation/drift_order.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/interaction.h"
 #include "floc/relaxation/row_sums.h"
+#include "floc/relaxation/sweep_plan.h"
 #include "floc/relaxation/wall_motion.h"
 
 namespace floc {
@@ -62,14 +62,14 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   PairCell<Dim> pair_cell(double slip_time) const;
   Kick<Dim> kick_over(double half_step) const;
   void kick_and_drift(int block, Rotation stands);
-  void drift_for_group(int group, Rotation stands);
   int blocks_of_group() const;
   /// @param undrifted  how the rotation of the grains stands, where they are still to drift, each block just before
   ///                   pairs read it
-  void compute_and_kick(double slip_time, std::optional<Rotation> undrifted, Rotation to);
-  void compute_pairs(int first, int last, double slip_time);
+  void sweep(int thread, double slip_time, std::optional<Rotation> undrifted, Rotation to);
+  void sum_shared_blocks(int thread, Rotation to);
+  PairView<Dim> pairs_of_group(int group);
   void add_wall_virial(int block);
-  void sum_and_kick(int block, Rotation to);
+  void sum_and_kick(const PairView<Dim>& pairs, int block, Rotation to);
   void end_step(Motion motion);
   void refresh_forces();
   double list_cost_share() const;
@@ -115,6 +115,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
 
   GrainArrays<Dim> grains_;
   GrainView<Dim> grain_view_;
+  SweepPlan sweep_plan_;
   RowSums<Dim> sums_of_rows_;
   // The lattice vectors are columns here: upper triangular matrices, diagonal for a rectangular cell.
   // Along an axis between walls the lattice rests: grains there do not follow its deformation.
@@ -130,7 +131,6 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Mat<Dim> lattice_at_list_;
   Mat<Dim> list_stretch_;                ///< deformation since the list was built
   std::optional<BridgeSearch> bridges_;  ///< where the law has liquid
-  DriftOrder drift_order_;
   /// No grain has moved further since the list was built, in halves of its skin; and what rounding may add in a step.
   double moved_ = 0.0, rounding_ = 0.0;
   std::vector<double> motion_of_block_;  ///< when it was last measured

@@ -35,10 +35,10 @@ void Interaction<Dim>::set_pairs(PairArrays<Dim> pairs) {
 }
 
 template <int Dim>
-void Interaction<Dim>::compute(int first, int last, const GrainView<Dim>& grains,
+void Interaction<Dim>::compute(const PairView<Dim>& pairs, int first, int last, const GrainView<Dim>& grains,
                                const PairCell<Dim>& cell) const {
   const auto kernel = partner_ == Partner::wall ? kernels_.compute_wall_pairs : kernels_.compute_pairs;
-  kernel(composed_law_, grains, arrays_, pairs_.first_of_block(first), pairs_.first_of_block(last), cell);
+  kernel(composed_law_, grains, pairs, pairs_.first_of_block(first), pairs_.first_of_block(last), cell);
 }
 
 template <int Dim>

@@ -29,15 +29,23 @@ class Interaction {
   typename PairArrays<Dim>::Component& bridge_volume() { return pairs_.bridge_volume(); }
   void refresh_bridges() { pairs_.refresh_bridges(law_); }
   const PairView<Dim>& view() const { return arrays_; }
+  /// With rows elsewhere: where that of a pair goes, and those of the pairs after it.
+  PairView<Dim> view(double* row, int with_row) const {
+    PairView<Dim> pairs = arrays_;
+    pairs.row = row;
+    pairs.with_row = with_row;
+    return pairs;
+  }
 
   /// Takes a new list of pairs, which inherits the memory of the one before.
   void set_pairs(PairArrays<Dim> pairs);
   /// Drops what forces alone need.
   void keep_memory_alone() { pairs_.keep_memory_alone(); }
-  /// Where the rows of the list begin, or those from a pair on.
-  void set_rows(double* rows, int with_row = 0) { arrays_.row = rows, arrays_.with_row = with_row; }
-  /// Rows, springs and memory of the pairs of the blocks [first, last).
-  void compute(int first, int last, const GrainView<Dim>& grains, const PairCell<Dim>& cell) const;
+  /// Where the rows of the list begin.
+  void set_rows(double* rows) { arrays_.row = rows; }
+  /// Rows, springs and memory of the pairs of the blocks [first, last). @param pairs  a view of them
+  void compute(const PairView<Dim>& pairs, int first, int last, const GrainView<Dim>& grains,
+               const PairCell<Dim>& cell) const;
 
   /// Copies the memory of a contact into that of its pair, and back. @param swapped  the pair is the contact
   /// seen from its other grain

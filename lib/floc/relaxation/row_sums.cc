@@ -26,6 +26,38 @@ int depth_of_group(const Count& count) {
   return best;
 }
 
+template <int Dim>
+int first_pair(const PairArrays<Dim>& pairs, const SweepPlan& plan, int group) {
+  return pairs.first_of_block(plan.first_block(group));
+}
+
+/// Places of the rows of groups, as numbers. A group takes over that of the latest of its thread's groups all of whose
+/// rows have been summed, or a new one.
+template <int Dim>
+std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& plan) {
+  std::vector<int> slots;
+  std::vector<std::vector<int>> left(plan.n_groups());  // slots that are free once a group is summed
+  int n_slots = 0;
+  for (int thread = 0; thread < plan.n_threads(); ++thread) {
+    std::vector<int> free;
+    for (int g = plan.first_group(thread); g < plan.first_group(thread + 1); ++g) {
+      if (free.empty()) free.push_back(n_slots++);
+      slots.push_back(free.back());
+      free.pop_back();
+      int last = g;
+      bool kept = false;  // for blocks that are summed after all pairs
+      for (int p = first_pair(pairs, plan, g); p < first_pair(pairs, plan, g + 1); ++p) {
+        const int i = pairs.i(p) / kGrainBlock, j = pairs.j(p) / kGrainBlock;
+        last = std::max(last, plan.group_of(j));
+        kept = kept || plan.is_shared(i) || plan.is_shared(j);
+      }
+      if (!kept) left[last].push_back(slots.back());
+      free.insert(free.end(), left[g].begin(), left[g].end());
+    }
+  }
+  return slots;
+}
+
 }  // namespace
 
 int row_place(std::int64_t pair, int row_size) {
@@ -37,13 +69,14 @@ int row_place(std::int64_t pair, int row_size) {
 }
 
 template <int Dim>
-RowSums<Dim>::RowSums(const Lists& lists, RowKind rows, int n_grains, RowsKept kept, int blocks_of_group)
-    : blocks_of_group_(blocks_of_group),
-      row_size_(row_size<Dim>(rows)),
+RowSums<Dim>::RowSums(const Lists& lists, RowKind rows, int n_grains, const SweepPlan& plan)
+    : row_size_(row_size<Dim>(rows)),
       plans_(static_cast<std::size_t>((n_grains + kGrainBlock - 1) / kGrainBlock)) {
-  place_rows(lists, kept);
-  const RowsOfGrains as_i = rows_of(lists, [](const PairArrays<Dim>& pairs, int p) { return pairs.i(p); });
-  const RowsOfGrains as_j = rows_of({lists[0]}, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
+  place_rows(lists, plan);
+  const RowsOfGrains as_i =
+      rows_of(lists, plan, [](const PairArrays<Dim>& pairs, int p) { return pairs.i(p); });
+  const RowsOfGrains as_j =
+      rows_of({lists[0]}, plan, [](const PairArrays<Dim>& pairs, int p) { return pairs.j(p); });
   std::vector<std::size_t> first;
   for (std::size_t b = 0; b < plans_.size(); ++b) {
     const int begin = static_cast<int>(b) * kGrainBlock;
@@ -62,56 +95,35 @@ RowSums<Dim>::RowSums(const Lists& lists, RowKind rows, int n_grains, RowsKept k
 }
 
 template <int Dim>
-void RowSums<Dim>::place_rows(const Lists& lists, RowsKept kept) {
+void RowSums<Dim>::place_rows(const Lists& lists, const SweepPlan& plan) {
   const PairArrays<Dim>& pairs = *lists[0];
+  int slot_size = 0;
+  for (int g = 0; g < plan.n_groups(); ++g)
+    slot_size = std::max(slot_size, first_pair(pairs, plan, g + 1) - first_pair(pairs, plan, g));
   std::int64_t n_rows = 0;
   const auto take = [&](std::int64_t first, std::int64_t n) {
     n_rows = std::max(n_rows, first + n);
     return row_place(first, row_size_);
   };
-  if (kept == RowsKept::for_good) {
-    for (int g = 0; g < n_groups(); ++g)
-      first_row_.push_back(take(first_pair(pairs, g), first_pair(pairs, g + 1) - first_pair(pairs, g)));
-  } else {
-    int most = 0;
-    for (int g = 0; g < n_groups(); ++g) most = std::max(most, first_pair(pairs, g + 1) - first_pair(pairs, g));
-    for (const int slot : slots_of_groups(pairs)) first_row_.push_back(take(std::int64_t{most} * slot, most));
-  }
+  for (const int slot : slots_of_groups(pairs, plan))
+    first_row_.push_back(take(std::int64_t{slot_size} * slot, slot_size));
   if (lists.size() > 1) first_row_with_walls_ = take(n_rows, lists[1]->size());
   zero_row_ = take(n_rows, 1);
   rows_.assign(static_cast<std::size_t>(zero_row_) + row_size_, 0.0);
 }
 
-/// A group takes the slot over from one all of whose rows have been summed, of those the latest, or a new one.
 template <int Dim>
-std::vector<int> RowSums<Dim>::slots_of_groups(const PairArrays<Dim>& pairs) const {
-  std::vector<int> slots, free;
-  std::vector<std::vector<int>> left(n_groups());  // slots that are free once a group is summed
-  int n_slots = 0;
-  for (int g = 0; g < n_groups(); ++g) {
-    if (free.empty()) free.push_back(n_slots++);
-    slots.push_back(free.back());
-    free.pop_back();
-    int last = g;
-    for (int p = first_pair(pairs, g); p < first_pair(pairs, g + 1); ++p)
-      last = std::max(last, group_of(pairs.j(p)));
-    left[last].push_back(slots.back());
-    free.insert(free.end(), left[g].begin(), left[g].end());
-  }
-  return slots;
-}
-
-template <int Dim>
-int RowSums<Dim>::place_of_row(const Lists& lists, std::size_t list, int pair) const {
+int RowSums<Dim>::place_of_row(const Lists& lists, const SweepPlan& plan, std::size_t list, int pair) const {
   if (list > 0) return first_row_with_walls_ + pair * row_size_;
-  const int group = group_of(lists[0]->i(pair));
-  return first_row_[group] + (pair - first_pair(*lists[0], group)) * row_size_;
+  const int group = plan.group_of(lists[0]->i(pair) / kGrainBlock);
+  return first_row_[group] + (pair - first_pair(*lists[0], plan, group)) * row_size_;
 }
 
 /// In the order of the pairs; grains that pad the last block have none.
 template <int Dim>
 template <class GrainOf>
-typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, const GrainOf& grain_of) const {
+typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, const SweepPlan& plan,
+                                                          const GrainOf& grain_of) const {
   RowsOfGrains rows{std::vector<int>(plans_.size() * kGrainBlock + 1, 0), {}};
   for (const PairArrays<Dim>* pairs : lists)
     for (int p = 0; p < pairs->size(); ++p)
@@ -121,7 +133,7 @@ typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, co
   std::vector<int> next(rows.first.begin(), rows.first.end() - 1);
   for (std::size_t l = 0; l < lists.size(); ++l)
     for (int p = 0; p < lists[l]->size(); ++p)
-      if (!lists[l]->padding(p)) rows.row[next[grain_of(*lists[l], p)]++] = place_of_row(lists, l, p);
+      if (!lists[l]->padding(p)) rows.row[next[grain_of(*lists[l], p)]++] = place_of_row(lists, plan, l, p);
   return rows;
 }
 

@@ -115,7 +115,7 @@ void expect_no_trace_of_threads() {
   expect_same_bits(one, two);
 }
 
-/// Several threads keep all rows; in one thread's, later rows take over the places of earlier ones.
+/// With one thread, later rows take over the places of earlier ones; several keep those that they share.
 template <int Dim>
 void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
   const double dt = time_step_of(gas, RelaxationOptions{}.time_step);

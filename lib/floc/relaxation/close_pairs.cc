@@ -75,15 +75,6 @@ void ExplicitDynamics<Dim>::bound_motion() {
 }
 
 template <int Dim>
-void ExplicitDynamics<Dim>::measure_motion(int block) {
-  double list_stretch[Dim][Dim];
-  for (int a = 0; a < Dim; ++a)
-    for (int b = 0; b < Dim; ++b) list_stretch[a][b] = list_stretch_(a, b);
-  motion_of_block_[block] =
-      std::sqrt(interactions_[0].kernels().motion_squared(grain_view_, block * kGrainBlock, list_stretch));
-}
-
-template <int Dim>
 void ExplicitDynamics<Dim>::take_measured_motion() {
   moved_ = *std::max_element(motion_of_block_.begin(), motion_of_block_.end());
 }
@@ -205,8 +196,10 @@ void ExplicitDynamics<Dim>::build_lists() {
   }
   sweep_plan_ = {interactions_[0].pairs(), n_blocks(), threads_, blocks_of_group()};
   sums_of_rows_ = {lists, interactions_[0].rows(), grains_.size(), sweep_plan_};
-  if (!walls_.empty()) interactions_[1].set_rows(sums_of_rows_.rows_with_walls());
-  if (!walls_.empty()) list_pairs_of_walls();
+  if (!walls_.empty()) {
+    interactions_[1].set_rows(sums_of_rows_.rows_with_walls());
+    list_pairs_of_walls();
+  }
   walls_.mark();
   x_list_ = grains_.x;
   grain_view_ = grains_.view(x_list_, inverse_skin_squared_);

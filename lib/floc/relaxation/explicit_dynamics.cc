@@ -189,6 +189,14 @@ void ExplicitDynamics<Dim>::kick_and_drift(int block, Rotation stands) {
 }
 
 template <int Dim>
+void ExplicitDynamics<Dim>::measure_motion(int block) {
+  double list_stretch[Dim][Dim];
+  copy<Dim>(list_stretch_, list_stretch);
+  motion_of_block_[block] =
+      std::sqrt(interactions_[0].kernels().motion_squared(grain_view_, block * kGrainBlock, list_stretch));
+}
+
+template <int Dim>
 PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
   PairCell<Dim> cell{{}, {}, slip_time, walls_.view()};
   copy<Dim>(lattice_, cell.lattice);

@@ -434,6 +434,21 @@ class Test:
             self.number(mean, statistics.mean(gained), f"spheres {state}, Phi gained")
             self.number(deviation, statistics.stdev(gained), f"spheres {state}, scatter of Phi gained")
 
+    def spheres_of_lammps(self):
+        directory = os.path.join(self.source, "data/tables/spheres/lammps")
+        samples = list(csv.DictReader(open(os.path.join(directory, "state_b.csv"))))
+        for program, *shown in self.claim_table("| B, 1372 beads |"):
+            for name, text in zip(["phi", "z_star_carrying", "x0_carrying", "M1_carrying", "M2_carrying"], shown):
+                scale = 100.0 if text.endswith("%") else 1.0
+                values = [scale * float(r[name]) for r in samples if r["program"] == program.lower()]
+                self.mean_and_scatter(text.removesuffix(" %"), values, f"B of {program}, {name}")
+        path = list(csv.DictReader(open(os.path.join(directory, "state_c.csv"))))
+        phi = {(r["seed"], int(r["step"])): 1e4 * float(r["phi"]) for r in path}
+        last = max(step for _, step in phi)
+        gained = re.search(r"LAMMPS has (\S+)e-4", self.docs.text().replace("\n", " ")).group(1)
+        self.number(gained, statistics.mean(phi[seed, last] - phi[seed, 0] for seed, step in phi if step == 0),
+                    "C of LAMMPS, Phi gained")
+
     def quasistatic(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/quasistatic/points.csv"))))
 
@@ -744,7 +759,7 @@ class Test:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres,
-                              self.quasistatic, self.compaction, self.compaction_variants, self.compaction_moduli,
+                              self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants, self.compaction_moduli,
                               self.compaction_sweep, self.powder2d, self.wet, self.loads, self.lattice,
                               self.tradeoff):
                     try:

@@ -759,9 +759,9 @@ class Test:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres,
-                              self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants, self.compaction_moduli,
-                              self.compaction_sweep, self.powder2d, self.wet, self.loads, self.lattice,
-                              self.tradeoff):
+                              self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants,
+                              self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads,
+                              self.lattice, self.tradeoff):
                     try:
                         check()
                     except Exception as error:  # one stale place does not hide the others

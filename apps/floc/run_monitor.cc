@@ -32,6 +32,11 @@ std::string ending_of(const RelaxationReport& report) {
   return fmt::format("{}, {} mechanisms", report.ending, report.n_mechanisms);
 }
 
+/// Of scenes in SI units some 1e-4 s, of others thousands of periods.
+std::string time_text(double time) {
+  return time < 100.0 ? fmt::format("{:.3g}", time) : fmt::format("{:.0f}", time);
+}
+
 }  // namespace
 
 RunMonitor::RunMonitor(int n_steps)
@@ -49,9 +54,9 @@ void RunMonitor::chunk(const Run<Dim>& run) {
   if (since < (terminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines)) return;
   last_line_ = now;
   const int step = run.point().step;
-  std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {:.0f}, {}", step + 1, n_steps_,
+  std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {}, {}", step + 1, n_steps_,
                                  run.target().branch, run.pressure(), solid_fraction(run.packing()),
-                                 run.point().time + run.point().equilibration_time, phase_of(run));
+                                 time_text(run.point().time + run.point().equilibration_time), phase_of(run));
   if (steps_done_ > 0)
     line += fmt::format("; about {} left", duration_text(expected_seconds_left(n_steps_ - step)));
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");

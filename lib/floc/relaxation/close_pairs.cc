@@ -244,6 +244,9 @@ std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(const Interact
   template double ExplicitDynamics<Dim>::skin() const;                                    \
   template Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const; \
   template bool ExplicitDynamics<Dim>::list_is_stale() const;                             \
+  template void ExplicitDynamics<Dim>::bound_motion();                                    \
+  template void ExplicitDynamics<Dim>::take_measured_motion();                            \
+  template void ExplicitDynamics<Dim>::renew_list();                                      \
   template void ExplicitDynamics<Dim>::rebuild_list();                                    \
   template void ExplicitDynamics<Dim>::build_lists();
 FLOC_INSTANTIATE(2)

@@ -53,6 +53,29 @@ TEST(Library, NeverPrints) {
   }
 }
 
+/// An exception that leaves a thread, or a parallel region of OpenMP, ends the program: run_in_team() carries it out.
+TEST(Library, StartsThreadsInATeamAlone) {
+  const std::regex starting(
+      R"re(#\s*pragma\s+omp\b|_Pragma|std::(jthread|async)\b|std::thread\b(?!::)|pthread_create)re");
+  for (const char* text :
+       {"#pragma omp parallel for", "# pragma omp task", "std::thread t(f);", "std::async(f)"})
+    ASSERT_TRUE(std::regex_search(text, starting)) << text;
+  int n_files = 0;
+  std::vector<std::string> found;
+  for (const char* folder : {"lib", "apps"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(
+             std::filesystem::path(test::source_directory()) / folder)) {
+      if (entry.path().extension() != ".cc" && entry.path().extension() != ".h") continue;
+      std::ifstream in(entry.path());
+      const std::string text{std::istreambuf_iterator<char>(in), {}};
+      if (std::regex_search(text, starting)) found.push_back(entry.path().filename().string());
+      ++n_files;
+    }
+  EXPECT_THAT(found, ElementsAre("thread_team.cc"));
+  EXPECT_GT(n_files, 500);
+  std::cout << "sources: " << n_files << "\n";
+}
+
 TEST(Layers, EveryFolderHasItsPlace) {
   for (const auto& entry : std::filesystem::directory_iterator(kLibrary))
     if (entry.is_directory()) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "floc/base/error.h"
 #include "floc/contact/law_description.h"
@@ -26,6 +27,17 @@ void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibri
     step.shear_step = stage.shear / n;
     plan.push_back(step);
   }
+}
+
+/// What a stage says of each axis is read by the number of the axis.
+void check_axes(const LoadStage& stage, int dimension) {
+  if (stage.is_isotropic()) return;
+  if (std::ssize(stage.axes) != dimension)
+    throw InputError("load", fmt::format("branch \"{}\" loads {} axes: expected {}, those of the scene",
+                                         stage.name, stage.axes.size(), dimension));
+  if (stage.axis < 0 || stage.axis >= dimension)
+    throw InputError("load", fmt::format("branch \"{}\" drives axis {}: expected one from 1 to {}", stage.name,
+                                         stage.axis + 1, dimension));
 }
 
 /// Whether an equilibrium without adhesion has no stress that would hold it together.
@@ -73,6 +85,7 @@ std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const 
   KnownStress stress(static_cast<std::size_t>(dimension), plan.back().pressure);
   for (int s = 0; s < static_cast<int>(load.size()); ++s) {
     const LoadStage& stage = load[static_cast<std::size_t>(s)];
+    check_axes(stage, dimension);
     for (const auto& [key, value] : stage.set) change_law(present, key, value);
     PlannedEquilibrium step{stage.name, stage.to, present, stage.cell, {}, s};
     if (stage.is_isotropic() && is_isotropic(stress)) {

@@ -33,10 +33,11 @@ struct PlannedEquilibrium {
 /// What is shaken is a saved packing or, after a gas, the first equilibrium; another equilibrium follows at the
 /// same pressure. Stages that end at the same pressure on every axis go there from whatever stresses the axes
 /// have.
-/// @throws InputError if a stage changes something that the law does not have, or if the assembly is to give
-/// friction to a law without any
+/// @param dimension  number of axes, 2 or 3
+/// @throws InputError if a stage loads another number of axes or changes something that the law does not have, or
+/// if the assembly is to give friction to a law without any
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
-                                         const std::vector<LoadStage>& load, int dimension = 2);
+                                         const std::vector<LoadStage>& load, int dimension);
 
 /// The number of a contact law that a key names, or null when its slot is absent or there is no such key.
 /// @param key  path below [contact], e.g. "adhesion.force"

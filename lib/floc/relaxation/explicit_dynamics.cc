@@ -1,7 +1,5 @@
 #include "floc/relaxation/explicit_dynamics.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +9,7 @@
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
-#include "floc/relaxation/barrier.h"
+#include "floc/relaxation/thread_team.h"
 
 namespace floc {
 namespace {
@@ -111,11 +109,7 @@ void ExplicitDynamics<Dim>::load_memory(const std::vector<History>& histories) {
 
 template <int Dim>
 void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
-  const int threads = sweep_plan_.n_threads();
-  Barrier barrier(threads);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-  {
-    const int thread = omp_get_thread_num();
+  run_in_team(sweep_plan_.n_threads(), [&](int thread, Barrier& barrier) {
     const auto for_each_block = [&](const auto& visit) {  // of this thread
       const int last = sweep_plan_.first_block(sweep_plan_.first_group(thread + 1));
       for (int b = sweep_plan_.first_block(sweep_plan_.first_group(thread)); b < last; ++b) visit(b);
@@ -148,7 +142,7 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
     for_each_block([&](int b) { measure_motion(b); });
     barrier.wait();
     if (thread == 0) take_measured_motion();
-  }
+  });
 }
 
 /// Half kick of the lattice, and how this step's drift deforms it. In reduced coordinates s' = h^-1 v with h at

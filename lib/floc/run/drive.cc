@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "floc/base/error.h"
 #include "floc/base/seconds_since.h"
 #include "floc/packing/overlaps.h"
 
@@ -23,7 +24,7 @@ class Driver {
   DriveReport drive() {
     step_began_ = last_checkpoint_ = Clock::now();
     while (!run_.finished() && run_.point().step <= options_.until) {
-      const RunEvent event = run_.advance();
+      const RunEvent event = advance();
       if (event == RunEvent::equilibrium) save();
       if (event == RunEvent::gave_up) return give_up();
       if (event == RunEvent::chunk && options_.chunk) options_.chunk(run_);
@@ -35,6 +36,21 @@ class Driver {
   }
 
  private:
+  /// Bad input that shows in motion alone: no file or key is to blame, but the packing that came of them.
+  RunEvent advance() {
+    try {
+      return run_.advance();
+    } catch (const InputError& error) {
+      throw InputError(
+          fmt::format("step {} ({} P = {:.4g})", run_.point().step, run_.target().branch, run_.pressure()),
+          fmt::format(
+              "the packing cannot move on: {}. Packings fall in where their contacts are too soft for the "
+              "pressure on them or for their adhesion: expected stiffer contacts, or less of these; floc "
+              "scene check prints how stiff contacts are beside them, kappa",
+              error.what()));
+    }
+  }
+
   void save() {
     const double seconds = seconds_since(step_began_);
     const State<Dim> state = run_.state();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "floc/base/error.h"
@@ -40,6 +41,13 @@ RunDirectory open_directory(const RunArguments& arguments, Existing existing, co
                                      changes.empty() ? "the scenes differ only in comments or layout"
                                                      : fmt::format("changed: {}", fmt::join(changes, "; "))));
   }
+}
+
+/// How a force residual that is above its tolerance changes, in words; empty otherwise.
+std::string trend_of(const RelaxationReport& report) {
+  if (report.decay_rate == 0.0) return "";
+  return fmt::format(", {} at {:.2g} per unit time", report.decay_rate > 0.0 ? "falls" : "grows",
+                     std::abs(report.decay_rate));
 }
 
 /// @throws InputError for what no run of the scene can do
@@ -88,9 +96,9 @@ std::string ending_of(const DriveReport& report, const Run<Dim>& run) {
       if (!run.packing().walls.empty())
         return fmt::format("step {} ({} P = {:.4g}) ended without a state: {}", run.point().step,
                            run.target().branch, run.pressure(), report.relaxation.blocking);
-      return fmt::format("step {} ({} P = {:.4g}) did not converge: {}, falls at {:.2g} per unit time",
-                         run.point().step, run.target().branch, run.pressure(), report.relaxation.blocking,
-                         report.relaxation.decay_rate);
+      return fmt::format("step {} ({} P = {:.4g}) did not converge: {}{}", run.point().step,
+                         run.target().branch, run.pressure(), report.relaxation.blocking,
+                         trend_of(report.relaxation));
     case DriveReport::done:
       break;
   }

@@ -44,8 +44,25 @@ struct ReducedStiffness {
   std::vector<int> group;              // of its rows
   Eigen::MatrixXd border, boundary;
   double vanishing = 0.0;   // eigenvalues of the strains' stiffness within this are zero
+  double unresolved = 0.0;  // those of the grains' stiffness, which stand for none of the tangent
   int n_unstable_ends = 0;  // negative eigenvalues that left with the dead ends
 };
+
+/// How far below zero, over the stiffest contact's, the symmetric part of the tangent may take the eigenvalue of a
+/// mechanism. With K = S + A, A antisymmetric, K v = 0 gives S v = -A v: A couples v to stiff motions, which adds
+/// -|A v|^2/k to v.S v = 0. A comes from tangential forces and moments alone and is of the order of F_T/r; an
+/// instability that geometric terms make is of that order, and not of its square over k.
+template <int Dim>
+double unresolved_by_symmetry(const ContactNetwork<Dim>& network, double unit) {
+  double largest = 0.0;
+  for (const NetworkContact<Dim>& c : network.contacts)
+    if (!c.on_wall() && !c.distant) {
+      const double moments = c.rolling_moment.norm() + std::abs(c.twisting_moment);
+      const double r = c.branch.norm();
+      largest = std::max(largest, (c.shear_force.norm() + moments / r) / r);
+    }
+  return std::pow(largest / unit, 2);
+}
 
 template <int Dim>
 ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::optional<Mat<Dim>>& stress) {
@@ -65,7 +82,10 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
         k.border.row(unknowns.unknown[static_cast<std::size_t>(a)]) * (unknowns.length[a] / unit);
   out.boundary = k.boundary / unit;
   out.vanishing = kVanishingStrain * k.boundary.cwiseAbs().maxCoeff() / unit;
-  if (stress) out.boundary.topLeftCorner(Dim, Dim) += whole.volume / unit * convected_stress<Dim>(*stress, Dim);
+  out.unresolved = ResponseOptions{}.mechanism_bound;
+  if (!stress) return out;
+  out.boundary.topLeftCorner(Dim, Dim) += whole.volume / unit * convected_stress<Dim>(*stress, Dim);
+  out.unresolved = std::max(out.unresolved, unresolved_by_symmetry(core, unit));
   return out;
 }
 
@@ -87,7 +107,7 @@ Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& opti
   if (!factor.factorize_positive() || factor.reciprocal_condition() * kSuspiciousCondition < 1.0) {
     const double operations = kSlownessOfPivots * cost.operations;
     if (operations > options.most_operations) return too_dear("a count of negative pivots", operations);
-    n_negative += factor.count_eigenvalues_below(-ResponseOptions{}.mechanism_bound);
+    n_negative += factor.count_eigenvalues_below(-k.unresolved);
   }
   const Eigen::MatrixXd relaxed = k.boundary - k.border.transpose() * factor.solve(k.border, 0);
   return {n_negative + count_below(relaxed, -k.vanishing), ""};

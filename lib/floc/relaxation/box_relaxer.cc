@@ -23,7 +23,7 @@ namespace {
 /// The void ratio may change so much while what is left of the motion is taken out; beyond, it is set free
 /// again.
 constexpr double kFinishVoidRatio = 1e-3;
-/// A finish that takes longer (T) leaves the state as it is.
+/// A finish that takes longer (T) leaves the state as it is, where the scene takes states that are no equilibria.
 constexpr double kLongestFinish = 60.0;
 /// Walls that touch nothing, at so many times the distance at which they started, have run away.
 constexpr double kRunAway = 4.0;
@@ -133,10 +133,21 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   if (std::string words = lost(); !words.empty()) return give_up("lost", std::move(words));
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status != RelaxationStatus::running) return status;
-  const double longest = options_.compaction.longest.value_or(options_.max_time) * time_unit_;
-  if (finishing || progress_.time <= longest) return status;
-  return options_.compaction.longest ? stop_here()
-                                     : give_up("", "the box has not settled within equilibrium.max_time");
+  if (options_.compaction.longest) {
+    if (finishing || progress_.time <= *options_.compaction.longest * time_unit_) return status;
+    return stop_here();
+  }
+  if (progress_.time <= options_.max_time * time_unit_) return status;
+  std::string blocking = in_words(unmet_);
+  if (blocking.empty()) blocking = worst_residual(residuals_, options_.tolerance);
+  return give_up("", fmt::format("the box has not settled within equilibrium.max_time = {:g}: {}",
+                                 options_.max_time, blocking));
+}
+
+/// Whether the scene takes a state that is no equilibrium.
+template <int Dim>
+bool BoxRelaxer<Dim>::may_stop() const {
+  return options_.compaction.longest || options_.compaction.criterion == CompactionEnd::Criterion::energy_ratio;
 }
 
 template <int Dim>
@@ -201,17 +212,25 @@ bool BoxRelaxer<Dim>::void_ratio_is_steady() {
                           std::ceil(options_.patience * CompactionEnd::kSettledTime * time_unit_ / chunk)) +
                       1;
   if (recent.size() > window) recent.erase(recent.begin(), recent.end() - static_cast<std::ptrdiff_t>(window));
-  if (recent.size() < window) return false;
   const auto [least, most] = std::minmax_element(recent.begin(), recent.end());
-  return *most - *least < CompactionEnd::kSettledVoidRatio;
+  const bool steady = *most - *least < CompactionEnd::kSettledVoidRatio;
+  unmet_ = steady ? Unmet{Demand::duration}
+                  : Unmet{Demand::density, *most - *least, CompactionEnd::kSettledVoidRatio};
+  return steady && recent.size() >= window;
 }
 
 template <int Dim>
 bool BoxRelaxer<Dim>::has_ended() {
   const bool steady = void_ratio_is_steady();
-  if (!is_armed()) return false;
-  if (options_.compaction.criterion == CompactionEnd::Criterion::energy_ratio)
+  if (!is_armed()) {
+    unmet_ = {Demand::wall_load};
+    return false;
+  }
+  if (options_.compaction.criterion == CompactionEnd::Criterion::energy_ratio) {
+    unmet_ = {Demand::energy_ratio, energy_ratio_, options_.compaction.energy_ratio};
     return energy_ratio_ <= options_.compaction.energy_ratio;
+  }
+  if (steady) unmet_ = {Demand::pressure, residuals_.stress, CompactionEnd::kSettledPressure};
   return steady && residuals_.stress < CompactionEnd::kSettledPressure;
 }
 
@@ -223,7 +242,9 @@ RelaxationStatus BoxRelaxer<Dim>::check_motion() {
   const bool by_energy = options_.compaction.criterion == CompactionEnd::Criterion::energy_ratio;
   n_mechanisms_ = least_mechanisms(packing_);
   if (n_mechanisms_ > 0 && by_energy) return stop_here();
+  unmet_ = {Demand::mechanisms, static_cast<double>(n_mechanisms_)};
   if (n_mechanisms_ > 0) return RelaxationStatus::running;
+  unmet_ = {};
   progress_.phase = CompactionProgress::finishing;
   progress_.finishing_since = void_ratio(packing_);
   progress_.finishing_time = progress_.time;
@@ -232,20 +253,27 @@ RelaxationStatus BoxRelaxer<Dim>::check_motion() {
 
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::check_finish() {
+  stability_ = {};
+  unmet_ = {};
   if (std::abs(void_ratio(packing_) - progress_.finishing_since) > kFinishVoidRatio) {
     progress_.phase = CompactionProgress::moving;
     progress_.void_ratio.clear();
     return RelaxationStatus::running;
   }
-  if (progress_.time - progress_.finishing_time > kLongestFinish * time_unit_) return stop_here();
-  if (!residuals_.within(options_.tolerance)) return RelaxationStatus::running;
-  Stability found = stability_at_rest(packing_);
-  // Every chunk shares the liquid out anew.
-  if (!found.may_be_stable() || !share_liquid_once_more().nothing()) return RelaxationStatus::running;
-  stability_ = std::move(found);
-  n_mechanisms_ = least_mechanisms(packing_);
-  ending_ = "dynamic";
-  return RelaxationStatus::converged;
+  if (residuals_.within(options_.tolerance)) {
+    stability_ = stability_at_rest(packing_);
+    if (!stability_.may_be_stable()) {
+      unmet_ = {Demand::stability, static_cast<double>(*stability_.n_negative)};
+    } else if (const LiquidChange change = share_liquid_once_more(); !change.nothing()) {
+      unmet_ = {Demand::liquid, static_cast<double>(change.n_changed())};  // every chunk shares it out anew
+    } else {
+      n_mechanisms_ = least_mechanisms(packing_);
+      ending_ = "dynamic";
+      return RelaxationStatus::converged;
+    }
+  }
+  const bool long_enough = progress_.time - progress_.finishing_time > kLongestFinish * time_unit_;
+  return long_enough && may_stop() ? stop_here() : RelaxationStatus::running;
 }
 
 /// What that would change, counted where there is any.
@@ -258,11 +286,10 @@ LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   return change;
 }
 
-/// Records the state as it is.
+/// Records the state as it is. What is known of the stability of one at rest is kept.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::stop_here() {
   n_mechanisms_ = least_mechanisms(packing_);
-  stability_ = {};
   (void)share_liquid_once_more();
   ending_ = "stopped";
   return RelaxationStatus::converged;

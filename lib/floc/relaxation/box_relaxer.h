@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "floc/neighbors/spread_liquid.h"
+#include "floc/relaxation/blocking_criterion.h"
 #include "floc/relaxation/equilibrator.h"
 
 namespace floc {
@@ -26,8 +27,9 @@ struct CompactionProgress {
 };
 
 /// Takes a packing between walls to equilibrium under their pressure: dynamics until the end that the options
-/// ask for, then, where the structure that carries the load has no mechanism, power control. Otherwise the
-/// state is recorded as it is, "stopped", with the number of its mechanisms. Walls of infinite mass and
+/// ask for, then, where the structure that carries the load has no mechanism, power control. A scene that says
+/// when to stop, by a time or by the ratio of energies, gets the state that there is then, "stopped", with the
+/// number of its mechanisms; any other is given up at RelaxationOptions::max_time. Walls of infinite mass and
 /// periodic axes stay as they are.
 template <int Dim>
 class BoxRelaxer final : public Equilibrator<Dim> {
@@ -65,6 +67,7 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   RelaxationStatus check_motion();
   RelaxationStatus check_finish();
   RelaxationStatus stop_here();
+  bool may_stop() const;
   LiquidChange share_liquid_once_more();
 
   RelaxationOptions options_;
@@ -74,7 +77,8 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   Mat<Dim> stress_;  ///< of the packing, like what follows
   Residuals residuals_;
   double energy_ratio_ = 0.0;
-  Stability stability_;  ///< of an equilibrium
+  Stability stability_;  ///< of a packing within its tolerances
+  Unmet unmet_;          ///< residuals apart
   int n_mechanisms_ = -1, n_bridges_unsettled_ = -1;
   std::string ending_, words_;
   double time_step_;

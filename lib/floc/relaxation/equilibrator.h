@@ -27,10 +27,11 @@ struct RelaxationReport {
   /// "polished", "dynamic", "static", "stopped" (recorded as it is, between walls), "diverged",
   /// "unloaded", "closed"; empty while it runs.
   std::string ending;
-  std::string blocking;      ///< criterion that is worst against its tolerance, with its grain
-  double decay_rate = 0.0;   ///< of the force residual (1/time); positive when it falls
-  std::string phase;         ///< what it is doing: "moving", "finishing", ...
-  double time = 0.0;         ///< simulated time of this relaxation so far
+  std::string blocking;  ///< criterion that keeps it from being an equilibrium, in words
+  double decay_rate =
+      0.0;            ///< of a force residual that is above its tolerance (1/time); positive when it falls
+  std::string phase;  ///< what it is doing: "moving", "finishing", ...
+  double time = 0.0;  ///< simulated time of this relaxation so far
   std::int64_t n_steps = 0;  ///< time steps of this relaxation so far
 };
 

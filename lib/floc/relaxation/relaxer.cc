@@ -281,6 +281,7 @@ std::size_t Relaxer<Dim>::chunks_in(double time_units) const {
 /// load; or when it does nothing but vibrate.
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_motion() {
+  unmet_ = {Demand::lengths};
   if (progress_.imbalance_sign.empty()) {
     if (!way().over(0.0)) return RelaxationStatus::running;
     begin_response();
@@ -292,13 +293,16 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   const bool unloaded = load_.unloaded();
   const bool coasting = !unloaded && coasts(steady_density);
   const bool steady = (responded && steady_density) || ((responded || unloaded) && steady_contacts);
+  unmet_ = unsteadiness(responded || unloaded);
   if (!steady) return RelaxationStatus::running;
   const GrainScales<Dim> scales(packing_, target_);
   const ForceScale& scale = scales.of_packing();
   const double limit =
       (coasting || (unloaded && steady_contacts) ? kCoastingEnergy : 1.0) * options_.tolerance.energy;
   const double energy = energy_of_connected_grains(packing_, scales);
+  unmet_ = {Demand::rest, energy / (scale.force * scale.length), limit};
   if (energy < limit * scale.force * scale.length || vibrates(energy)) {
+    unmet_ = {};
     progress_.phase = RelaxationProgress::finishing;
     progress_.finishing_since_phi = progress_.solid_fraction.back();
     if (load_.any_strained()) progress_.finishing_since_stress = mean_carried_stress();
@@ -309,8 +313,24 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   return RelaxationStatus::running;
 }
 
+/// Why a packing that moves is not steady.
+template <int Dim>
+Unmet Relaxer<Dim>::unsteadiness(bool responded) const {
+  if (!responded) return {Demand::response, residuals_.stress, options_.tolerance.stress};
+  const auto range = [](const std::vector<double>& values) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return values.empty() ? 0.0 : *high - *low;
+  };
+  if (load_.unloaded()) return {Demand::contacts};
+  if (const double moved = range(progress_.carried_stress) / stress_scale(); moved >= kSteadyStress)
+    return {Demand::stress, moved, kSteadyStress};
+  const double moved = range(progress_.solid_fraction);
+  return moved >= kSteadyPhi ? Unmet{Demand::density, moved, kSteadyPhi} : Unmet{Demand::duration};
+}
+
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_finish() {
+  unmet_ = {};
   ++progress_.finishing_chunks;
   const bool other_stress =
       load_.any_strained() &&
@@ -331,11 +351,18 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
   if (!within) return RelaxationStatus::running;
-  Stability found = stability_at_rest(packing_);
-  if (!found.may_be_stable() || !liquid_rests(packing_, true)) return RelaxationStatus::running;
+  Stability found;
+  if (!is_stable(packing_, found) || !liquid_rests(packing_, true)) return RelaxationStatus::running;
   stability_ = std::move(found);
   ending_ = "dynamic";
   return RelaxationStatus::converged;
+}
+
+template <int Dim>
+bool Relaxer<Dim>::is_stable(const Packing<Dim>& packing, Stability& found) {
+  found = stability_at_rest(packing);
+  if (!found.may_be_stable()) unmet_ = {Demand::stability, static_cast<double>(*found.n_negative)};
+  return found.may_be_stable();
 }
 
 /// Whether Newton steps are expected to take no longer than the motion of this relaxation has taken, or is
@@ -399,6 +426,7 @@ bool Relaxer<Dim>::liquid_rests(const Packing<Dim>& equilibrium, bool go_on) {
   const LiquidChange change = spread_liquid(shared);
   n_bridges_unsettled_ = change.n_changed();
   if (change.nothing() || progress_.liquid_trials >= kLiquidTrials) return true;
+  unmet_ = {Demand::liquid, static_cast<double>(change.n_changed())};
   if (!go_on) return false;
   ++progress_.liquid_trials;
   packing_ = std::move(shared);
@@ -415,8 +443,8 @@ bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const cha
   const Vec<Dim> target = load_.stress_with(stress);
   const Residuals reached = residuals(solution.packing, target, stress);
   if (!reached.within(options_.tolerance)) return false;
-  Stability found = stability_at_rest(solution.packing);
-  if (!found.may_be_stable() || !liquid_rests(solution.packing, go_on)) return false;
+  Stability found;
+  if (!is_stable(solution.packing, found) || !liquid_rests(solution.packing, go_on)) return false;
   packing_ = std::move(solution.packing);
   stress_ = stress;
   target_ = target;
@@ -444,28 +472,17 @@ RelaxationReport Relaxer<Dim>::report() const {
   report.phase = progress_.phase == RelaxationProgress::finishing ? "finishing" : "moving";
   report.time = progress_.time;
   report.n_steps = progress_.n_steps;
-  struct Criterion {
-    const char* name;
-    double value, tolerance;
-    int grain;
-  };
-  const EquilibriumTolerance& t = options_.tolerance;
-  const Criterion criteria[] = {{"force", residuals_.force, t.force, residuals_.worst_force_grain},
-                                {"moment", residuals_.moment, t.moment, residuals_.worst_moment_grain},
-                                {"stress", residuals_.stress, t.stress, -1},
-                                {"energy", residuals_.energy, t.energy, -1}};
-  const Criterion* worst = std::max_element(
-      std::begin(criteria), std::end(criteria),
-      [](const auto& p, const auto& q) { return p.value * q.tolerance < q.value * p.tolerance; });
-  report.blocking = fmt::format("{} {:.2e} against {:.0e}", worst->name, worst->value, worst->tolerance);
-  if (worst->grain >= 0) report.blocking += fmt::format(" (grain {})", worst->grain);
+  report.blocking = worst_residual(residuals_, options_.tolerance);
+  const bool by_force = !(residuals_.force < options_.tolerance.force);
+  if (report.blocking.empty()) report.blocking = in_words(unmet_);
+  if (report.blocking.empty()) report.blocking = "all residuals are within their tolerances";
   if (ending_ == "diverged") report.blocking = "the motion diverged, run.time_step is too large";
   if (ending_ == "unloaded")
     report.blocking =
         "every contact has opened: the packing carries no stress (stress zero) at the lengths imposed";
   if (ending_ == "closed") report.blocking = want_of_room();
   const std::vector<double>& history = progress_.force_residual;
-  if (history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)
+  if (by_force && history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)
     report.decay_rate = std::log(history.front() / history.back()) /
                         (static_cast<double>(history.size() - 1) * kStepsPerChunk * time_step_);
   return report;

@@ -8,6 +8,7 @@
 #include "floc/elasticity/stability.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/relaxation/blocking_criterion.h"
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/relaxation_progress.h"
 #include "floc/relaxation/static_solver.h"
@@ -65,6 +66,8 @@ class Relaxer final : public Equilibrator<Dim> {
   bool solve_without_motion();
   bool accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending, bool go_on);
   bool liquid_rests(const Packing<Dim>& equilibrium, bool go_on);
+  Unmet unsteadiness(bool responded) const;
+  bool is_stable(const Packing<Dim>& packing, Stability& found);
   void measure();
 
   RelaxationOptions options_;
@@ -76,6 +79,7 @@ class Relaxer final : public Equilibrator<Dim> {
   Residuals residuals_;
   Stability stability_;           ///< of an equilibrium
   int n_bridges_unsettled_ = -1;  ///< likewise, of liquid
+  Unmet unmet_;                   ///< at the end of the last chunk, residuals apart
   std::string ending_;
   double time_step_;
   double time_unit_;  ///< sqrt(a m/F1): T0 of a cohesive scene below P* = 1

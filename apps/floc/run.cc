@@ -10,6 +10,7 @@
 #include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_warnings.h"
+#include "next_steps.h"
 #include "run_ensemble.h"
 #include "run_monitor.h"
 #include "scene_run.h"
@@ -36,11 +37,9 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
     case DriveReport::done:
       break;
   }
-  fmt::print(stderr,
-             "{} in {}. Next:\n  floc moduli {}/state-*.h5\n  floc fit consolidation {}\n"
-             "  floc verify {}/state-*.h5\n",
+  fmt::print(stderr, "{} in {}. Next:\n{}",
              run.point().step == 1 ? "1 equilibrium" : fmt::format("{} equilibria", run.point().step),
-             directory, directory, directory, directory);
+             directory, next_steps(directory, "state-*.h5"));
   return kDone;
 }
 
@@ -95,7 +94,7 @@ int run_seeds(const RunArguments& arguments) {
   if (arguments.resume) args.emplace_back("--resume");
   if (arguments.overwrite) args.emplace_back("--overwrite");
   if (arguments.no_timing) args.emplace_back("--no-timing");
-  return run_ensemble(directory, seeds, arguments.jobs, args, arguments.resume);
+  return run_ensemble(claim, directory, seeds, arguments.jobs, args, arguments.resume);
 }
 
 }  // namespace

@@ -5,16 +5,15 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <filesystem>
 #include <map>
 
 #include "child_process.h"
 #include "command.h"
 #include "floc/base/error.h"
+#include "next_steps.h"
 #include "output.h"
 
 namespace floc {
-namespace fs = std::filesystem;
 namespace {
 
 /// Interval at which samples are polled (microseconds): they run for seconds at least.
@@ -76,22 +75,21 @@ SeedRange parse_seeds(const std::string& text) {
   throw InputError("--seeds " + text, "expected A..B, two whole numbers, A at most B");
 }
 
-int run_ensemble(const std::string& directory, const SeedRange& seeds, int jobs,
+int run_ensemble(const ClaimedDirectory& claim, const std::string& directory, const SeedRange& seeds, int jobs,
                  const std::vector<std::string>& arguments, bool append) {
-  std::error_code failed;
-  fs::create_directories(directory, failed);
-  if (failed) throw IoError(directory, "cannot make the directory: " + failed.message());
   pass_signals_on();
   Ensemble ensemble(directory, arguments, append);
-  for (std::uint64_t n = 0; n <= seeds.last - seeds.first && !was_signalled(); ++n) {
+  const auto goes_on = [&claim] { return !was_signalled() && claim.is_held(); };
+  for (std::uint64_t n = 0; n <= seeds.last - seeds.first && goes_on(); ++n) {
     while (ensemble.n_running() == jobs) ensemble.wait();
-    if (!was_signalled()) ensemble.start(seeds.first + n);
+    if (goes_on()) ensemble.start(seeds.first + n);
   }
   while (ensemble.n_running() > 0) ensemble.wait();
   if (was_signalled()) return kInterrupted;
-  fmt::print(stderr,
-             "{} samples in {}. Next:\n  floc moduli {}/seed-*/state-*.h5\n  floc fit consolidation {}\n",
-             seeds.last - seeds.first + 1, directory, directory, directory);
+  claim.require_held();
+  fmt::print(stderr, "{} samples in {}.{}", seeds.last - seeds.first + 1, directory,
+             ensemble.code() == kDone ? " Next:\n" + next_steps(directory, "seed-*/state-*.h5")
+                                      : " Not all of them are done.\n");
   return ensemble.code();
 }
 

@@ -72,12 +72,13 @@ const std::string& prepared(const std::string& path, Existing existing, const st
 
 }  // namespace
 
-DirectoryLock::DirectoryLock(const std::string& directory) : path_((fs::path(directory) / kName).string()) {
+DirectoryLock::DirectoryLock(const std::string& directory)
+    : directory_(directory), path_((fs::path(directory) / kName).string()) {
   for (int attempt = 1;; ++attempt) {
     file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file_ < 0) throw IoError(path_, std::string("cannot be written: ") + std::strerror(errno));
     const bool locked = ::flock(file_, LOCK_EX | LOCK_NB) == 0;
-    if (!locked && has_no_locks(errno)) return;
+    if (!locked && has_no_locks(errno)) break;
     if (locked && is_current(file_, path_)) break;
     const std::string by = holder(file_);
     ::close(file_);
@@ -88,6 +89,8 @@ DirectoryLock::DirectoryLock(const std::string& directory) : path_((fs::path(dir
       throw InputError(directory,
                        "is being written by " + by + ": expected a directory that no other run writes");
   }
+  struct stat held {};
+  if (::stat(directory.c_str(), &held) == 0) device_ = held.st_dev, inode_ = held.st_ino;
   const std::string text = fmt::format("process {} on {}", ::getpid(), host_name());
   // It serves messages alone: a full disk is said where a state cannot be written.
   if (::ftruncate(file_, 0) != 0 || ::pwrite(file_, text.data(), text.size(), 0) < 0) return;
@@ -95,8 +98,24 @@ DirectoryLock::DirectoryLock(const std::string& directory) : path_((fs::path(dir
 
 DirectoryLock::~DirectoryLock() {
   if (file_ < 0) return;
-  ::unlink(path_.c_str());
+  if (is_current(file_, path_)) ::unlink(path_.c_str());  // not that of another process
   ::close(file_);
+}
+
+bool DirectoryLock::is_held() const {
+  struct stat named {};
+  const bool found = ::stat(directory_.c_str(), &named) == 0;
+  // Somebody who has removed the lock alone has left the directory; another lock is that of another process.
+  return found && named.st_dev == device_ && named.st_ino == inode_ &&
+         (is_current(file_, path_) || ::access(path_.c_str(), F_OK) != 0);
+}
+
+void DirectoryLock::require_held() const {
+  if (is_held()) return;
+  throw IoError(directory_,
+                "is no longer the directory that is being written: that one has been renamed or removed; "
+                "expected one that stays in place. What was saved before is where it has gone, and "
+                "--resume continues there");
 }
 
 ClaimedDirectory::ClaimedDirectory(const std::string& path, Existing existing, const std::string& runs)

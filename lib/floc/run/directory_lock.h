@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace floc {
@@ -18,8 +19,16 @@ class DirectoryLock {
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
+  /// Whether the path still leads to the directory that is held: it may have been renamed or removed, and another one
+  /// may bear its name.
+  bool is_held() const;
+  /// To be called before files are written into the directory. @throws IoError if it is not held
+  void require_held() const;
+
  private:
+  std::string directory_;
   std::string path_;
+  std::uint64_t device_ = 0, inode_ = 0;  ///< of the directory that is held
   int file_ = -1;
 };
 
@@ -33,6 +42,10 @@ class ClaimedDirectory {
   /// @throws InputError if the path is empty or not a directory, if another process holds the directory, or if
   /// it is not empty and nobody asked to resume or overwrite
   ClaimedDirectory(const std::string& path, Existing existing, const std::string& runs);
+
+  /// As DirectoryLock has them.
+  bool is_held() const { return lock_.is_held(); }
+  void require_held() const { lock_.require_held(); }
 
  private:
   DirectoryLock lock_;

@@ -56,6 +56,7 @@ class Driver {
     const State<Dim> state = run_.state();
     require_small_overlaps(fmt::format("step {}, P = {:.4g}", state.path.step, state.target_stress.mean()),
                            state.packing);
+    directory_.require_held();
     if (table_ != nullptr) table_->finish_step(run_);
     // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
     if (table_ != nullptr) table_->write();
@@ -66,6 +67,7 @@ class Driver {
   }
 
   void checkpoint() {
+    directory_.require_held();
     if (table_ != nullptr) table_->write();
     if (!run_.finished()) {
       State<Dim> state = run_.release_state();

@@ -147,6 +147,7 @@ std::string RunDirectory::row_of(const State<Dim>& state, std::optional<double> 
 
 template <int Dim>
 std::string RunDirectory::save(const State<Dim>& state, std::optional<double> seconds) {
+  require_held();
   const std::string file = state_path(state.path.step);
   write_state(file, state);
   rows_[state.path.step] = row_of(state, seconds);
@@ -156,10 +157,12 @@ std::string RunDirectory::save(const State<Dim>& state, std::optional<double> se
 
 template <int Dim>
 void RunDirectory::save_checkpoint(const State<Dim>& state, const RunPoint& point) {
+  require_held();
   write_state(checkpoint_path(), state, progress_text(point));
 }
 
 void RunDirectory::remove_checkpoint() {
+  require_held();
   fs::remove(checkpoint_path());
 }
 

@@ -43,6 +43,8 @@ class RunDirectory {
   template <int Dim>
   void save_checkpoint(const State<Dim>& state, const RunPoint& point);
   void remove_checkpoint();
+  /// To be called before anything else is written into it. @throws IoError if the path leads to another directory now
+  void require_held() const { claim_.require_held(); }
 
   std::string state_path(int step) const;
   std::string path_table() const;

@@ -318,7 +318,12 @@ class StaticProblem {
     measure(at);
   }
 
+  /// A lattice turned inside out balances nothing: without contacts, nothing else keeps a step from ending there.
   void measure(Configuration<Dim>& at) const {
+    if (!(at.cell.matrix.diagonal().minCoeff() > 0.0)) {
+      at.worst = std::numeric_limits<double>::infinity();
+      return;
+    }
     at.worst = at.residual.tail(n_strains()).template lpNorm<Eigen::Infinity>() * std::pow(scale_.length, Dim) /
                at.cell.volume();
     for (int i = 0; i < n_grains(); ++i) {

@@ -235,5 +235,22 @@ TEST(StaticSolver, ComesToTheSameEquilibriumByEachWayOfSolving) {
   }
 }
 
+/// Nothing but its lattice vectors balances the pressure on a gas: a step may not turn them inside out.
+template <int Dim>
+void expect_no_equilibrium_of_a_gas() {
+  for (const double pressure : {1e-3, 0.5, 10.0})
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      const Packing<Dim> gas = test::gas_of<Dim>(30, test::cohesive_law(), Dim == 2 ? 0.5 : 0.4, seed);
+      const StaticSolution<Dim> solution = solve_statics(gas, Vec<Dim>(Vec<Dim>::Constant(pressure)), {});
+      EXPECT_FALSE(solution.converged) << pressure << " " << seed;
+      EXPECT_GT(solution.packing.cell.matrix.diagonal().minCoeff(), 0.0) << pressure << " " << seed;
+    }
+}
+
+TEST(StaticSolver, LeavesAGasUnderPressureWithACell) {
+  expect_no_equilibrium_of_a_gas<2>();
+  expect_no_equilibrium_of_a_gas<3>();
+}
+
 }  // namespace
 }  // namespace floc

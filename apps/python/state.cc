@@ -238,6 +238,12 @@ NamedState read(const std::string& path) {
   });
 }
 
+/// Reads a state that pickle kept, under the name it had; whoever made it has been warned of it.
+NamedState restore(const std::string& path, const std::string& name) {
+  const py::gil_scoped_release released;
+  return NamedState{std::make_shared<const AnyState>(read_state(path)), name};
+}
+
 }  // namespace
 
 void bind_state(py::module_& module) {
@@ -251,6 +257,7 @@ void bind_state(py::module_& module) {
     std::visit([&](const auto& state) { write_state(path, state); }, *self.state);
   });
   module.def("read", &read);
+  module.def("restore", &restore);
 }
 
 }  // namespace floc::python

@@ -1,7 +1,11 @@
 """States: arrays are views of one memory; what is no state is refused in words."""
+import concurrent.futures
+import copy
 import gc
+import multiprocessing
 import os
 import pathlib
+import pickle
 import unittest
 
 import numpy as np
@@ -107,6 +111,47 @@ class Values(unittest.TestCase):
         copy = samples.directory() / "copy.h5"
         floc.read(file).write(copy)
         self.assertEqual(copy.read_bytes(), pathlib.Path(file).read_bytes())
+
+
+class Copies(unittest.TestCase):
+    def test_are_the_same_state(self):
+        """pickle, copy and deepcopy give every array, number and word back, of states read and of packings made."""
+        states = [floc.read(samples.last_state(name)) for name in samples.SCENES]
+        made = floc.Packing.from_arrays([[0.1, 0.2], [1.099, 0.2]], [0.5, 0.5], [1.998, 3.0], "normal.stiffness=1e3")
+        names = [name for name in dir(floc.State) if isinstance(getattr(floc.State, name), property)]
+        for state in (*states, made):
+            copies = [copy.copy(state), copy.deepcopy(state), copy.deepcopy({"of": [state]})["of"][0]]
+            for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+                copies.append(pickle.loads(pickle.dumps(state, protocol)))
+            for copied in copies:
+                self.assertIs(type(copied), type(state))
+                for name in names:
+                    np.testing.assert_equal(getattr(copied, name), getattr(state, name), name)
+                self.assertEqual(floc.moduli(copied, force=True).B, floc.moduli(state, force=True).B)
+        print(f"{len(names)} properties of {len(copies)} copies of each of {len(states) + 1} states")
+
+    def test_go_to_other_processes(self):
+        states = samples.run("powder")
+        with concurrent.futures.ProcessPoolExecutor(2, multiprocessing.get_context("spawn")) as pool:
+            self.assertEqual(list(pool.map(_solid_fraction, states[:2])), [state.solid_fraction for state in states[:2]])
+
+
+    def test_of_results(self):
+        before, state = samples.run("powder")[-2:]
+        path = samples.run("powder").path
+        results = [floc.moduli(state, tables=["increments"]), floc.moduli([before, state]), floc.network(state),
+                   floc.structure(state), floc.compare(before, state), floc.chain(5, 0.5, 1.0, 1.0, 1.0),
+                   floc.fit.cycle(path["P_star"], path["phi"], branch=path["branch"]), samples.run("powder")]
+        for result in results:
+            for copied in (pickle.loads(pickle.dumps(result)), copy.copy(result), copy.deepcopy(result)):
+                self.assertIs(type(copied), type(result))
+                self.assertEqual(repr(copied), repr(result))
+        with self.assertRaises(AttributeError):
+            copy.copy(results[0]).no_column
+
+
+def _solid_fraction(state):
+    return state.solid_fraction
 
 
 class Refusals(unittest.TestCase):

@@ -1,5 +1,7 @@
 """States and packings."""
 import os
+import pathlib
+import tempfile
 
 import numpy as np
 
@@ -77,6 +79,19 @@ class State(_core.State):
             If it cannot be written.
         """
         super().write(os.fspath(path))
+
+    # Nothing can change a state, so that copies may share its memory.
+    def __copy__(self):
+        return type(self)(self)
+
+    def __deepcopy__(self, memo):
+        return type(self)(self)
+
+    def __reduce__(self):
+        with tempfile.TemporaryDirectory(prefix="floc-") as directory:
+            path = pathlib.Path(directory) / "state.h5"
+            self.write(path)
+            return _restored, (type(self), self.name, path.read_bytes())
 
     def __repr__(self):
         return (f"<{type(self).__name__} {self.name!r}: {self.n_grains} grains in {self.dimension}D, "
@@ -163,6 +178,14 @@ def read(path):
         If the file is missing, damaged, of another version, or not a state; the message names the dataset.
     """
     return State(_core.read(os.fspath(path)))
+
+
+def _restored(cls, name, content):
+    """The state of a pickle: a state file, and the name that the state had."""
+    with tempfile.TemporaryDirectory(prefix="floc-") as directory:
+        path = pathlib.Path(directory) / "state.h5"
+        path.write_bytes(content)
+        return cls(_core.restore(os.fspath(path), name))
 
 
 def states_of(state):

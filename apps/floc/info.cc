@@ -12,6 +12,7 @@
 #include "floc/base/sha256.h"
 #include "floc/io/law_text.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/wall_forces.h"
 #include "floc/structure/coordination.h"
 #include "output.h"
 #include "printed_columns.h"
@@ -91,6 +92,9 @@ std::vector<Entry> describe(const std::string& file, const AnyState& any) {
       },
       any);
   entries.push_back({"sha256", sha256_of_file(file)});
+  entries.push_back(
+      {"p_wall",
+       std::visit([](const auto& state) { return or_undefined(mean_wall_pressure(state.packing)); }, any)});
   return entries;
 }
 

@@ -67,7 +67,7 @@ std::vector<ModuliColumn> contract_columns() {
           {"n_grains", [](const ModuliRow& r) { return r.n_grains; }},
           {"n_contacts", [](const ModuliRow& r) { return r.n_contacts; }},
           {"n_distant", [](const ModuliRow& r) { return r.n_distant; }},
-          {"P", [](const ModuliRow& r) { return r.moduli.pressure; }},
+          {"P", [](const ModuliRow& r) { return r.pressure; }},
           {"P_star", [](const ModuliRow& r) { return r.reduced_pressure; }},
           {"phi", [](const ModuliRow& r) { return r.solid_fraction; }},
           {"z", [](const ModuliRow& r) { return r.z; }},
@@ -203,6 +203,7 @@ std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
   int dimension = 2;
   for (const ModuliRow& r : rows) dimension = std::max(dimension, r.dimension);
   std::ranges::move(axis_columns(dimension), std::back_inserter(columns));
+  columns.emplace_back("p_wall", [](const ModuliRow& r) { return or_undefined(r.wall_pressure); });
   return columns;
 }
 

@@ -26,7 +26,9 @@ struct ModuliRow {
   std::int64_t n_contacts;
   std::int64_t n_distant;
   double z;
+  double pressure;  ///< of the contacts
   double reduced_pressure;
+  std::optional<double> wall_pressure;  ///< of boxes alone
   double solid_fraction;
   Moduli moduli;
   std::optional<NetworkMechanics> network;  ///< where moduli are solved for in full

@@ -10,7 +10,9 @@
 #include "floc/base/seconds_since.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/modes.h"
+#include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/wall_forces.h"
 #include "floc/structure/coordination.h"
 #include "repeated_warnings.h"
 
@@ -34,6 +36,9 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   row.n_distant = counted.n_distant;
   row.z = counted.z;
   row.solid_fraction = solid_fraction(packing);
+  row.pressure = static_stress(packing).trace() / Dim;
+  row.reduced_pressure = reduced_pressure(packing, row.pressure);
+  row.wall_pressure = mean_wall_pressure(packing);
   return row;
 }
 
@@ -153,7 +158,6 @@ std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>&
   std::vector<ModuliRow> rows(moduli.size(), description);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     rows[k].moduli = moduli[k];
-    rows[k].reduced_pressure = reduced_pressure<Dim>(state.packing, moduli[k].pressure);
     rows[k].rolling_stiffness = rolling_of(request_)[k];
     rows[k].mean_field =
         mean_field_estimates(with_rolling(options, rows[k].rolling_stiffness).loaded_network(state.packing),
@@ -187,7 +191,6 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
     require_moduli(row.moduli);
     row.seconds = seconds_since(start);
     row.rolling_stiffness = rolling;
-    row.reduced_pressure = reduced_pressure<Dim>(packing, row.moduli.pressure);
     row.mean_field = mean_field_estimates(network, description.z, description.solid_fraction);
     if (speaks)
       for (const std::string& warning : row.moduli.warnings) warn(file, warning, first_number(warning));

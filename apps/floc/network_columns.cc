@@ -116,6 +116,7 @@ std::vector<Column<NetworkRow>> network_columns(const NetworkCommand& command) {
     columns.insert(columns.end(), more.begin(), more.end());
   for (const auto& [name, value] : bond_columns(command.bonds))
     columns.emplace_back(name, [value = value](const NetworkRow& r) { return value(r.bonds); });
+  columns.emplace_back("p_wall", [](const NetworkRow& r) { return or_undefined(r.wall_pressure); });
   return columns;
 }
 

@@ -11,6 +11,7 @@
 #include "floc/network/carrying_structure.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/wall_forces.h"
 #include "floc/structure/elastic_energy.h"
 #include "floc/structure/particle_stress.h"
 #include "repeated_warnings.h"
@@ -52,7 +53,10 @@ void add_mechanics(const State<Dim>& state, const CarryingStructure& held, doubl
 /// The same grains held, without the contacts that hold them to walls.
 template <int Dim>
 CarryingStructure between_grains(const Packing<Dim>& packing, CarryingStructure held) {
-  std::erase_if(held.contacts, [&](int k) { return packing.is_wall(packing.contacts[k].j); });
+  const auto on_wall = [&](int k) { return packing.is_wall(packing.contacts[k].j); };
+  for (const int k : held.contacts)
+    if (on_wall(k)) --held.degree[packing.contacts[k].i];
+  std::erase_if(held.contacts, on_wall);
   return held;
 }
 
@@ -123,6 +127,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   row.n_grains = packing.grains.size();
   row.pressure = static_stress(packing).trace() / Dim;
   row.reduced_pressure = reduced_pressure(packing, row.pressure);
+  row.wall_pressure = mean_wall_pressure(packing);
   row.solid_fraction = solid_fraction(packing);
   const double tolerance = command.zero_force.value_or(state.tolerance.force);
   const double zero_force = tolerance * force_scale(packing, state.target_stress).force;

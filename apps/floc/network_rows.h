@@ -41,6 +41,7 @@ struct NetworkRow {
   int n_grains;
   double pressure;
   double reduced_pressure;
+  std::optional<double> wall_pressure;  ///< of boxes alone
   double solid_fraction;
   Coordination coordination;
   ForceMoments moments;

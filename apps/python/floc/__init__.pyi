@@ -178,6 +178,7 @@ class Moduli(Record):
     nu_23: float | None
     nu_31: float | None
     nu_32: float | None
+    p_wall: float | None
 
 class Network(Record):
     file: str
@@ -288,6 +289,7 @@ class Network(Record):
     negative_directions_shuffled: float | None
     positive_percolates_shuffled: float | None
     negative_percolates_shuffled: float | None
+    p_wall: float | None
 
 class Structure(Record):
     file: str

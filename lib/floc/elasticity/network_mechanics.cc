@@ -34,12 +34,12 @@ NetworkMechanics network_mechanics(const Packing<Dim>& packing, const ContactNet
                                    const Moduli& moduli, const ContactMechanics<Dim>& contacts) {
   NetworkMechanics out;
   const int n_held = network.n_grains - moduli.n_rattlers;
-  int n_touching = 0;
+  int n_touching = 0, n_between_grains = 0;
   double kn = 0.0;
   for (const NetworkContact<Dim>& c : network.contacts)
-    if (!c.distant) ++n_touching, kn += c.kn;
+    if (!c.distant) ++n_touching, n_between_grains += !c.on_wall(), kn += c.kn;
   out.rattler_fraction = static_cast<double>(moduli.n_rattlers) / network.n_grains;
-  out.z_star = n_held == 0 ? 0.0 : 2.0 * n_touching / n_held;
+  out.z_star = n_held == 0 ? 0.0 : 2.0 * n_between_grains / n_held;
   if (n_touching > 0) {
     const double a = 2.0 * *std::max_element(network.grain_size.begin(), network.grain_size.end());
     out.G_star = moduli.G * std::pow(a, Dim - 2) / (kn / n_touching * solid_fraction(packing)) /

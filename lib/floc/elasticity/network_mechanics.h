@@ -27,7 +27,7 @@ ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, cons
 /// How determined a contact network is, in numbers (docs/physics.md, "Stability and mechanisms").
 struct NetworkMechanics {
   double rattler_fraction = 0.0;  ///< x0
-  /// Twice the touching contacts per grain that is not a rattler; contacts of rattlers are left out.
+  /// Twice the touching contacts between grains per grain that is not a rattler; contacts of rattlers are left out.
   double z_star = 0.0;
   /// G/(K_N Phi (1 - x0)) with the mean K_N of touching contacts, in 3D times the largest diameter so that it
   /// has no dimension; absent without contacts.

@@ -11,23 +11,27 @@ namespace {
 struct Block {
   std::vector<int> contacts;
   std::vector<int> grains;
-  bool winds = false;  // holds a loop around the cell
+  bool winds = false;  // holds a loop around the cell, or from a wall to another
+  bool held = false;   // a loop through walls, whichever
 };
 
 /// Blocks of a network by depth-first search (Hopcroft and Tarjan), contacts between the same two grains and of
-/// a grain with its own image kept apart.
+/// a grain with its own image kept apart. All walls together are one more grain, whose images are the upper walls.
 template <int Dim>
 class BlockSearch {
  public:
   BlockSearch(const ContactNetwork<Dim>& network, const Adjacency& of)
       : network_(network),
         of_(of),
-        depth_(network.n_grains, 0),
-        low_(network.n_grains, 0),
-        image_(network.n_grains, CellCount<Dim>::Zero()),
+        depth_(network.n_grains + 1, 0),
+        low_(network.n_grains + 1, 0),
+        image_(network.n_grains + 1, CellCount<Dim>::Zero()),
         seen_(network.contacts.size(), false),
-        last_block_(network.n_grains, -1) {
-    for (int i = 0; i < network.n_grains; ++i)
+        last_block_(network.n_grains + 1, -1) {
+    of_.emplace_back();
+    for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c)
+      if (network.contacts[c].on_wall()) of_.back().push_back(c);
+    for (int i = 0; i <= network.n_grains; ++i)
       if (depth_[i] == 0) search(i);
   }
   std::vector<Block> take() { return std::move(blocks_); }
@@ -61,10 +65,10 @@ class BlockSearch {
   void follow(int grain, int c, std::vector<Visit>& path) {
     const NetworkContact<Dim>& contact = network_.contacts[c];
     const bool forward = contact.i == grain;
-    const int other = forward ? contact.j : contact.i;
+    const int other = forward ? second(contact) : contact.i;
     seen_[c] = true;
     if (other == grain) {
-      blocks_.push_back({{c}, {grain}, contact.image != Vec<Dim, int>(Vec<Dim, int>::Zero())});
+      blocks_.push_back({{c}, {grain}, contact.image != Vec<Dim, int>(Vec<Dim, int>::Zero()), false});
       return;
     }
     open_.push_back(c);
@@ -87,19 +91,29 @@ class BlockSearch {
       open_.pop_back();
       const NetworkContact<Dim>& contact = network_.contacts[c];
       block.contacts.push_back(c);
-      block.winds = block.winds || image_[contact.i] + cells(contact) != image_[contact.j];
-      for (const int grain : {contact.i, contact.j})
+      block.winds = block.winds || image_[contact.i] + cells(contact) != image_[second(contact)];
+      block.held = block.held || contact.on_wall();
+      for (const int grain : {contact.i, second(contact)})
         if (last_block_[grain] != number) last_block_[grain] = number, block.grains.push_back(grain);
     }
+    block.held = block.held && block.contacts.size() > 1;
     blocks_.push_back(std::move(block));
   }
 
+  int second(const NetworkContact<Dim>& contact) const {
+    return contact.on_wall() ? network_.n_grains : contact.j;
+  }
+
   static CellCount<Dim> cells(const NetworkContact<Dim>& contact) {
-    return contact.image.template cast<std::int64_t>();
+    CellCount<Dim> cells = contact.image.template cast<std::int64_t>();
+    if (!contact.on_wall()) return cells;
+    constexpr double kAlong = 0.5;  // the normal of a wall is that of an axis
+    for (int a = 0; a < Dim; ++a) cells[a] += contact.normal()[a] > kAlong;
+    return cells;
   }
 
   const ContactNetwork<Dim>& network_;
-  const Adjacency& of_;
+  Adjacency of_;
   std::vector<int> depth_;  // of each grain in the search tree, from 1; 0: not reached
   std::vector<int> low_;    // least depth that a grain's subtree has a contact with
   std::vector<CellCount<Dim>> image_;
@@ -110,16 +124,16 @@ class BlockSearch {
 };
 
 /// Takes off, from the tips, blocks that do not wind around the cell and share a grain with no more than one
-/// part of the others. @return which blocks went
-std::vector<bool> hanging(const std::vector<Block>& blocks, int n_grains) {
-  std::vector<std::vector<int>> of(n_grains);
+/// part of the others. @param n_nodes  grains, and one for the walls  @return which blocks went
+std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
+  std::vector<std::vector<int>> of(n_nodes);
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
     for (const int grain : blocks[b].grains) of[grain].push_back(b);
-  std::vector<int> n_left(n_grains);
-  for (int i = 0; i < n_grains; ++i) n_left[i] = static_cast<int>(of[i].size());
+  std::vector<int> n_left(n_nodes);
+  for (int i = 0; i < n_nodes; ++i) n_left[i] = static_cast<int>(of[i].size());
   std::vector<int> n_joints(blocks.size(), 0);
   std::vector<int> tips;
-  const auto is_tip = [&](int b) { return !blocks[b].winds && n_joints[b] <= 1; };
+  const auto is_tip = [&](int b) { return !blocks[b].winds && !blocks[b].held && n_joints[b] <= 1; };
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
     for (const int grain : blocks[b].grains) n_joints[b] += n_left[grain] > 1 ? 1 : 0;
     if (is_tip(b)) tips.push_back(b);
@@ -150,7 +164,7 @@ Percolation find_percolation(const ContactNetwork<Dim>& network) {
   for (const Component<Dim>& part : find_components(network, of, std::vector<bool>(n, true)))
     result.n_directions = std::max(result.n_directions, static_cast<int>(part.winding.size()));
   const std::vector<Block> blocks = BlockSearch<Dim>(network, of).take();
-  const std::vector<bool> gone = hanging(blocks, network.n_grains);
+  const std::vector<bool> gone = hanging(blocks, network.n_grains + 1);
   for (std::size_t b = 0; b < blocks.size(); ++b)
     for (const int c : blocks[b].contacts) {
       result.scalar_backbone[c] = blocks[b].winds;

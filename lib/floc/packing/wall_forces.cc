@@ -51,6 +51,14 @@ Vec<Dim> wall_pressure(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
+std::optional<double> mean_wall_pressure(const Packing<Dim>& packing) {
+  int n_axes = 0;
+  for (int a = 0; a < Dim; ++a) n_axes += between_walls(packing.walls, a);
+  if (n_axes == 0) return std::nullopt;
+  return wall_pressure(packing).sum() / n_axes;
+}
+
+template <int Dim>
 Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing) {
   Vec<Dim> sum = Vec<Dim>::Zero();
   for (const Contact<Dim>& c : packing.contacts)
@@ -80,14 +88,15 @@ double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress
   return largest;
 }
 
-#define FLOC_INSTANTIATE(Dim)                                      \
-  template bool follows_forces(const Wall<Dim>&);                  \
-  template Packing<Dim> with_walls_at_cell(Packing<Dim>);          \
-  template double wall_area(const Packing<Dim>&, int);             \
-  template std::vector<double> wall_forces(const Packing<Dim>&);   \
-  template Vec<Dim> wall_pressure(const Packing<Dim>&);            \
-  template Vec<Dim> stress_borne_by_friction(const Packing<Dim>&); \
-  template Mat<Dim> load_stress(const Packing<Dim>&);              \
+#define FLOC_INSTANTIATE(Dim)                                             \
+  template bool follows_forces(const Wall<Dim>&);                         \
+  template Packing<Dim> with_walls_at_cell(Packing<Dim>);                 \
+  template double wall_area(const Packing<Dim>&, int);                    \
+  template std::vector<double> wall_forces(const Packing<Dim>&);          \
+  template Vec<Dim> wall_pressure(const Packing<Dim>&);                   \
+  template std::optional<double> mean_wall_pressure(const Packing<Dim>&); \
+  template Vec<Dim> stress_borne_by_friction(const Packing<Dim>&);        \
+  template Mat<Dim> load_stress(const Packing<Dim>&);                     \
   template double wall_imbalance(const Packing<Dim>&, const Vec<Dim>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

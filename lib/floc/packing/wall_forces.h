@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "floc/packing/packing.h"
@@ -28,6 +29,10 @@ std::vector<double> wall_forces(const Packing<Dim>& packing);
 /// (force/length^(Dim-1)).
 template <int Dim>
 Vec<Dim> wall_pressure(const Packing<Dim>& packing);
+
+/// Mean of wall_pressure() over the axes between walls (force/length^(Dim-1)); none without walls.
+template <int Dim>
+std::optional<double> mean_wall_pressure(const Packing<Dim>& packing);
 
 /// The stress that the boundary is loaded with: the static one and, along each axis between walls, the pressure
 /// on them, part of which is borne by the friction of the others (force/length^(Dim-1)).

@@ -13,9 +13,8 @@ template <int Dim>
 int between_pairs(const Packing<Dim>& packing) {
   std::vector<int> degree(packing.grains.size(), 0);
   for (const Contact<Dim>& c : packing.contacts)
-    if (!c.distant)
-      for (const int body : {c.i, c.j})
-        if (!packing.is_wall(body)) ++degree[body];
+    if (!c.distant && !packing.is_wall(c.j))
+      for (const int grain : {c.i, c.j}) ++degree[grain];
   int n = 0;
   for (const Contact<Dim>& c : packing.contacts)
     n += !c.distant && !packing.is_wall(c.j) && degree[c.i] == 2 && degree[c.j] == 2;

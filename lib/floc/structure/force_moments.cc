@@ -10,18 +10,16 @@ template <int Dim>
 ForceMoments force_moments(const Packing<Dim>& packing) {
   const auto counted = [&packing](const Contact<Dim>& c) { return !c.distant && !packing.is_wall(c.j); };
   ForceMoments out;
-  double mean = 0.0;
+  double& mean = out.mean_normal;
   int n = 0;
   for (const Contact<Dim>& c : packing.contacts) {
     if (!counted(c)) continue;
     ++n;
     mean += c.elastic_force;
-    out.mean_normal += c.normal_force;
-    out.largest = std::max(out.largest, std::abs(c.normal_force));
+    out.largest = std::max(out.largest, c.elastic_force);
   }
   if (n == 0) return out;
   mean /= n;
-  out.mean_normal /= n;
   if (!(mean > 0.0)) return out;
   for (const Contact<Dim>& c : packing.contacts)
     for (int q = 2; q <= 4 && counted(c); ++q) out.Z[q - 2] += std::pow(c.elastic_force / mean, q) / n;

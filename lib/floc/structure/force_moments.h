@@ -9,10 +9,9 @@ namespace floc {
 /// Moments of the contact forces and how far friction is mobilised (docs/physics.md, "Force network"), over
 /// contacts that touch; all zero without any.
 struct ForceMoments {
-  double mean_normal = 0.0;  ///< `<F_N>`, static normal force, sign kept (force)
-  double largest = 0.0;      ///< |F_N| (force)
-  /// `Z(q) = <N^q>/<N>^q` of the elastic normal force N, q = 2, 3, 4; without adhesion that is the whole normal
-  /// force.
+  double mean_normal = 0.0;  ///< `<N>`, of the elastic normal force N (force)
+  double largest = 0.0;      ///< the largest N (force)
+  /// `Z(q) = <N^q>/<N>^q`, q = 2, 3, 4; without adhesion N is the whole normal force.
   std::array<double, 3> Z{};
   /// Mean |F_T|/N over contacts whose N is above, and below, `<N>`; at most the coefficient of friction.
   double M1 = 0.0, M2 = 0.0;

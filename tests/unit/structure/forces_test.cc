@@ -99,7 +99,8 @@ TEST(ForceMoments, OfAHandfulOfContacts) {
 
 TEST(ForceMoments, WithAdhesionAreOfTheElasticPart) {
   const ForceMoments m = force_moments(with_forces({-1.0, 1.0}, 2.0));  // elastic 1 and 3
-  EXPECT_DOUBLE_EQ(m.mean_normal, 0.0);
+  EXPECT_DOUBLE_EQ(m.mean_normal, 2.0);
+  EXPECT_DOUBLE_EQ(m.largest, 3.0);
   EXPECT_DOUBLE_EQ(m.Z[0], 5.0 / 4.0);
   EXPECT_DOUBLE_EQ(m.M1, 0.5 / 3.0);
   EXPECT_DOUBLE_EQ(m.M2, 0.5);

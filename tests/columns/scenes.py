@@ -1,0 +1,215 @@
+"""Scenes of 20 to 60 grains, one or more for every kind of packing that the columns are checked on."""
+
+POWDER = """[scene]
+name = "powder"
+dimension = 2
+units = "reduced"
+[grains]
+count = 40
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e4}
+adhesion = {law = "tail", force = 1.0, range = 1e-2}
+damping = {restitution = 0.015, mass = "effective"}
+friction = {coefficient = 0.5, stiffness = 7e3}
+rolling = {coefficient = 0.005, stiffness = 1.0}
+[cell]
+solid_fraction = 0.5
+mass = 1.0
+strain_rate_cap = 0.05
+[assembly]
+protocol = "aggregation"
+agitation = 3.0
+pressure = 0.01
+[[load]]
+name = "load"
+to = 1.0
+steps = 2
+[[load]]
+name = "biaxial"
+control = "triaxial"
+axis = 1
+strain = 0.01
+steps = 1
+[[load]]
+name = "shear"
+control = "simple_shear"
+strain = 0.01
+steps = 1
+[run]
+seed = 3
+"""
+
+DISKS = """[scene]
+name = "disks"
+dimension = 2
+units = "reduced"
+[grains]
+count = 50
+diameter = {distribution = "uniform", min = 0.4, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1.0}
+damping = {restitution = 0.1, mass = "effective"}
+friction = {coefficient = 0.3, stiffness = 0.8}
+[cell]
+solid_fraction = 0.5
+mass = 1.0
+inertial_number_cap = 0.01
+[assembly]
+protocol = "direct"
+pressure = 1e-3
+[[load]]
+name = "oedometer"
+control = "oedometric"
+to = 3e-3
+steps = 1
+[run]
+seed = 2
+"""
+
+BEADS = """[scene]
+name = "beads"
+dimension = 3
+units = "SI"
+[grains]
+count = 60
+density = 2500
+diameter = {distribution = "constant", value = 1e-3}
+[contact]
+normal = {law = "hertz", modulus = 70e9, poisson = 0.3}
+friction = {law = "mindlin", coefficient = 0.3}
+damping = {critical_fraction = 0.98}
+[cell]
+solid_fraction = 0.45
+mass = 1.0
+inertial_number_cap = 0.03
+[assembly]
+protocol = "direct"
+pressure = 10e6
+friction = 0.02
+[[load]]
+name = "biaxial"
+control = "triaxial"
+strain = 0.001
+steps = 1
+[run]
+seed = 3
+"""
+
+CLAY = """[scene]
+name = "clay"
+dimension = 3
+units = "reduced"
+[grains]
+count = 30
+diameter = {distribution = "uniform", min = 0.6, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e4}
+adhesion = {law = "tail", force = 1.0, range = 0.02}
+damping = {restitution = 0.015, mass = "effective"}
+friction = {coefficient = 0.5, stiffness = 8e3}
+rolling = {coefficient = 0.01, stiffness = 2.0}
+twisting = {coefficient = 0.01, stiffness = 3.0}
+[cell]
+solid_fraction = 0.4
+mass = 1.0
+strain_rate_cap = 0.05
+[assembly]
+protocol = "direct"
+pressure = 0.05
+[[load]]
+to = 0.5
+steps = 1
+[run]
+seed = 5
+"""
+
+WET = """[scene]
+name = "wet"
+dimension = 3
+units = "SI"
+[grains]
+count = 40
+density = 2600
+diameter = {distribution = "uniform", min = 1e-3, max = 2e-3}
+[contact]
+normal = {law = "linear", stiffness = 1e3}
+damping = {restitution = 0.1, mass = "effective"}
+friction = {coefficient = 0.4, stiffness = 1e3}
+[contact.adhesion]
+law = "capillary"
+surface_tension = 0.072
+contact_angle = 0
+water_content = 0.02
+density_ratio = 2.6
+[cell]
+solid_fraction = 0.45
+mass = 1.0
+strain_rate_cap = 0.05
+[assembly]
+protocol = "direct"
+pressure = 100
+friction = 0.0
+inertial_number_cap = 1e-2
+[[load]]
+to = 300
+steps = 1
+[run]
+seed = 1
+"""
+
+BOX = """[scene]
+name = "box"
+dimension = 2
+units = "reduced"
+[grains]
+count = 60
+diameter = {distribution = "uniform", min = 0.8, max = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e3}
+adhesion = {law = "constant", force = 0.2}
+damping = {restitution = 0.4472136}
+friction = {coefficient = 0.4, stiffness = 1.5e3}
+[box]
+sides = [1, 1.3]
+mass = 20
+pressure = 0.1
+friction = 0.4
+adhesion = 0
+[assembly]
+protocol = "direct"
+solid_fraction = 0.35
+kinetic_pressure = 0.02
+[run]
+seed = 3
+"""
+
+CUBE = """[scene]
+name = "cube"
+dimension = 3
+units = "reduced"
+[grains]
+count = 30
+diameter = {distribution = "constant", value = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e3}
+adhesion = {law = "constant", force = 0.2}
+damping = {restitution = 0.4472136}
+friction = {coefficient = 0.4, stiffness = 1.5e3}
+rolling = {coefficient = 0.02, stiffness = 5.0}
+[box]
+sides = [1, 1, 1]
+boundary = {x = "walls", y = "periodic", z = "walls"}
+mass = 20
+pressure = 0.1
+friction = 0.4
+adhesion = 0
+[assembly]
+protocol = "direct"
+solid_fraction = 0.35
+kinetic_pressure = 0.02
+[run]
+seed = 3
+"""
+
+SCENES = {"powder": POWDER, "disks": DISKS, "beads": BEADS, "clay": CLAY, "wet": WET, "box": BOX, "cube": CUBE}

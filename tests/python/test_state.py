@@ -113,6 +113,36 @@ class Values(unittest.TestCase):
         self.assertEqual(copy.read_bytes(), pathlib.Path(file).read_bytes())
 
 
+class Matrices(unittest.TestCase):
+    def test_have_rows_first(self):
+        """sigma_ab = sum f_a r_b/V and the lattice vectors, one a row: of a packing out of balance, whose stress is not
+        symmetric, in a skewed cell."""
+        cell = np.array([[4.0, 0.0], [1.0, 3.0]])
+        branch, normal, shear = np.array([0.588, 0.784]), np.array([0.6, 0.8]), np.array([-2.4, 1.8])
+        with self.assertWarns(floc.FlocWarning):
+            made = floc.Packing.from_arrays(
+                [[1.0, 1.0], [1.588, 1.784]], [0.5, 0.5], cell,
+                "normal.stiffness=1e3, friction.coefficient=0.5, friction.stiffness=1e3",
+                contacts={"id1": [0], "id2": [1], "normal_force": [20.0], "shear_force": [shear]}, tolerance=10.0)
+        expected = np.outer(20.0 * normal - shear, branch) / 12.0
+        self.assertGreater(abs(expected[0, 1] - expected[1, 0]), 0.1)
+        file = samples.directory() / "unbalanced.h5"
+        made.write(file)
+        read = floc.read(file)
+        for state in (made, read):
+            np.testing.assert_allclose(state.stress, expected, rtol=1e-12)
+            np.testing.assert_array_equal(state.cell, cell)
+        with self.assertWarns(floc.FlocWarning):
+            grains = floc.network(read, tables=["particle_stress"]).tables["particle_stress"]
+        volume = np.pi / 4 * 2 / read.solid_fraction / 2
+        for a in (0, 1):
+            for b in (0, 1):
+                self.assertAlmostEqual(grains[f"stress{a + 1}{b + 1}"].sum() * volume / 12.0, expected[a, b], 12)
+        info = samples.rows_of("info", file, "--columns", "cell,P")[0]
+        self.assertEqual(info["cell"], "4,0;1,3")
+        self.assertAlmostEqual(info["P"], np.trace(expected) / 2, 12)
+
+
 class Copies(unittest.TestCase):
     def test_are_the_same_state(self):
         """pickle, copy and deepcopy give every array, number and word back, of states read and of packings made."""

@@ -1,6 +1,5 @@
 #include "output.h"
 
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -95,7 +94,7 @@ int for_each_state(const std::vector<std::string>& files,
   const auto read_and_work = [&](const std::string& file) {
     const AnyState state = read_state(file);
     const std::string warning = std::visit([](const auto& s) { return overlap_warning(s.packing); }, state);
-    if (!warning.empty()) spdlog::warn("{}: warning: {}", file, warning);
+    if (!warning.empty()) warn(file, warning, first_number(warning));
     return work(file, state);
   };
   return for_each_file(files, [&](const std::string& input) {

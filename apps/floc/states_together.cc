@@ -1,7 +1,5 @@
 #include "states_together.h"
 
-#include <spdlog/spdlog.h>
-
 #include <filesystem>
 #include <iostream>
 
@@ -11,6 +9,7 @@
 #include "floc/io/checked_state.h"
 #include "floc/packing/overlaps.h"
 #include "output.h"
+#include "repeated_warnings.h"
 #include "sampled_states.h"
 
 namespace floc {
@@ -58,7 +57,7 @@ int for_each_state_together(const std::vector<std::string>& files, ParallelSolve
       if (!speaks) state = read_checked_state(file);
       if (!speaks) return int{kDone};
       const std::string warning = std::visit([](const auto& s) { return overlap_warning(s.packing); }, state);
-      if (!warning.empty()) spdlog::warn("{}: warning: {}", file, warning);
+      if (!warning.empty()) warn(file, warning, first_number(warning));
       return check(file, state);
     });
     if (code != kDone) return code;

@@ -7,6 +7,26 @@
 #include "floc/base/error.h"
 
 namespace floc {
+namespace {
+
+/// Crystals that are compressed by some tenths of a percent are dense without being impossible.
+constexpr double kCompressedCrystal = 1.01;
+/// Radii that differ by rounding alone are equal.
+constexpr double kEqual = 1e-9;
+
+/// What is said of the solid fraction; nothing where grains differ or it is possible.
+template <int Dim>
+std::string density_fault(const Packing<Dim>& packing) {
+  const auto& radius = packing.grains.radius;
+  if (radius.empty()) return {};
+  const auto [least, largest] = std::minmax_element(radius.begin(), radius.end());
+  const double phi = solid_fraction(packing);
+  if (*largest > (1.0 + kEqual) * *least || phi <= kCompressedCrystal * densest_of_equal(Dim)) return {};
+  return fmt::format("the solid fraction is {:.4g}, but equal {} that do not overlap fill at most {:.4g}", phi,
+                     Dim == 2 ? "disks" : "spheres", densest_of_equal(Dim));
+}
+
+}  // namespace
 
 template <int Dim>
 Overlaps measure_overlaps(const Packing<Dim>& packing) {
@@ -30,13 +50,27 @@ Overlaps measure_overlaps(const Packing<Dim>& packing) {
 
 template <int Dim>
 std::string overlap_warning(const Packing<Dim>& packing) {
-  if (!packing.law.stiffness_varies()) return {};
   const Overlaps found = measure_overlaps(packing);
-  if (found.deep_share == 0.0) return {};
-  return fmt::format(
-      "{:.2g} % of the contacts overlap by more than a tenth of a radius, the deepest by {:.3g} of it: Hertz's "
-      "law is for small overlaps",
-      100.0 * found.deep_share, found.largest);
+  std::string text;
+  if (found.deep_share > 0.0)
+    text = fmt::format(
+        "{:.2g} % of the contacts overlap by more than a tenth of a radius, the deepest by {:.3g} of it, the "
+        "mean of all by {:.3g}",
+        100.0 * found.deep_share, found.largest, found.mean);
+  if (const std::string dense = density_fault(packing); !dense.empty())
+    text += (text.empty() ? "" : "; ") + dense;
+  if (text.empty()) return {};
+  return fmt::format("{}: {}{}", text,
+                     packing.law.stiffness_varies() ? "Hertz's law is for small overlaps; " : "",
+                     question_of_units(packing.law));
+}
+
+std::string question_of_units(const LawParameters& law) {
+  return law.normal.visit([]<class Model>(const Model& model) {
+    const Number<Model>& stiffness = Model::kNumbers[0];
+    return fmt::format("is {} = {:.6g} in the units of lengths and forces?", stiffness.symbol,
+                       model.*stiffness.member);
+  });
 }
 
 template <int Dim>

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Overlap of two spheres, over the smaller radius, up to which Hertz' contact law is meant: beyond it the
-/// contact circle is a third of the radius, and the contacts of a sphere affect each other.
+/// Overlap of two grains, over the smaller radius, up to which contact laws are meant: beyond it the contact
+/// circle of spheres is a third of the radius, and the contacts of a grain affect each other.
 inline constexpr double kDeepOverlap = 0.1;
 /// Mean overlap of a packing beyond which it is refused: at the largest pressure that scenes may ask for, a
 /// stiffness level of 30, it is 0.11.
@@ -23,10 +23,20 @@ struct Overlaps {
 template <int Dim>
 Overlaps measure_overlaps(const Packing<Dim>& packing);
 
-/// A warning about contacts of a packing that are too deep for its law, if this is one for small overlaps;
-/// empty where there is nothing to warn of.
+/// Solid fraction that no packing of equal hard grains exceeds: that of the triangular lattice of disks, of the
+/// face-centred cubic one of spheres.
+constexpr double densest_of_equal(int dim) {
+  return dim == 2 ? 0.906899682117109 : 0.740480489693061;
+}
+
+/// A warning about a packing that its stiffness lets overlap too far, or whose equal grains are denser than hard
+/// ones can be, with what is likely to blame; empty where there is nothing to warn of. Some soft packings are
+/// meant: nothing is refused.
 template <int Dim>
 std::string overlap_warning(const Packing<Dim>& packing);
+
+/// "is K_N = 10 in the units of lengths and forces?": the question to ask where grains overlap too far.
+std::string question_of_units(const LawParameters& law);
 
 /// @throws InputError at `place` if the law is for small overlaps and the mean of all is beyond kDeepestMean
 template <int Dim>

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/loading/run_plan.h"
 #include "floc/packing/liquid.h"
+#include "floc/packing/overlaps.h"
 #include "floc/relaxation/static_solver.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/scene_scales.h"
@@ -41,6 +43,49 @@ void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
         fmt::format("equilibrium.energy = {}: with finish = \"dynamic\" rounding keeps grains moving at about "
                     "{}, so that steps end only at equilibrium.max_time",
                     t.energy, kLeastEnergy));
+}
+
+/// The largest stress that a stage asks for, 0 where it asks for strains alone.
+double largest_stress(const LoadStage& stage) {
+  if (stage.is_isotropic()) return stage.to;
+  double largest = 0.0;
+  for (const AxisLoad& axis : stage.axes)
+    if (axis.kind == AxisLoad::stress) largest = std::max(largest, axis.end);
+  return largest;
+}
+
+/// Overlap, over their radius, of two of the largest grains under so many times the mean force of a pressure and
+/// their adhesion: P = z Phi F/(pi a^(d-1)) of equal grains, of which z Phi = 4 bear it.
+double overlap_under(const Scene& scene, const LawParameters& law, double pressure, double times_mean) {
+  const double a = scene.grains.diameter.max;
+  const double mean = 0.25 * std::numbers::pi * pressure * std::pow(a, scene.dimension - 1);
+  const double elastic = times_mean * mean + law.pull_off_force(0.5 * a);
+  const PairGeometry<> pair(0.0, 0.25 * a);
+  const double overlap = law.normal.visit([&](const auto& model) {
+    if constexpr (requires { model.overlap_at_force(pair, elastic); })
+      return model.overlap_at_force(pair, elastic);
+    else
+      return elastic / model.stiffness_at_force(pair, elastic);
+  });
+  return overlap / (0.5 * a);
+}
+
+/// Grains too soft for what the path asks for, as where the stiffness is in other units: see overlap_warning().
+void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
+  constexpr double kLoaded = 3.0;  // times the mean force, which some contacts in a hundred bear
+  if (!(scene.grains.diameter.max > 0.0)) return;
+  LawParameters law = scene.law, softest = law;
+  double deepest = overlap_under(scene, law, scene.assembly.pressure, kLoaded), at = scene.assembly.pressure;
+  for (const LoadStage& stage : scene.load) {
+    for (const auto& [key, value] : stage.set) change_law(law, key, value);
+    const double pressure = largest_stress(stage), overlap = overlap_under(scene, law, pressure, kLoaded);
+    if (overlap > deepest) deepest = overlap, at = pressure, softest = law;
+  }
+  if (deepest > kDeepOverlap)
+    warnings.push_back(
+        fmt::format("contact.normal: at a pressure of {} contacts would overlap by about {:.2g} of a radius in "
+                    "the mean, and by {:.2g} under {} times the mean force: {}",
+                    at, overlap_under(scene, softest, at, 1.0), deepest, kLoaded, question_of_units(softest)));
 }
 
 void warn_of_range(const Scene& scene, Warnings& warnings) {
@@ -138,6 +183,7 @@ void warn_of_cost(const Scene& scene, Warnings& warnings) {
 std::vector<std::string> scene_warnings(const Scene& scene) {
   Warnings warnings;
   warn_of_tolerances(scene, warnings);
+  warn_of_overlaps(scene, warnings);
   warn_of_range(scene, warnings);
   warn_of_liquid(scene, warnings);
   warn_of_slow_compression(scene, warnings);

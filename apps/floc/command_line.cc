@@ -81,6 +81,11 @@ Option Option::delimiter(char between) {
   return *this;
 }
 
+Option Option::joined(char between) {
+  option_->join(between);
+  return *this;
+}
+
 Option Option::one_argument_each() {
   option_->allow_extra_args(false);
   return *this;

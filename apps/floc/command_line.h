@@ -22,6 +22,8 @@ class Option {
   Option expected(int least, int most);
   /// Values may also come as one argument, between these.
   Option delimiter(char between);
+  /// Several mentions of the option are one value, joined by this.
+  Option joined(char between);
   /// Each mention of the option takes one argument, and what follows is positional again.
   Option one_argument_each();
   /// The help shows the value that the variable has now.

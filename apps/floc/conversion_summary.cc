@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+#include <optional>
+
 #include "equilibrium_check.h"
+#include "floc/neighbors/nearest_pair.h"
 #include "floc/run/contact_check.h"
 
 namespace floc {
@@ -33,6 +37,13 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
                     listed.n_other_image, listed.n_read));
 }
 
+/// Stiffnesses that differ from the law's; where that is their mean, they do without contradicting it.
+void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
+  std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.doubts;
+  for (const std::string& difference : imported.listed_contacts.stiffness_differences)
+    said.push_back(difference);
+}
+
 void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& summary) {
   summary.lines.push_back(fmt::format(
       "of these {} have a gap, {} pull, {} are at their cap; normal forces differ from "
@@ -56,6 +67,28 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
+/// A packing in which nothing touches has no network; most often its lengths are not those that were meant.
+template <int Dim>
+void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& summary) {
+  if (!packing.contacts.empty()) return;
+  const std::optional<NearestPair> nearest = nearest_pair(packing);
+  if (nearest && nearest->gap < 0.0) return;  // missing from a list, which is said elsewhere
+  constexpr double kHard = 1e-3, kDoubled = 0.1;
+  std::string cause = "are the radii and the cell in the same unit of length?";
+  std::string where;
+  if (nearest) {
+    const auto& radius = packing.grains.radius;
+    const double radii = radius[nearest->i] + radius[nearest->j];
+    if (nearest->gap <= kHard * radii)
+      cause = "hard grains at contact end a little apart; radii larger by more than half of this gap touch";
+    else if (std::abs(nearest->gap - radii) <= kDoubled * radii)
+      cause = "twice as large, the nearest would touch: are radii given as diameters?";
+    where = fmt::format(" (the smallest gap is {:.3g}, {:.2g} of a mean diameter, of grains {}-{})",
+                        nearest->gap, nearest->gap / radii, nearest->i, nearest->j);
+  }
+  summary.doubts.push_back(fmt::format("no grains touch{}: {}", where, cause));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -66,10 +99,12 @@ ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
   if (imported.contacts_known) {
     add_missing_contacts(state.packing, check);
     add_list(imported.listed_contacts, check.n_contacts, summary);
+    add_stiffnesses(imported, summary);
   }
   add_contacts(check, state.packing.law.adheres(), summary);
   summary.lines.back() +=
       fmt::format("; stress {:.6g}", fmt::join(state.stress.data(), state.stress.data() + Dim * Dim, " "));
+  add_absence_of_contacts(state.packing, summary);
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
     summary.doubts.push_back("this state is not in equilibrium: " + faults);
   return summary;

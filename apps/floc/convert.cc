@@ -67,7 +67,9 @@ std::map<std::string, std::string> parse_columns(const std::string& option, cons
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos || equals + 1 == item.size())
       throw InputError(option, fmt::format("\"{}\", expected name=column, as in x=X,y=Y,radius=R", item));
-    columns[std::string(trimmed(item.substr(0, equals)))] = trimmed(item.substr(equals + 1));
+    const std::string name(trimmed(item.substr(0, equals)));
+    if (!columns.emplace(name, trimmed(item.substr(equals + 1))).second)
+      throw InputError(option, fmt::format("{} is given twice", name));
   }
   return columns;
 }
@@ -176,13 +178,14 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
   app.add_option("--law", arguments.law,
                  "contact law, e.g. normal.stiffness=1e5,friction.coefficient=0.5,friction.stiffness=1e5");
   app.add_option("--cell", arguments.cell, "lattice vectors of the periodic cell, e.g. \"9.5,0;0.06,9.57\"");
-  app.add_option("--columns", arguments.columns, "columns of the grains, e.g. x=X,y=Y,radius=R");
+  app.add_option("--columns", arguments.columns, "columns of the grains, e.g. x=X,y=Y,radius=R").joined(',');
   app.add_option(
       "--contacts", arguments.contacts,
       "file of contacts [found by geometry]: csv with id1, id2[, image1.., normal_force, shear_force1.., "
       "rolling_moment.., twisting_moment]; a LAMMPS dump of style local; YADE interactions");
   app.add_option("--contact-columns", arguments.contact_columns,
-                 "columns of the contacts, e.g. id1=c_pair[1],id2=c_pair[2],force1=c_force[1],...");
+                 "columns of the contacts, e.g. id1=c_pair[1],id2=c_pair[2],force1=c_force[1],...")
+      .joined(',');
   app.add_option("--stress", arguments.stress,
                  "diagonal of the imposed stress, positive in compression [as IN says, otherwise what the "
                  "contacts carry]");

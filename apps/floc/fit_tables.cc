@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -27,13 +28,25 @@ std::pair<std::string, std::string> name_and_unit(const std::string& header) {
   return {std::string(trimmed(header.substr(0, open))), header.substr(open + 1, header.size() - open - 2)};
 }
 
+/// @throws InputError if two columns have the name
 std::optional<UnitColumn> find_optional_column(const CsvTable& table, const std::string& name) {
-  for (const bool whole : {true, false})
+  std::optional<UnitColumn> found;
+  for (const bool whole : {true, false}) {
     for (int i = 0; i < static_cast<int>(table.columns().size()); ++i) {
-      const auto [bare, unit] = name_and_unit(table.columns()[static_cast<std::size_t>(i)]);
-      if ((whole ? table.columns()[static_cast<std::size_t>(i)] : bare) == name) return UnitColumn{i, unit};
+      const std::string& header = table.columns()[static_cast<std::size_t>(i)];
+      const auto [bare, unit] = name_and_unit(header);
+      if ((whole ? header : bare) != name) continue;
+      if (found)
+        throw InputError(
+            table.place(),
+            fmt::format("columns {} and {} are both named \"{}\": rename or remove one of them, or "
+                        "name the one that counts by its whole header with --columns",
+                        found->index + 1, i + 1, name));
+      found = UnitColumn{i, unit};
     }
-  return std::nullopt;
+    if (found) break;
+  }
+  return found;
 }
 
 std::string mapped(const ColumnNames& columns, const std::string& name) {
@@ -52,6 +65,58 @@ double solid_fraction_of(const std::string& place, double value, bool is_void_ra
     throw InputError(place, fmt::format("void_ratio = {}: expected a void ratio >= 0", value));
   return is_void_ratio ? 1.0 / (1.0 + value) : value;
 }
+
+/// How far a number may be from what was rounded to it: half a unit in its last place, or of three decimals where
+/// it has fewer, as 0.5 may be exact.
+double rounding_of(std::string_view text) {
+  constexpr double kThreeDecimals = 5e-4;
+  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view digits = text.substr(0, end);
+  const std::size_t point = std::min(digits.find('.') + 1, digits.size());
+  int exponent = point == 0 ? 0 : -static_cast<int>(digits.size() - point);
+  if (end < text.size()) exponent += parse_number<int>(text.substr(end + 1)).value_or(0);
+  return std::min(0.5 * std::pow(10.0, exponent), kThreeDecimals);
+}
+
+/// The solid fractions of a table, from phi or void_ratio: the one that `--columns` names, or both, which may not
+/// contradict each other.
+class DensityColumns {
+ public:
+  DensityColumns(const CsvTable& table, const ColumnNames& columns) : table_(table) {
+    const bool named_phi = columns.contains("phi"), named_void_ratio = columns.contains("void_ratio");
+    const auto there = [&](const char* name, bool named, bool other_named) {
+      return named || (!other_named && has_column(table, columns, name));
+    };
+    if (there("void_ratio", named_void_ratio, named_phi))
+      void_ratio_ = find_column(table, columns, "void_ratio").index;
+    if (void_ratio_ < 0 || there("phi", named_phi, named_void_ratio))
+      phi_ = find_column(table, columns, "phi").index;
+  }
+
+  double phi(int row) const {
+    if (phi_ < 0) return solid_fraction_of(table_.place(row), table_.number(row, void_ratio_), true);
+    const double phi = solid_fraction_of(table_.place(row), table_.number(row, phi_), false);
+    if (void_ratio_ >= 0 && !table_.is_empty(row, void_ratio_)) require_same(row, phi);
+    return phi;
+  }
+
+ private:
+  void require_same(int row, double phi) const {
+    constexpr double kArithmetic = 1e-12;
+    const double e = table_.number(row, void_ratio_);
+    const double open = rounding_of(table_.text(row, phi_)) * std::abs(1.0 + e) +
+                        rounding_of(table_.text(row, void_ratio_)) * phi + kArithmetic;
+    if (std::abs(phi * (1.0 + e) - 1.0) <= open) return;
+    throw InputError(
+        table_.place(row),
+        fmt::format("phi = {}, but void_ratio = {}, which is a phi of {:.6g}: these contradict each "
+                    "other; say which column counts (--columns phi=... or --columns void_ratio=...)",
+                    phi, e, 1.0 / (1.0 + e)));
+  }
+
+  const CsvTable& table_;
+  int phi_ = -1, void_ratio_ = -1;
+};
 
 /// @throws InputError unless rows keep to their branches. @param place  of a row, for messages
 void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
@@ -94,7 +159,8 @@ class LoadColumns {
 void add_columns_option(CommandLine app, std::string& text, const std::string& names) {
   app.add_option("--columns", text,
                  "name=column,...: columns of the table that stand for " + names +
-                     "; names and patterns without = are columns to print [all; on a terminal those that fit]");
+                     "; names and patterns without = are columns to print [all; on a terminal those that fit]")
+      .joined(',');
 }
 
 ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names) {
@@ -113,7 +179,8 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
         std::find(names.begin(), names.end(), name) == names.end())
       throw InputError("--columns", fmt::format("\"{}\", expected name=column with name one of {}", item,
                                                 fmt::join(names, ", ")));
-    columns[name] = trimmed(item.substr(equals + 1));
+    if (!columns.emplace(name, trimmed(item.substr(equals + 1))).second)
+      throw InputError("--columns", fmt::format("{} is given twice", name));
   }
   check_chosen_columns();
   return columns;
@@ -160,9 +227,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
   const auto found = std::find_if(pressures.begin(), pressures.end(), has);
   const std::string& name = found == pressures.end() ? pressures.back() : *found;
   const UnitColumn pressure = find_column(table, columns, name);
-  const bool by_void_ratio = !columns.contains("phi") && !has_column(table, columns, "phi") &&
-                             has_column(table, columns, "void_ratio");
-  const UnitColumn density = find_column(table, columns, by_void_ratio ? "void_ratio" : "phi");
+  const DensityColumns density(table, columns);
   const bool has_branch = columns.contains("branch") || has_column(table, columns, "branch");
   const int branch = has_branch ? find_column(table, columns, "branch").index : -1;
   path.unit = pressure.unit;
@@ -173,9 +238,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
     if (load == PathLoad::other) P = std::max(P, 0.0);  // which cohesive grains may carry as tension
     if (load == PathLoad::oedometric && oedometer == OedometerPressure::driven) P *= loads.driven_over_mean(i);
     if (P < 0) throw InputError(table.place(i), fmt::format("{} = {}: expected a pressure >= 0", name, P));
-    path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P,
-                         solid_fraction_of(table.place(i), table.number(i, density.index), by_void_ratio),
-                         load});
+    path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P, density.phi(i), load});
   }
   require_path(path.rows, name, [&table](int row) { return table.place(row); });
   return path;

@@ -12,6 +12,7 @@
 #include "floc/elasticity/modes.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/stiffness_check.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/coordination.h"
 #include "repeated_warnings.h"
@@ -53,6 +54,13 @@ void warn_of_rounding(const std::string& file, const State<Dim>& state) {
                     "below the tolerances of {:.1e} and {:.1e}",
                     floor.force, floor.stress, state.tolerance.force, state.tolerance.stress),
         std::max(floor.force / state.tolerance.force, floor.stress / state.tolerance.stress));
+}
+
+/// Moduli are those of the stiffnesses that the state has, also where its law gives others.
+template <int Dim>
+void warn_of_stiffnesses(const std::string& file, const State<Dim>& state) {
+  const std::string differences = stiffness_differences(state.packing);
+  if (!differences.empty()) warn(file, differences, first_number(differences));
 }
 
 /// What the contact network says beside the moduli of a row; increments of its contacts where they are asked
@@ -151,6 +159,7 @@ template <int Dim>
 std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>& state, Table* increments) {
   const ModuliRow description = described(file, state);
   warn_of_rounding(file, state);
+  warn_of_stiffnesses(file, state);
   ModuliOptions options = request_.options;
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Moduli> moduli = compute(file, state, options);
@@ -176,7 +185,10 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
   ModuliOptions options = request.options;
   options.unloaded = state.target_stress.isZero(0.0);
   const bool speaks = solver.rank() == 0;
-  if (speaks) warn_of_rounding(file, state);
+  if (speaks) {
+    warn_of_rounding(file, state);
+    warn_of_stiffnesses(file, state);
+  }
   Packing<Dim>& packing = state.packing;
   const ModuliRow description = described(file, state);
   const NetworkLoad<Dim> load = network_load(packing, options.unloaded);

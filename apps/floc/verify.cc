@@ -25,7 +25,8 @@ int report(const std::string& file, const std::vector<Criterion>& criteria, Tabl
     if (c.holds) continue;
     if (!failed.empty()) failed += ' ';
     failed += c.name;
-    spdlog::error("{}: {} does not hold: {:.3g}, limit {:.3g}: {}", file, c.name, *c.value, c.limit, c.where);
+    const std::string measured = c.by_value ? fmt::format("{:.3g}, limit {:.3g}: ", *c.value, c.limit) : "";
+    spdlog::error("{}: {} does not hold: {}{}", file, c.name, measured, c.where);
   }
   if (table.columns.empty()) {
     table.columns = {"file", "equilibrium", "failed"};

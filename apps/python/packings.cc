@@ -107,6 +107,7 @@ class ContactArrays {
     numbers("kn", &ListedContact::kn, contacts);
     numbers("kt", &ListedContact::kt, contacts);
     numbers("kr", &ListedContact::kr, contacts);
+    numbers("ktw", &ListedContact::ktw, contacts);
     return contacts;
   }
 

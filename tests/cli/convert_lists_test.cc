@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "support/places.h"
 #include "support/run_arguments.h"
@@ -156,6 +159,74 @@ TEST_F(ConvertLists, AreComparedWithGeometryAndLawAndStrictAcceptsNoDoubt) {
   EXPECT_THAT(strict.err, AllOf(HasSubstr("2 normal forces differ from the law"), HasSubstr("--strict")));
   EXPECT_FALSE(written());
   EXPECT_EQ(convert(good, "normal.stiffness=50", {"--strict", "--tolerance", "100"}).code, 0);
+}
+
+/// A simple cubic cell of one bead of Hertz's law, with its three contacts with its own images and their stiffnesses.
+TEST_F(ConvertLists, WithStiffnessesOfAnotherLawAreSaidToHaveThemByConvertModuliAndVerify) {
+  const double E = 1e4, nu = 0.3, overlap = 1e-3;
+  const double kn = E / (1 - nu * nu) * std::sqrt(0.25 * overlap), force = 2.0 / 3.0 * kn * overlap;
+  const auto convert_bead = [&](double kn_factor, double kt_factor, std::vector<std::string> more) {
+    write_text(scratch_.file("g.csv"), "x,y,z,radius\n0,0,0,0.5\n");
+    std::string list = "id1,id2,image1,image2,image3,normal_force,kn,kt\n";
+    for (const char* image : {"1,0,0", "0,1,0", "0,0,1"})
+      list += fmt::format("0,0,{},{},{},{}\n", image, force, kn_factor * kn,
+                          kt_factor * kn * (2 - 2 * nu) / (2 - nu));
+    write_text(scratch_.file("c.csv"), list);
+    more.insert(
+        more.begin(),
+        {"convert", scratch_.file("g.csv"), scratch_.file("s.h5"), "--overwrite", "--contacts",
+         scratch_.file("c.csv"), "--cell", "0.999,0,0;0,0.999,0;0,0,0.999", "--law",
+         fmt::format("normal.modulus={},normal.poisson={},friction.law=mindlin,friction.coefficient=0.5", E,
+                     nu)});
+    return floc_arguments(more);
+  };
+  const Outcome right = convert_bead(1, 1, {"--strict"});
+  EXPECT_EQ(right.code, 0) << right.err;
+  EXPECT_THAT(right.err, Not(HasSubstr("the law gives")));
+  EXPECT_THAT(floc_arguments({"moduli", scratch_.file("s.h5")}).err, Not(HasSubstr("the law gives")));
+  struct {
+    double kn, kt;
+    const char* words;
+  } const wrong[] = {{10, 10, "kn of 3 contacts is 10 times what the law gives (grains 0-0: "},
+                     {1, 10, "kt of 3 contacts is 10 times what the law gives"},
+                     {2.0 / 3.0, 1, "is N/delta, but the stiffness of Hertz's law is 3/2 N/delta"}};
+  for (const auto& [kn_factor, kt_factor, words] : wrong) {
+    std::filesystem::remove(scratch_.file("s.h5"));
+    const Outcome strict = convert_bead(kn_factor, kt_factor, {"--strict"});
+    EXPECT_EQ(strict.code, 5);
+    EXPECT_THAT(strict.err, HasSubstr(words));
+    EXPECT_FALSE(written());
+    const Outcome warned = convert_bead(kn_factor, kt_factor, {});
+    EXPECT_EQ(warned.code, 0);
+    EXPECT_THAT(warned.err, AllOf(HasSubstr("warning: "), HasSubstr(words)));
+    EXPECT_THAT(floc_arguments({"moduli", scratch_.file("s.h5")}).err,
+                AllOf(HasSubstr("warning: "), HasSubstr(words)));
+    const Outcome verified = floc_arguments({"verify", scratch_.file("s.h5")});
+    EXPECT_EQ(verified.code, 5);
+    EXPECT_THAT(verified.err, HasSubstr("law does not hold: grains 0-0 by a stiffness: k"));
+  }
+}
+
+TEST_F(ConvertLists, OfGrainsThatDoNotTouchSayHowFarTheyAreApartAndWhy) {
+  const auto convert_row = [&](const std::string& column, double spacing, std::vector<std::string> more) {
+    write_text(scratch_.file("g.csv"), fmt::format("x,y,{}\n0,0,0.5\n{},0,0.5\n", column, spacing));
+    more.insert(more.begin(), {"convert", scratch_.file("g.csv"), scratch_.file("s.h5"), "--overwrite", "--law",
+                               "normal.stiffness=1000", "--cell", fmt::format("{},0;0,9", 2 * spacing)});
+    return floc_arguments(more);
+  };
+  const std::tuple<const char*, double, const char*> rows[] = {
+      {"radius", 1.0000001,
+       "no grains touch (the smallest gap is 1e-07, 1e-07 of a mean diameter, of grains 0-1): hard"},
+      {"diameter", 0.999, "are radii given as diameters?"},
+      {"radius", 3.0, "are the radii and the cell in the same unit of length?"}};
+  for (const auto& [column, spacing, words] : rows) {
+    const Outcome warned = convert_row(column, spacing, {});
+    EXPECT_EQ(warned.code, 0) << warned.err;
+    EXPECT_THAT(warned.err,
+                AllOf(HasSubstr("warning: no grains touch (the smallest gap is "), HasSubstr(words)));
+    EXPECT_EQ(convert_row(column, spacing, {"--strict"}).code, 5);
+  }
+  EXPECT_THAT(convert_row("radius", 0.999, {"--strict"}).err, Not(HasSubstr("no grains touch")));
 }
 
 TEST_F(ConvertLists, OfASolidFractionAboveOneAreRefused) {

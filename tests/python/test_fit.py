@@ -90,6 +90,22 @@ class Consolidation(unittest.TestCase):
             with self.assertRaisesRegex(floc.InputError, words):
                 floc.fit.consolidation(*arguments, **keywords)
 
+    def test_refusals_name_the_array_with_a_mask(self):
+        right, masked = [1.0, 2.0, 3.0], np.ma.array([1.0, 2.0, 3.0], mask=[0, 0, 1])
+        phi, hidden = [0.5, 0.6, 0.7], np.ma.array([0.5, 0.6, 0.7], mask=[0, 1, 0])
+        calls = []
+        for fit in (floc.fit.consolidation, floc.fit.preconsolidation, floc.fit.elastic, floc.fit.cycle):
+            calls += [("pressure", lambda fit=fit: fit(masked, phi)), ("solid_fraction", lambda fit=fit: fit(right, hidden)),
+                      ("void_ratio", lambda fit=fit: fit(right, void_ratio=hidden)),
+                      ("pressure", lambda fit=fit: fit([right, masked], [phi, phi]))]
+        for k, name in enumerate(("e", "p", "sc", "se")):
+            calls.append((name, lambda k=k: floc.fit.dynamic_compaction(*[masked if k == j else right for j in range(4)])))
+        calls.append(("forces", lambda: floc.fit.force_distribution(masked)))
+        for name, call in calls:
+            with self.assertRaisesRegex(floc.InputError, rf"{name}\[\d\]: is masked, expected a value"):
+                call()
+        print(f"{len(calls)} masked arrays of fits refused")
+
 
 class OtherFits(unittest.TestCase):
     def test_of_a_run(self):

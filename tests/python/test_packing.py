@@ -128,6 +128,64 @@ class Refusals(unittest.TestCase):
         self.refused("contact 0: .*pulls with 1",
                      contacts={"id1": [0], "id2": [1], "normal_force": [-1.0]})
 
+    def test_take_integers_written_as_real_numbers(self):
+        """A table of numpy.loadtxt has real numbers alone."""
+        position, radius, cell = square()
+        packing = floc.Packing.from_arrays(position, radius, cell, LAW)
+        kept = {name: packing.contacts[name] for name in ("id1", "id2", "image")}
+        real = {name: array.astype(float) for name, array in kept.items()}
+        again = floc.Packing.from_arrays(position, radius, cell, LAW, contacts=real)
+        np.testing.assert_array_equal(again.contacts, packing.contacts)
+        for name in kept:
+            spoiled = {**real, name: real[name] + 0.5}
+            self.refused(f"contacts: {name} has values of type float64", contacts=spoiled)
+
+    def test_name_the_array_with_a_mask(self):
+        """Every array of numbers, as an array and as a list: what a mask hides is no value."""
+        position, radius, cell = square()
+        packing = floc.Packing.from_arrays(position, radius, cell, LAW)
+        numbers = {"id1", "id2", "image", "normal_force", "shear_force", "kn", "kt", "kr"}
+        contacts = {name: packing.contacts[name] for name in numbers}
+        arrays = {"position": position, "radius": radius, "mass": radius, "cell": np.diag(cell), "stress": [1.0, 1.0]}
+
+        def masked(values, hidden):
+            mask = np.zeros(np.shape(values), dtype=bool)
+            mask.flat[-1] = hidden
+            return np.ma.array(values, mask=mask)
+
+        n_refused = 0
+        for name, values in arrays.items():
+            self.refused(rf"{name}\[.*\]: is masked, expected a value", **{name: masked(values, True)})
+            self.refused(rf"{name}\[.*\]: is masked", **{name: list(masked(values, True))})
+            n_refused += 2
+        for name, values in contacts.items():
+            self.refused(rf"contacts: {name}\[.*\]: is masked", contacts={**contacts, name: masked(values, True)})
+            n_refused += 1
+        table = np.ma.array(packing.contacts)
+        table["kn"][3] = np.ma.masked
+        self.refused(r"contacts: kn\[3\]: is masked", contacts=table)
+        whole = floc.Packing.from_arrays(masked(position, False), masked(radius, False), cell, LAW,
+                                         contacts={name: masked(values, False) for name, values in contacts.items()})
+        np.testing.assert_array_equal(whole.contacts["normal_force"], packing.contacts["normal_force"])
+        print(f"{n_refused + 1} masked arrays refused")
+
+    def test_name_stiffnesses_that_are_none_and_those_of_another_law(self):
+        position, radius, cell = square()
+        packing = floc.Packing.from_arrays(position, radius, cell, LAW)
+        contacts = {name: packing.contacts[name] for name in ("id1", "id2", "image", "normal_force", "kn", "kt", "kr")}
+        for name, value in (("kn", -1e5), ("kn", 0.0), ("kt", -1.0), ("kr", -1.0), ("ktw", -1.0)):
+            spoiled = {**contacts, name: np.where(np.arange(18) == 4, value, contacts.get(name, np.zeros(18)))}
+            self.refused(f"contact 4: {name} = {value:g}, expected", contacts=spoiled)
+        with self.assertWarnsRegex(floc.FlocWarning, "kt of 18 contacts is 10 times what the law gives"):
+            other = floc.Packing.from_arrays(position, radius, cell, LAW,
+                                             contacts={**contacts, "kt": 10 * contacts["kt"]})
+        with self.assertWarnsRegex(floc.FlocWarning, "kt of 18 contacts is 10 times what the law gives"):
+            floc.moduli(other)
+        force = -contacts["normal_force"][:, None] * packing.contacts["normal"]
+        floc.Packing.from_arrays(position, radius, cell, LAW, contacts={**contacts, "force": force})
+        self.refused("normal_force = .*, but the force listed beside it has a normal part of",
+                     contacts={**contacts, "force": 2 * force})
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,7 +3,7 @@ import numpy as np
 
 from . import _core
 from ._records import Record, records, with_columns
-from ._state import states_of
+from ._state import states_of, unmasked
 
 
 @with_columns("moduli")
@@ -78,7 +78,8 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     """
     states, single = states_of(state)
     several = rolling_stiffness is not None and np.ndim(rolling_stiffness) > 0
-    rolling = [] if rolling_stiffness is None else [float(k) for k in np.atleast_1d(rolling_stiffness)]
+    rolling = [] if rolling_stiffness is None else [
+        float(k) for k in np.atleast_1d(unmasked("rolling_stiffness", rolling_stiffness))]
     table, further = _core.moduli(
         states, strains=strains, prestress=prestress, tolerance=tolerance, method=method, accuracy=_accuracy(accuracy),
         force_tolerance=force_tolerance, rolling_stiffness=rolling, tables=_names(tables), force=force)

@@ -124,7 +124,7 @@ class Packing(State):
         contacts : dict of arrays, structured array or DataFrame, optional
             id1 and id2, the indices of the two grains, and of what is known: image (m, d), normal_force (m,), positive in
             compression, shear_force (m, d) on id1, or force (m, d), all of the force on id1; rolling_moment (m,) or, in
-            3D, (m, 3), twisting_moment (m,), kn, kt, kr (m,).
+            3D, (m, 3), twisting_moment (m,), kn, kt, kr, ktw (m,).
         mass : array_like, (n,), optional
             Masses; without them unit mass at unit diameter.
         stress : array_like, (d,), optional
@@ -150,13 +150,13 @@ class Packing(State):
         FlocWarning
             Where list, geometry, forces, law and equilibrium disagree.
         """
-        cell = np.asarray(cell, dtype=float)
+        cell = _numbers("cell", cell)
         if cell.ndim == 1:
             cell = np.diag(cell)
         return cls(_core.from_arrays(
             position=_numbers("position", position), radius=_numbers("radius", radius), cell=cell, law=_law_text(law),
             contacts=_contact_arrays(contacts), mass=None if mass is None else _numbers("mass", mass),
-            stress=[] if stress is None else [float(s) for s in stress], tolerance=tolerance, units=units,
+            stress=[] if stress is None else [float(s) for s in unmasked("stress", stress)], tolerance=tolerance, units=units,
             drop_tensile=drop_tensile))
 
 
@@ -203,7 +203,18 @@ def _one(state):
     raise TypeError(f"expected a State, the path of a state file, or several of these, not {type(state).__name__}")
 
 
+def unmasked(name, values):
+    """The values, of which none may be masked: a mask says that a value is none, and there is nothing in its place."""
+    parts = [((k,), one) for k, one in enumerate(values)] if isinstance(values, (list, tuple)) else [((), values)]
+    for at, part in parts:
+        if isinstance(part, np.ma.MaskedArray) and np.ma.getmaskarray(part).any():
+            at += tuple(int(i) for i in np.argwhere(np.ma.getmaskarray(part))[0])
+            raise InputError(f"{name}[{', '.join(map(str, at))}]: is masked, expected a value: leave masked entries out")
+    return values
+
+
 def _numbers(name, values):
+    values = unmasked(name, values)
     try:
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError) as error:
@@ -211,9 +222,20 @@ def _numbers(name, values):
 
 
 # What a list of contacts may say; a structured array or data frame may have more.
-_CONTACT_NUMBERS = ("image", "force", "normal_force", "shear_force", "rolling_moment", "twisting_moment", "kn", "kt", "kr")
+_CONTACT_NUMBERS = ("image", "force", "normal_force", "shear_force", "rolling_moment", "twisting_moment", "kn", "kt", "kr",
+                    "ktw")
 # The contacts of a state have zeros of these where the law knows no such thing.
 _MOMENTS = ("rolling_moment", "twisting_moment")
+
+
+def _integers(name, array):
+    """Integers, also where they are written as real numbers, as in a table of numpy.loadtxt."""
+    if np.issubdtype(array.dtype, np.integer):
+        return array
+    whole = np.issubdtype(array.dtype, np.floating) and (np.abs(array) <= 2.0**53) & (array == np.floor(array))
+    if not np.all(whole):
+        raise InputError(f"{name} has values of type {array.dtype}, expected integers")
+    return array.astype(np.int64)
 
 
 def _contact_arrays(contacts):
@@ -229,12 +251,10 @@ def _contact_arrays(contacts):
     for name in known:
         if name not in names:
             continue
-        array = np.asarray(contacts[name])
+        array = np.asarray(unmasked(f"contacts: {name}", contacts[name]))
         if name in _MOMENTS and isinstance(contacts, np.ndarray) and not array.any():
             continue
-        if name in ("id1", "id2", "image") and not np.issubdtype(array.dtype, np.integer):
-            raise InputError(f"contacts: {name} has values of type {array.dtype}, expected integers")
-        arrays[name] = array if name in ("id1", "id2", "image") else _numbers(f"contacts: {name}", array)
+        arrays[name] = (_integers if name in ("id1", "id2", "image") else _numbers)(f"contacts: {name}", array)
     return arrays
 
 

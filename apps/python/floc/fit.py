@@ -11,7 +11,7 @@ import numpy as np
 from . import _core
 from ._errors import InputError
 from ._records import Record
-from ._state import read
+from ._state import read, unmasked
 
 __all__ = ["Fit", "Parameter", "consolidation", "cycle", "dynamic_compaction", "elastic", "force_distribution",
            "preconsolidation"]
@@ -244,6 +244,7 @@ def force_distribution(forces, *, form="all", threshold=None, draws=None, seed=N
 
 
 def _flat(name, values):
+    values = unmasked(name, values)
     try:
         array = np.asarray(values, dtype=float)
     except (TypeError, ValueError) as error:

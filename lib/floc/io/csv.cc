@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -39,6 +40,9 @@ std::vector<std::string> split(const std::string& place, std::string_view line, 
   }
   return cells;
 }
+
+/// Up to here every integer is a double, and a real number that is whole was meant.
+constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
 char separator_of(std::string_view header) {
   for (const char candidate : {',', '\t', ';'})
@@ -96,6 +100,10 @@ int CsvTable::column(const std::string& name) const {
   if (found == columns_.end())
     throw InputError(place_,
                      fmt::format("has no column \"{}\"; its columns are {}", name, fmt::join(columns_, ", ")));
+  if (const auto second = std::find(found + 1, columns_.end(), name); second != columns_.end())
+    throw InputError(place_,
+                     fmt::format("columns {} and {} are both named \"{}\": rename or remove one of them",
+                                 found - columns_.begin() + 1, second - columns_.begin() + 1, name));
   return static_cast<int>(found - columns_.begin());
 }
 
@@ -111,6 +119,8 @@ DoubleDouble CsvTable::double_double_number(int row, int column) const {
 
 std::int64_t CsvTable::integer(int row, int column) const {
   if (const auto value = parse_number<std::int64_t>(cell(row, column))) return *value;
+  if (const auto real = parse_number<double>(cell(row, column)); real && std::abs(*real) <= kExactIntegers)
+    if (const auto value = whole_number(*real)) return *value;
   throw InputError(place(row),
                    fmt::format("{} = \"{}\", expected an integer", columns_[column], cell(row, column)));
 }

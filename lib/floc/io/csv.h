@@ -37,13 +37,14 @@ class CsvTable {
   int n_rows() const { return static_cast<int>(lines_.size()); }
   bool has(const std::string& name) const;
 
-  /// Index of a column. @throws InputError listing the columns there are.
+  /// Index of a column. @throws InputError listing the columns there are, or if two have this name.
   int column(const std::string& name) const;
 
   std::string text(int row, int column) const { return std::string(cell(row, column)); }
   bool is_empty(int row, int column) const { return cell(row, column).empty(); }
 
   /// @throws InputError naming file, line, column and value if it is not a finite number, or not an integer.
+  /// "3.0" and "3.000e+00" are integers: programs write whole tables as real numbers.
   double number(int row, int column) const;
   /// The same with the digits that a double cannot hold: see decimal().
   DoubleDouble double_double_number(int row, int column) const;

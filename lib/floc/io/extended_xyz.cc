@@ -62,7 +62,7 @@ std::map<std::string, std::string> keys_of(const std::string& place, std::string
     const std::size_t end = text.find(quoted ? '"' : ' ');
     if (quoted && end == std::string_view::npos)
       throw InputError(place, key + ": its quoted value does not end");
-    keys[key] = text.substr(0, end);
+    if (!keys.emplace(key, text.substr(0, end)).second) throw InputError(place, key + " is given twice");
     text.remove_prefix(std::min(end == std::string_view::npos ? text.size() : end + 1, text.size()));
   }
   return keys;

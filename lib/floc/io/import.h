@@ -32,14 +32,17 @@ struct ListedContactCounts {
   int n_neighbors = 0;    ///< left out: they have a gap and no force, and the law attracts nothing there
   int n_tensile = 0;      ///< left out: they pull, and the law has no adhesion
   int n_other_image = 0;  ///< kept, at the nearest image: the one listed contradicts the positions
+  /// Where the stiffnesses listed are not those that the law gives at the forces listed, in words.
+  std::vector<std::string> stiffness_differences;
 };
 
 /// A packing as another program left it.
 struct Imported {
-  AnyState state;                       ///< without residuals; `provenance.source` is set
-  std::vector<std::string> remarks;     ///< choices the reader made, in words for the user
-  bool complete = false;                ///< a state of floc: nothing to add to it
-  bool contacts_known = false;          ///< the file listed them; otherwise they follow from the geometry
+  AnyState state;                    ///< without residuals; `provenance.source` is set
+  std::vector<std::string> remarks;  ///< choices the reader made, in words for the user
+  bool complete = false;             ///< a state of floc: nothing to add to it
+  bool contacts_known = false;       ///< the file listed them; otherwise they follow from the geometry
+  bool law_of_contacts = false;  ///< the law has the mean of the stiffnesses that contacts have of their own
   ListedContactCounts listed_contacts;  ///< where contacts_known
   bool target_stress_known = false;     ///< the file says which stress it was loaded with
 };

@@ -39,6 +39,7 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
 /// The `count` numbers behind "key =" in a header, up to the next key.
 std::vector<double> header_numbers(const std::string& place, std::string_view header, const std::string& key,
                                    std::size_t count) {
+  std::vector<double> found;
   for (std::size_t at = header.find(key); at != std::string_view::npos; at = header.find(key, at + 1)) {
     if (at > 0 && std::isalnum(static_cast<unsigned char>(header[at - 1]))) continue;
     const std::string_view rest = trimmed(header.substr(at + key.size()));
@@ -49,12 +50,13 @@ std::vector<double> header_numbers(const std::string& place, std::string_view he
     };
     const auto next_key = std::find_if(value.begin(), value.end(), is_letter);
     value = value.substr(0, static_cast<std::size_t>(next_key - value.begin()));
-    std::vector<double> found = numbers(place, value);
+    if (!found.empty()) throw InputError(place, fmt::format("{} is given twice", key));
+    found = numbers(place, value);
     if (found.size() != count)
       throw InputError(place, fmt::format("{} has {} numbers, expected {}", key, found.size(), count));
-    return found;
   }
-  throw InputError(place, fmt::format("{} is missing", key));
+  if (found.empty()) throw InputError(place, fmt::format("{} is missing", key));
+  return found;
 }
 
 /// Lines of a file, numbered, without comments.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "floc/base/error.h"
@@ -28,6 +29,7 @@ struct DataFile {
   std::string box_place;
   std::int64_t n_atoms = -1;
   CsvTable atoms;
+  std::set<std::string> given;  ///< what lines of the header and sections have been there
 };
 
 std::string without_comment(const std::string& line) {
@@ -44,6 +46,7 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
     else
       key += (key.empty() ? "" : " ") + token;
   }
+  if (!data.given.insert(key).second) throw InputError(place, fmt::format("\"{}\" is given twice", key));
   const auto expect = [&](std::size_t count) {
     if (values.size() != count)
       throw InputError(place,
@@ -88,6 +91,8 @@ DataFile read_data(const std::string& path) {
     std::vector<std::string> tokens = tokenize(text);
     if (std::isalpha(static_cast<unsigned char>(text[0]))) {
       section = text;
+      if (!data.given.insert(section).second)
+        throw InputError(place, fmt::format("the section {} is there twice", section));
       if (section == "Atoms") check_style(place, line);
     } else if (section.empty()) {
       read_header_line(place, tokens, data);

@@ -161,10 +161,13 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   std::size_t at = 2;
   for (;;) {
     const std::string_view line = dump.line(at, "ITEM: " + items);
-    if (line.starts_with("ITEM: NUMBER OF ")) {
+    const bool counts = line.starts_with("ITEM: NUMBER OF "), bounds = line.starts_with("ITEM: BOX BOUNDS");
+    if ((counts && n >= 0) || (bounds && !frame.box_place.empty()))
+      throw InputError(dump.place(at), fmt::format("\"{}\" is there twice in one frame", line));
+    if (counts) {
       n = dump.integer(at + 1, "how many rows follow");
       at += 2;
-    } else if (line.starts_with("ITEM: BOX BOUNDS")) {
+    } else if (bounds) {
       read_box(dump, at, frame);
       at += 4;
     } else if (line.starts_with("ITEM: " + items)) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "floc/base/error.h"
@@ -53,7 +54,7 @@ int image_of(const CsvTable& table, int row, int column) {
 
 /// Columns of a list of contacts; -1 or empty where it has none.
 struct ContactColumns {
-  int id1, id2, normal_force, kn, kt, kr, rolling_moment_2d, twisting_moment;
+  int id1, id2, normal_force, kn, kt, kr, ktw, rolling_moment_2d, twisting_moment;
   std::vector<int> image, force, shear_force, rolling_moment;
 
   ContactColumns(const NamedColumns& names, int dimension)
@@ -63,6 +64,7 @@ struct ContactColumns {
         kn(column_if(names, "kn")),
         kt(column_if(names, "kt")),
         kr(column_if(names, "kr")),
+        ktw(column_if(names, "ktw")),
         rolling_moment_2d(dimension == 2 ? column_if(names, "rolling_moment") : -1),
         twisting_moment(dimension == 3 ? column_if(names, "twisting_moment") : -1),
         image(numbered(names, "image", dimension)),
@@ -94,6 +96,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.kn = number_of(table, row, columns.kn);
   c.kt = number_of(table, row, columns.kt);
   c.kr = number_of(table, row, columns.kr);
+  c.ktw = number_of(table, row, columns.ktw);
   return c;
 }
 
@@ -107,6 +110,27 @@ void check_columns(const std::string& option, const std::string& what, const std
 
 }  // namespace
 
+std::vector<SizeColumn> size_columns(const std::function<bool(const std::string&)>& has,
+                                     const std::map<std::string, std::string>& given) {
+  std::vector<SizeColumn> there, chosen;
+  for (const SizeColumn& size : {SizeColumn{"radius", 1.0}, {"r", 1.0}, {"diameter", 0.5}}) {
+    if (given.contains(size.name)) chosen.push_back(size);
+    if (has(size.name)) there.push_back(size);
+  }
+  return chosen.empty() ? there : chosen;
+}
+
+void require_same_size(const NumberedPlace& place, const SizeColumn& one, double radius,
+                       const SizeColumn& other, double other_radius) {
+  constexpr double kSixDigits = 1e-5;
+  if (std::abs(other_radius - radius) <= kSixDigits * radius) return;
+  throw InputError(
+      place.text(),
+      fmt::format("{} = {}, but {} = {}: these contradict each other; say which column counts "
+                  "(--columns radius=... or --columns diameter=...)",
+                  one.name, radius / one.radius_of_one, other.name, other_radius / other.radius_of_one));
+}
+
 std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
   const CsvTable& table = columns.table();
   std::vector<int> axis = {columns.column("x"), columns.column("y")};
@@ -114,9 +138,11 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
   std::vector<int> low;
   for (std::size_t k = 0; k < axis.size(); ++k)
     low.push_back(column_if(columns, std::string(1, "xyz"[k]) + "_low"));
-  std::string size = "radius";
-  if (!columns.has(size)) size = columns.has("r") ? "r" : columns.has("diameter") ? "diameter" : "radius";
-  const int radius = columns.column(size);
+  std::vector<std::pair<SizeColumn, int>> sizes;
+  for (const SizeColumn& size :
+       size_columns([&](const std::string& name) { return columns.has(name); }, columns.names()))
+    sizes.emplace_back(size, columns.column(size.name));
+  if (sizes.empty()) columns.column("radius");
   const int mass = column_if(columns, "mass");
   const int id = column_if(columns, "id");
   std::vector<ListedGrain> grains;
@@ -131,7 +157,11 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
       grain.position[k] = x.high;
       grain.position_low[k] = low[k] >= 0 ? table.number(row, low[k]) : x.low;
     }
-    grain.radius = positive(table, row, radius) * (size == "diameter" ? 0.5 : 1.0);
+    for (const auto& [size, column] : sizes) {
+      const double radius = positive(table, row, column) * size.radius_of_one;
+      if (grain.radius != 0.0) require_same_size(grain.place, sizes.front().first, grain.radius, size, radius);
+      if (grain.radius == 0.0) grain.radius = radius;
+    }
     if (mass >= 0) grain.mass = positive(table, row, mass);
     grains.push_back(std::move(grain));
   }
@@ -177,7 +207,8 @@ void check_contact_columns(const std::string& option, const std::map<std::string
                  "twisting_moment",
                  "kn",
                  "kt",
-                 "kr"},
+                 "kr",
+                 "ktw"},
                 given);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ class NamedColumns {
       : table_(table), names_(std::move(names)) {}
 
   const CsvTable& table() const { return table_; }
+  const std::map<std::string, std::string>& names() const { return names_; }
   bool has(const std::string& name) const { return names_.contains(name) || table_.has(name); }
 
   /// @throws InputError listing the columns there are.
@@ -29,10 +31,25 @@ class NamedColumns {
   std::map<std::string, std::string> names_;
 };
 
+/// A column that says how large grains are.
+struct SizeColumn {
+  const char* name;
+  double radius_of_one;  ///< radius of a grain of which it says 1
+};
+
+/// Those of radius, r and diameter that there are, or of these the ones that `given` names, if it names any. Of
+/// several, the first counts; the others may not contradict it.
+std::vector<SizeColumn> size_columns(const std::function<bool(const std::string&)>& has,
+                                     const std::map<std::string, std::string>& given);
+
+/// @throws InputError unless two columns say the same of a grain, to the digits that files print
+void require_same_size(const NumberedPlace& place, const SizeColumn& one, double radius,
+                       const SizeColumn& other, double other_radius);
+
 /// Grains of a table with columns x, y[, z] and radius (or r, or diameter) and, if present, x_low, y_low[,
 /// z_low] (offsets of the centres from those doubles), mass and id (else the row, counted from 0).
 /// @throws InputError naming file, line and column: a missing column, a value that is not a number, a radius or
-/// mass that is not positive.
+/// mass that is not positive, a radius and a diameter that contradict each other.
 std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 
 /// Contacts of a table with columns id1, id2 and, if present,
@@ -41,7 +58,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 ///   normal_force, shear_force1..  instead of it, or the tangential force on id1 besides force1..
 ///   rolling_moment (2D) or rolling_moment1..3, on id1
 ///   twisting_moment (3D), on id1 about the normal from id1 to id2
-///   kn, kt, kr    stiffnesses
+///   kn, kt, kr, ktw  stiffnesses
 /// @throws InputError naming file, line and column.
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension);
 

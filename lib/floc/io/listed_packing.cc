@@ -11,6 +11,8 @@
 
 #include "floc/base/error.h"
 #include "floc/packing/contact_forces.h"
+#include "floc/packing/liquid.h"
+#include "floc/packing/stiffness_check.h"
 
 namespace floc {
 namespace {
@@ -28,6 +30,9 @@ constexpr double kNoForce = 1e-9;
 /// Surfaces that are farther apart than the law reaches and this fraction of the mean diameter do not touch,
 /// whatever few digits the file has.
 constexpr double kFarthestGap = 0.1;
+/// The normal part of a force and a normal force listed beside it agree to this, of the force: positions of six
+/// digits turn the branch by less.
+constexpr double kSameForce = 1e-3;
 /// Lattice vectors that are parallel but for rounding span no volume.
 constexpr double kFlat = 1e-12;
 
@@ -161,6 +166,12 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   if (listed.force) {
     const Vec<Dim> on_first = sign * listed.force->template head<Dim>();
     given.normal = -normal.dot(on_first);
+    if (listed.normal_force &&
+        !(std::abs(*listed.normal_force - *given.normal) <= kSameForce * on_first.norm()))
+      throw InputError(listed.place.text(),
+                       fmt::format("normal_force = {:.6g}, but the force listed beside it has a normal part of "
+                                   "{:.6g}: leave one of them out",
+                                   *listed.normal_force, *given.normal));
     given.shear = on_first + *given.normal * normal;
   }
   if (listed.rolling_moment) given.rolling = sign * listed.rolling_moment->template tail<kRotations<Dim>>();
@@ -190,6 +201,22 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
   if (listed.kr && *listed.kr != 0.0 && !law.rolling)
     throw InputError(listed.place.text(), "a rolling stiffness is given, but the law has no rolling");
   if (listed.kr && law.rolling && !c.distant) c.kr = *listed.kr;
+  if (listed.ktw && *listed.ktw != 0.0 && !law.twisting)
+    throw InputError(listed.place.text(), "a twisting stiffness is given, but the law has no twisting");
+  if (listed.ktw && law.twisting && !c.distant) c.ktw = *listed.ktw;
+}
+
+/// @throws InputError for a stiffness that no spring of surfaces that touch has
+void require_stiffness(const ListedContact& listed, const char* name, const std::optional<double>& value,
+                       bool right, const char* expected) {
+  if (value && !right)
+    throw InputError(listed.place.text(), fmt::format("{} = {}, expected {}", name, *value, expected));
+}
+
+void require_stiffnesses(const ListedContact& listed) {
+  require_stiffness(listed, "kt", listed.kt, listed.kt >= 0.0, "a tangential stiffness >= 0");
+  require_stiffness(listed, "kr", listed.kr, listed.kr >= 0.0, "a rolling stiffness >= 0");
+  require_stiffness(listed, "ktw", listed.ktw, listed.ktw >= 0.0, "a twisting stiffness >= 0");
 }
 
 /// Makes contacts of the rows of a list, and counts what had to be done to them.
@@ -231,17 +258,27 @@ class ListedContacts {
     if (c.normal.isZero(0.0))
       throw InputError(row.place.text(), "the grains have the same centre: their contact has no direction");
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
-    if (!given.normal && (row.kn || row.kt || row.kr))
+    if (!given.normal && row.has_stiffness())
       throw InputError(row.place.text(), "a stiffness is given without the normal force that goes with it");
     if (given.normal && *given.normal < -kNoForce * largest_force_ && !packing_.law.adheres()) {
       if (counts_.n_tensile++ == 0) first_tensile_ = {&row, *given.normal};
       return std::nullopt;
     }
+    require_stiffnesses(row);
     set_forces(packing_, row, given, c);
+    // That of a distant attraction is negative.
+    if (!c.distant)
+      require_stiffness(row, "kn", row.kn, row.kn > 0.0,
+                        "a positive number, the stiffness of surfaces that touch");
+    compare_stiffnesses(row, c);
     return c;
   }
 
-  const ListedContactCounts& counts() const { return counts_; }
+  ListedContactCounts counts() const {
+    ListedContactCounts counts = counts_;
+    counts.stiffness_differences = stiffnesses_.differences(packing_.law.stiffness_varies());
+    return counts;
+  }
 
   /// @throws InputError if contacts pull under a law without adhesion: a network without them is another one.
   void require_no_tensile() const {
@@ -264,6 +301,20 @@ class ListedContacts {
     const ListedContact* row = nullptr;
     double normal_force = 0.0;
   };
+
+  void compare_stiffnesses(const ListedContact& row, const Contact<Dim>& c) {
+    if (!row.has_stiffness()) return;
+    Contact<Dim> touching = c;
+    // A list need not say where the liquid is: there is some wherever surfaces touch.
+    if (const CapillaryAdhesion* liquid = packing_.law.liquid();
+        liquid != nullptr && c.gap < 0.0 && bridge_volume(packing_, c) == 0.0)
+      touching.elastic_force = std::max(
+          0.0, c.normal_force + liquid->strength(packing_.grains.radius[c.i], packing_.grains.radius[c.j]));
+    const Stiffnesses by_law = law_stiffnesses(packing_, touching);
+    stiffnesses_.add({row.kn.value_or(by_law[0]), row.kt.value_or(by_law[1]), row.kr.value_or(by_law[2]),
+                      row.ktw.value_or(by_law[3])},
+                     by_law, fmt::format("{}-{}", row.id1, row.id2));
+  }
 
   /// Size of the forces that a row gives (force).
   static double force_of(const ListedContact& row) {
@@ -325,6 +376,7 @@ class ListedContacts {
   double largest_force_ = 0.0;
   ListedContactCounts counts_;
   Tensile first_tensile_;
+  StiffnessComparison stiffnesses_;
 };
 
 template <int Dim>

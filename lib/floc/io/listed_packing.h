@@ -35,7 +35,10 @@ struct ListedContact {
   std::optional<double> twisting_moment;  ///< about the normal from id1 to id2
   std::optional<double> kn;               ///< none: the law's (force/length)
   std::optional<double> kt;
-  std::optional<double> kr;  ///< (force * length); springs of rolling follow from the law's
+  std::optional<double> kr;   ///< (force * length); springs of rolling follow from the law's
+  std::optional<double> ktw;  ///< the same of twisting
+
+  bool has_stiffness() const { return kn || kt || kr || ktw; }
 };
 
 /// A packing as a file lists it.
@@ -67,7 +70,8 @@ const LawParameters& required_law(const std::string& path, const ImportOptions& 
 /// @throws InputError naming place, value and what was expected: no grains, a repeated identifier, a cell
 /// without volume; a contact of an unknown grain, listed twice, out of the law's reach where no force is listed
 /// at all, with a force though no image of the grains is near, that pulls under a law without adhesion (unless
-/// `drop_tensile`), or without an image where a branch of half the cell or more leaves two as near.
+/// `drop_tensile`), or without an image where a branch of half the cell or more leaves two as near; a stiffness
+/// that is none, forces that contradict each other.
 Imported assemble(const ListedPacking& listed);
 
 }  // namespace floc

@@ -167,6 +167,10 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   const pugi::xml_node array = d.array(section, name);
   const std::string here = place(section, name);
   if (!array) throw InputError(here, "is missing");
+  for (pugi::xml_node next = array.next_sibling("DataArray"); next && section != "Points";
+       next = next.next_sibling("DataArray"))
+    if (name == next.attribute("Name").as_string())
+      throw InputError(here, "is there twice: rename or remove one of the two");
   const std::string format = array.attribute("format").as_string("ascii");
   const std::string type = array.attribute("type").as_string();
   const auto converter = converters().find(type);

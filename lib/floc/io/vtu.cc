@@ -92,12 +92,13 @@ std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arr
     throw InputError(
         arrays.place("Points", ""),
         fmt::format("has {} numbers, expected three for each of {} points", x.size(), arrays.n_points()));
-  const std::string diameter = find_array(arrays, options, {"diameter"});
-  const std::string radius = find_array(arrays, options, {"radius", "r"});
-  if (radius.empty() && diameter.empty())
+  std::vector<std::pair<SizeColumn, PointArray>> sizes;
+  for (const SizeColumn& size :
+       size_columns([&](const std::string& name) { return arrays.has("PointData", name); }, options.columns))
+    sizes.emplace_back(size, PointArray(arrays, find_array(arrays, options, {size.name}), n_points));
+  if (sizes.empty())
     throw InputError(path, fmt::format("has no point array radius or diameter; its point arrays are {}",
                                        fmt::join(arrays.names("PointData"), ", ")));
-  const PointArray size(arrays, radius.empty() ? diameter : radius, n_points);
   std::optional<PointArray> mass, id;
   if (const auto name = find_array(arrays, options, {"mass"}); !name.empty())
     mass.emplace(arrays, name, n_points);
@@ -105,10 +106,14 @@ std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arr
   std::vector<ListedGrain> grains;
   for (const std::size_t point : grain_points(arrays, n_points)) {
     ListedGrain grain;
-    grain.place = size.numbered_place(point);
+    grain.place = sizes.front().second.numbered_place(point);
     grain.id = id ? id->whole(point) : static_cast<std::int64_t>(point);
     grain.position = {x[3 * point], x[3 * point + 1], x[3 * point + 2]};
-    grain.radius = size.positive(point) * (radius.empty() ? 0.5 : 1.0);
+    for (const auto& [size, array] : sizes) {
+      const double radius = array.positive(point) * size.radius_of_one;
+      if (grain.radius != 0.0) require_same_size(grain.place, sizes.front().first, grain.radius, size, radius);
+      if (grain.radius == 0.0) grain.radius = radius;
+    }
     if (mass) grain.mass = mass->positive(point);
     grains.push_back(std::move(grain));
   }

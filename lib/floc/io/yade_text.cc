@@ -63,6 +63,9 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
     if (text.starts_with('#')) {
       const std::vector<std::string> tokens = comment_tokens(text);
       if (!tokens.empty() && tokens[0] == "cell") {
+        if (!result.cell.empty())
+          throw InputError(fmt::format("{}:{}", path, number),
+                           "the cell is given twice, first at " + result.cell_place);
         result.cell_place = fmt::format("{}:{}", path, number);
         result.cell = parse_cell(result.cell_place, tokens);
       } else if (!begun && contains(tokens, mark)) {
@@ -185,6 +188,7 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   listed.contacts = read_contact_file(options, dimension);
   if (says_law) remarks.push_back("law with the mean stiffnesses of its contacts: " + law_text(listed.law));
   Imported imported = assemble(listed);
+  imported.law_of_contacts = says_law;
   imported.remarks = std::move(remarks);
   return imported;
 }

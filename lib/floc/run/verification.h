@@ -16,6 +16,7 @@ struct Criterion {
   bool holds;                   ///< nothing speaks against it
   /// The grains or contacts that break it, worst first; what a test did not cover; empty if it holds.
   std::string where;
+  bool by_value = true;  ///< whether value and limit are what says that it does not hold
 };
 
 /// Recomputes everything that a state says about its contacts, and measures the equilibrium on the result:

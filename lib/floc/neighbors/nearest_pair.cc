@@ -1,0 +1,32 @@
+#include "floc/neighbors/nearest_pair.h"
+
+#include <algorithm>
+
+#include "floc/neighbors/pairs.h"
+#include "floc/packing/grain_sizes.h"
+
+namespace floc {
+
+template <int Dim>
+std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing) {
+  constexpr double kFirst = 1e-3, kLast = 1e3;  // gaps over the largest diameter
+  const double a = largest_diameter(packing.grains);
+  const double farthest = std::min(kLast * a, packing.cell.matrix.cwiseAbs().sum());
+  for (double reach = kFirst * a; reach < 2.0 * farthest; reach *= 2.0) {
+    std::optional<NearestPair> nearest;
+    const Cell<Dim> cell = search_cell(packing.cell, packing.walls, a + reach);
+    for (const NeighborPair<Dim>& pair : find_pairs(cell, packing.grains, reach)) {
+      Contact<Dim> c;
+      c.i = pair.i, c.j = pair.j, c.image = pair.image;
+      const double gap = branch(packing, c).norm() - packing.grains.radius[c.i] - packing.grains.radius[c.j];
+      if (!nearest || gap < nearest->gap) nearest = {c.i, c.j, gap};
+    }
+    if (nearest) return nearest;
+  }
+  return std::nullopt;
+}
+
+template std::optional<NearestPair> nearest_pair(const Packing<2>&);
+template std::optional<NearestPair> nearest_pair(const Packing<3>&);
+
+}  // namespace floc

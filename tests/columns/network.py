@@ -274,7 +274,7 @@ def pdf(s, table, unit):
         "normal", "tangential", "rolling"}), "unit_force": Close(units), "n": Same(total.tolist()),
             "low": Close(np.round(low / 0.25) * 0.25, 1.0), "high": Close(low + 0.25, 1.0),
             "count": within(at_least, at_most),
-            "density": Close(count / total / (high - low))} | ({} if complete else {"count": Holds("all values", lambda _: False)})
+            "density": Close(count / total / (high - low)), "n_outside": Same([0] * n_rows)} | ({} if complete else {"count": Holds("all values", lambda _: False)})
 
 
 def pressure_pdf(s, table):
@@ -284,7 +284,7 @@ def pressure_pdf(s, table):
     return {"file": Same([s.path] * len(low)), "unit_stress": Close(np.full(len(low), unit)),
             "low": Close(np.round(low / 0.25) * 0.25, 1.0), "high": Close(low + 0.25, 1.0),
             "count": within(*histogram_rows(p / unit, low, high)), "n": Same([len(p)] * len(low)),
-            "density": Close(count / len(p) / (high - low))}
+            "density": Close(count / len(p) / (high - low)), "n_outside": Same([0] * len(low))}
 
 
 def exponent(windows):

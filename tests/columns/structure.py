@@ -99,6 +99,15 @@ T95 = (None, 12.706, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2
        2.0484, 2.0452, 2.0423)
 
 
+def in_range(check, part, dF):
+    """No law falls faster than with the slope of smooth surfaces, 4: the interval may end there and at 0, and a value
+    beyond may be left out, and then nothing is known but these ends."""
+    beyond = not 0 <= dF <= 4
+    cut = {"_low95": 0.0, "_high95": 4.0}.get(part) if beyond else min(4.0, max(0.0, check.expected))
+    return Holds(f"{check.expected}, or what of it is from 0 to 4", lambda v: check.fault(v) is None or (
+        v == cut if part in ("_low95", "_high95") else v is None and beyond))
+
+
 def fit_columns(found):
     names = [f"{name}{part}" for name in ("xi", "dF", "I0") for part in ("", "_stderr", "_low95", "_high95")]
     names += ["fit_low", "fit_high", "fit_points", "chi_square"]
@@ -113,7 +122,8 @@ def fit_columns(found):
     out = {}
     for name, numbers in values.items():
         for part, number in zip(("", "_stderr", "_low95", "_high95"), numbers):
-            out[name + part] = Close(number if known[name] else None, 0, 1e-4 if known["xi"] else 5e-3)
+            check = Close(number if known[name] else None, 0, 1e-4 if known["xi"] else 5e-3)
+            out[name + part] = check if name != "dF" or not known[name] else in_range(check, part, dF)
     return out | {"fit_low": Close(found["low"]), "fit_high": Close(found["high"]), "fit_points": Same(found["n"]),
                   "chi_square": Close(found["chi_square"], 0, 1e-5 if known["xi"] else 5e-3)}
 

@@ -54,7 +54,7 @@ std::string overlap_warning(const Packing<Dim>& packing) {
   std::string text;
   if (found.deep_share > 0.0)
     text = fmt::format(
-        "{:.2g} % of the contacts overlap by more than a tenth of a radius, the deepest by {:.3g} of it, the "
+        "{:.3g} % of the contacts overlap by more than a tenth of a radius, the deepest by {:.3g} of it, the "
         "mean of all by {:.3g}",
         100.0 * found.deep_share, found.largest, found.mean);
   if (const std::string dense = density_fault(packing); !dense.empty())

@@ -52,7 +52,7 @@ TEST(Overlaps, OfALinearLawAreWarnedOfAndNeverRefused) {
   Packing<3> packing = spheres_with({0.5});
   packing.law.normal = LinearRepulsion{1.0};
   EXPECT_THAT(overlap_warning(packing),
-              testing::AllOf(testing::StartsWith("1e+02 % of the contacts overlap by more than a tenth"),
+              testing::AllOf(testing::StartsWith("100 % of the contacts overlap by more than a tenth"),
                              testing::HasSubstr("is K_N = 1 in the units of lengths and forces?")));
   require_small_overlaps("here", packing);
 }

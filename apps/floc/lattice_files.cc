@@ -147,10 +147,8 @@ PictureFormat format_of(const std::string& path) {
 }
 
 /// Reads --cut.
-LatticeSheetOptions sheet_of(const LatticeArguments& arguments, const std::string& path) {
+LatticeSheetOptions section_of(const std::string& cut) {
   LatticeSheetOptions sheet;
-  sheet.format = format_of(path);
-  const std::string& cut = arguments.cut;
   const std::size_t axis =
       cut.size() > 2 && cut[1] == ',' ? std::string("xyz").find(cut[0]) : std::string::npos;
   const auto at =
@@ -159,6 +157,12 @@ LatticeSheetOptions sheet_of(const LatticeArguments& arguments, const std::strin
     throw InputError("--cut " + cut, "expected AXIS,SHARE: x, y or z and a share of the cell, such as y,0.5");
   sheet.cut_axis = static_cast<int>(axis);
   sheet.cut_at = *at;
+  return sheet;
+}
+
+LatticeSheetOptions sheet_of(const LatticeArguments& arguments, const std::string& path) {
+  LatticeSheetOptions sheet = section_of(arguments.cut);
+  sheet.format = format_of(path);
   sheet.pixels_a_node = arguments.pixels;
   return sheet;
 }
@@ -208,8 +212,9 @@ std::vector<double> stresses_of(const LoadedSample<Dim>& of, int axis, std::opti
 }
 
 void check_lattice_pictures(const LatticeArguments& arguments) {
+  (void)section_of(arguments.cut);
   for (const std::string& path : {arguments.map, arguments.phases, arguments.cracks})
-    if (!path.empty()) sheet_of(arguments, path);
+    if (!path.empty()) (void)format_of(path);
   if (!arguments.plot.empty()) format_of(arguments.plot);
   if (arguments.strength.empty() && !(arguments.curve.empty() && arguments.cracks.empty()))
     throw InputError("floc lattice",

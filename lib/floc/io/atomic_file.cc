@@ -58,6 +58,8 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), opened_(-1) {
     temporary_ = std::make_unique<TemporaryFile>();
     return;
   }
+  if (std::error_code unknown; std::filesystem::is_directory(path_, unknown))
+    throw InputError(path_, "is a directory, expected the name of a file to write");
   const std::string part = path_ + ".part";
   opened_ = Descriptor(::open(part.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!opened_.valid()) throw cannot_be_written(errno);

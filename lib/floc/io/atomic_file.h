@@ -17,7 +17,7 @@ namespace floc {
 /// temporary file first.
 class AtomicFile {
  public:
-  /// @throws InputError for an empty path
+  /// @throws InputError for an empty path, or that of a directory
   /// @throws IoError with the system's words if nothing can be written there
   explicit AtomicFile(std::string path);
   /// The part is removed if it has not been committed: `path` is as it was.

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <filesystem>
 #include <sstream>
 #include <utility>
 
 #include "floc/base/error.h"
+#include "floc/base/read_file.h"
 #include "floc/io/atomic_file.h"
 
 namespace floc {
@@ -20,7 +21,8 @@ MotionTable<Dim>::MotionTable(std::string file, std::string header, const RunPoi
 /// Rows of a run that was killed may lead beyond the point it goes on from.
 template <int Dim>
 void MotionTable<Dim>::read_rows(const RunPoint& point) {
-  std::ifstream in(file_);
+  if (!std::filesystem::exists(file_)) return;
+  std::istringstream in(read_file(file_));
   std::string line;
   if (!std::getline(in, line)) return;
   if (line != header_) throw InputError(file_ + ":1", "columns are not those of this version of floc: " + line);

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "floc/base/error.h"
+#include "floc/base/read_file.h"
 #include "floc/base/sha256.h"
 #include "floc/io/atomic_file.h"
 #include "floc/run/checkpoint.h"
@@ -167,7 +167,8 @@ void RunDirectory::remove_checkpoint() {
 }
 
 void RunDirectory::read_rows() {
-  std::ifstream in(path_table());
+  if (!fs::exists(path_table())) return;
+  std::istringstream in(read_file(path_table()));
   std::string line;
   if (!std::getline(in, line)) return;
   if (in.eof()) return;  // a header that is cut

@@ -6,8 +6,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <sstream>
+#include <string_view>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/read_file.h"
 
 namespace floc {
 namespace {
@@ -16,33 +21,52 @@ using Kind = DiameterDistribution::Kind;
 
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 
-std::vector<double> read_list_file(const std::string& path, SceneSource& source) {
+/// The text of a file without the mark that some editors put before UTF-8; a fault, and nothing, where it is none.
+std::optional<std::string> text_of_list(const std::string& path, TableReader& t, SceneSource& source) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  try {
+    std::string text = read_file(path);
+    if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+    if (text.find('\0') == std::string::npos) return text;
+    source.fault_at(path, "is not text in UTF-8: expected diameters, separated by spaces or lines");
+  } catch (const InputError& error) {
+    t.fault("file", fmt::format("{}: {}", t.path_of("file"), error.what()));
+  }
+  return std::nullopt;
+}
+
+std::vector<double> read_list_file(const std::string& path, TableReader& t, SceneSource& source) {
   std::vector<double> values;
-  std::ifstream in(path);
-  if (!in) source.fault_at(path, "cannot be read: expected one diameter per line");
-  int number = 0;
+  const std::optional<std::string> text = text_of_list(path, t, source);
+  if (!text) return values;
+  std::istringstream in(*text);
+  int number = 0, n_faults = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
     std::istringstream tokens(line.substr(0, line.find('#')));
     for (std::string token; tokens >> token;) {
-      char* end = nullptr;
-      const double value = std::strtod(token.c_str(), &end);
-      if (*end == '\0' && std::isfinite(value) && value > 0)
-        values.push_back(value);
-      else
-        source.fault_at(fmt::format("{}:{}", path, number),
-                        fmt::format("'{}': expected a positive number", token));
+      const auto value = parse_number<double>(token);
+      if (value && *value > 0) {
+        values.push_back(*value);
+        continue;
+      }
+      ++n_faults;
+      const char* hint = token.find(',') == std::string::npos ? "" : " with a point, not a comma";
+      source.fault_at(fmt::format("{}:{}", path, number),
+                      fmt::format("'{}': expected a positive number{}", token, hint));
     }
   }
-  if (in.eof() && values.empty()) source.fault_at(path, "holds no diameters: expected one per line");
+  if (n_faults == 0 && values.empty())
+    source.fault_at(path, "holds no diameters: expected numbers, separated by spaces or lines");
   return values;
 }
 
 void read_list(TableReader& t, SceneSource& source, const std::string& directory, DiameterDistribution& d) {
   if (t.has("values")) {
     d.values = t.numbers("values", {kDiameter.holds, "an array of positive numbers (length)"});
-  } else if (const auto file = t.text("file", "the name of a file with one diameter per line")) {
-    d.values = read_list_file((std::filesystem::path(directory) / *file).string(), source);
+  } else if (const auto file =
+                 t.text("file", "the name of a file of diameters, separated by spaces or lines")) {
+    d.values = read_list_file((std::filesystem::path(directory) / *file).string(), t, source);
   }
   if (d.values.empty()) return;
   const auto [smallest, largest] = std::minmax_element(d.values.begin(), d.values.end());

@@ -48,7 +48,9 @@ TEST(AtomicFile, IntoNoDirectoryIsAnErrorThatNamesTheFile) {
 TEST(AtomicFile, OverADirectoryLeavesTheDirectoryAndNoPart) {
   const ScratchDirectory scratch;
   std::filesystem::create_directory(scratch.file("d"));
-  EXPECT_THROW(write_bytes_atomically(scratch.file("d"), "x"), IoError);
+  EXPECT_THAT([&] { write_bytes_atomically(scratch.file("d"), "x"); },
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr(scratch.file("d") + ": is a directory, expected the name of a file")));
   EXPECT_TRUE(std::filesystem::is_directory(scratch.file("d")));
   EXPECT_EQ(n_files(scratch.path()), 1);
 }

@@ -126,6 +126,9 @@ bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
   }
   refuse_settings(root);
   check_table_covers(t, scene);
+  // A key whose value cannot be used has a fault of its own.
+  const bool asks = std::ranges::any_of(accuracy_keys(), [&t](const std::string& key) { return t.has(key); });
+  if (wanted.empty() && asks) return false;
   if (wanted.empty()) {
     t.fault("",
             fmt::format("[accuracy] asks for nothing: expected one of {}", fmt::join(accuracy_keys(), ", ")));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/base/parse_number.h"
+
 namespace floc {
 namespace {
 
@@ -57,7 +59,12 @@ std::optional<std::int64_t> TableReader::integer(const std::string& key, Integer
   if (!node) return std::nullopt;
   const std::int64_t value = node->is_integer() ? node->as_integer()->get() : 0;
   if (node->is_integer() && value >= rule.at_least && value <= rule.at_most) return value;
-  refuse_value(key, *node, rule.expectation);
+  const auto* number = node->as_floating_point();
+  if (number != nullptr && whole_number(number->get()))  // TOML tells 2.0 from 2
+    fault(key, fmt::format("{} = {:.1f}: expected {}, written without a decimal point", path_of(key),
+                           number->get(), rule.expectation));
+  else
+    refuse_value(key, *node, rule.expectation);
   return std::nullopt;
 }
 

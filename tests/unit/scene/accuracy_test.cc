@@ -207,6 +207,13 @@ TEST(AccuracyOfAScene, RefusesErrorsBelowThoseOfTheTable) {
   EXPECT_THAT(refusal(kScene, {"accuracy.phi=1e-14"}), HasSubstr("--set accuracy.phi=1e-14: "));
 }
 
+TEST(AccuracyOfAScene, AsksForNothingWithoutAKeyNotWithAFaultyOne) {
+  EXPECT_THAT(refusal(kScene + "[accuracy]\n"), HasSubstr("[accuracy] asks for nothing"));
+  for (const char* value : {"-0.01", "nan", "\"small\""})
+    EXPECT_THAT(refusal(kScene + "[accuracy]\nphi = " + value + "\n"),
+                testing::AllOf(HasSubstr("accuracy.phi = "), Not(HasSubstr("asks for nothing"))));
+}
+
 TEST(AccuracyOfAScene, RefusesGrainsTheTableSaysNothingOf) {
   EXPECT_THAT(
       refusal(kScene + "[accuracy]\nphi = 0.01\n", {"contact.normal.stiffness=1e9"}),

@@ -215,6 +215,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "contact.adhesion.range = 0: expected"},
         BadScene{"[cell]", "range = 1e-3\n[cell]", "unknown key contact.range"},
         BadScene{"dimension = 2", "dimension = 4", "scene.dimension = 4: expected 2 or 3"},
+        BadScene{"dimension = 2", "dimension = 2.0",
+                 "scene.dimension = 2.0: expected 2 or 3, written without a decimal point"},
         BadScene{"units = \"reduced\"\n", "", "scene.units is missing: expected \"reduced\" or \"SI\""},
         BadScene{"strain_rate_cap = 0.05", "strain_rate_cap = 0.05\ninertial_number_cap = 1e-3", "not both"},
         BadScene{"pressure = 0.01", "pressure = 0.01\nstrain_rate_cap = 0",
@@ -448,6 +450,38 @@ TEST(ReadScene, AListOfDiametersIsReadBesideTheSceneAndKeptInItsText) {
   std::ofstream(dir / "d.txt") << "# nothing yet\n";
   EXPECT_THAT([&] { read_scene((dir / "s.toml").string()); },
               testing::ThrowsMessage<InputError>(HasSubstr("d.txt: holds no diameters")));
+  std::filesystem::remove_all(dir);
+}
+
+TEST(ReadScene, WhatIsNoListOfDiametersIsRefusedWithTheReason) {
+  const std::filesystem::path dir = std::filesystem::path(testing::TempDir()) / "floc_diameters_test";
+  std::filesystem::create_directories(dir / "directory");
+  const auto scene_with = [&](const std::string& file) {
+    std::string text = with("{distribution = \"uniform\", min = 0.5, max = 1.0}",
+                            "{distribution = \"list\", file = \"" + file + "\"}");
+    text.replace(text.find("count = 40"), 10, "count = 2");
+    std::ofstream(dir / "s.toml") << text;
+    return read_scene((dir / "s.toml").string());
+  };
+  std::ofstream(dir / "marked.txt") << "\xef\xbb\xbf"
+                                       "0.5\n0.75\n";
+  EXPECT_EQ(scene_with("marked.txt").grains.diameter.values, (std::vector<double>{0.5, 0.75}));
+  std::ofstream(dir / "utf16.txt", std::ios::binary) << std::string(
+      "\xff\xfe"
+      "0\0.\0"
+      "5\0\n\0",
+      10);
+  std::ofstream(dir / "comma.txt") << "0,5\n0,75\n";
+  std::ofstream(dir / "empty.txt");
+  std::ofstream(dir / "hexadecimal.txt") << "0x10\n0.5\n";
+  for (const auto& [file, words] :
+       {std::pair{"directory", "directory: is a directory, expected a file"},
+        {"missing.txt", "missing.txt: No such file or directory"},
+        {"utf16.txt", "utf16.txt: is not text in UTF-8"},
+        {"comma.txt", "comma.txt:1: '0,5': expected a positive number with a point"},
+        {"empty.txt", "empty.txt: holds no diameters"},
+        {"hexadecimal.txt", "hexadecimal.txt:1: '0x10': expected a positive number"}})
+    EXPECT_THAT([&, name = file] { scene_with(name); }, testing::ThrowsMessage<InputError>(HasSubstr(words)));
   std::filesystem::remove_all(dir);
 }
 

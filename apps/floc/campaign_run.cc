@@ -13,6 +13,7 @@
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
 #include "floc/campaign/campaign_tables.h"
+#include "floc/loading/run_options.h"
 #include "output.h"
 
 namespace floc {
@@ -133,7 +134,7 @@ Command add_campaign_run(CommandLine campaign) {
   app.add_option("SCENE", arguments->scene, "scene file (TOML)").required();
   app.add_option("-o,--output", arguments->directory, "directory of the run; its log is DIR.log").required();
   app.add_option("--seed", arguments->seed, "seed of the random numbers").required();
-  app.add_option("--threads", arguments->threads, "threads of the run").between(1, 1024);
+  app.add_option("--threads", arguments->threads, "threads of the run").within(RunOptions::kThreads);
   app.add_option("--set", arguments->overrides, "KEY=VALUE: change one key of the scene").one_argument_each();
   app.add_option(
          "--table", arguments->tables,

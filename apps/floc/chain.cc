@@ -28,7 +28,9 @@ Command add_chain(CommandLine program) {
   CommandLine app = program.add_subcommand(
       "chain", "Compute the compliances of a chain of equal disks: closed forms and the solved network");
   const auto command = std::make_shared<ChainCommand>();
-  app.add_option("--n", command->n, "number of disks").required();
+  app.add_option("--n", command->n,
+                 fmt::format("number of disks, {} to {}", kChainLength.least, kChainLength.most))
+      .required();
   app.add_option("--R", command->R, "radius of the disks").required();
   app.add_option("--kn", command->k.normal, "K_N (force/length)").required();
   app.add_option("--kt", command->k.tangential, "K_T (force/length)").required();

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <type_traits>
 
 #include "command.h"
 #include "floc/base/nearest_name.h"
+#include "floc/base/parse_number.h"
 
 namespace floc {
 namespace {
@@ -47,16 +50,53 @@ std::string unknown_name(const CLI::App& app, const std::string& called) {
   return given.empty() ? "" : unknown_name(*given.back(), called + " " + given.back()->get_name());
 }
 
+/// What an option or each of its values is.
+template <class T>
+struct ValueOf {
+  using Type = T;
+};
+template <class T>
+struct ValueOf<std::optional<T>> : ValueOf<T> {};
+template <class T>
+struct ValueOf<std::vector<T>> : ValueOf<T> {};
+
+/// CLI11 itself would take "nan" and "inf" for numbers, 0x10 for 16, 010 for 8, and -1 for the largest seed.
+template <class Number>
+std::string read_number(std::string& given) {
+  const auto value = parse_number<Number>(given);
+  if constexpr (std::is_floating_point_v<Number>) {
+    return value ? std::string() : fmt::format("expected a finite number, not {}", given);
+  } else {
+    using Limits = std::numeric_limits<Number>;
+    if (!value) {
+      const std::string_view digits = std::string_view(given).substr(given.starts_with('-') ? 1 : 0);
+      const bool is_whole =
+          !digits.empty() && std::ranges::all_of(digits, [](char c) { return '0' <= c && c <= '9'; });
+      return is_whole ? fmt::format("expected a whole number from {} to {}, not {}", Limits::min(),
+                                    Limits::max(), given)
+                      : fmt::format("expected a whole number, not {}", given);
+    }
+    given = std::to_string(*value);
+    return {};
+  }
+}
+
 /// In place of CLI11's own, whose messages name the largest double in three hundred digits.
 /// @param name  of the kind of number, in the help
-CLI::Validator number_that(const std::string& name, const std::string& wanted, bool (*holds)(double)) {
-  return {[wanted, holds](const std::string& given) {
-            double value = 0.0;
-            return CLI::detail::lexical_cast(given, value) && holds(value)
-                       ? std::string()
-                       : fmt::format("expected {}, not {}", wanted, given);
+template <class Number, class Range>
+CLI::Validator number_within(const std::string& name, const Range& range) {
+  return {[range](const std::string& given) {
+            const auto value = parse_number<Number>(given);
+            return value && range.holds(*value) ? std::string()
+                                                : fmt::format("expected {}, not {}", range.words(), given);
           },
           name};
+}
+
+/// The limits of a range as the help has them.
+template <class Range>
+std::string limits_of(const char* type, const Range& range) {
+  return fmt::format("{} in [{} - {}]", type, range.least, range.most);
 }
 
 }  // namespace
@@ -96,24 +136,17 @@ Option Option::show_default() {
   return *this;
 }
 
-Option Option::positive() {
-  option_->check(number_that("POSITIVE", "a positive number", [](double value) { return value > 0.0; }));
+Option Option::within(const NumberRange& range) {
+  const bool bounded = range.most < std::numeric_limits<double>::max();
+  option_->check(number_within<double>(bounded               ? limits_of("FLOAT", range)
+                                       : range.without_least ? "POSITIVE"
+                                                             : "NONNEGATIVE",
+                                       range));
   return *this;
 }
 
-Option Option::non_negative() {
-  option_->check(
-      number_that("NONNEGATIVE", "zero or a positive number", [](double value) { return value >= 0.0; }));
-  return *this;
-}
-
-Option Option::between(int least, int most) {
-  option_->check(CLI::Range(least, most));
-  return *this;
-}
-
-Option Option::between(double least, double most) {
-  option_->check(CLI::Range(least, most));
+Option Option::within(const WholeRange& range) {
+  option_->check(number_within<std::int64_t>(limits_of("INT", range), range));
   return *this;
 }
 
@@ -171,6 +204,8 @@ Option CommandLine::add_option(const std::string& name, T& value, const std::str
           return given.empty() ? std::string("expected a value, but it is empty") : std::string();
         },
         ""));
+  else
+    option->transform(CLI::Validator(read_number<typename ValueOf<T>::Type>, ""));
   return Option(option);
 }
 

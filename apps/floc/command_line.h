@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "floc/base/range.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -29,10 +31,11 @@ class Option {
   /// The help shows the value that the variable has now.
   Option show_default();
 
-  Option positive();
-  Option non_negative();
-  Option between(int least, int most);
-  Option between(double least, double most);
+  /// Ranges are those of the library, which refuses the same values.
+  Option within(const NumberRange& range);
+  Option within(const WholeRange& range);
+  Option positive() { return within(kPositiveNumber); }
+  Option non_negative() { return within(kNotNegativeNumber); }
   Option one_of(const std::vector<std::string>& keywords);
   Option one_of_integers(const std::vector<int>& numbers);
 
@@ -65,7 +68,7 @@ class CommandLine {
   void footer(const std::string& text);
 
   /// Adds an option ("-o,--output") or a positional argument ("STATE"), read into `value` when the line is
-  /// parsed.
+  /// parsed. Numbers are decimal and finite, whole numbers fit the type of the variable.
   /// Defined for the types that command_line.cc lists; a new type takes a line there.
   template <class T>
   Option add_option(const std::string& name, T& value, const std::string& text);

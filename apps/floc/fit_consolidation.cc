@@ -189,7 +189,7 @@ Command add_fit_consolidation(CommandLine fit) {
                  "loss function, which sets the weight of outliers: squared, huber or cauchy [squared]")
       .one_of({"squared", "huber", "cauchy"});
   app.add_option("--bootstrap", arguments->n_bootstrap, "N: also give errors from N resampled fits [none]")
-      .between(2, 1000000);
+      .within(ConsolidationOptions::kBootstrap);
   app.add_option("--seed", arguments->seed, "seed of the bootstrap [1]");
   app.add_option("--stress", arguments->stress,
                  "stress from which P* of an oedometric test is computed: driven or mean [driven]")

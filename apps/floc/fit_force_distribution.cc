@@ -82,7 +82,7 @@ Command add_fit_force_distribution(CommandLine fit) {
                      "magnitude of the force at which the tails begin [the mean of the forces of that sign]")
           .non_negative();
   app.add_option("--draws", arguments->options.n_draws, "samples drawn from the fit for its p-value [200]")
-      .between(1, 100000);
+      .within(ForceFitOptions::kDraws);
   app.add_option("--seed", arguments->options.seed, "seed of these draws [1]");
   add_columns_option(app, arguments->columns, "normal_force");
   add_format_option(app, arguments->format);

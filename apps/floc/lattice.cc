@@ -78,8 +78,7 @@ Lattice<Dim> make_lattice(const LatticeArguments& arguments, const Packing<Dim>&
   if constexpr (Dim == 2) {
     return triangular_lattice_in(packing.cell, spacing);
   } else {
-    const IrregularLatticeOptions options{spacing, arguments.jitter,
-                                          static_cast<std::uint64_t>(arguments.seed)};
+    const IrregularLatticeOptions options{spacing, arguments.jitter, arguments.seed};
     if (const auto faults = options.validate(); !faults.empty())
       throw InputError("floc lattice", faults.front());
     return irregular_lattice(packing.cell, options);

@@ -9,6 +9,8 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/lattice/cemented_sample.h"
+#include "floc/picture/lattice_picture.h"
 #include "output.h"
 
 namespace floc {
@@ -36,7 +38,7 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("STATE", a.file, "state file of the grains, - for one on stdin").required();
   app.add_option("--matrix", a.matrix, "content of the matrix: its share of the volume")
       .required()
-      .between(0.0, 1.0);
+      .within(CementOptions::kContent);
   app.add_option("--stiffness", a.stiffness,
                  "grain=K,matrix=K,interface=K,contact=K: stiffnesses of the elements, force/length [1; "
                  "interface 2 K K'/(K + K'), contact that of the grains]");
@@ -56,7 +58,7 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("--bending", a.bending, "K_R/(K_N spacing^2) of the elements [0]").non_negative();
   app.add_flag("--by-facet", a.by_facet, "K = E facet/length: the stiffnesses are moduli");
   app.add_option("--jitter", a.jitter, "3D: largest random displacement of a node, in spacings [0.35]");
-  app.add_option("--seed", a.seed, "3D: seed of these displacements [1]").non_negative();
+  app.add_option("--seed", a.seed, "3D: seed of these displacements [1]");
   app.add_option(
       "--load", a.load,
       "compression or tension (a stress of 1 along the axis), stress:S11,S22,... or strain:E11,E22,... in the "
@@ -85,13 +87,13 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("--phases", a.phases, "F.svg, F.pdf or F.png: grains, matrix and voids");
   app.add_option("--cut", a.cut, "3D: section that the pictures show: an axis and a share of the cell [y,0.5]");
   app.add_option("--pixels", a.pixels, "pixels per node in pictures, which stay below 3000 pixels per side [4]")
-      .between(1.0, 100.0);
+      .within(LatticeSheetOptions::kPixels);
   app.add_option("--strength", a.strength,
                  "grain=F,matrix=F,interface=F,contact=F: tension at which elements break; a kind left out "
                  "never breaks. The sample is then broken, element by element");
   app.add_option("--end-at", a.end_at,
                  "stop breaking where the stress has fallen to this share of the largest [0.2]")
-      .between(0.0, 1.0);
+      .within(FractureOptions::kShare);
   app.add_option("--curve", a.curve, "csv: strain, stress and element of each breakage");
   app.add_option("--cracks", a.cracks, "F.svg, F.pdf or F.png: the broken elements");
   app.add_flag("--yes", a.yes, "break samples of more than 20000 nodes, however long it takes");

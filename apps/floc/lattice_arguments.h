@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ struct LatticeArguments {
   double bending = 0.0;
   bool by_facet = false;
   double jitter = 0.35;
-  int seed = 1;
+  std::uint64_t seed = 1;
   std::string load = "compression";
   std::string axis;
   std::string boundary = "periodic";

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "command.h"
+#include "floc/network/carrying_structure.h"
 #include "network_rows.h"
 #include "output.h"
 
@@ -37,7 +38,7 @@ Command add_network(CommandLine program) {
   app.add_option("--least-contacts", command->least_contacts,
                  "fewest contacts above that force for a grain of the force-carrying structure [2 where a "
                  "contact carries a tangential force, else d+1]")
-      .between(1, 100);
+      .within(kLeastContacts);
   app.add_option("--pdf", command->distributions,
                  "file for distributions of normal forces (with sign), tangential forces and rolling moments, "
                  "one row per bin");

@@ -175,7 +175,7 @@ void add_bond_options(CommandLine app, BondArguments& arguments) {
       .show_default();
   app.add_option("--shuffles", arguments.phases.n_shuffles,
                  "number of shuffles of the signs of the grains, a control for the phases")
-      .between(1, 100000)
+      .within(PhaseOptions::kShuffles)
       .show_default();
   app.add_option("--exponents", arguments.exponents,
                  "file for the exponents of the distributions of forces and particle pressures, by maximum "

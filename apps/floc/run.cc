@@ -18,6 +18,8 @@
 namespace floc {
 namespace {
 
+constexpr WholeRange kJobs{.least = 1, .most = 1024};
+
 volatile std::sig_atomic_t g_interrupted = 0;
 
 void interrupt(int) {
@@ -115,9 +117,9 @@ Command add_run(CommandLine program) {
       app.add_option("--seeds", arguments->seeds,
                      "A..B: an ensemble with one sample per seed, each in its own directory seed-N")
           .excludes(seed);
-  app.add_option("--jobs", arguments->jobs, "samples that run at the same time").needs(seeds).between(1, 1024);
+  app.add_option("--jobs", arguments->jobs, "samples that run at the same time").needs(seeds).within(kJobs);
   app.add_option("--threads", arguments->threads, "number of threads; results do not depend on it")
-      .between(1, 1024);
+      .within(RunOptions::kThreads);
   app.add_option("--set", arguments->overrides,
                  "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();

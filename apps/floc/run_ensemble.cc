@@ -71,8 +71,12 @@ class Ensemble {
 }  // namespace
 
 SeedRange parse_seeds(const std::string& text) {
-  if (const auto range = seed_range_of(text)) return *range;
-  throw InputError("--seeds " + text, "expected A..B, two whole numbers, A at most B");
+  constexpr std::uint64_t kMostSamples = 1'000'000;
+  const auto range = seed_range_of(text);
+  if (range && range->last - range->first < kMostSamples) return *range;
+  throw InputError(
+      "--seeds " + text,
+      fmt::format("expected A..B, two whole numbers, A at most B, at most {} samples", kMostSamples));
 }
 
 int run_ensemble(const ClaimedDirectory& claim, const std::string& directory, const SeedRange& seeds, int jobs,

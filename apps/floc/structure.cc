@@ -1,6 +1,8 @@
 #include <memory>
 
 #include "command.h"
+#include "floc/structure/axis_profile.h"
+#include "floc/structure/porosity_probe.h"
 #include "output.h"
 #include "structure_columns.h"
 #include "structure_rows.h"
@@ -52,7 +54,7 @@ Command add_structure(CommandLine program) {
       .show_default();
   app.add_option("--cells-per-wave", command->scattering.cells_per_wave,
                  "mesh cells per wavelength at the largest wave number, at least 4")
-      .between(4.0, 1000.0)
+      .within(ScatteringOptions::kCellsPerWave)
       .show_default();
   app.add_option("--intensity", command->intensity, "file for I(k), one row per bin of k");
   app.add_option("--pair-correlation", command->pairs, "file for g(r), one row per bin of r");
@@ -70,13 +72,13 @@ Command add_structure(CommandLine program) {
   app.add_option("--map-size", command->map_size, "mesh cells along each lattice vector")
       .delimiter(',')
       .expected(2)
-      .between(1, 10000)
+      .within(kMapSide)
       .show_default();
   app.add_option("--porosity", command->porosity,
                  "file for the porosity of cubes about the centre of the cell against their size, and of the "
                  "cell itself, shrunk about its centre");
   app.add_option("--probes", command->n_probes, "number of sizes of these cubes")
-      .between(1, 10000)
+      .within(kPorosityProbes)
       .show_default();
   app.add_option(
       "--profile", command->profile,
@@ -85,7 +87,7 @@ Command add_structure(CommandLine program) {
                  "lattice vector along which the slices follow each other; the last one unless given")
       .one_of({"x", "y", "z"});
   app.add_option("--slices", command->n_slices, "number of slices of the profile")
-      .between(1, 100000)
+      .within(kProfileSlices)
       .show_default();
   add_format_option(app, command->format);
   return {app, [command] { return run_structure(*command); }};

@@ -122,9 +122,17 @@ void add_pores(const Packing<2>& packing, const StructureCommand& command, Serie
   series.mean.n_pores = series.mean.n_pores.value_or(0) + *row.n_pores;
 }
 
+void require_map_size(const std::vector<int>& size) {
+  for (const int side : size) require_in_range("map_size", side, kMapSide);
+  if (!kMapCells.holds(std::int64_t{size[0]} * size[1]))
+    throw InputError(
+        "", fmt::format("map_size = {},{}: expected at most {} mesh cells", size[0], size[1], kMapCells.most));
+}
+
 void add_map(const std::string& file, const Packing<2>& packing, const StructureCommand& command,
              Table& table) {
   choose_columns(file, kMapColumns, table);
+  require_map_size(command.map_size);
   const CoverageMap map = coverage_map(packing, {command.map_size[0], command.map_size[1]});
   for (int k1 = 0; k1 < map.size[0]; ++k1)
     for (int k2 = 0; k2 < map.size[1]; ++k2) {
@@ -176,6 +184,7 @@ template <int Dim>
 void add_pairs(const std::string& file, const Packing<Dim>& packing, const StructureCommand& command,
                Series& series) {
   constexpr double kBinsPerDiameter = 50.0;
+  require_in_range("reach", command.reach, kPairReach);
   const double reach = command.reach * largest_diameter(packing.grains);
   const PairCorrelation found =
       pair_correlation(packing, reach, static_cast<int>(std::ceil(command.reach * kBinsPerDiameter)));

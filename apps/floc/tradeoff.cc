@@ -166,7 +166,7 @@ Command add_tradeoff(CommandLine program) {
       .show_default();
   app.add_option("--samples", command->options.max_samples,
                  "largest number of samples, with seeds that count up from the scene's own")
-      .between(1, 10000)
+      .within(TradeoffOptions::kSamples)
       .show_default();
   app.add_option("--set", command->overrides, "KEY=VALUE: change one key of the scene").one_argument_each();
   app.add_option("--observables", command->observables, "observables to compare: phi, B, lambda, ... [all]")

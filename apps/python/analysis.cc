@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <optional>
 
-#include "binding.h"
+#include "arguments.h"
 #include "chain_rows.h"
 #include "compare_rows.h"
 #include "equilibrium_check.h"
+#include "floc/elasticity/chain.h"
+#include "floc/network/carrying_structure.h"
+#include "floc/structure/axis_profile.h"
+#include "floc/structure/pair_correlation.h"
+#include "floc/structure/porosity_probe.h"
 #include "moduli_request.h"
 #include "network_rows.h"
 #include "structure_columns.h"
@@ -44,23 +48,22 @@ void add_moduli(const NamedState& s, const ModuliCommand& command, const ModuliR
   std::ranges::move(computed, std::back_inserter(rows));
 }
 
-py::tuple moduli(const States& states, const std::string& strains, bool prestress,
-                 std::optional<double> tolerance, const std::string& method, const Names& accuracy,
-                 std::optional<double> force_tolerance, const std::vector<double>& rolling_stiffness,
-                 const Names& tables, bool force) {
-  require_one_of("strains", strains, {"diagonal", "full"});
-  require_one_of("method", method, {"factor", "single-factor", "iterative", "bounds"});
+py::tuple moduli(const States& states, const py::object& strains, bool prestress, const py::object& tolerance,
+                 const py::object& method, const Names& accuracy, const py::object& force_tolerance,
+                 const py::object& rolling_stiffness, const Names& tables, bool force) {
   require_tables(tables, {"increments"});
   ModuliCommand command;
-  command.strains = strains;
+  command.strains = word_of("strains", strains, {"diagonal", "full"});
   command.prestress = prestress;
   command.force = force;
-  if (tolerance) command.options.tolerance = *tolerance;
-  if (force_tolerance) command.options.force_tolerance = *force_tolerance;
-  command.method = method;
+  if (const auto given = number_if_any("tolerance", tolerance, kPositiveNumber))
+    command.options.tolerance = *given;
+  if (const auto given = number_if_any("force_tolerance", force_tolerance, kNotNegativeNumber))
+    command.options.force_tolerance = *given;
+  command.method = word_of("method", method, {"factor", "single-factor", "iterative", "bounds"});
   command.solver = "cholmod";
   command.accuracy = accuracy;
-  command.rolling_stiffness = rolling_stiffness;
+  command.rolling_stiffness = numbers_of("rolling_stiffness", rolling_stiffness, kNotNegativeNumber);
   if (contains(tables, "increments")) command.increments = kWanted;
   Table increments;
   const Table table = without_gil([&] {
@@ -96,24 +99,24 @@ py::dict asked_of(const std::vector<FurtherTable>& further) {
   return tables;
 }
 
-py::tuple network(const States& states, std::optional<double> zero_force, std::optional<int> least_contacts,
-                  const std::string& unit, double bin_width, const Names& groups, double near_zero,
-                  int shuffles, double pressure_bin_width, const Names& without, const Names& tables) {
-  require_one_of("unit", unit, {"mean", "F0", "P"});
+py::tuple network(const States& states, const py::object& zero_force, const py::object& least_contacts,
+                  const py::object& unit, const py::object& bin_width, const Names& groups,
+                  const py::object& near_zero, const py::object& shuffles, const py::object& pressure_bin_width,
+                  const Names& without, const Names& tables) {
   for (const std::string& group : without) require_one_of("without", group, {"mechanics"});
   for (const std::string& group : groups) require_one_of("groups", group, {"bonds", "phases"});
   require_tables(tables,
                  {"pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours", "clusters"});
   NetworkCommand command;
-  command.zero_force = zero_force;
-  command.least_contacts = least_contacts;
-  command.unit = unit;
-  command.bin_width = bin_width;
+  command.zero_force = number_if_any("zero_force", zero_force, kNotNegativeNumber);
+  command.least_contacts = whole_if_any("least_contacts", least_contacts, kLeastContacts);
+  command.unit = word_of("unit", unit, {"mean", "F0", "P"});
+  command.bin_width = number_of("bin_width", bin_width, kPositiveNumber);
   command.bonds.with = groups;
   command.without = without;
-  command.bonds.near = near_zero;
-  command.bonds.phases.n_shuffles = shuffles;
-  command.bonds.bin_width = pressure_bin_width;
+  command.bonds.near = number_of("near_zero", near_zero, kNotNegativeNumber);
+  command.bonds.phases.n_shuffles = whole_of("shuffles", shuffles, PhaseOptions::kShuffles);
+  command.bonds.bin_width = number_of("pressure_bin_width", pressure_bin_width, kPositiveNumber);
   NetworkTables side;
   const std::vector<FurtherTable> further = {
       {"pdf", &command.distributions, &side.distributions},
@@ -136,23 +139,40 @@ py::tuple network(const States& states, std::optional<double> zero_force, std::o
   return py::make_tuple(to_python(table), asked_of(further));
 }
 
-py::tuple structure(const States& states, bool average, const std::vector<double>& fit_range,
-                    std::optional<double> largest_k, std::optional<double> cells_per_wave, double reach,
-                    const std::vector<int>& map_size, int probes,
-                    const std::optional<std::string>& profile_axis, int slices, const Names& tables) {
-  if (profile_axis) require_one_of("profile_axis", *profile_axis, {"x", "y", "z"});
+/// LOW, HIGH. @throws InputError naming the argument
+std::vector<double> fit_range_of(const py::object& given) {
+  std::vector<double> range = numbers_of("fit_range", given);
+  if (range.size() != 2 || !(range[0] < range[1]))
+    throw InputError("", "fit_range = " + py::repr(given).cast<std::string>() +
+                             ": expected two numbers, the lower one first");
+  return range;
+}
+
+std::vector<int> map_size_of(const py::object& given) {
+  std::vector<int> size = wholes_of("map_size", given, kMapSide);
+  if (size.size() != 2)
+    throw InputError("", "map_size = " + py::repr(given).cast<std::string>() + ": expected two numbers");
+  return size;
+}
+
+py::tuple structure(const States& states, bool average, const py::object& fit_range,
+                    const py::object& largest_k, const py::object& cells_per_wave, const py::object& reach,
+                    const py::object& map_size, const py::object& probes, const py::object& profile_axis,
+                    const py::object& slices, const Names& tables) {
   require_tables(
       tables, {"intensity", "pair_correlation", "gaps", "pores", "map", "prediction", "porosity", "profile"});
   StructureCommand command;
   command.average = average;
-  command.fit_range = fit_range;
-  if (largest_k) command.scattering.largest = *largest_k;
-  if (cells_per_wave) command.scattering.cells_per_wave = *cells_per_wave;
-  command.reach = reach;
-  command.map_size = map_size;
-  command.n_probes = probes;
-  command.profile_axis = profile_axis.value_or("");
-  command.n_slices = slices;
+  command.fit_range = fit_range_of(fit_range);
+  if (const auto given = number_if_any("largest_k", largest_k, ScatteringOptions::kLargest))
+    command.scattering.largest = *given;
+  if (const auto given = number_if_any("cells_per_wave", cells_per_wave, ScatteringOptions::kCellsPerWave))
+    command.scattering.cells_per_wave = *given;
+  command.reach = number_of("reach", reach, kPairReach);
+  command.map_size = map_size_of(map_size);
+  command.n_probes = whole_of("probes", probes, kPorosityProbes);
+  if (!profile_axis.is_none()) command.profile_axis = word_of("profile_axis", profile_axis, {"x", "y", "z"});
+  command.n_slices = whole_of("slices", slices, kProfileSlices);
   Series series;
   const std::vector<FurtherTable> further = {{"intensity", &command.intensity, &series.intensity},
                                              {"pair_correlation", &command.pairs, &series.pairs},
@@ -163,8 +183,6 @@ py::tuple structure(const States& states, bool average, const std::vector<double
                                              {"porosity", &command.porosity, &series.porosity},
                                              {"profile", &command.profile, &series.profile}};
   ask_for(tables, further);
-  require_fit_range(command);
-  if (map_size.size() != 2) throw InputError("map_size", "expected two numbers");
   const Table table = without_gil([&] {
     std::vector<StructureRow> rows;
     for (const NamedState& s : states)
@@ -178,11 +196,11 @@ py::tuple structure(const States& states, bool average, const std::vector<double
   return py::make_tuple(to_python(table), asked_of(further));
 }
 
-py::tuple compare(const NamedState& before, const NamedState& after, double rigid_tolerance,
+py::tuple compare(const NamedState& before, const NamedState& after, const py::object& rigid_tolerance,
                   const Names& tables) {
   require_tables(tables, {"displacements", "contacts"});
   CompareCommand command;
-  command.rigid_tolerance = rigid_tolerance;
+  command.rigid_tolerance = number_of("rigid_tolerance", rigid_tolerance, kPositiveNumber);
   CompareTables side;
   const std::vector<FurtherTable> further = {{"displacements", &command.displacements, &side.displacements},
                                              {"contacts", &command.contacts, &side.contacts}};
@@ -202,12 +220,14 @@ py::tuple compare(const NamedState& before, const NamedState& after, double rigi
   return py::make_tuple(to_python(table), asked_of(further));
 }
 
-py::tuple chain(int n, double radius, double kn, double kt, double kr, double bend) {
+py::tuple chain(const py::object& n, const py::object& radius, const py::object& kn, const py::object& kt,
+                const py::object& kr, const py::object& bend) {
   ChainCommand command;
-  command.n = n;
-  command.R = radius;
-  command.k = {kn, kt, kr};
-  command.bend = bend;
+  command.n = whole_of("n", n, kChainLength);
+  command.R = number_of("R", radius, kPositiveNumber);
+  command.k = {number_of("kn", kn, kPositiveNumber), number_of("kt", kt, kPositiveNumber),
+               number_of("kr", kr, kPositiveNumber)};
+  command.bend = number_of("bend", bend);
   return to_python(without_gil([&] { return chain_table(command, chain_rows(command)); }));
 }
 

@@ -15,6 +15,7 @@
 #include "fault.h"
 #include "fit_parameters.h"
 #include "floc/base/error.h"
+#include "floc/base/interruption.h"
 #include "floc/io/state_file.h"
 #include "floc/io/table.h"
 #include "repeated_warnings.h"
@@ -47,13 +48,19 @@ class EquilibriumError : public NumericalError {
 using Warnings = std::vector<std::string>;
 void issue(const Warnings& warnings);
 
-/// Does long work while other threads of Python go on. What it says of files becomes warnings.
+/// Throws what a signal that came meanwhile raises: KeyboardInterrupt after Ctrl-C. Only the main thread of Python is
+/// told of signals.
+void check_signals();
+
+/// Does long work while other threads of Python go on. What it says of files becomes warnings; Ctrl-C ends it at the
+/// next place where the library asks.
 template <class Work>
 auto without_gil(const Work& work) {
   Warnings warnings;
   auto result = [&] {
     const py::gil_scoped_release released;
     const SingleBlasThread single;
+    const InterruptionListener interruptible(check_signals);
     const RemarkListener listener([&warnings](const std::string& file, const std::string& text) {
       const std::string prefix = "warning: ";
       warnings.push_back(file + ": " + (text.starts_with(prefix) ? text.substr(prefix.size()) : text));
@@ -67,6 +74,7 @@ auto without_gil(const Work& work) {
 /// Work on one state, whose faults name it as those of commands do.
 template <class Work>
 auto of_state(const std::string& name, const Work& work) {
+  check_interruption();
   try {
     return work();
   } catch (const NoResult& error) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "binding.h"
+#include "arguments.h"
 #include "consolidation_fits.h"
 #include "elastic_fits.h"
 #include "table_fits.h"
@@ -47,36 +47,45 @@ Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   return inputs;
 }
 
-py::object consolidation(const py::list& samples, const ColumnNames& columns, const std::string& law,
-                         const std::optional<std::pair<double, double>>& window, std::optional<double> P0,
-                         const std::string& protocol, const std::string& loading, const std::string& weights,
-                         const std::string& loss, int bootstrap, std::uint64_t seed,
-                         const std::string& stress) {
-  require_one_of("law", law, {"full", "log", "power"});
-  require_one_of("protocol", protocol, {"", "published"});
-  require_one_of("loading", loading, {"first", "virgin"});
-  require_one_of("weights", weights, {"", "uniform", "relative", "scatter"});
-  require_one_of("loss", loss, {"squared", "huber", "cauchy"});
-  require_one_of("stress", stress, {"driven", "mean"});
-  if (bootstrap != 0 && bootstrap < 2)
-    throw InputError("bootstrap", fmt::format("is {}, expected 2 or more, or 0 for none", bootstrap));
-  if (P0 && !(*P0 > 0.0)) throw InputError("P0", fmt::format("is {}, expected a positive pressure", *P0));
-  if (P0 && window) throw InputError("P0", "cannot be combined with window: expected one of them");
+/// Number of resampled fits; 0 for none.
+int bootstrap_of(const py::object& given) {
+  constexpr WholeRange kWithNone{.least = 0, .most = ConsolidationOptions::kBootstrap.most};
+  const int n = whole_of("bootstrap", given, kWithNone);
+  if (n != 0 && !ConsolidationOptions::kBootstrap.holds(n))
+    throw InputError("bootstrap", fmt::format("is {}, expected 2 or more, or 0 for none", n));
+  return n;
+}
+
+std::vector<double> window_of(const py::object& given) {
+  if (given.is_none()) return {};
+  std::vector<double> window = numbers_of("window", given, kPositiveNumber);
+  if (window.size() != 2)
+    throw InputError("", "window = " + py::repr(given).cast<std::string>() + ": expected two pressures");
+  return window;
+}
+
+py::object consolidation(const py::list& samples, const ColumnNames& columns, const py::object& law,
+                         const py::object& window, const py::object& P0, const py::object& protocol,
+                         const py::object& loading, const py::object& weights, const py::object& loss,
+                         const py::object& bootstrap, const py::object& seed, const py::object& stress) {
   ConsolidationArguments arguments;
-  arguments.law = law;
-  arguments.protocol = protocol;
-  if (window) arguments.window = {window->first, window->second};
-  arguments.P0 = P0.value_or(0.0);
-  arguments.loading = loading;
-  arguments.weights = weights;
-  arguments.loss = loss;
-  arguments.n_bootstrap = bootstrap;
-  arguments.seed = seed;
-  arguments.stress = stress;
+  arguments.law = word_of("law", law, {"full", "log", "power"});
+  arguments.protocol = word_of("protocol", protocol, {"", "published"});
+  arguments.window = window_of(window);
+  arguments.P0 = number_if_any("P0", P0, kPositiveNumber).value_or(0.0);
+  if (!P0.is_none() && !window.is_none())
+    throw InputError("P0", "cannot be combined with window: expected one of them");
+  arguments.loading = word_of("loading", loading, {"first", "virgin"});
+  arguments.weights = word_of("weights", weights, {"", "uniform", "relative", "scatter"});
+  arguments.loss = word_of("loss", loss, {"squared", "huber", "cauchy"});
+  arguments.n_bootstrap = bootstrap_of(bootstrap);
+  arguments.seed = seed_of("seed", seed);
+  arguments.stress = word_of("stress", stress, {"driven", "mean"});
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     const ConsolidationOptions options = consolidation_options(arguments);
-    const OedometerPressure oedometer = stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven;
+    const OedometerPressure oedometer =
+        arguments.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven;
     std::vector<ConsolidationSample> read;
     for (const PathTable& path : tables_of(inputs, {"P_star"}, oedometer))
       read.push_back(consolidation_sample(path, arguments));
@@ -119,17 +128,17 @@ py::dict cycle(const py::list& samples, const ColumnNames& columns) {
 
 py::object dynamic_compaction(const std::vector<double>& e, const std::vector<double>& p,
                               const std::vector<double>& sc, const std::vector<double>& se,
-                              std::optional<double> p_D, std::optional<double> eta_m,
-                              const std::string& plateau, std::optional<double> p_0) {
-  require_one_of("plateau", plateau, {"p", "p_crit"});
+                              const py::object& p_D, const py::object& eta_m, const py::object& plateau,
+                              const py::object& p_0) {
   for (const auto& [name, array] : {std::pair{"p", &p}, {"sc", &sc}, {"se", &se}})
     if (array->size() != e.size())
       throw InputError(name, fmt::format("has {} values, and e has {}", array->size(), e.size()));
   CompactionReference reference;
-  if (p_D) reference.p_D = *p_D;
-  if (eta_m) reference.eta_m = *eta_m;
-  if (p_0) reference.p_0 = *p_0;
-  reference.plateau = plateau == "p" ? PlateauPressure::own : PlateauPressure::critical;
+  if (const auto given = number_if_any("p_D", p_D, kPositiveNumber)) reference.p_D = *given;
+  if (const auto given = number_if_any("eta_m", eta_m, kPositiveNumber)) reference.eta_m = *given;
+  if (const auto given = number_if_any("p_0", p_0, kPositiveNumber)) reference.p_0 = *given;
+  reference.plateau =
+      word_of("plateau", plateau, {"p", "p_crit"}) == "p" ? PlateauPressure::own : PlateauPressure::critical;
   std::vector<CompactedSample> samples;
   for (std::size_t i = 0; i < e.size(); ++i)
     samples.push_back(compacted_sample(fmt::format("sample {}", i), e[i], p[i], sc[i], se[i]));
@@ -138,15 +147,15 @@ py::object dynamic_compaction(const std::vector<double>& e, const std::vector<do
 }
 
 py::object force_distribution(const std::string& name, const std::vector<double>& forces,
-                              const std::string& form, std::optional<double> threshold,
-                              std::optional<int> draws, std::optional<std::uint64_t> seed) {
-  require_one_of("form", form, {"all", "tails", "power-exponential", "quadratic-exponential"});
+                              const py::object& form, const py::object& threshold, const py::object& draws,
+                              const py::object& seed) {
   ForceDistributionArguments arguments;
-  arguments.form = form;
-  arguments.has_threshold = threshold.has_value();
-  arguments.threshold = threshold.value_or(0.0);
-  if (draws) arguments.options.n_draws = *draws;
-  if (seed) arguments.options.seed = *seed;
+  arguments.form = word_of("form", form, {"all", "tails", "power-exponential", "quadratic-exponential"});
+  arguments.has_threshold = !threshold.is_none();
+  arguments.threshold = number_if_any("threshold", threshold, kNotNegativeNumber).value_or(0.0);
+  if (const auto given = whole_if_any("draws", draws, ForceFitOptions::kDraws))
+    arguments.options.n_draws = *given;
+  if (!seed.is_none()) arguments.options.seed = seed_of("seed", seed);
   return to_python(without_gil([&] {
     Json array = Json::array();
     for (const ForceFit& fit : fit_forms(forces, arguments)) array.push_back(as_json(name, forces, fit));

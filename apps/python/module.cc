@@ -45,6 +45,11 @@ py::dict column_reference() {
 
 }  // namespace
 
+void check_signals() {
+  const py::gil_scoped_acquire acquired;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
 void issue(const Warnings& warnings) {
   const py::object kind = error_class("FlocWarning");
   for (const std::string& words : warnings)

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "binding.h"
+#include "arguments.h"
 #include "complete_import.h"
 #include "conversion_summary.h"
 #include "floc/io/law_text.h"
@@ -188,9 +188,8 @@ NamedState assembled(const ListedPacking& listed, const ImportCompletion& comple
 
 NamedState from_arrays(const Numbers& position, const Numbers& radius, const Numbers& cell,
                        const std::string& law, const std::optional<py::dict>& contacts,
-                       const std::optional<Numbers>& mass, const std::vector<double>& stress,
-                       std::optional<double> tolerance, const std::string& units, bool drop_tensile) {
-  require_one_of("units", units, {"reduced", "SI"});
+                       const std::optional<Numbers>& mass, const py::object& stress,
+                       const py::object& tolerance, const py::object& units, bool drop_tensile) {
   if (cell.ndim() != 2 || cell.shape(0) != cell.shape(1) || (cell.shape(0) != 2 && cell.shape(0) != 3))
     throw InputError("cell", fmt::format("has shape {}, expected (2, 2) or (3, 3)", shape_of(cell)));
   const auto dimension = static_cast<int>(cell.shape(0));
@@ -198,7 +197,7 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
   listed.place = kName;
   listed.cell_place = "cell";
   listed.law = parse_law("law", law);
-  listed.units = units;
+  listed.units = word_of("units", units, {"reduced", "SI"});
   listed.drop_tensile = drop_tensile;
   for (int a = 0; a < dimension; ++a) {
     const Eigen::Vector3d vector = row_of("cell", cell, a, dimension);
@@ -206,9 +205,8 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
   }
   listed.grains = listed_grains(position, radius, mass, dimension);
   if (contacts) listed.contacts = ContactArrays(*contacts, dimension).listed();
-  if (tolerance && !(*tolerance > 0.0))
-    throw InputError("tolerance", fmt::format("is {}, expected a positive number", *tolerance));
-  return assembled(listed, {"law", stress, "stress", tolerance});
+  return assembled(listed, {"law", numbers_of("stress", stress), "stress",
+                            number_if_any("tolerance", tolerance, kPositiveNumber)});
 }
 
 }  // namespace

@@ -2,9 +2,8 @@
 
 #include <chrono>
 #include <exception>
-#include <optional>
 
-#include "binding.h"
+#include "arguments.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_warnings.h"
@@ -29,9 +28,7 @@ class Watch {
     if (thrown_) return true;
     if (const auto now = Clock::now(); now - last_look_ >= kBetweenSignals) {
       last_look_ = now;
-      call([] {
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      });
+      call(check_signals);
     }
     return thrown_ != nullptr;
   }
@@ -97,29 +94,29 @@ std::string drive_scene(const Scene& scene, const RunArguments& arguments, Watch
 }
 
 void run(const std::string& scene_file, const std::string& directory, const std::vector<std::string>& changes,
-         std::optional<std::uint64_t> seed, std::optional<int> threads, std::optional<int> until,
-         std::optional<double> track_contacts, bool track_energy, bool resume, bool overwrite, bool timing,
-         const py::object& told, double interval) {
+         const py::object& seed, const py::object& threads, const py::object& until,
+         const py::object& track_contacts, bool track_energy, bool resume, bool overwrite, bool timing,
+         const py::object& told, const py::object& interval) {
   if (resume && overwrite)
     throw InputError("resume", "cannot be combined with overwrite: expected one of them");
   RunArguments arguments;
   arguments.scene = scene_file;
   arguments.directory = directory;
   arguments.overrides = changes;
-  arguments.seed = seed;
-  arguments.threads = threads;
-  arguments.until = until;
-  arguments.track_contacts = track_contacts;
+  if (!seed.is_none()) arguments.seed = seed_of("seed", seed);
+  arguments.threads = whole_if_any("threads", threads, RunOptions::kThreads);
+  arguments.until = whole_if_any("until", until, DriveOptions<2>::kUntil);
+  arguments.track_contacts = number_if_any("track_contacts", track_contacts, kPositiveNumber);
   arguments.track_energy = track_energy;
   arguments.resume = resume;
   arguments.overwrite = overwrite;
   arguments.no_timing = !timing;
+  Watch watch(told, number_of("interval", interval, kNotNegativeNumber));
   const Scene scene = read_scene(scene_file, changes);
   Warnings warnings;
   for (const std::string& words : scene_warnings(scene))
     warnings.push_back(fmt::format("{}: {}", scene_file, words));
   issue(warnings);
-  Watch watch(told, interval);
   const std::string ending = without_gil([&] {
     return scene.dimension == 3 ? drive_scene<3>(scene, arguments, watch)
                                 : drive_scene<2>(scene, arguments, watch);

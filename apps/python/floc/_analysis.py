@@ -3,7 +3,7 @@ import numpy as np
 
 from . import _core
 from ._records import Record, records, with_columns
-from ._state import states_of, unmasked
+from ._state import number, states_of, unmasked
 
 
 @with_columns("moduli")
@@ -78,8 +78,7 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     """
     states, single = states_of(state)
     several = rolling_stiffness is not None and np.ndim(rolling_stiffness) > 0
-    rolling = [] if rolling_stiffness is None else [
-        float(k) for k in np.atleast_1d(unmasked("rolling_stiffness", rolling_stiffness))]
+    rolling = [] if rolling_stiffness is None else list(np.atleast_1d(unmasked("rolling_stiffness", rolling_stiffness)))
     table, further = _core.moduli(
         states, strains=strains, prestress=prestress, tolerance=tolerance, method=method, accuracy=_accuracy(accuracy),
         force_tolerance=force_tolerance, rolling_stiffness=rolling, tables=_names(tables), force=force)
@@ -149,8 +148,8 @@ def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cel
     """
     states, single = states_of(state)
     table, further = _core.structure(
-        states, average=average, fit_range=list(fit_range), largest_k=largest_k, cells_per_wave=cells_per_wave,
-        reach=reach, map_size=list(map_size), probes=probes, profile_axis=profile_axis, slices=slices,
+        states, average=average, fit_range=fit_range, largest_k=largest_k, cells_per_wave=cells_per_wave,
+        reach=reach, map_size=map_size, probes=probes, profile_axis=profile_axis, slices=slices,
         tables=_names(tables))
     return records(Structure, table, further, single)
 
@@ -188,7 +187,7 @@ def chain(n, R, kn, kt, kr, bend=0.0):
     Parameters
     ----------
     n : int
-        Number of disks, at least 2.
+        Number of disks, 2 to 1000000.
     R : float
         Radius of the disks (length).
     kn, kt, kr : float
@@ -221,5 +220,5 @@ def _accuracy(accuracy):
     if accuracy is None:
         return []
     if isinstance(accuracy, dict):
-        return [f"{name}={float(error)!r}" for name, error in accuracy.items()]
-    return [repr(float(accuracy))]
+        return [f"{name}={number('accuracy', error)!r}" for name, error in accuracy.items()]
+    return [repr(number("accuracy", accuracy))]

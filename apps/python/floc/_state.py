@@ -156,7 +156,7 @@ class Packing(State):
         return cls(_core.from_arrays(
             position=_numbers("position", position), radius=_numbers("radius", radius), cell=cell, law=_law_text(law),
             contacts=_contact_arrays(contacts), mass=None if mass is None else _numbers("mass", mass),
-            stress=[] if stress is None else [float(s) for s in unmasked("stress", stress)], tolerance=tolerance, units=units,
+            stress=[] if stress is None else unmasked("stress", stress), tolerance=tolerance, units=units,
             drop_tensile=drop_tensile))
 
 
@@ -213,6 +213,14 @@ def unmasked(name, values):
     return values
 
 
+def number(name, value):
+    """A float of what is one, however Python has it."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(f"{name} = {value!r}: expected a number") from None
+
+
 def _numbers(name, values):
     values = unmasked(name, values)
     try:
@@ -241,7 +249,10 @@ def _integers(name, array):
 def _contact_arrays(contacts):
     if contacts is None:
         return None
-    names = contacts.dtype.names if isinstance(contacts, np.ndarray) else list(contacts)
+    try:
+        names = contacts.dtype.names if isinstance(contacts, np.ndarray) else list(contacts)
+    except TypeError:
+        names = None
     if names is None:
         raise InputError("contacts: expected a dict of arrays, a structured array or a data frame")
     known = ("id1", "id2", *_CONTACT_NUMBERS)
@@ -261,6 +272,8 @@ def _contact_arrays(contacts):
 def _law_text(law):
     if isinstance(law, str):
         return law
+    if not isinstance(law, dict):
+        raise InputError(f"law = {law!r}: expected a dict or a string of keys, as Packing.from_arrays has them")
     parts = []
 
     def add(prefix, table):
@@ -268,7 +281,8 @@ def _law_text(law):
             if isinstance(value, dict):
                 add(f"{prefix}{key}.", value)
             else:
-                parts.append(f"{prefix}{key}={value if isinstance(value, str) else repr(float(value))}")
+                text = value if isinstance(value, str) else repr(number(f"law: {prefix}{key}", value))
+                parts.append(f"{prefix}{key}={text}")
 
     add("", law)
     return ", ".join(parts)

@@ -2,7 +2,7 @@
 import numpy as np
 
 from ._errors import InputError
-from ._state import states_of
+from ._state import number, states_of
 
 __all__ = ["forces"]
 
@@ -48,7 +48,14 @@ def forces(state, ax=None, *, width=2.0, grains=True, plane=(0, 1), zero=1e-5):
         from matplotlib.collections import EllipseCollection, LineCollection
     except ImportError as error:
         raise ImportError("floc.plot needs matplotlib: Debian's package is python3-matplotlib") from error
+    width, zero = number("width", width), number("zero", zero)
+    if not 0.0 < width < np.inf:
+        raise InputError(f"width = {width}: expected a positive number")
+    if not 0.0 <= zero < np.inf:
+        raise InputError(f"zero = {zero}: expected zero or a positive number")
     (state,), _ = states_of(state)
+    if np.ndim(plane) != 1 or not all(isinstance(axis, (int, np.integer)) for axis in plane):
+        raise InputError(f"plane = {plane!r}: expected two whole numbers")
     plane = list(plane)
     if sorted(set(plane) & set(range(state.dimension))) != sorted(plane) or len(plane) != 2:
         raise InputError(f"plane = {tuple(plane)}: expected two different axes from 0 to {state.dimension - 1}")

@@ -5,22 +5,30 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "floc/base/error.h"
+#include "floc/base/interruption.h"
 #include "floc/linalg/spring_inverse.h"
 #include "floc/network/rigidity_matrix.h"
 
 namespace floc {
 namespace {
 
+void require_length(std::int64_t n) {
+  if (!kChainLength.holds(n))
+    throw InputError("chain", fmt::format("n = {}: a chain has {} disks or more, and at most {}", n,
+                                          kChainLength.least, kChainLength.most));
+}
+
 void require_positive(const char* name, double value) {
-  if (!(value > 0.0) || !std::isfinite(value))
+  if (!kPositiveNumber.holds(value))
     throw InputError("chain", fmt::format("{} = {}: must be > 0 and finite", name, value));
 }
 
-void require_valid(int n, double R, const ChainStiffness& k) {
-  if (n < 2) throw InputError("chain", fmt::format("n = {}: a chain has 2 disks or more", n));
+void require_valid(std::int64_t n, double R, const ChainStiffness& k) {
+  require_length(n);
   require_positive("R", R);
   require_positive("K_N", k.normal);
   require_positive("K_T", k.tangential);
@@ -154,18 +162,22 @@ double end_disk_deflection(int n, double R, const ChainStiffness& k) {
 }
 
 std::vector<Vec<2>> bent_chain(int n, double bend) {
+  require_length(n);
+  require_in_range("bend", bend, kFiniteNumber);
   std::vector<Vec<2>> branches;
   for (int c = 0; c < n - 1; ++c) branches.emplace_back(std::cos(c * bend), std::sin(c * bend));
   return branches;
 }
 
 SolvedChain solve_chain(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k) {
-  require_valid(static_cast<int>(branches.size()) + 1, R, k);
+  require_valid(static_cast<std::int64_t>(branches.size()) + 1, R, k);
   const double unit = std::max(k.normal, k.tangential);
   const Chord chord = chord_of(branches);
   const SpringSystem springs = chain_springs(chain_network(branches, R, k, unit), end_motions(chord));
+  check_interruption();
   SymmetricFactor factor;
   const SpringInverse found = invert(springs, factor);
+  check_interruption();
   Condensation end = condense(springs, found.inverse, {.tolerance = 1e-14});
   // A column that rounding leaves no length of hides a motion, not a mechanism: the chain has none.
   if (found.n_mechanisms > 0) end.error.setConstant(std::numeric_limits<double>::infinity());

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/base/vec.h"
 
 namespace floc {
@@ -13,8 +14,11 @@ struct ChainStiffness {
   double rolling;     ///< K_R (force * length)
 };
 
+/// Numbers of disks that a chain may have: a million take six seconds and 2.7 GB.
+inline constexpr WholeRange kChainLength{.least = 2, .most = 1000000};
+
 /// Compliance 1/K_N^(n) = (n-1)/K_N of a straight chain along itself, in length/force.
-/// @param n  number of disks, >= 2  @throws InputError if n < 2 or a stiffness is not positive.
+/// @param n  number of disks, in kChainLength  @throws InputError for another n or a stiffness that is not positive.
 double chain_axial_compliance(int n, const ChainStiffness& k);
 
 /// Transverse compliance 1/K_T^(n) of the two-disk equivalent of a straight chain, in length/force.
@@ -23,14 +27,15 @@ double chain_axial_compliance(int n, const ChainStiffness& k);
 ///
 /// The equivalent has radii (n-1) R and its contact at mid-chain, where a transverse force does not turn the
 /// ends against each other.
-/// @param n  number of disks, >= 2; n = 2 is the contact itself.  @param R  radius of the disks (length), > 0.
+/// @param n  number of disks, in kChainLength; n = 2 is the contact itself.
+/// @param R  radius of the disks (length), > 0.
 /// Exact: equals the solved network to rounding. The form printed as Eq. 16 of [GRC2008] measures another
 /// displacement; it is `end_disk_deflection()`.
-/// @throws InputError if n < 2, or R or a stiffness is not positive.
+/// @throws InputError for another n, or if R or a stiffness is not positive.
 double chain_transverse_compliance(int n, double R, const ChainStiffness& k);
 
 /// Compliance 1/K_R^(n) = (n-1)/K_R of a straight chain in bending, in 1/(force * length).
-/// @throws InputError if n < 2 or a stiffness is not positive.
+/// @throws InputError for another n or a stiffness that is not positive.
 double chain_rolling_compliance(int n, const ChainStiffness& k);
 
 /// Displacement of the centre of the last disk of a straight chain whose first is held, for a unit transverse
@@ -39,7 +44,7 @@ double chain_rolling_compliance(int n, const ChainStiffness& k);
 ///   (n-1)/K_T + (n-1) (4 n^2 - 11 n + 6) R^2 / (3 K_R)
 ///
 /// For large n that of a cantilever, l^3/(3 EI), EI = 2 R K_R, l = 2 (n-1) R.
-/// @throws InputError if n < 2, or R or a stiffness is not positive.
+/// @throws InputError for another n, or if R or a stiffness is not positive.
 double end_disk_deflection(int n, double R, const ChainStiffness& k);
 
 /// A number and a bound on its error.
@@ -61,9 +66,11 @@ struct SolvedChain {
 
 /// Directions of the n - 1 branches of a chain of n disks bent evenly: each is turned by `bend` (radians)
 /// relative to the one before; 0: straight along x.
+/// @throws InputError for another n, or a bend that is not finite
 std::vector<Vec<2>> bent_chain(int n, double bend);
 
-/// @param branches  unit vectors from each disk to the next, one or more, that do not lead back to the start
+/// @param branches  unit vectors from each disk to the next, fewer than a chain may have disks, that do not
+/// lead back to the start
 /// @throws InputError if R or a stiffness is not positive, or the last disk lies on the first.
 SolvedChain solve_chain(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k);
 

@@ -167,6 +167,7 @@ std::string name_of(ModeKind kind) {
 
 template <int Dim>
 SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options) {
+  if (options.count) require_in_range("count", *options.count, ModeOptions::kCount);
   SoftModes<Dim> out;
   out.free = find_free_motions(network);
   out.near_bound = near_bound(network);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/elasticity/elastic_response.h"
 #include "floc/linalg/symmetric_factor.h"
 #include "floc/network/free_motions.h"
@@ -48,6 +50,7 @@ struct ModeOptions {
   StrainSet strains = StrainSet::diagonal;
   /// Number of modes. By default all that are not elastic, but no fewer than 10 and no more than 100.
   std::optional<int> count;
+  static constexpr WholeRange kCount{.least = 1, .most = std::numeric_limits<int>::max()};
   /// Eigenvalues within this of zero, in units of the largest contact stiffness, are mechanisms. They are sums
   /// of squares over the contacts, which the rounding of K does not enter: near-mechanisms show their
   /// eigenvalues down to this bound, and mechanisms are seen at 1e-19 and below.
@@ -65,7 +68,7 @@ struct SoftModes {
 };
 
 /// The softest modes of a network beyond those that are free by structure, found by shift and invert.
-/// @pre options.count, if given, is positive.
+/// @throws InputError unless options.count, if given, is positive
 template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
 

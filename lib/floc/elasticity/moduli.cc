@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "floc/base/dense_solvers.h"
 #include "floc/base/infinity.h"
+#include "floc/base/range.h"
 #include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/isotropic_moduli.h"
 #include "floc/elasticity/parallel_response.h"
@@ -198,7 +198,7 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
 template <int Dim>
 Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                    const ModuliOptions& options, const auto& respond) {
-  assert(options.validate().empty());
+  refuse_faults(options.validate());
   Moduli m;
   m.pressure = load.stress.trace() / Dim;
   m.n_mobilised = load.n_mobilised;

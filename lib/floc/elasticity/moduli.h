@@ -113,7 +113,7 @@ struct Moduli {
 /// A vanishing modulus, one that its error bound does not distinguish from zero, is given as zero and counted
 /// as a coupled mechanism. Moduli that have lost all digits are NaN, with a warning.
 /// @param network  the contacts that count; `options` changes none of them
-/// @pre options.validate() is empty.
+/// @throws InputError with the faults of the options
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                     const ModuliOptions& options);
@@ -141,7 +141,7 @@ template <int Dim>
 template <int Dim>
 class ModuliSequence {
  public:
-  /// @pre options.validate() is empty
+  /// @throws InputError with the faults of the options
   explicit ModuliSequence(ModuliOptions options);
   /// @param unloaded  see ModuliOptions
   [[nodiscard]] Moduli next(const Packing<Dim>& packing, bool unloaded);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/base/range.h"
 #include "floc/packing/balance.h"
 
 namespace floc {
@@ -63,6 +64,7 @@ std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains) {
 
 template <int Dim>
 Moduli moduli_within(const Packing<Dim>& packing, ModuliOptions options, const ModuliAccuracy& accuracy) {
+  refuse_faults(accuracy.validate());
   options.tolerance = std::min(accuracy.B, accuracy.G);
   Moduli moduli;
   for (const ModuliMethod method : moduli_methods_by_cost(packing.grains.size())) {

@@ -31,7 +31,7 @@ std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains);
 /// wanted, a single-precision factor where it finds no mechanism, the full factor otherwise. The last is given
 /// even where its errors are not within, see `accuracy.met_by()`.
 /// @param options  of the solution; method and tolerance are chosen
-/// @pre options.validate() and accuracy.validate() are empty
+/// @throws InputError with the faults of options and accuracy
 template <int Dim>
 [[nodiscard]] Moduli moduli_within(const Packing<Dim>& packing, ModuliOptions options,
                                    const ModuliAccuracy& accuracy);

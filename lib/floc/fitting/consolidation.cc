@@ -368,12 +368,23 @@ const FittedParameter* ConsolidationFit::find(const std::string& name) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> ConsolidationOptions::validate() const {
+  std::vector<std::string> faults;
+  if (n_bootstrap != 0) faults.push_back(range_fault("bootstrap", n_bootstrap, kBootstrap));
+  if (window && !(window->first > 0.0 && window->first < window->second && std::isfinite(window->second)))
+    faults.push_back(fmt::format("window = {},{}: expected two positive pressures P*, the lower one first",
+                                 window->first, window->second));
+  std::erase(faults, "");
+  return faults;
+}
+
 double ConsolidationFit::value(double log_P) const {
   return law_value(reported_law, theta, log_P, std::log(window_low));
 }
 
 ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const ConsolidationOptions& options) {
   assert(curve.P_star.size() == curve.phi.size());
+  refuse_faults(options.validate());
   const Law law = options.law;
   const auto n = static_cast<int>(curve.phi.size());
   ConsolidationFit fit;

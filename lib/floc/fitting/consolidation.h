@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/fitting/consolidation_solver.h"
 #include "floc/fitting/fitted_parameter.h"
 #include "floc/fitting/regimes.h"
@@ -34,6 +35,10 @@ struct ConsolidationOptions {
   Loss loss = Loss::squared;
   int n_bootstrap = 0;  ///< resampled fits; 0 for none
   std::uint64_t seed = 1;
+
+  static constexpr WholeRange kBootstrap{.least = 2, .most = 1000000};
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
 };
 
 /// Points of one sample, or a mean of several, in the order of growing pressure.
@@ -101,6 +106,7 @@ struct ConsolidationFit {
 /// Phi_max are given as bounds. Too few points, points of regime I alone, or a density that does not grow with
 /// pressure are refused in words.
 /// @pre all pressures and solid fractions are positive and finite, pressures grow.
+/// @throws InputError with the faults of the options
 [[nodiscard]] ConsolidationFit fit_consolidation(const ConsolidationCurve& curve,
                                                  const ConsolidationOptions& options);
 

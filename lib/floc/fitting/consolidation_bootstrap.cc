@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/base/interruption.h"
 #include "floc/base/random.h"
 #include "floc/fitting/least_squares.h"
 #include "floc/fitting/regimes.h"
@@ -69,6 +70,7 @@ Resampled resample(const LawEstimate& estimate, const Eigen::MatrixXd& samples, 
   std::vector<std::vector<double>> values(names.size());
   Resampled found;
   for (int k = 0; k < n; ++k) {
+    check_interruption();
     const Eigen::VectorXd y = samples.cols() >= 2 ? mean_of_draw(samples, random) : pool.draw(random);
     LawEstimate drawn = estimate;
     drawn.points.y = y.tail(estimate.points.size());

@@ -11,6 +11,7 @@
 
 #include "floc/base/dense_solvers.h"
 #include "floc/base/infinity.h"
+#include "floc/base/range.h"
 #include "floc/fitting/least_squares.h"
 #include "floc/fitting/profile_likelihood.h"
 #include "floc/fitting/robust.h"
@@ -391,8 +392,17 @@ void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& e
 
 }  // namespace
 
+std::vector<std::string> CompactionReference::validate() const {
+  std::vector<std::string> faults = {range_fault("p_D", p_D, kPositiveNumber),
+                                     range_fault("eta_m", eta_m, kPositiveNumber),
+                                     range_fault("p_0", p_0, kNotNegativeNumber)};
+  std::erase(faults, "");
+  return faults;
+}
+
 CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                      const CompactionReference& reference) {
+  refuse_faults(reference.validate());
   CompactionFit fit;
   const bool at_own = reference.plateau == PlateauPressure::own;
   const char* name = at_own ? "p" : "p_crit = sc^2/se";

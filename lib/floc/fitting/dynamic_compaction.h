@@ -33,6 +33,9 @@ struct CompactionReference {
   /// is p_D, below which the published plateau soon has a pole.
   double p_0 = 0.0;
   PlateauPressure plateau = PlateauPressure::own;
+
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
 };
 
 /// The law of dynamic compaction ([SVI2024], Eqs 13-17, 29-31) on any scalar:
@@ -84,6 +87,7 @@ struct CompactionFit {
 /// parameters when samples count as beside the plateau at 2.5 or at 6 deviations. Intervals: Student's t in
 /// e_min, 1/De, C and the logarithms of the others; for A and a the profile likelihood. Refused with fewer than
 /// eight samples; parameters that the samples do not identify are named and have no value.
+/// @throws InputError with the faults of the reference
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);
 

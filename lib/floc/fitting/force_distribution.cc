@@ -8,6 +8,9 @@
 #include <numeric>
 #include <optional>
 
+#include "floc/base/interruption.h"
+#include "floc/base/range.h"
+
 namespace floc {
 namespace {
 
@@ -89,6 +92,7 @@ double share_as_far(const ForceFitOptions& options, int n, double found, const D
   std::vector<double> sample(static_cast<std::size_t>(n));
   int as_far = 0;
   for (int k = 0; k < options.n_draws; ++k) {
+    check_interruption();
     for (double& f : sample) f = draw(random);
     as_far += distance(sample) >= found;
   }
@@ -107,6 +111,7 @@ ForceFit refused(const std::string& form, int n, const char* what) {
 
 ForceFit fit_compressive_forces(const ForceLaw& law, std::vector<double> forces,
                                 const ForceFitOptions& options) {
+  require_in_range("draws", options.n_draws, ForceFitOptions::kDraws);
   const auto n = static_cast<int>(forces.size());
   if (n < kMinForces) return refused(law.name, n, "> 0");
   ForceFit fit;
@@ -137,6 +142,8 @@ ForceFit fit_compressive_forces(const ForceLaw& law, std::vector<double> forces,
 
 ForceFit fit_exponential_tail(const std::string& form, const std::vector<double>& forces, double threshold,
                               const ForceFitOptions& options) {
+  require_in_range("threshold", threshold, kNotNegativeNumber);
+  require_in_range("draws", options.n_draws, ForceFitOptions::kDraws);
   std::vector<double> excess;
   for (const double f : forces)
     if (f > threshold) excess.push_back(f - threshold);

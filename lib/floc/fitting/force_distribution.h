@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "floc/base/random.h"
+#include "floc/base/range.h"
 #include "floc/fitting/fitted_parameter.h"
 
 namespace floc {
@@ -47,16 +48,20 @@ struct ForceFit {
 struct ForceFitOptions {
   int n_draws = 200;  ///< for the p-value: known to 0.015 where it matters, at 0.05
   std::uint64_t seed = 1;
+
+  static constexpr WholeRange kDraws{.least = 1, .most = 100000};
 };
 
 /// Maximum likelihood of a law of compressive networks: intervals by the likelihood ratio.
 /// Refused with fewer than 10 forces. @param forces  > 0, in any unit
+/// @throws InputError unless the draws are in ForceFitOptions::kDraws
 [[nodiscard]] ForceFit fit_compressive_forces(const ForceLaw& law, std::vector<double> forces,
                                               const ForceFitOptions& options);
 
 /// Exponential tail: P(f) ~ exp[-(f - threshold)/f_0] beyond the threshold; the free parameter is f_0, in the
 /// forces' unit. Refused with fewer than 10 forces beyond it.
 /// @param forces  sizes, > 0   @param threshold  >= 0
+/// @throws InputError for another threshold, or draws that are not in ForceFitOptions::kDraws
 [[nodiscard]] ForceFit fit_exponential_tail(const std::string& form, const std::vector<double>& forces,
                                             double threshold, const ForceFitOptions& options);
 

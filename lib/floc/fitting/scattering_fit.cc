@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "floc/base/error.h"
 #include "floc/fitting/least_squares.h"
 #include "floc/fitting/student_t.h"
 
@@ -72,6 +73,9 @@ double scattered_intensity(double I0, double xi, double dF, double k) {
 }
 
 ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double low, double high) {
+  if (!(low < high) || !std::isfinite(low) || !std::isfinite(high))
+    throw InputError(
+        "", fmt::format("fit_range = {},{}: expected two finite numbers, the lower one first", low, high));
   ScatteringFit fit;
   const std::vector<ScatteringResidual> data = residuals_of(points, low, high);
   fit.n_points = static_cast<int>(data.size());

@@ -39,6 +39,7 @@ double scattered_intensity(double I0, double xi, double dF, double k);
 /// speckles, so a mean over n of them has relative variance 1/n, and its logarithm a bias that is taken out;
 /// errors are those of this scatter, or of the residuals where these are larger. Refused with fewer than six
 /// bins.
+/// @throws InputError unless low < high are finite numbers
 [[nodiscard]] ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double low, double high);
 
 }  // namespace floc

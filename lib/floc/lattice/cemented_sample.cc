@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -179,7 +178,7 @@ class Cementing {
 
 std::vector<std::string> CementOptions::validate() const {
   std::vector<std::string> faults;
-  if (!(matrix_content >= 0.0 && matrix_content <= 1.0))
+  if (!kContent.holds(matrix_content))
     faults.push_back(fmt::format("matrix = {}: must be a share of the volume, 0 to 1", matrix_content));
   if (!(bridge_gap >= 0.0) || !std::isfinite(bridge_gap))
     faults.push_back(fmt::format("bridge-gap = {}: must be >= 0 and finite", bridge_gap));
@@ -188,7 +187,7 @@ std::vector<std::string> CementOptions::validate() const {
 
 template <int Dim>
 CementedSample<Dim> cement(const Packing<Dim>& packing, Lattice<Dim> lattice, const CementOptions& options) {
-  assert(options.validate().empty());
+  refuse_faults(options.validate());
   require_periodic(packing, "grains are cemented");
   Cementing<Dim> cementing(packing, std::move(lattice));
   cementing.lay_grains();

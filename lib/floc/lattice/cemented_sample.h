@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/lattice/lattice.h"
 #include "floc/packing/packing.h"
 
@@ -19,6 +20,7 @@ struct CementOptions {
   /// the gaps of a frictionless packing's contacts, narrower than those to second neighbours.
   double bridge_gap = 0.05;
 
+  static constexpr NumberRange kContent{.least = 0.0, .most = 1.0};
   /// Every fault as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
@@ -45,9 +47,8 @@ struct CementedSample {
 /// Lays a packing on a lattice: first the nodes inside a grain (where two overlap, the one whose surface is
 /// deeper), then straight bridges of width w R' between the centres of neighbours, with w raised until the
 /// matrix has its content: one sort of the smallest w that covers each free node.
-/// @pre options.validate() is empty
-/// @throws InputError if the packing has walls, or the matrix content cannot be reached (the message gives the
-/// largest that can)
+/// @throws InputError with the faults of the options, if the packing has walls, or the matrix content cannot be
+/// reached (the message gives the largest that can)
 template <int Dim>
 CementedSample<Dim> cement(const Packing<Dim>& packing, Lattice<Dim> lattice, const CementOptions& options);
 

@@ -47,6 +47,8 @@ std::vector<std::string> ElementStrength::validate() const {
 template <int Dim>
 FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& solver,
                       const LatticeLoad<Dim>& load, int axis, const FractureOptions& options) {
+  refuse_faults(options.strength.validate());
+  require_in_range("end_at", options.end_at, FractureOptions::kShare);
   FracturePath path;
   std::vector<bool> gone(network.elements.size(), false);
   while (true) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/lattice/lattice_solution.h"
 
 namespace floc {
@@ -27,7 +28,8 @@ struct Breakage {
 struct FractureOptions {
   ElementStrength strength;
   /// Ends when the stress has fallen to this share of the largest.
-  double end_at = 0.2;
+  double end_at = 0.2;  ///< in kShare
+  static constexpr NumberRange kShare{.least = 0.0, .most = 1.0};
   int most_broken = 1'000'000;
   /// Called after each breakage; false stops.
   std::function<bool(const Breakage&, int n_broken)> observe = {};
@@ -45,6 +47,7 @@ struct FracturePath {
 /// again: the load then needed may be smaller (the sample gives way under a held stress) or larger. Every state
 /// is elastic, so the stress that breaks the next element follows by scaling.
 /// @param load  direction of the load, any magnitude; `axis`: the component that stress and strain are given of
+/// @throws InputError with the faults of the options
 template <int Dim>
 [[nodiscard]] FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& solver,
                                     const LatticeLoad<Dim>& load, int axis, const FractureOptions& options);

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "floc/base/error.h"
 #include "floc/base/random.h"
+#include "floc/base/range.h"
 #include "floc/structure/voronoi_faces.h"
 
 namespace floc {
@@ -30,7 +30,7 @@ std::vector<std::string> IrregularLatticeOptions::validate() const {
 }
 
 Lattice<3> irregular_lattice(const Cell<3>& cell, const IrregularLatticeOptions& options) {
-  assert(options.validate().empty());
+  refuse_faults(options.validate());
   if (cell.volume() / std::pow(options.spacing, 3) > kMostPoints)
     throw InputError("", fmt::format("a spacing of {:.3g} asks for more than 1e8 nodes", options.spacing));
   Lattice<3> out;

@@ -21,8 +21,7 @@ struct IrregularLatticeOptions {
 
 /// Points on a cubic grid, displaced at random, in any periodic cell: their Delaunay bonds, some 7.8 per point,
 /// and their Voronoi cells. Forces act at the centres of the faces between cells.
-/// @pre options.validate() is empty
-/// @throws InputError if more than 1e8 nodes would be needed
+/// @throws InputError with the faults of the options, or if more than 1e8 nodes would be needed
 Lattice<3> irregular_lattice(const Cell<3>& cell, const IrregularLatticeOptions& options);
 
 }  // namespace floc

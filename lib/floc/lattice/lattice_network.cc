@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "floc/base/range.h"
+
 namespace floc {
 namespace {
 
@@ -279,7 +281,8 @@ int LatticeNetwork<Dim>::count(ElementKind kind) const {
 template <int Dim>
 LatticeNetwork<Dim> lattice_network(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                                     LatticeBoundary boundary, int axis) {
-  assert(stiffness.validate().empty() && axis >= 0 && axis < Dim);
+  assert(axis >= 0 && axis < Dim);
+  refuse_faults(stiffness.validate());
   return NetworkBuilder<Dim>(sample, stiffness, boundary, axis).build();
 }
 

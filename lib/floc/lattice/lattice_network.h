@@ -93,7 +93,7 @@ struct LatticeNetwork {
 /// nodes cut off, at nodes that hang on one element or (central) on a line, and in parts that neither wind
 /// around the cell nor reach what holds it.
 /// @param axis  that plates load along, from 0; ignored for other boundaries
-/// @pre stiffness.validate() is empty
+/// @throws InputError with the faults of the stiffness
 template <int Dim>
 LatticeNetwork<Dim> lattice_network(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                                     LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);

@@ -8,6 +8,7 @@
 
 #include "floc/assembly/gas.h"
 #include "floc/base/error.h"
+#include "floc/base/range.h"
 #include "floc/base/version.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/neighbors/spread_liquid.h"
@@ -40,11 +41,18 @@ void take_walls(const BoxOptions& box, const LawParameters& law, Packing<Dim>& p
   refresh_contacts(packing);
 }
 
+/// @throws InputError for an option out of its range
+RunOptions checked(RunOptions options) {
+  require_in_range("threads", options.relaxation.threads, RunOptions::kThreads);
+  return options;
+}
+
 }  // namespace
 
 template <int Dim>
 Run<Dim>::Run(RunOptions options)
-    : options_(std::move(options)), plan_(plan_run(options_.assembly, options_.law, options_.load, Dim)) {
+    : options_(checked(std::move(options))),
+      plan_(plan_run(options_.assembly, options_.law, options_.load, Dim)) {
   RandomStream random(options_.seed, kAssemblyStream);
   const AssemblyOptions& assembly = options_.assembly;
   if (assembly.protocol == AssemblyOptions::Protocol::state) {
@@ -66,7 +74,7 @@ Run<Dim>::Run(RunOptions options)
 
 template <int Dim>
 Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
-    : options_(std::move(options)),
+    : options_(checked(std::move(options))),
       plan_(plan_run(options_.assembly, options_.law, options_.load, Dim)),
       point_(std::move(point)),
       packing_(std::move(packing)) {

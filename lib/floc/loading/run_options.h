@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "floc/assembly/assembly_options.h"
+#include "floc/base/range.h"
 #include "floc/contact/law_parameters.h"
 #include "floc/loading/load_path.h"
 #include "floc/relaxation/relaxation_options.h"
@@ -22,6 +23,8 @@ struct RunOptions {
   RelaxationOptions relaxation;
   std::uint64_t seed = 1;
   std::string text;  ///< the scene with overrides applied, as written into every state
+
+  static constexpr WholeRange kThreads{.least = 1, .most = 1024};
 };
 
 }  // namespace floc

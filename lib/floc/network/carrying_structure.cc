@@ -1,7 +1,6 @@
 #include "floc/network/carrying_structure.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace floc {
@@ -15,7 +14,8 @@ int least_contacts(const Packing<Dim>& packing) {
 
 template <int Dim>
 CarryingStructure carrying_structure(const Packing<Dim>& packing, double smallest_force, int least) {
-  assert(smallest_force >= 0.0 && least >= 1);
+  require_in_range("smallest_force", smallest_force, kNotNegativeNumber);
+  require_in_range("least_contacts", least, kLeastContacts);
   CarryingStructure out;
   out.rattler.assign(packing.grains.size(), false);
   for (std::size_t k = 0; k < packing.contacts.size(); ++k)

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/network/contact_network.h"
 
 namespace floc {
@@ -22,10 +23,13 @@ struct CarryingStructure {
 template <int Dim>
 int least_contacts(const Packing<Dim>& packing);
 
+inline constexpr WholeRange kLeastContacts{.least = 1, .most = 100};
+
 /// Grains with fewer than `least` carrying contacts are removed, and their contacts with them, until no such
 /// grain is left. Contacts with walls hold their grains like others. Unlike in find_rattlers(), contacts below
 /// `smallest_force` hold nothing.
-/// @param smallest_force  |F_N| of a carrying contact exceeds it (force), >= 0   @param least  >= 1
+/// @param smallest_force  |F_N| of a carrying contact exceeds it (force), >= 0   @param least  in kLeastContacts
+/// @throws InputError for other numbers
 template <int Dim>
 CarryingStructure carrying_structure(const Packing<Dim>& packing, double smallest_force, int least);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "floc/base/range.h"
+
 namespace floc {
 namespace {
 
@@ -36,6 +38,7 @@ bool remove_unheld(const Packing<Dim>& packing, double smallest_force, std::vect
 
 template <int Dim>
 std::vector<bool> find_rattlers(const Packing<Dim>& packing, double smallest_force) {
+  require_in_range("smallest_force", smallest_force, kNotNegativeNumber);
   const bool cohesive = packing.law.adheres();
   if (cohesive || !carries_force(packing, smallest_force)) {
     std::vector<bool> alone(packing.grains.size(), true);

@@ -13,7 +13,7 @@ namespace floc {
 /// found by removing such grains until none is left. A packing that carries no force at all does not tell which
 /// grains would carry any, so in it only grains without contact count.
 ///
-/// @param smallest_force  (force), >= 0
+/// @param smallest_force  (force), >= 0; otherwise InputError
 template <int Dim>
 std::vector<bool> find_rattlers(const Packing<Dim>& packing, double smallest_force);
 

@@ -134,7 +134,7 @@ std::vector<std::string> LatticeSheetOptions::validate() const {
   if (cut_axis < 0 || cut_axis > 2) faults.push_back(fmt::format("cut axis = {}: must be 0 to 2", cut_axis));
   if (!(cut_at >= 0.0 && cut_at <= 1.0))
     faults.push_back(fmt::format("cut = {}: must be a share, 0 to 1", cut_at));
-  if (!(pixels_a_node >= 1.0 && pixels_a_node <= 100.0))
+  if (!kPixels.holds(pixels_a_node))
     faults.push_back(fmt::format("pixels a node = {}: must be 1 to 100", pixels_a_node));
   return faults;
 }
@@ -151,7 +151,8 @@ std::vector<Color> stress_colors(const std::vector<double>& value, const std::ve
 template <int Dim>
 std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
                          const LatticeSheetOptions& options) {
-  assert(options.validate().empty() && lattice.cell.rectangular());
+  assert(lattice.cell.rectangular());
+  refuse_faults(options.validate());
   assert(static_cast<int>(picture.color.size()) == lattice.n_nodes());
   const Section<Dim> section = section_of(lattice, options);
   const double inner = options.width - 2.0 * kLatticeMargin;

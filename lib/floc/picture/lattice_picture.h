@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/lattice/lattice.h"
 #include "floc/picture/palette.h"
 #include "floc/picture/picture_format.h"
@@ -32,12 +33,13 @@ struct LatticeSheetOptions {
   double cut_at = 0.5;         ///< 3D: at this share of the cell along it
   double pixels_a_node = 4.0;  ///< across the mean node, as long as the picture has at most 3000 a side
 
+  static constexpr NumberRange kPixels{.least = 1.0, .most = 100.0};
   /// Every fault as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
 /// @return the bytes of the file: the nodes as an image, all else as vectors in svg and pdf
-/// @pre options.validate() is empty; the cell is rectangular
+/// @pre the cell is rectangular   @throws InputError with the faults of the options
 template <int Dim>
 std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
                          const LatticeSheetOptions& options);

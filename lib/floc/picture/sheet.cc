@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/base/range.h"
 #include "floc/picture/legend.h"
 #include "floc/picture/packing_drawing.h"
 #include "floc/picture/page.h"
@@ -233,6 +234,7 @@ std::vector<std::string> SheetOptions::validate() const {
 
 template <int Dim>
 std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const SheetOptions& options) {
+  refuse_faults(options.validate());
   const Layout<Dim> layout(pictures, options);
   const double pixels = layout.pixels_per_point();
   std::vector<Placed<Dim>> placed;

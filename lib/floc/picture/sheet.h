@@ -37,7 +37,7 @@ struct SheetOptions {
 /// width of a force. Spheres are shaded, nearer ones in front of farther ones, with the edges of the cell and
 /// the names of its axes; forces between them are tubes.
 /// @return the bytes of the file
-/// @pre options.validate() is empty; there is a picture, and each has a grain.
+/// @pre there is a picture, and each has a grain   @throws InputError with the faults of the options
 template <int Dim>
 std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const SheetOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "floc/base/range.h"
 #include "floc/structure/contact_changes.h"
 
 namespace floc {
@@ -33,6 +34,7 @@ void ContactTracker<Dim>::finish_step(const Run<Dim>& run) {
 template <int Dim>
 std::unique_ptr<ContactTracker<Dim>> track_contacts(Run<Dim>& run, const RunOptions& options,
                                                     const RunDirectory& directory, double interval) {
+  require_in_range("track_contacts", interval, kPositiveNumber);
   const int step = run.point().step;
   Packing<Dim> start = step > 0 ? directory.start_of<Dim>(step) : Run<Dim>(options).packing();
   auto tracker = std::make_unique<ContactTracker<Dim>>(directory.contact_table(), run, std::move(start));

@@ -104,6 +104,7 @@ Run<Dim> start_or_resume(RunDirectory& directory, const RunOptions& options) {
 template <int Dim>
 DriveReport drive(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options,
                   MotionTable<Dim>* table) {
+  require_in_range("until", options.until, DriveOptions<Dim>::kUntil);
   return Driver(run, directory, options, table).drive();
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 
+#include "floc/base/range.h"
 #include "floc/run/motion_table.h"
 #include "floc/run/run_directory.h"
 
@@ -12,7 +13,8 @@ namespace floc {
 template <int Dim>
 struct DriveOptions {
   double checkpoint_every = 60.0;               ///< wall time between two checkpoints (s)
-  int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to make
+  int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to make, in kUntil
+  static constexpr WholeRange kUntil{.least = 0, .most = std::numeric_limits<int>::max()};
   bool timing = true;  ///< whether path.csv says how long each step took; without, equal runs are equal files
   /// Asked after each chunk of steps, such as for a signal: true stops the run at a checkpoint. Empty: never.
   std::function<bool()> stop;
@@ -41,7 +43,7 @@ Run<Dim> start_or_resume(RunDirectory& directory, const RunOptions& options);
 
 /// Drives a run and keeps its directory up to date: a state and a row for each equilibrium, and checkpoints.
 /// @param table  of what is recorded while this run moves; null: nothing is
-/// @throws IoError if a file cannot be written
+/// @throws InputError for an option out of its range, IoError if a file cannot be written
 template <int Dim>
 [[nodiscard]] DriveReport drive(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options,
                                 MotionTable<Dim>* table = nullptr);

@@ -42,8 +42,6 @@ constexpr bool is_stable_step(double x) {
   return x > 0 && x < 0.4;
 }
 
-constexpr std::int64_t kMaxThreads = 1024;
-
 void read_scene_table(TableReader& root, Scene& scene) {
   TableReader t = root.table("scene", "a table [scene]");
   scene.name = t.text("name", "a string", Need::optional).value_or(scene.name);
@@ -213,7 +211,9 @@ void read_run(TableReader& root, Scene& scene) {
       t.integer("seed", {0, std::numeric_limits<std::int64_t>::max(), "a whole number >= 0"}, Need::optional);
   scene.seed = static_cast<std::uint64_t>(seed.value_or(static_cast<std::int64_t>(scene.seed)));
   const auto threads =
-      t.integer("threads", {1, kMaxThreads, "a whole number of threads, 1 to 1024"}, Need::optional);
+      t.integer("threads",
+                {RunOptions::kThreads.least, RunOptions::kThreads.most, "a whole number of threads, 1 to 1024"},
+                Need::optional);
   scene.relaxation.threads = static_cast<int>(threads.value_or(scene.relaxation.threads));
   scene.relaxation.time_step =
       t.number("time_step", {is_stable_step, "a number in (0, 0.4) (in sqrt(m_min/K); unstable beyond)"},

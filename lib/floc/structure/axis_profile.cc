@@ -24,7 +24,8 @@ double ball_between(double place, double radius, double low, double high) {
 template <int Dim>
 std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, int n,
                                        const std::vector<std::vector<double>>& values) {
-  assert(0 <= axis && axis < Dim && n >= 1);
+  assert(0 <= axis && axis < Dim);
+  require_in_range("slices", n, kProfileSlices);
   const Vec<Dim> to_reduced = packing.cell.matrix.transpose().inverse().row(axis).transpose();
   const double height = 1.0 / to_reduced.norm();
   const bool walled = between_walls(packing.walls, axis);

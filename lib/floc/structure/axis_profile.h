@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/packing/packing.h"
 
 namespace floc {
@@ -15,9 +16,12 @@ struct ProfileSlice {
   std::vector<double> mean;  ///< of each value, over these grains; NaN without any
 };
 
+inline constexpr WholeRange kProfileSlices{.least = 1, .most = 100000};
+
 /// Slices of equal thickness that make up the cell.
-/// @param axis    of the lattice vectors, from 0   @param n  number of slices, >= 1
+/// @param axis    of the lattice vectors, from 0   @param n  number of slices
 /// @param values  arrays of one number per grain
+/// @throws InputError if n is not in kProfileSlices
 template <int Dim>
 std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, int n,
                                        const std::vector<std::vector<double>>& values);

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/base/range.h"
+
 namespace floc {
 
 template <int Dim>
 BondSigns bond_signs(const Packing<Dim>& packing, double near) {
+  require_in_range("near", near, kNotNegativeNumber);
   BondSigns out;
   int n_plus = 0, n_minus = 0;
   for (const Contact<Dim>& c : packing.contacts) {

@@ -18,7 +18,7 @@ struct BondSigns {
   double mean_plus = 0.0, mean_minus = 0.0;  ///< |F_N| of the two classes (force)
 };
 
-/// @param near  normal forces below this are near zero (force), >= 0
+/// @param near  normal forces below this are near zero (force), >= 0; otherwise InputError
 template <int Dim>
 BondSigns bond_signs(const Packing<Dim>& packing, double near);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/base/range.h"
 #include "floc/network/rattlers.h"
 
 namespace floc {
@@ -25,6 +26,7 @@ int between_pairs(const Packing<Dim>& packing) {
 
 template <int Dim>
 Coordination coordination(const Packing<Dim>& packing, double zero_force) {
+  require_in_range("zero_force", zero_force, kNotNegativeNumber);
   Coordination result;
   int positive = 0, negative = 0;
   for (const Contact<Dim>& c : packing.contacts) {

@@ -20,7 +20,7 @@ struct Coordination {
   double x22 = 0.0;     ///< share of the contacts that join two grains with two contacts each
 };
 
-/// @param zero_force  largest normal force that counts as zero (force)
+/// @param zero_force  largest normal force that counts as zero (force), >= 0; otherwise InputError
 template <int Dim>
 Coordination coordination(const Packing<Dim>& packing, double zero_force);
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "floc/base/interruption.h"
 
 namespace floc {
 namespace {
@@ -109,10 +110,12 @@ double disk_polygon_overlap(double R, const std::vector<Vec<2>>& corners) {
 }
 
 CoverageMap coverage_map(const Packing<2>& packing, const Vec<2, int>& size) {
-  assert(size.minCoeff() >= 1);
+  for (const int side : size) require_in_range("mesh cells along a lattice vector", side, kPositiveWhole);
   Painter painter(packing.cell, size);
-  for (int i = 0; i < packing.grains.size(); ++i)
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    check_interruption();
     painter.add(packing.grains.position[i], packing.grains.radius[i]);
+  }
   return painter.take();
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/packing/packing.h"
 
 namespace floc {
@@ -19,9 +20,13 @@ struct CoverageMap {
 /// @param corners  counter-clockwise (length); clockwise ones give the negative area
 double disk_polygon_overlap(double R, const std::vector<Vec<2>>& corners);
 
+/// Mesh cells of a map along each lattice vector, and in all.
+inline constexpr WholeRange kMapSide{.least = 1, .most = 10000};
+inline constexpr WholeRange kMapCells{.least = 1, .most = 10000000};
+
 /// Map of the solid fraction, exact in every mesh cell: disks are cut along its edges in closed form. Its mean
 /// is the solid fraction of the packing.
-/// @param size  mesh cells along each lattice vector, >= 1
+/// @param size  mesh cells along each lattice vector, >= 1   @throws InputError if it is less
 CoverageMap coverage_map(const Packing<2>& packing, const Vec<2, int>& size);
 
 }  // namespace floc

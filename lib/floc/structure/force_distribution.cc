@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "floc/base/range.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/liquid.h"
@@ -82,7 +83,7 @@ void ForceDistribution::add(const ForceDistribution& other) {
 }
 
 ForceDistribution distribution_of(const std::vector<double>& values, double unit, double width) {
-  assert(width > 0.0);
+  require_in_range("bin_width", width, kPositiveNumber);
   ForceDistribution out;
   out.unit = unit;
   out.width = width;

@@ -45,7 +45,8 @@ struct ForceDistribution {
 };
 
 /// The distribution of any values in a given unit. Empty without values, or where the unit is not positive.
-/// @param width  of the bins, in units, > 0   Bins stop at +-1e5 widths; what lies beyond is in the last ones.
+/// @param width  of the bins, in units, > 0; otherwise InputError
+/// Bins stop at +-1e5 widths; what lies beyond is in the last ones.
 ForceDistribution distribution_of(const std::vector<double>& values, double unit, double width);
 
 /// Magnitudes of the values of one sign; zero belongs to neither. @param sign  1 or -1

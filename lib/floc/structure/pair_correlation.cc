@@ -1,10 +1,12 @@
 #include "floc/structure/pair_correlation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "floc/base/error.h"
 #include "floc/neighbors/pairs.h"
 
 namespace floc {
@@ -44,6 +46,18 @@ int count_away_from_walls(const Packing<Dim>& packing, const Grains<Dim>& points
 }
 
 template <int Dim>
+void require_countable(const Packing<Dim>& packing, double reach, int n_bins) {
+  require_in_range("reach", reach, kPositiveNumber);
+  require_in_range("n_bins", n_bins, kPositiveWhole);
+  const double n = packing.grains.size();
+  const double n_pairs = n > 0.0 ? 0.5 * n * n / packing.cell.volume() * ball<Dim>(reach) : 0.0;
+  if (!(n_pairs <= kMostPairs))
+    throw InputError(
+        "", fmt::format("reach = {} (length): g(r) would count {:.2g} pairs, expected at most {:.2g}", reach,
+                        n_pairs, kMostPairs));
+}
+
+template <int Dim>
 double shell(const PairCorrelation& of, int b) {
   return ball<Dim>((b + 1) * of.width) - ball<Dim>(b * of.width);
 }
@@ -52,7 +66,7 @@ double shell(const PairCorrelation& of, int b) {
 
 template <int Dim>
 PairCorrelation pair_correlation(const Packing<Dim>& packing, double reach, int n_bins) {
-  assert(reach > 0.0 && n_bins >= 1);
+  require_countable(packing, reach, n_bins);
   PairCorrelation out;
   out.width = reach / n_bins;
   out.g.assign(n_bins, 0.0);

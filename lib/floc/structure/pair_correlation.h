@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/packing/packing.h"
 
 namespace floc {
@@ -21,7 +22,13 @@ struct PairCorrelation {
   double middle(int b) const { return (b + 0.5) * width; }
 };
 
+/// Largest distance of g(r), in largest diameters: at 1000 of them a packing of disks has three million neighbours for
+/// each grain.
+inline constexpr NumberRange kPairReach{.least = 0.0, .most = 1000.0, .without_least = true};
+inline constexpr double kMostPairs = 2.5e8;  ///< that are counted at once; they take 5 GB
+
 /// @param reach  largest distance (length), > 0   @param n_bins  >= 1
+/// @throws InputError for other numbers, and where about kMostPairs pairs or more would be counted
 template <int Dim>
 PairCorrelation pair_correlation(const Packing<Dim>& packing, double reach, int n_bins);
 

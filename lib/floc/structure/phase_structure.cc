@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "floc/base/interruption.h"
 #include "floc/base/random.h"
 #include "floc/network/components.h"
 
@@ -119,6 +120,7 @@ void add_control(const ContactNetwork<Dim>& network, const Adjacency& of, std::v
   RandomStream random(options.seed, kPurpose);
   double squares = 0.0;
   for (int shuffle = 0; shuffle < options.n_shuffles; ++shuffle) {
+    check_interruption();
     for (std::size_t k = signed_grains.size(); k > 1; --k)
       std::swap(sign[signed_grains[k - 1]], sign[signed_grains[random.below(k)]]);
     const auto [n_bonds, like] = like_bonds(network, sign);
@@ -136,10 +138,18 @@ void add_control(const ContactNetwork<Dim>& network, const Adjacency& of, std::v
 
 }  // namespace
 
+std::vector<std::string> PhaseOptions::validate() const {
+  std::vector<std::string> faults = {range_fault("shuffles", n_shuffles, kShuffles),
+                                     range_fault("n_bins", n_bins, kPositiveWhole)};
+  std::erase(faults, "");
+  return faults;
+}
+
 template <int Dim>
 PhaseStructure phase_structure(const ContactNetwork<Dim>& network, const Cell<Dim>& cell,
                                const std::vector<double>& pressure, const PhaseOptions& options) {
-  assert(static_cast<int>(pressure.size()) == network.n_grains && options.n_bins >= 1);
+  assert(static_cast<int>(pressure.size()) == network.n_grains);
+  refuse_faults(options.validate());
   const Adjacency of = contacts_of_grains(network);
   std::vector<int> sign;
   sign.reserve(pressure.size());

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/network/contact_network.h"
 
 namespace floc {
@@ -13,6 +15,10 @@ struct PhaseOptions {
   int n_shuffles = 20;  ///< enough for percolation to a tenth; each costs one search for connected parts
   std::uint64_t seed = 1;
   int n_bins = 10;  ///< of the share of like neighbours
+
+  static constexpr WholeRange kShuffles{.least = 1, .most = 100000};
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
 };
 
 /// Mean pressure of the grains of a phase by the share of their neighbours that belong to it.
@@ -47,6 +53,7 @@ struct PhaseStructure {
 
 /// @param pressure  of each grain of the network (stress); zero: in neither phase
 /// @param cell      of the packing
+/// @throws InputError with the faults of the options
 template <int Dim>
 PhaseStructure phase_structure(const ContactNetwork<Dim>& network, const Cell<Dim>& cell,
                                const std::vector<double>& pressure, const PhaseOptions& options);

@@ -1,9 +1,9 @@
 #include "floc/structure/porosity_probe.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "floc/base/interruption.h"
 #include "floc/geometry/ball_in_box.h"
 
 namespace floc {
@@ -56,12 +56,13 @@ double solid_fraction_in(const Packing<Dim>& packing, const Vec<Dim>& half_width
 
 template <int Dim>
 std::vector<PorosityProbe> porosity_probes(const Packing<Dim>& packing, int n) {
-  assert(n >= 1);
+  require_in_range("probes", n, kPorosityProbes);
   const Mat<Dim> to_reduced = packing.cell.matrix.transpose().inverse();
   double L = 1.0 / to_reduced.row(0).norm();
   for (int a = 1; a < Dim; ++a) L = std::min(L, 1.0 / to_reduced.row(a).norm());
   std::vector<PorosityProbe> probes;
   for (int k = 1; k <= n; ++k) {
+    check_interruption();
     PorosityProbe probe;
     probe.half_side = 0.5 * k / n;
     probe.in_cube = solid_fraction_in(packing, Vec<Dim>(Vec<Dim>::Constant(probe.half_side * L)));

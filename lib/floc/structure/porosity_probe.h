@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/packing/packing.h"
 
 namespace floc {
@@ -17,8 +18,10 @@ struct PorosityProbe {
   std::optional<double> in_cell;  ///< in the shrunk cell; absent where the cell is not right-angled
 };
 
+inline constexpr WholeRange kPorosityProbes{.least = 1, .most = 10000};
+
 /// Probes of half sides 1/(2 n), 2/(2 n) ... 1/2, in L. The largest shrunk cell is the cell itself.
-/// @param n  number of probes, >= 1
+/// @param n  number of probes   @throws InputError if it is not in kPorosityProbes
 template <int Dim>
 std::vector<PorosityProbe> porosity_probes(const Packing<Dim>& packing, int n);
 

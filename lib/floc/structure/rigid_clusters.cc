@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "floc/base/disjoint_sets.h"
+#include "floc/base/range.h"
 #include "floc/packing/grain_sizes.h"
 
 namespace floc {
@@ -56,6 +57,7 @@ int RigidClusters::n_clustered() const {
 template <int Dim>
 RigidClusters rigid_clusters(const Packing<Dim>& before, const Packing<Dim>& after,
                              const ContactChanges<Dim>& changes, double tolerance) {
+  require_in_range("rigid_tolerance", tolerance, kPositiveNumber);
   RigidClusters out;
   const int n = before.grains.size();
   if (n == 0) return out;

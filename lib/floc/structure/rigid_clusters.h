@@ -22,7 +22,7 @@ struct RigidClusters {
 /// "nearly". Needs the orientations of the grains, which packings of other programs may lack.
 ///
 /// @param changes    from `before` to `after`
-/// @param tolerance  in largest diameters a and radians, > 0
+/// @param tolerance  in largest diameters a and radians, > 0; otherwise InputError
 template <int Dim>
 RigidClusters rigid_clusters(const Packing<Dim>& before, const Packing<Dim>& after,
                              const ContactChanges<Dim>& changes, double tolerance);

@@ -44,6 +44,18 @@ double kept_by_averaging(int n, int size) {
 
 }  // namespace
 
+std::vector<std::string> ScatteringOptions::validate() const {
+  std::vector<std::string> faults = {
+      range_fault("largest_k", largest, kLargest),
+      range_fault("cells_per_wave", cells_per_wave, kCellsPerWave),
+      range_fault("bin_growth", bin_growth, {.least = 1.0, .most = 1000.0, .without_least = true}),
+      range_fault("most_vectors", most_vectors, kPositiveWhole),
+      range_fault("most_waves", most_waves, kPositiveWhole),
+      range_fault("most_cells", most_cells, kPositiveWhole)};
+  std::erase(faults, "");
+  return faults;
+}
+
 std::vector<double> scattering_bins(double largest, double unit, double growth) {
   std::vector<double> edges = {0.5 * unit};
   while (edges.back() < largest) edges.push_back(std::max(edges.back() + unit, edges.back() * growth));
@@ -68,6 +80,7 @@ Packing<2> in_shortest_cell(const Packing<2>& packing) {
 
 ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options) {
   assert(packing.grains.size() > 0);
+  refuse_faults(options.validate());
   const double a = largest_diameter(packing.grains);
   const double area = packing.cell.volume();
   ScatteringMesh mesh;

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <numbers>
+#include <string>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/structure/coverage.h"
 
 namespace floc {
@@ -34,6 +36,11 @@ struct ScatteringOptions {
   std::int64_t most_waves = std::int64_t{1} << 24;
   /// Most cells of a mesh; beyond it the largest k is lowered.
   std::int64_t most_cells = std::int64_t{1} << 26;
+
+  static constexpr NumberRange kLargest{.least = 0.0, .most = 1e6, .without_least = true};
+  static constexpr NumberRange kCellsPerWave{.least = 4.0, .most = 1000.0};
+  /// Every fault as "name = value: requirement".
+  std::vector<std::string> validate() const;
 };
 
 /// Edges of bins of k, each `growth` times the one before it but no narrower than `unit`, the smallest k that a
@@ -55,11 +62,11 @@ struct ScatteringMesh {
 Packing<2> in_shortest_cell(const Packing<2>& packing);
 
 /// Depends on area and largest diameter only.
-/// @pre the packing has grains
+/// @pre the packing has grains   @throws InputError with the faults of the options
 ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options);
 
 /// Edges of the bins of k of a packing of spheres, ascending (1/length), as those of a mesh.
-/// @pre the packing has grains
+/// @pre the packing has grains   @throws InputError with the faults of the options
 std::vector<double> scattering_edges(const Packing<3>& packing, const ScatteringOptions& options);
 
 /// I(k) averaged over states too. All states are binned alike.

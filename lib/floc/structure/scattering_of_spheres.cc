@@ -4,6 +4,7 @@
 #include <complex>
 #include <numbers>
 
+#include "floc/base/interruption.h"
 #include "floc/base/random.h"
 #include "floc/geometry/lattice_reduction.h"
 #include "floc/packing/grain_sizes.h"
@@ -77,6 +78,7 @@ double ball_transform(double k, double R) {
 
 std::vector<double> scattering_edges(const Packing<3>& packing, const ScatteringOptions& options) {
   assert(packing.grains.size() > 0);
+  refuse_faults(options.validate());
   const double volume = packing.cell.volume();
   // Up to k there are V k^3/(12 pi^2) pairs of k and -k.
   const double affordable = std::cbrt(3.0 * kTwoPi * kTwoPi * static_cast<double>(options.most_waves) / volume);
@@ -95,6 +97,7 @@ void ScatteringAverage::add(const Packing<3>& packing, int most_vectors) {
   for (std::vector<Wave>& waves : waves_in(edges_, cell)) {
     draw(static_cast<std::size_t>(most_vectors), random, waves);
     for (const Wave& n : waves) {
+      check_interruption();
       const double k = (reciprocal * n.cast<double>()).norm();
       add_vector(k, std::norm(amplitude(grains, n, k)) / volume, 2);
     }

@@ -244,6 +244,8 @@ class Study {
 }  // namespace
 
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
+  require_in_range("budget", options.budget, kPositiveNumber);
+  require_in_range("samples", options.max_samples, TradeoffOptions::kSamples);
   if (scene.starts_from_state())
     throw InputError("assembly.protocol = \"state\"",
                      "expected \"direct\" or \"aggregation\": samples and their sizes are made from the gas");

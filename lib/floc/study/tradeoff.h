@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/study/comparison.h"
 
 namespace floc {
@@ -11,6 +12,7 @@ namespace floc {
 struct TradeoffOptions {
   double budget = 600.0;  ///< seconds of processor time that the study may take
   int max_samples = 8;    ///< seeds, from the scene's own on
+  static constexpr WholeRange kSamples{.least = 1, .most = 10000};
   /// Called with what is being done.
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
@@ -42,8 +44,8 @@ struct Tradeoff {
 /// Budget: the number of grains is reduced until two samples of everything are expected to fit, by the measured
 /// cost of a small one; then samples are added until the next would not fit. Settings too expensive for the
 /// first sample are left out. At the deadline a run is broken off.
-/// @pre options.budget > 0
-/// @throws InputError for a scene that starts from a saved state: samples are made from the gas
+/// @throws InputError for other numbers than a positive budget and samples in kSamples, and for a scene that starts
+/// from a saved state: samples are made from the gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
 /// Settings that no other beats in both cost and error of an observable: error is the larger of the upper

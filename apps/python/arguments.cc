@@ -1,0 +1,89 @@
+#include "arguments.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace floc::python {
+namespace {
+
+[[noreturn]] void refuse(const char* name, const py::handle& given, const std::string& expected) {
+  throw InputError("",
+                   fmt::format("{} = {}: expected {}", name, py::repr(given).cast<std::string>(), expected));
+}
+
+/// Python's own whole number of anything that can be an index; null for all else.
+py::object index_of(const py::handle& given) {
+  auto index = py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
+  if (!index) PyErr_Clear();
+  return index;
+}
+
+/// The values of a sequence, each read by `one`.
+template <class Value, class Read>
+std::vector<Value> each_of(const char* name, const py::handle& given, const Read& read) {
+  if (!py::isinstance<py::iterable>(given) || py::isinstance<py::str>(given))
+    refuse(name, given, "a sequence of numbers");
+  std::vector<Value> values;
+  for (const py::handle& one : py::iter(given)) values.push_back(read(one));
+  return values;
+}
+
+}  // namespace
+
+double number_of(const char* name, const py::handle& given, const NumberRange& range) {
+  const double value = PyFloat_AsDouble(given.ptr());
+  const bool failed = value == -1.0 && PyErr_Occurred() != nullptr;
+  if (failed) PyErr_Clear();
+  if (failed || !range.holds(value)) refuse(name, given, range.words());
+  return value;
+}
+
+std::optional<double> number_if_any(const char* name, const py::handle& given, const NumberRange& range) {
+  if (given.is_none()) return std::nullopt;
+  return number_of(name, given, range);
+}
+
+std::vector<double> numbers_of(const char* name, const py::handle& given, const NumberRange& range) {
+  return each_of<double>(name, given, [&](const py::handle& one) { return number_of(name, one, range); });
+}
+
+int whole_of(const char* name, const py::handle& given, const WholeRange& range) {
+  const py::object index = index_of(given);
+  int overflow = 0;
+  const long long value = index ? PyLong_AsLongLongAndOverflow(index.ptr(), &overflow) : 0;
+  const WholeRange held{std::max<std::int64_t>(range.least, std::numeric_limits<int>::min()),
+                        std::min<std::int64_t>(range.most, std::numeric_limits<int>::max())};
+  if (!index || overflow != 0 || !held.holds(value)) refuse(name, given, held.words());
+  return static_cast<int>(value);
+}
+
+std::optional<int> whole_if_any(const char* name, const py::handle& given, const WholeRange& range) {
+  if (given.is_none()) return std::nullopt;
+  return whole_of(name, given, range);
+}
+
+std::vector<int> wholes_of(const char* name, const py::handle& given, const WholeRange& range) {
+  return each_of<int>(name, given, [&](const py::handle& one) { return whole_of(name, one, range); });
+}
+
+std::uint64_t seed_of(const char* name, const py::handle& given) {
+  const py::object index = index_of(given);
+  const unsigned long long value = index ? PyLong_AsUnsignedLongLong(index.ptr()) : 0;
+  const bool failed = !index || PyErr_Occurred() != nullptr;
+  if (failed) PyErr_Clear();
+  if (failed)
+    refuse(name, given, fmt::format("a whole number from 0 to {}", std::numeric_limits<std::uint64_t>::max()));
+  return value;
+}
+
+std::string word_of(const char* name, const py::handle& given, std::initializer_list<const char*> words) {
+  if (!py::isinstance<py::str>(given)) refuse(name, given, fmt::format("one of {}", fmt::join(words, ", ")));
+  const auto word = given.cast<std::string>();
+  require_one_of(name, word, words);
+  return word;
+}
+
+}  // namespace floc::python

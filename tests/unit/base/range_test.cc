@@ -38,7 +38,7 @@ TEST(Range, SaysNameValueAndRequirement) {
   EXPECT_EQ(range_fault("x", -1.0, kPositiveNumber), "x = -1: expected a positive number");
   EXPECT_EQ(range_fault("x", std::nan(""), kNotNegativeNumber), "x = nan: expected zero or a positive number");
   EXPECT_EQ(range_fault("n", 0, kPositiveWhole), "n = 0: expected a whole number of at least 1");
-  EXPECT_THAT([] { require_in_range("n", 1, {.least = 2, .most = 9}); },
+  EXPECT_THAT([] { require_in_range("n", 1, WholeRange{.least = 2, .most = 9}); },
               ThrowsMessage<InputError>(HasSubstr("n = 1: expected a whole number from 2 to 9")));
   EXPECT_THAT([] { refuse_faults({"a", "b"}); }, ThrowsMessage<InputError>(HasSubstr("a; b")));
   EXPECT_NO_THROW(refuse_faults({}));

@@ -36,15 +36,20 @@ TEST(Ranges, OfFitsAreTheLibrarys) {
     expect_refused("eta_m", [&] { (void)fit_dynamic_compaction(samples, {.eta_m = x}); });
     expect_refused("p_0", [&] { (void)fit_dynamic_compaction(samples, {.p_0 = x}); });
     expect_refused("threshold", [&] { (void)fit_exponential_tail("tail", forces, x, {}); });
-    expect_refused("window", [&] { (void)fit_consolidation(curve, {.window = {{x, 2.0}}}); });
+    ConsolidationOptions options;
+    options.window = {x, 2.0};
+    expect_refused("window", [&] { (void)fit_consolidation(curve, options); });
     expect_refused("fit_range", [&] { (void)fit_scattering(points, 1.0, x); });
   }
   for (const int n : {-1, 0, 200'000}) {
     expect_refused("draws", [&] { (void)fit_exponential_tail("tail", forces, 0.5, {.n_draws = n}); });
     expect_refused("draws", [&] { (void)fit_compressive_forces(power_exponential(), forces, {.n_draws = n}); });
   }
-  for (const int n : {-1, 1, 2'000'000})
-    expect_refused("bootstrap", [&] { (void)fit_consolidation(curve, {.n_bootstrap = n}); });
+  for (const int n : {-1, 1, 2'000'000}) {
+    ConsolidationOptions options;
+    options.n_bootstrap = n;
+    expect_refused("bootstrap", [&] { (void)fit_consolidation(curve, options); });
+  }
 }
 
 }  // namespace

@@ -481,7 +481,8 @@ TEST(ReadScene, WhatIsNoListOfDiametersIsRefusedWithTheReason) {
         {"comma.txt", "comma.txt:1: '0,5': expected a positive number with a point"},
         {"empty.txt", "empty.txt: holds no diameters"},
         {"hexadecimal.txt", "hexadecimal.txt:1: '0x10': expected a positive number"}})
-    EXPECT_THAT([&, name = file] { scene_with(name); }, testing::ThrowsMessage<InputError>(HasSubstr(words)));
+    EXPECT_THAT(([&scene_with, name = file] { scene_with(name); }),
+                testing::ThrowsMessage<InputError>(HasSubstr(words)));
   std::filesystem::remove_all(dir);
 }
 

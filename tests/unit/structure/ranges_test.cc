@@ -106,7 +106,7 @@ TEST(Ranges, OfWholeNumbersAreTheLibrarys) {
       {"most_vectors", [&](int n) { (void)scattering(disks, {.most_vectors = n}); }}};
   for (const auto& [name, call] : calls)
     for (const int n : {-5, -1, 0})
-      EXPECT_THAT([&call = call, n] { call(n); },
+      EXPECT_THAT(([&call = call, n] { call(n); }),
                   ThrowsMessage<InputError>(HasSubstr(std::string(name) + " = ")))
           << name << " = " << n;
   EXPECT_THROW((void)axis_profile(disks, 0, 2'000'000'000, {}), InputError);

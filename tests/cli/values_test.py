@@ -1,0 +1,325 @@
+#!/usr/bin/env python3
+"""Gives every numeric option of every command numbers that it cannot take, and every path option a directory, a missing
+file and files that cannot be read. The options are those of the program's help, so a new one is tried without a change
+here; where it is text, it has to be said below which kind of text it is.
+
+    values_test.py --floc PROGRAM --source DIRECTORY
+"""
+import argparse
+import concurrent.futures
+import itertools
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+# Seconds that a call may take on a machine that is busy with other things.
+LIMIT = 20.0
+# Numbers that no option takes, and numbers that some options take.
+NEVER = ["nan", "inf", "-inf", "0x10"]
+NEVER_WHOLE = ["18446744073709551616", "1.5"]
+SOMETIMES = ["-1", "0", "1e300"]
+CODES = {0, 2, 3, 4}
+REFUSED = {2, 4}
+
+SCENE = """[scene]
+name = "values"
+dimension = 2
+units = "reduced"
+[grains]
+count = 6
+diameter = {distribution = "constant", value = 1.0}
+[contact]
+normal = {law = "linear", stiffness = 1e3}
+damping = {restitution = 0.1}
+[cell]
+solid_fraction = 0.5
+mass = 1.0
+inertial_number_cap = 1e-1
+[assembly]
+protocol = "direct"
+pressure = 1.0
+[[load]]
+name = "load"
+to = 2.0
+steps_per_decade = 1
+[equilibrium]
+force = 1e-2
+moment = 1e-2
+stress = 1e-2
+energy = 1e-2
+"""
+CAMPAIGN = """[campaign]
+scene = "scene.toml"
+seeds = "1..2"
+[[collect]]
+table = "path"
+columns = ["phi"]
+"""
+GRAINS = "x,y,r\n" + "".join(f"{a * 0.999},{b * 0.999},0.5\n" for a in range(3) for b in range(3))
+CELL, LAW = "2.997,0;0,2.997", "normal.stiffness=1e3,friction.coefficient=0.5,friction.stiffness=1e3"
+BALLS = "x,y,z,r\n" + "".join(f"{a},{b},{c},0.505\n" for a, b, c in itertools.product(range(2), repeat=3))
+PATH = "P_star,P,phi\n" + "".join(f"{10.0 ** (0.2 * k - 2):.6g},{10.0 ** (0.2 * k - 2):.6g},{0.4 + 0.015 * k:.6g}\n"
+                                  for k in range(20))
+CYCLE = PATH + "50,50,0.67\n20,20,0.665\n10,10,0.66\n5,5,0.658\n"
+COMPACTED = "e,p,sc,se\n" + "".join(f"{2.0 - 0.1 * k},{0.01 * 2 ** k},{0.002 * (1 + k % 3)},50\n" for k in range(12))
+FORCES = "normal_force\n" + "".join(f"{0.1 * k + 0.05}\n" for k in range(30))
+
+# A call of each command that takes milliseconds: its arguments by their names in the help, and options. {n} is a name of
+# its own for each call.
+CALLS = {
+    "run": ({"SCENE": "scene.toml"}, "-o=run-{n} --until=0"),
+    "scene check": ({"SCENE": "scene.toml"}, ""),
+    "scene new": ({"NAME": "new-{n}"}, ""),
+    "moduli": ({"STATE": "disks.h5"}, "--force"),
+    "modes": ({"STATE": "disks.h5"}, ""),
+    "network": ({"STATE": "disks.h5"}, "--pdf=out/{n}.csv --particle-stress=out/{n}.csv --with=bonds,phases "
+                "--exponents=out/{n}.csv --pressure-pdf=out/{n}.csv --like-neighbours=out/{n}.csv --clusters=out/{n}.csv"),
+    "lattice": ({"STATE": "balls.h5"}, "--matrix=0.05 --per-diameter=3 --pdf=out/{n}.csv"),
+    "structure": ({"STATE": "disks.h5"}, "--intensity=out/{n}.csv --pair-correlation=out/{n}.csv --gaps=out/{n}.csv "
+                  "--pores=out/{n}.csv --map=out/{n}.csv --porosity=out/{n}.csv --profile=out/{n}.csv "
+                  "--prediction=out/{n}.csv"),
+    "compare": ({"STATE": "disks.h5 disks.h5"}, "--displacements=out/{n}.csv --contacts=out/{n}.csv"),
+    "fit consolidation": ({"TABLE": "path.csv"}, "--law=log --window=0.01,100"),
+    "fit preconsolidation": ({"TABLE": "path.csv"}, ""),
+    "fit elastic": ({"TABLE": "cycle.csv"}, ""),
+    "fit cycle": ({"TABLE": "cycle.csv"}, ""),
+    "fit dynamic-compaction": ({"TABLE": "compacted.csv"}, ""),
+    "fit force-distribution": ({"INPUT": "forces.csv"}, "--form=tails --draws=2"),
+    "verify": ({"STATE": "disks.h5"}, ""),
+    "info": ({"STATE": "disks.h5"}, ""),
+    "convert": ({"IN": "disks.csv", "OUT": "out/{n}.h5"}, f"--columns=radius=r --cell={CELL} --law={LAW}"),
+    "chain": ({}, "--n=3 --R=0.5 --kn=1 --kt=1 --kr=1"),
+    "draw": ({"STATE": "balls.h5"}, "-o=out/{n}.png"),
+    "plot": ({"INPUT": "disks.h5"}, "-o=out/{n}.svg"),
+    "report": ({"DIR": "made"}, "-o=out/{n}.html"),
+    # A scene that the study refuses, but only after it has looked at its options.
+    "tradeoff": ({"SCENE": "saved.toml"}, ""),
+    "demo": ({"DIR": "demo-{n}"}, ""),
+    "export": ({"STATE": "disks.h5"}, "--grains=out/{n}.csv"),
+    "campaign new": ({"NAME": "campaign-{n}"}, ""),
+    "campaign check": ({"FILE": "campaign.toml"}, ""),
+    "campaign plan": ({"FILE": "campaign.toml"}, "-o=plan-{n}"),
+    "campaign run": ({"SCENE": "scene.toml"}, "-o=case-{n} --seed=1"),
+    "campaign collect": ({"DIR": "plan"}, ""),
+    "campaign outcome": ({"DIR": "plan"}, ""),
+    "campaign page": ({"DIR": "plan"}, "-o=out/{n}.html"),
+    "help columns": ({"TABLE": "moduli"}, ""),
+}
+# Options that another call tries: they exclude what the call above has, or need more.
+INSTEAD = {
+    ("run", "--jobs"): "-o=run-{n} --until=0 --seeds=1..1",
+    ("run", "--seeds"): "-o=run-{n} --until=0",
+    ("structure", "--map-size"): "--map=out/{n}.csv",
+    ("draw", "--columns"): "-o=out/{n}.png",
+    ("draw", "--steps"): "-o=out/{n}.png",
+    ("plot", "--steps"): "-o=out/{n}.svg",
+    ("lattice", "--curve"): "--matrix=0.05 --per-diameter=3 --strength=grain=1e-9",
+    ("lattice", "--cracks"): "--matrix=0.05 --per-diameter=3 --strength=grain=1e-9",
+}
+# What stands beside the argument that is tried.
+BESIDE = {("compare", "STATE"): "{} disks.h5"}
+# A run of a campaign that fails is told, in words and in a file, and is no failure of the campaign.
+TOLD = {("campaign run", "SCENE"), ("campaign run", "--set")}
+ARGUMENTS_INSTEAD = {("draw", "--steps"): {"STATE": "made"}, ("plot", "--steps"): {"INPUT": "made"}}
+
+# What the text of an option is: "in" a file that is read, "out" a file that is written, "dir" a directory that is read,
+# "new" a file or directory that is made, "into" a directory that may be there, a pattern with a number in place of {}, or "words".
+TEXTS = {
+    "SCENE": "in", "STATE": "in", "TABLE": "in", "INPUT": "in", "FILE": "in", "IN": "in", "DIR": "dir", "NAME": "new",
+    "--output": "out", "--seeds": "{}..2", "--set": "equilibrium.force={}", "--columns": "words",
+    "--accuracy": "B={}", "--increments": "out", "--pdf": "out", "--particle-stress": "out", "--exponents": "out",
+    "--pressure-pdf": "out", "--like-neighbours": "out", "--clusters": "out", "--stiffness": "grain={}",
+    "--load": "stress:{},0,0,0,0,0", "--compare": "in", "--stress": "out", "--forces": "out", "--plot": "out",
+    "--map": "out", "--phases": "out", "--cut": "y,{}", "--strength": "grain={}", "--curve": "out", "--cracks": "out",
+    "--intensity": "out", "--pair-correlation": "out", "--gaps": "out", "--prediction": "out", "--pores": "out",
+    "--porosity": "out", "--profile": "out", "--displacements": "out", "--contacts": "out", "--state": "in",
+    "--to": "words", "--from": "words", "--law": "normal.stiffness={}", "--cell": "{},0;0,3", "--contact-columns": "words",
+    "--view": "{},20", "--slab": "z,{},0.6", "--grains": "out", "--scene": "in", "--table": "words",
+    ("run", "--output"): "new", ("demo", "DIR"): "into", ("campaign plan", "--output"): "new",
+    ("campaign run", "--output"): "new", ("draw", "--output"): "new", ("convert", "OUT"): "new",
+    ("convert", "--contacts"): "in", ("convert", "--stress"): "{},1", ("help columns", "TABLE"): "words",
+    ("campaign new", "--scene"): "words", ("campaign collect", "--table"): "words",
+    ("campaign run", "--set"): "equilibrium.force={}",
+    ("tradeoff", "--plot"): "words",  # it is written after a study of minutes
+}
+# Paths that files name, and where.
+KEYS = {
+    "grains.diameter.file": (["scene", "check"], "key.toml", SCENE.replace(
+        'distribution = "constant", value = 1.0', 'distribution = "list", file = "PATH"')),
+    "grains.diameter.file of a run": (["run"], "key.toml", SCENE.replace(
+        'distribution = "constant", value = 1.0', 'distribution = "list", file = "PATH"')),
+    "assembly.state": (["scene", "check"], "key.toml", SCENE.replace(
+        'protocol = "direct"', 'protocol = "state"\nstate = "PATH"\ncopies = [1, 1]')),
+    "campaign.scene": (["campaign", "check"], "key.toml", CAMPAIGN.replace("scene.toml", "PATH")),
+}
+
+
+class Sweep:
+    def __init__(self, floc, source, directory):
+        sys.path.insert(0, os.path.join(source, "docs"))
+        import program
+        self.floc, self.directory = floc, pathlib.Path(directory)
+        self.commands = {name: command for name, command in program.Program(floc).commands.items()
+                         if name and command.options}
+        self.jobs, self.faults, self.numbers = [], [], itertools.count()
+        self.counts = dict.fromkeys(("commands", "numeric options", "texts with numbers", "paths", "keys"), 0)
+        self.values = set()
+
+    def prepare(self):
+        (self.directory / "out").mkdir()
+        (self.directory / "taken" / "inside").mkdir(parents=True)
+        for name, text in {"scene.toml": SCENE, "campaign.toml": CAMPAIGN, "disks.csv": GRAINS, "balls.csv": BALLS,
+                           "path.csv": PATH, "cycle.csv": CYCLE, "compacted.csv": COMPACTED, "forces.csv": FORCES, "file": "a file\n"}.items():
+            (self.directory / name).write_text(text)
+        balls_law = f"--law={LAW}"
+        for arguments in (["convert", "disks.csv", "disks.h5", "--columns=radius=r", f"--cell={CELL}", f"--law={LAW}"],
+                          ["convert", "balls.csv", "balls.h5", "--columns=radius=r", "--cell=2,0,0;0,2,0;0,0,2", balls_law],
+                          ["run", "scene.toml", "-o", "made"], ["campaign", "plan", "campaign.toml", "-o", "plan"]):
+            done = self.call(arguments)
+            assert done.returncode == 0, done.stderr
+        for table in ("runs", "means", "fits", "outcomes"):
+            (self.directory / "plan" / f"{table}.csv").write_text(self.call(["campaign", "collect", "plan", "--table", table]).stdout)
+        (self.directory / "saved.toml").write_text(SCENE.replace(
+            'protocol = "direct"', 'protocol = "state"\nstate = "made/state-0000.h5"\ncopies = [1, 1]')
+            .replace('[grains]\ncount = 6\ndiameter = {distribution = "constant", value = 1.0}\n', "")
+            .replace("solid_fraction = 0.5\n", ""))
+
+    def call(self, arguments):
+        return subprocess.run([self.floc, *arguments], cwd=self.directory, stdin=subprocess.DEVNULL, capture_output=True,
+                              text=True, timeout=LIMIT, errors="replace")
+
+    def line(self, name, option, value):
+        """Arguments of a call of a command with an option, or an argument, at a value."""
+        arguments, options = CALLS[name]
+        arguments = {**arguments, **ARGUMENTS_INSTEAD.get((name, option), {})}
+        words = INSTEAD.get((name, option), options).split()
+        if option in arguments:
+            arguments = {**arguments, option: value}
+        else:
+            excluded = self.excluded(name, option)
+            words = [word for word in words if word.split("=")[0].replace("-o", "--output") not in {option, *excluded}]
+            words.append(f"{option}={value}".replace(" ", "\0"))
+        n = str(next(self.numbers))
+        given = [word for text in arguments.values() for word in text.split()] + words
+        given = [part for word in given for part in (word.split("=", 1) if word.startswith("-o=") else [word])]
+        return name.split() + [word.replace("{n}", n).replace("\0", " ") for word in given]
+
+    def excluded(self, name, option):
+        for one in self.commands[name].options:
+            if option in self.names_of(one):
+                return one.excluded
+        return []
+
+    @staticmethod
+    def names_of(option):
+        """ "-o,--output" as "--output", "IN... OUT" as both. """
+        if option.is_argument:
+            return re.findall(r"[A-Z]+", option.names)
+        return [option.names.split(",")[-1]]
+
+    def add(self, arguments, codes, named):
+        self.jobs.append((arguments, codes, named))
+
+    def add_number(self, name, option, pattern, kind):
+        never = NEVER + (NEVER_WHOLE if kind == "whole" else [])
+        if kind == "TOML":
+            never = [value for value in never if value != "0x10"]  # which is a number there
+        self.values.update(never + SOMETIMES)
+        for value in never:
+            self.add(self.line(name, option, pattern.replace("{}", value)), self.refused(name, option), option)
+        for value in SOMETIMES:
+            self.add(self.line(name, option, pattern.replace("{}", value)), CODES, None)
+
+    def add_path(self, name, option, kind):
+        wrong = {"in": ["taken", "nowhere/file", "file/below", "/proc/self/mem"], "out": ["taken"],
+                 "dir": ["nowhere", "file"], "new": ["taken"], "into": ["file"]}[kind]
+        self.values.update(wrong)
+        for value in wrong:
+            self.add(self.line(name, option, BESIDE.get((name, option), "{}").replace("{}", value)),
+                     CODES if kind == "new" else self.refused(name, option), None if kind == "new" else value)
+
+    @staticmethod
+    def refused(name, option):
+        return CODES if (name, option) in TOLD else REFUSED
+
+    def collect(self):
+        for name, command in self.commands.items():
+            self.counts["commands"] += 1
+            if name not in CALLS:
+                self.faults.append(f"CALLS has no call of floc {name}")
+                continue
+            for option in command.options:
+                for one in self.names_of(option):
+                    self.collect_option(name, option, one)
+        for key, (words, file, text) in KEYS.items():
+            self.counts["keys"] += 1
+            for number, value in enumerate(("taken", "nowhere", "/proc/self/mem")):
+                path = f"{key.replace(' ', '-')}-{number}-{file}"
+                (self.directory / path).write_text(text.replace("PATH", value))
+                self.add([*words, path, *(["-o", path + ".d"] if words == ["run"] else [])], REFUSED, value)
+
+    def collect_option(self, name, option, one):
+        if option.keywords or not (option.takes or option.is_argument):
+            return
+        if "number" in option.takes:
+            whole = "whole" in option.takes
+            several = {"--fit-range": "0.1,{}", "--window": "0.01,{}", "--map-size": "3,{}"}
+            if re.fullmatch(r"2, 3", option.takes):
+                return
+            self.counts["numeric options"] += 1
+            self.add_number(name, one, several.get(one, "{}"), "whole" if whole else "number")
+            return
+        kind = TEXTS.get((name, one), TEXTS.get(one))
+        if kind is None:
+            self.faults.append(f"TEXTS does not say what {one} of floc {name} is")
+        elif "{}" in kind:
+            self.counts["texts with numbers"] += 1
+            self.add_number(name, one, kind, {"--seeds": "whole", "--set": "TOML"}.get(one, "number"))
+        elif kind != "words":
+            self.counts["paths"] += 1
+            self.add_path(name, one, kind)
+
+    def try_one(self, job):
+        arguments, codes, named = job
+        words = "floc " + " ".join(arguments)
+        try:
+            done = self.call(arguments)
+        except subprocess.TimeoutExpired:
+            return f"{words}: takes more than {LIMIT:g} s"
+        if done.returncode not in codes:
+            return f"{words}: exit code {done.returncode}, expected one of {sorted(codes)}: {done.stderr.strip()[-400:]}"
+        plain = named and named.lstrip("-").replace("-", "_")
+        if named and plain not in done.stderr.replace("-", "_"):
+            return f"{words}: does not name {named}: {done.stderr.strip()[-400:]}"
+        return None
+
+    def run(self):
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            self.faults += [fault for fault in pool.map(self.try_one, self.jobs) if fault]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--floc", required=True)
+    parser.add_argument("--source", required=True)
+    arguments = parser.parse_args()
+    began = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="floc-values-") as directory:
+        sweep = Sweep(arguments.floc, arguments.source, directory)
+        sweep.prepare()
+        sweep.collect()
+        sweep.run()
+    for fault in sweep.faults:
+        print("FAULT:", fault)
+    counts = ", ".join(f"{n} {what}" for what, n in sweep.counts.items())
+    print(f"{counts}; {len(sweep.values)} values; {len(sweep.jobs)} calls in {time.monotonic() - began:.0f} s; "
+          f"{len(sweep.faults)} faults")
+    return 1 if sweep.faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <cmath>
 #include <memory>
 
 #include "command.h"
 #include "floc/run/verification.h"
-#include "floc/scene/scene_mass.h"
 #include "output.h"
+#include "scene_check.h"
 
 namespace floc {
 namespace {
@@ -40,32 +39,11 @@ int report(const std::string& file, const std::vector<Criterion>& criteria, Tabl
   return failed.empty() ? kDone : kVerificationFailed;
 }
 
-/// The masses stored against radii and the density that the scene gives: the largest relative difference.
-template <int Dim>
-Criterion check_mass(const std::string& file, const State<Dim>& state) {
-  constexpr double kRelative = 1e-12;
-  Criterion result{"mass", 0.0, kRelative, true, ""};
-  const auto per_cube = mass_per_cubed_diameter(state.scene, Dim, file + ": scene");
-  if (!per_cube) return result;
-  const Grains<Dim>& g = state.packing.grains;
-  for (int i = 0; i < g.size(); ++i) {
-    const double expected = *per_cube * std::pow(2.0 * g.radius[i], Dim);
-    const double error = std::abs(g.mass[i] - expected) / expected;
-    if (error <= result.value) continue;
-    result.value = error;
-    result.where = fmt::format(
-        "mass {:.6g} of grain {}, whose radius is {:.6g}, is not the {:.6g} that follows from the scene's "
-        "density",
-        g.mass[i], i, g.radius[i], expected);
-  }
-  result.holds = result.value <= kRelative;
-  return result;
-}
-
 template <int Dim>
 std::vector<Criterion> verified(const std::string& file, const State<Dim>& state) {
   std::vector<Criterion> criteria = verify_equilibrium(state);
-  criteria.push_back(check_mass(file, state));
+  for (Criterion& c : check_against_scene(file, state)) criteria.push_back(std::move(c));
+  criteria.push_back(verify_boundary_motion(state));
   return criteria;
 }
 

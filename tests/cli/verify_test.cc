@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -187,6 +188,14 @@ TEST(Verify, NamesAnUnstableState) {
   write_state(scratch.file("s.h5"), s);
   expect_failed(floc_arguments({"verify", scratch.file("s.h5"), "--format", "json"}), "stability",
                 "negative eigenvalue");
+}
+
+TEST(Verify, NamesTolerancesThatAnyPackingMeetsAndABoundaryThatMoves) {
+  for (const double tolerance : {1e3, std::numeric_limits<double>::infinity(), 0.0})
+    EXPECT_THAT(verify_spoiled([&](State<2>& s) { s.tolerance.moment = tolerance; }).err,
+                testing::AnyOf(HasSubstr("tolerances does not hold"), HasSubstr("equilibrium/tolerances")));
+  expect_failed(verify_spoiled([](State<2>& s) { s.packing.cell.velocity(0, 0) = 1.0; }), "boundary_motion",
+                "the cell still changes its shape");
 }
 
 TEST(Verify, OfManyExitsWithTheWorst) {

@@ -70,12 +70,35 @@ void write_slot(Hdf5Writer& file, const std::string& group, const DeclaredSlot& 
   }
 }
 
+/// Files hold zeros and "none" for what models have that the law does not. @param present  model of the slot, -1: none
+void require_nothing_else(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot,
+                          int present) {
+  const auto is_present = [&](const std::string& key) {
+    const auto has = [&key](const auto& members) {
+      return std::any_of(members.begin(), members.end(), [&key](const auto& m) { return m.key == key; });
+    };
+    return present >= 0 && (has(slot.models[present].numbers) || has(slot.models[present].choices));
+  };
+  const std::string model = present < 0 ? "none" : slot.models[present].keyword;
+  const auto require = [&](const std::string& key, auto value, const auto& expected) {
+    const std::string name = attribute_name(slot.key, key);
+    if (is_present(key) || !file.has_attribute(group, name)) return;
+    file.attribute(group, name, value);
+    if (value != expected)
+      throw InputError(file.place(group), fmt::format("attribute {} = {}, expected {} under {} = \"{}\"", name,
+                                                      value, expected, slot.key, model));
+  };
+  for (const std::string& key : keys_of(slot, present, false)) require(key, 0.0, 0.0);
+  for (const std::string& key : keys_of(slot, present, true)) require(key, std::string(), std::string("none"));
+}
+
 void read_slot(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot, LawParameters& law) {
   if (!is_named_in_every_file(slot) && !file.has_attribute(group, slot.key)) return;
   std::vector<std::string> known;
   if (slot.optional) known.emplace_back("none");
   for (const DeclaredModel& model : slot.models) known.push_back(model.keyword);
   const int chosen = keyword_index(file, group, slot.key, known) - (slot.optional ? 1 : 0);
+  require_nothing_else(file, group, slot, chosen);
   if (chosen < 0) return;
   const DeclaredModel& model = slot.models[chosen];
   model.choose(law);

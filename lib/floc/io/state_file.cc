@@ -173,26 +173,47 @@ void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   }
 }
 
-/// Arrays that files of version 1 have whatever the law; scripts find them under their names of then, zeros
-/// where the law remembers nothing of the kind.
+/// An array that files of version 1 have whatever the law.
+struct Version1Name {
+  const char* name;
+  MemoryKind kind;
+  Quantity quantity;
+};
+constexpr Version1Name kVersion1Names[] = {{"shear_spring", MemoryKind::tangent, Quantity::length},
+                                           {"rolling_spring", MemoryKind::rotation, Quantity::angle}};
+
+template <int Dim>
+bool remembers(const Packing<Dim>& packing, const std::string& name) {
+  const std::vector<RememberedQuantity> quantities = quantities_of(packing);
+  return std::any_of(quantities.begin(), quantities.end(),
+                     [&](const RememberedQuantity& q) { return name == q.declared.name; });
+}
+
+/// Scripts find them under their names of then, zeros where the law remembers nothing of the kind.
 template <int Dim>
 void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
-  struct Known {
-    const char* name;
-    MemoryKind kind;
-    Quantity quantity;
-  };
-  const std::vector<RememberedQuantity> quantities = quantities_of(packing);
-  for (const Known& known : {Known{"shear_spring", MemoryKind::tangent, Quantity::length},
-                             Known{"rolling_spring", MemoryKind::rotation, Quantity::angle}}) {
+  for (const Version1Name& known : kVersion1Names) {
     const std::string path = std::string("contacts/") + known.name;
-    if (std::any_of(quantities.begin(), quantities.end(),
-                    [&](const RememberedQuantity& q) { return std::string(q.declared.name) == known.name; }))
+    if (remembers(packing, known.name))
       file.link(kContactMemory + "/" + known.name, path);
     else
       archive.put({path.c_str(), known.quantity, "history: none"},
                   shape_of(packing.contacts.size(), n_components(known.kind, Dim)),
                   std::vector<double>(packing.contacts.size() * n_components(known.kind, Dim), 0.0));
+  }
+}
+
+template <int Dim>
+void check_version_1_names(const Hdf5Reader& file, ReadingArchive& archive, const Packing<Dim>& packing) {
+  for (const Version1Name& known : kVersion1Names) {
+    const std::string path = std::string("contacts/") + known.name;
+    if (!file.has(path) || remembers(packing, known.name)) continue;
+    for (const double value :
+         archive.take<double>({path.c_str(), known.quantity, ""},
+                              shape_of(packing.contacts.size(), n_components(known.kind, Dim))))
+      if (value != 0.0)
+        throw InputError(file.place(path),
+                         fmt::format("holds {}, expected zeros: the law remembers nothing of the kind", value));
   }
 }
 
@@ -328,6 +349,23 @@ void check_contacts(const Hdf5Reader& file, const Packing<Dim>& packing) {
   }
 }
 
+/// What a file says in words of its own content, for other readers, is to be true.
+template <int Dim>
+void check_descriptions(const Hdf5Reader& file, std::int64_t version, const State<Dim>& s) {
+  const auto require = [&file](const char* group, const char* name, const std::string& expected) {
+    std::string recorded;
+    if (!file.has_attribute(group, name)) return;
+    file.attribute(group, name, recorded);
+    if (recorded != expected)
+      throw InputError(file.place(group), fmt::format("{} = \"{}\", expected \"{}\" for what the file holds",
+                                                      name, recorded, expected));
+  };
+  require("provenance", "scene_sha256", sha256(s.scene));
+  if (version < 2) return;
+  require("/", "features", features_of(s.packing, !quantities_of(s.packing).empty()));
+  require("cell", "boundary", boundary_of(s.packing));
+}
+
 template <int Dim>
 State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   State<Dim> s;
@@ -349,10 +387,12 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   // A packing that is stopped in its motion may be on the way out of what it cannot stay in.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);
   read_memory(archive, version, packing);
+  check_version_1_names(file, archive, packing);
   read_equilibrium(file, archive, s);
   read_directed_load(file, archive, s);
   describe_attributes(archive, s);
   s.scene = file.text("scene");
+  check_descriptions(file, version, s);
   return s;
 }
 

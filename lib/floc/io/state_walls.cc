@@ -75,6 +75,7 @@ void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& s) 
   describe_walls<Dim>(archive, packing.walls);
   const auto mass = archive.take<double>(kWallMass, {n});
   for (std::size_t w = 0; w < n; ++w) packing.walls[w].mass = mass[w];
+  s.wall_force = archive.take<double>(kWallForce, {n});
   check_walls(file, packing);
   for (Wall<Dim>& wall : packing.walls)
     if (wall.mass == 0.0) wall.mass = std::numeric_limits<double>::infinity();

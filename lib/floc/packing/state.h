@@ -61,6 +61,9 @@ struct State {
   /// For a law with liquid: bridges that would form or break if the liquid were shared out once more, above 0
   /// where the liquid was held in place after many trials; -1: not determined.
   int n_bridges_unsettled = -1;
+  /// Of states read from a file: the forces on the walls that it records, in their order. What is saved are those of
+  /// the contacts.
+  std::vector<double> wall_force = {};
   PathPosition path;
   std::string scene;  ///< text of the scene, empty for converted packings
   Provenance provenance;

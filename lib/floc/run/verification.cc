@@ -88,6 +88,10 @@ Criterion check_list(const Packing<Dim>& recomputed) {
     if (c.gap >= law_of(recomputed, c).range() + open && bridge_volume(recomputed, c) == 0.0)
       wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(recomputed, c), c.gap));
   }
+  // Several contacts of a pair have the keys 0, 1, ...
+  for (const Contact<Dim>& c : recomputed.contacts)
+    if (c.key < 0 || (c.key > 0 && !listed.contains({identity(c), c.key - 1})))
+      wrong(fmt::format("{} listed with key {}", name_of(recomputed, c), c.key));
   for (const Contact<Dim>& c : missing_contacts(recomputed, open))
     wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(recomputed, c), c.gap));
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
@@ -350,6 +354,53 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
   }
 }
 
+/// The grains that are recorded as the worst, whose residuals are to be those of the worst found.
+/// @param rounding  of residuals
+template <int Dim>
+void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recomputed, const Residuals& found,
+                          double rounding, Record& record) {
+  const Balance<Dim> net = net_forces(recomputed);
+  const GrainScales<Dim> scales(recomputed, state.target_stress);
+  if (!(scales.of_packing().force > 0.0)) return;
+  const auto compare = [&](const char* name, int i, double largest, const auto& residual) {
+    if (i >= recomputed.grains.size())
+      record.wrong(fmt::format("{} recorded as {}, expected a grain", name, i));
+    else if (i >= 0)  // a file need not say it
+      record.compare(name, residual(i), largest, rounding);
+  };
+  compare("the residual of worst_force_grain", state.residuals.worst_force_grain, found.force,
+          [&](int i) { return net.force[i].norm() / scales.of(i).force; });
+  compare("the residual of worst_moment_grain", state.residuals.worst_moment_grain, found.moment,
+          [&](int i) { return net.moment[i].norm() / (scales.of(i).force * scales.of(i).length); });
+}
+
+/// What walls bear and how the sides of a box move, against contacts and walls.
+template <int Dim>
+void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Record& record) {
+  const std::vector<double> found = wall_forces(recomputed);
+  const double open = static_cast<double>(recomputed.contacts.size()) * force_error(recomputed);
+  for (std::size_t w = 0; w < state.wall_force.size(); ++w)
+    record.compare("walls/force", state.wall_force[w], found[w], open);
+  for (int a = 0; a < Dim; ++a) {
+    if (!between_walls(recomputed.walls, a)) continue;
+    double rate = 0.0, speed = 0.0;
+    for (const Wall<Dim>& wall : recomputed.walls)
+      if (wall.axis == a) rate += wall.side * wall.velocity, speed += std::abs(wall.velocity);
+    record.compare("cell/velocity", recomputed.cell.velocity(a, a), rate, 1e-12 * speed);
+  }
+}
+
+template <int Dim>
+void compare_orientations(const Grains<Dim>& grains, Record& record) {
+  constexpr double kRounding = 1e-9;  // of the motion of many steps
+  if constexpr (Dim == 3)
+    for (int i = 0; i < grains.size(); ++i)
+      if (!(std::abs(grains.orientation[i].norm() - 1.0) <= kRounding))
+        record.wrong(
+            fmt::format("the orientation of grain {} recorded with norm {:.9g}, not as a unit quaternion", i,
+                        grains.orientation[i].norm()));
+}
+
 /// The residuals, the number of negative eigenvalues and the flags that the file records.
 template <int Dim>
 Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
@@ -372,7 +423,10 @@ Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, 
   record.compare("residuals.energy", state.residuals.energy, found.energy, 0.0);
   if (state.n_negative >= 0 && tested.n_negative && state.n_negative != *tested.n_negative)
     record.wrong(fmt::format("n_negative recorded as {}, found {}", state.n_negative, *tested.n_negative));
+  compare_worst_grains(state, recomputed, found, open, record);
   compare_flags(state.packing, record);
+  compare_walls(state, recomputed, record);
+  compare_orientations(recomputed.grains, record);
   return record.criterion();
 }
 
@@ -404,7 +458,37 @@ std::vector<Criterion> verify_equilibrium(const State<Dim>& state) {
   return criteria;
 }
 
+template <int Dim>
+Criterion verify_boundary_motion(const State<Dim>& state) {
+  const Packing<Dim>& packing = state.packing;
+  const ForceScale scale = force_scale(packing, state.target_stress);
+  Criterion result{"boundary_motion", 0.0, state.tolerance.energy, true, ""};
+  std::string moving;
+  double energy = 0.0;
+  for (std::size_t w = 0; w < packing.walls.size(); ++w) {
+    const Wall<Dim>& wall = packing.walls[w];
+    if (follows_forces(wall))
+      energy += 0.5 * wall.mass * wall.velocity * wall.velocity;
+    else if (wall.velocity != 0.0)
+      moving += fmt::format("wall {}, which stands still, moves at {:.3g}; ", w, wall.velocity);
+  }
+  const Grains<Dim>& g = packing.grains;
+  const Mat<Dim> gradient = packing.cell.matrix.inverse() * packing.cell.velocity;
+  const Vec<Dim> centre = 0.5 * packing.cell.matrix.transpose() * Vec<Dim>::Ones();
+  if (packing.walls.empty())
+    for (int i = 0; i < g.size(); ++i)
+      energy += 0.5 * g.mass[i] * (gradient.transpose() * (g.position[i] - centre)).squaredNorm();
+  if (energy > 0.0) result.value = energy / (g.size() * scale.force * scale.length);
+  result.holds = moving.empty() && *result.value < result.limit;
+  if (!result.holds)
+    result.where = moving + (packing.walls.empty() ? "the cell still changes its shape (cell/velocity)"
+                                                   : "the walls still move (walls/velocity)");
+  return result;
+}
+
 template std::vector<Criterion> verify_equilibrium(const State<2>&);
 template std::vector<Criterion> verify_equilibrium(const State<3>&);
+template Criterion verify_boundary_motion(const State<2>&);
+template Criterion verify_boundary_motion(const State<3>&);
 
 }  // namespace floc

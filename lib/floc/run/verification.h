@@ -29,10 +29,17 @@ struct Criterion {
 ///   stability    number of negative eigenvalues of the stiffness matrix, see Stability
 ///   boundary_balance  forces over areas of the faces of the cell, and of walls, against the stress (stress)
 ///   length, liquid    lengths imposed on axes, if any; bridges that would change, against those recorded
-///   recorded     number of residuals, eigenvalue counts and flags recorded that differ from those found
+///   recorded     number of residuals, worst grains, eigenvalue counts, flags and forces on walls recorded that
+///                differ from those found
 /// Geometry, law and mean stress may be off by what rounding of the positions makes of them, the boundary by
 /// what net forces within their tolerance do.
 template <int Dim>
 std::vector<Criterion> verify_equilibrium(const State<Dim>& state);
+
+/// The kinetic energy of the boundary, which the energy of the grains leaves out: of the walls that follow their
+/// forces, and of the grains as they would follow the motion of the cell about its centre. A grain's share of it is
+/// held to the tolerance of a grain's kinetic energy. Walls that stand still have no velocity at all.
+template <int Dim>
+Criterion verify_boundary_motion(const State<Dim>& state);
 
 }  // namespace floc

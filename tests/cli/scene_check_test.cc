@@ -81,6 +81,28 @@ TEST(SceneCheck, WarnsOfWhatWillNotComeOutAsMeant) {
               HasSubstr("cell.strain_rate_cap = 1e-09: compressing the gas from solid_fraction"));
 }
 
+/// What the time step does not follow, or what makes it so short that no state comes out.
+TEST(SceneCheck, WarnsOfTimeStepsThatLeadNowhere) {
+  struct {
+    const char *scene, *changes, *warning;
+  } const scenes[] = {
+      {"demo", "cell.mass=1e-30", "cell.mass = 1e-30: so light a cell vibrates faster than the grains"},
+      {"demo", "load.0.cell_mass=1e-20", "load.0.cell_mass = 1e-20: so light a cell"},
+      {"spheres_demo", "cell.mass=1e-6", "cell.mass = 1e-06: so light a cell"},
+      {"spheres_demo", "contact.normal.modulus=1e14",
+       "contact.normal: the contacts are so stiff against the load"},
+      {"spheres_demo", "assembly.pressure=0.07 --set load.0.to=0.7",
+       "contact.normal: the contacts are so stiff"},
+      {"compaction_demo", "box.mass=1e-4", "box.mass = 0.0001: walls so light"},
+  };
+  for (const auto& [scene, changes, warning] : scenes) {
+    const Outcome o =
+        run_floc("scene check " + source_directory() + "/data/scenes/" + scene + ".toml --set " + changes);
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_THAT(o.err, HasSubstr(warning)) << changes;
+  }
+}
+
 TEST(SceneCheck, HasNothingAgainstTheShippedScenes) {
   for (const auto& entry : std::filesystem::directory_iterator(source_directory() + "/data/scenes")) {
     if (entry.path().extension() != ".toml") continue;

@@ -15,7 +15,6 @@
 namespace floc {
 namespace {
 
-/// Time step of the run (time unit of the scene): the smallest grain sets it.
 template <int Dim>
 double time_step(const Scene& scene) {
   Packing<Dim> smallest;
@@ -24,10 +23,6 @@ double time_step(const Scene& scene) {
   smallest.grains.radius[0] = 0.5 * scene.grains.diameter.min;
   smallest.grains.mass[0] = mass_of(scene, scene.grains.diameter.min);
   return time_step_of(smallest, scene.relaxation.time_step, scene.assembly.pressure);
-}
-
-double time_step(const Scene& scene) {
-  return scene.dimension == 2 ? time_step<2>(scene) : time_step<3>(scene);
 }
 
 KnownStress first_stress(const Scene& scene) {
@@ -224,7 +219,7 @@ double steps_of_compaction(const Scene& scene) {
   constexpr double kUsual = 30.0;
   const double a = scene.grains.diameter.max;
   return scene.relaxation.compaction.longest.value_or(kUsual) * compaction_time(scene, a, mass_of(scene, a)) /
-         time_step(scene);
+         time_step_of_scene(scene);
 }
 
 /// K_N; where it varies, that of the mean force under the first pressure, 0.665 kappa P a (z Phi = 4).
@@ -238,6 +233,10 @@ double typical_stiffness(const Scene& scene) {
 
 double hertz_kappa(const Scene& scene, double pressure) {
   return std::pow(scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max) / pressure, 2.0 / 3.0);
+}
+
+double time_step_of_scene(const Scene& scene) {
+  return scene.dimension == 2 ? time_step<2>(scene) : time_step<3>(scene);
 }
 
 double expected_cost(const Scene& scene) {
@@ -254,8 +253,8 @@ double expected_cost(const Scene& scene) {
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
   // The step of the scene that was timed, in sqrt(m/K_N).
   constexpr double kTimedStep = 0.1;
-  const double step =
-      time_step(scene) / std::sqrt(mass_of(scene, scene.grains.diameter.max) / typical_stiffness(scene));
+  const double step = time_step_of_scene(scene) /
+                      std::sqrt(mass_of(scene, scene.grains.diameter.max) / typical_stiffness(scene));
   const Steps steps = count_steps(scene);
   const double start = scene.starts_from_state() ? 1.0 : kAssembly;
   return kSecondsPerGrainAndStep * scene.grains.count * (start + steps.up + kUnloading * steps.down) *
@@ -284,7 +283,7 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
     add_box(scene, a, m, groups);
   else
     add_rates(scene, a, m, groups);
-  groups.push_back({"time_step", time_step(scene), "step of the dynamics (time unit of the scene)"});
+  groups.push_back({"time_step", time_step_of_scene(scene), "step of the dynamics (time unit of the scene)"});
   const Steps steps = count_steps(scene);
   // Aggregation is equilibrated without pressure first, what is shaken before.
   const bool twice = scene.assembly.protocol == AssemblyOptions::Protocol::aggregation ||

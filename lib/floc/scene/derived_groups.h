@@ -23,6 +23,9 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene);
 /// kappa = (E~/P)^(2/3), E~ = E/(1 - nu^2), of elastic spheres under a pressure: overlaps scale as 1/kappa.
 double hertz_kappa(const Scene& scene, double pressure);
 
+/// Time step of the run (time unit of the scene), which its smallest grain sets.
+double time_step_of_scene(const Scene& scene);
+
 /// Expected cost of a run on one core (s), good to a factor of two or so: proportional to the number of grains,
 /// to the equilibria asked for (unloading is nearly elastic and counts a quarter) and to the inverse of the
 /// time step; N = 1400 of type 2 with 26 loading steps takes 150 s on a core of 2023.

@@ -164,6 +164,73 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
                     r.strain_rate_cap ? *r.strain_rate_cap : *r.inertial_number_cap, phi, least, r.max_time));
 }
 
+/// Length of a close packing of the grains along an axis, in largest diameters.
+double packed_side(const Scene& scene) {
+  const double densest = scene.dimension == 2 ? 0.8 : 0.6;
+  const double unit_volume = scene.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
+  return std::pow(scene.grains.count * unit_volume / densest, 1.0 / scene.dimension);
+}
+
+/// Mass of the smallest grain over that of the largest.
+double lightest(const Scene& scene) {
+  return std::pow(scene.grains.diameter.min / scene.grains.diameter.max, scene.dimension);
+}
+
+/// A cell that weighs less than a few grains vibrates faster than they do, and the time step follows it
+/// (cell_time_step_of()).
+void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
+  if (scene.assembly.box) return;
+  constexpr double kSlow = 0.1;  // of the step that the grains allow
+  const double along = scene.dimension == 2 ? 1.5 : 2.0;
+  const auto check = [&](const std::string& key, const CellResponse& cell) {
+    const double mass = cell.applied_to(scene.relaxation).cell_mass;
+    const double share = packed_side(scene) * std::sqrt(mass / (along * lightest(scene)));
+    if (share >= kSlow) return false;
+    warnings.push_back(fmt::format(
+        "{} = {:g}: so light a cell vibrates faster than the grains, and time steps are {:.1e} of those "
+        "that the grains allow; expected at least {:.1e}",
+        key, mass, share, mass * std::pow(kSlow / share, 2)));
+    return true;
+  };
+  if (check("cell.mass", scene.assembly.cell)) return;
+  for (std::size_t k = 0; k < scene.load.size(); ++k)
+    if (check(scene.load[k].cell.cell_mass ? fmt::format("load.{}.cell_mass", k) : "cell.mass",
+              scene.load[k].cell))
+      return;
+}
+
+/// Walls have the time step of the grains: those that are too light for it diverge.
+void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
+  if (!scene.assembly.box) return;
+  // Two in three grains that a wall has room for touch it; beyond dt w = 2, w^2 = n K/M, motion grows.
+  const double n_touching = 2.0 / 3.0 * std::pow(packed_side(scene), scene.dimension - 1);
+  const double step = scene.relaxation.time_step * (scene.dimension == 2 ? 1.0 : 0.775);
+  const double least = n_touching * lightest(scene) * std::pow(0.5 * step, 2);
+  if (scene.assembly.box->mass < least)
+    warnings.push_back(fmt::format(
+        "box.mass = {:g}: walls so light vibrate against the grains that touch them faster than time steps "
+        "follow, and the motion diverges; expected more than {:.2g}, or a smaller run.time_step",
+        scene.assembly.box->mass, least));
+}
+
+/// What is stiff against its load needs many time steps for the motion that settles it: spheres, whose forces depend
+/// on the way and are not found by Newton steps at once.
+void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
+  constexpr double kMany = 3000.0;  // twice the most of the shipped scenes
+  if (!scene.law.stiffness_varies()) return;
+  const double pressure = scene.assembly.pressure;
+  const double unit = time_unit(scene, pressure);
+  const double step = time_step_of_scene(scene);
+  if (!(unit > 0.0) || !(step > 0.0) || unit / step < kMany) return;
+  warnings.push_back(
+      fmt::format("contact.normal: the contacts are so stiff against the load that a packing takes {:.1e} time "
+                  "steps in the time "
+                  "sqrt(a m/F1), of which every state takes some hundreds; expected softer contacts (beyond a "
+                  "stiffness number "
+                  "kappa of 1e5 little changes) or a higher pressure than assembly.pressure = {:g}",
+                  unit / step, pressure));
+}
+
 void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
   const bool sticks = scene.law.damping || scene.law.friction;
   if (scene.assembly.protocol == AssemblyOptions::Protocol::aggregation && !sticks)
@@ -187,6 +254,9 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
   warn_of_range(scene, warnings);
   warn_of_liquid(scene, warnings);
   warn_of_slow_compression(scene, warnings);
+  warn_of_light_cell(scene, warnings);
+  warn_of_light_walls(scene, warnings);
+  warn_of_stiff_contacts(scene, warnings);
   warn_of_no_sticking(scene, warnings);
   warn_of_cost(scene, warnings);
   return warnings;

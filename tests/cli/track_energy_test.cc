@@ -56,6 +56,30 @@ TEST_F(TrackEnergy, GoesOnWhereItStoppedWithTheSameTable) {
   EXPECT_EQ(content_of(file("halves/state-0001.h5")), content_of(file("whole/state-0001.h5")));
 }
 
+/// A stage that changes the law puts in what the stored energy changes by; the account goes on from a state alike.
+TEST_F(TrackEnergy, HasAColumnForChangesOfTheLaw) {
+  const std::string scene = small_scene();
+  write_text(file("small.toml"),
+             scene.substr(0, scene.find("[[load]]")) +
+                 "[[load]]\nto = 0.01\nsteps = 1\nset = {adhesion.force = 0.5}\n[run]\nseed = 3\n");
+  const std::string run = "run small.toml --set equilibrium.finish=dynamic --track-energy -o ";
+  ASSERT_EQ(floc(run + "whole").code, 0);
+  ASSERT_EQ(floc(run + "halves --until 1").code, 0);
+  ASSERT_EQ(floc(run + "halves --resume").code, 0);
+  EXPECT_EQ(content_of(file("halves/energy.csv")), content_of(file("whole/energy.csv")));
+  const CsvTable rows = CsvTable::read(file("whole/energy.csv"));
+  const auto at = [&rows](int row, const char* name) { return rows.number(row, rows.column(name)); };
+  int first = 0;  // row of the stage
+  while (at(first, "step") < 2) ++first;
+  ASSERT_GT(first, 0);
+  EXPECT_EQ(at(first - 1, "law"), 0.0);
+  EXPECT_GT(std::abs(at(first, "law")), 0.0);
+  const int last = rows.n_rows() - 1;
+  EXPECT_EQ(at(last, "law"), at(first, "law"));
+  // Of the change nothing is left to the error, which stays that of the motion.
+  EXPECT_LT(std::abs(at(last, "error") - at(first - 1, "error")), 0.1 * std::abs(at(last, "law")));
+}
+
 TEST_F(TrackEnergy, IsRefusedWhereNoMotionLeadsToAnEquilibrium) {
   const Outcome o = floc("run small.toml -o none --track-energy");
   EXPECT_EQ(o.code, 4);

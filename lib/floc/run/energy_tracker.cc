@@ -13,7 +13,8 @@ namespace floc {
 namespace {
 
 constexpr const char* kEnergyHeader =
-    "step,branch,P,time,phi,work,elastic,kinetic,viscous,sliding,scaling,removed,initial,error";
+    "step,branch,P,time,phi,work,elastic,kinetic,viscous,sliding,scaling,removed,initial,error,"
+    "liquid,law";
 /// Columns before the terms of the account.
 constexpr int kLeading = 5;
 
@@ -23,8 +24,9 @@ EnergyTerms terms_of(const std::string& row) {
   std::string field;
   for (int k = 0; k < kLeading; ++k) std::getline(fields, field, ',');
   EnergyTerms t;
-  for (double* term :
-       {&t.work, &t.elastic, &t.kinetic, &t.viscous, &t.sliding, &t.scaling, &t.removed, &t.initial}) {
+  double error = 0.0;  // which follows from the others
+  for (double* term : {&t.work, &t.elastic, &t.kinetic, &t.viscous, &t.sliding, &t.scaling, &t.removed,
+                       &t.initial, &error, &t.liquid, &t.law}) {
     std::getline(fields, field, ',');
     *term = std::strtod(field.c_str(), nullptr);
   }
@@ -34,9 +36,9 @@ EnergyTerms terms_of(const std::string& row) {
 }  // namespace
 
 template <int Dim>
-EnergyTracker<Dim>::EnergyTracker(const std::string& file, const Run<Dim>& run)
+EnergyTracker<Dim>::EnergyTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start)
     : MotionTable<Dim>(file, kEnergyHeader, run.point()),
-      account_(run.packing()),
+      account_(std::move(start)),
       time_(run.point().time + run.point().equilibration_time) {
   const std::string last = this->last_row();
   if (!last.empty()) account_.continue_from(terms_of(last));
@@ -45,9 +47,9 @@ EnergyTracker<Dim>::EnergyTracker(const std::string& file, const Run<Dim>& run)
 template <int Dim>
 void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
   const EnergyTerms& t = account_.terms();
-  this->add_row(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", this->place_of(run), time,
+  this->add_row(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", this->place_of(run), time,
                             solid_fraction(packing), t.work, t.elastic, t.kinetic, t.viscous, t.sliding,
-                            t.scaling, t.removed, t.initial, t.error()));
+                            t.scaling, t.removed, t.initial, t.error(), t.liquid, t.law));
 }
 
 template <int Dim>
@@ -57,6 +59,7 @@ void EnergyTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing
     account_ = EnergyAccount<Dim>(packing);
     return;
   }
+  if (account_.law() != packing.law) account_.change_law(packing.law);
   account_.advance(packing, time_step);
   if (++n_steps_ % kStepsPerChunk == 0) add_row_of(run, packing, time);
 }
@@ -79,7 +82,16 @@ std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions
                        fmt::format("stage \"{}\" is a simple shear, between whose steps the lattice "
                                    "is reduced; expected a scene without one",
                                    stage.name));
-  auto tracker = std::make_unique<EnergyTracker<Dim>>(directory.energy_table(), run);
+  if (options.assembly.vibration && options.assembly.protocol != AssemblyOptions::Protocol::state)
+    throw InputError(
+        "--track-energy",
+        "assembly.vibration moves the grains between two equilibria, by no force whose work could be "
+        "recorded; expected a scene without it");
+  // A step may begin with another law than the state before it has.
+  const RunPoint& point = run.point();
+  const bool at_a_state = point.step > 0 && point.equilibration.empty();
+  auto tracker = std::make_unique<EnergyTracker<Dim>>(
+      directory.energy_table(), run, at_a_state ? directory.start_of<Dim>(point.step) : run.packing());
   constexpr double kEveryStep = 0.0;
   run.set_observer({kEveryStep, [&run, recorder = tracker.get()](const Packing<Dim>& packing, double time) {
                       recorder->record(run, packing, time);

@@ -13,14 +13,15 @@ namespace floc {
 /// from the end of an aggregation on.
 ///
 /// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, then the terms
-/// of EnergyTerms (energy): work, elastic, kinetic, viscous, sliding, scaling, removed, initial, and error,
-/// what the account leaves open.
+/// of EnergyTerms (energy): work, elastic, kinetic, viscous, sliding, scaling, removed, initial, error, what the
+/// account leaves open, liquid and law.
 template <int Dim>
 class EnergyTracker final : public MotionTable<Dim> {
  public:
-  /// @param file  where the rows go
+  /// @param file   where the rows go
+  /// @param start  the packing that the account goes on from
   /// @throws InputError if the packing has walls
-  EnergyTracker(const std::string& file, const Run<Dim>& run);
+  EnergyTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start);
 
   /// Records a packing one time step further on its way. @param time  since the beginning of the run
   void record(const Run<Dim>& run, const Packing<Dim>& packing, double time);
@@ -36,7 +37,8 @@ class EnergyTracker final : public MotionTable<Dim> {
 
 /// Has the energy account of a run kept while it moves, in the table of its directory.
 /// @pre the run is not finished, and stays where it is in memory as long as it moves
-/// @throws InputError if its equilibria may be found by static steps, to which no motion leads
+/// @throws InputError if its equilibria may be found by static steps, to which no motion leads, or if its grains are
+/// moved otherwise between two of them
 template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory);

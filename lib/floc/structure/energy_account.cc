@@ -4,7 +4,11 @@
 #include <utility>
 #include <variant>
 
+#include "floc/geometry/separation.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/contact_order.h"
 #include "floc/packing/law_response.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/structure/contact_changes.h"
@@ -16,14 +20,19 @@ double spring_energy(double squared_force, double stiffness) {
   return stiffness > 0.0 ? 0.5 * squared_force / stiffness : 0.0;
 }
 
+/// Of the normal force, the attraction included.
+template <class Law, int Dim>
+double normal_energy(const Law& law, const Packing<Dim>& packing, const Contact<Dim>& c) {
+  return law.energy(pair_geometry(packing.grains, c), acting_parameters(law, packing.grains, c));
+}
+
 template <int Dim>
 double elastic_energy_of(const Packing<Dim>& packing) {
   return std::visit(
       [&](const auto& law) {
         double sum = 0.0;
         for (const Contact<Dim>& c : packing.contacts)
-          sum += law.energy(pair_geometry(packing.grains, c), acting_parameters(law, packing.grains, c)) +
-                 spring_energy(c.shear_force.squaredNorm(), c.kt) +
+          sum += normal_energy(law, packing, c) + spring_energy(c.shear_force.squaredNorm(), c.kt) +
                  spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
                  spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
         return sum;
@@ -126,6 +135,45 @@ double viscous_force(const AnyContactLaw& any, const Grains<Dim>& grains, const 
       any);
 }
 
+/// Change of the elastic energy, at the places that grains have at the end of a step, by what happened to the liquid in
+/// it: shared out anew, drawn into bridges that form, or left by those that no longer are in the list.
+template <int Dim>
+double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
+                        const ContactChanges<Dim>& changes) {
+  std::vector<Contact<Dim>> old;
+  for (Contact<Dim> c : before.contacts) {
+    if (bridge_volume(before, c) == 0.0) continue;
+    c.image += changes.wrapped[c.i] - changes.wrapped[c.j];
+    old.push_back(canonical(c));
+  }
+  std::sort(old.begin(), old.end(), precedes<Contact<Dim>>);
+  std::vector<bool> is_kept(old.size(), false);
+  return std::visit(
+      [&](const auto& law) {
+        double sum = 0.0;
+        for (Contact<Dim> c : after.contacts) {
+          const double volume = bridge_volume(after, c);
+          const Contact<Dim> name = canonical(c);
+          const auto place = std::lower_bound(old.begin(), old.end(), name, precedes<Contact<Dim>>);
+          const bool found = place != old.end() && !precedes(name, *place);
+          if (found) is_kept[static_cast<std::size_t>(place - old.begin())] = true;
+          const double volume_before = found ? bridge_volume(before, *place) : 0.0;
+          if (volume == volume_before) continue;
+          sum += normal_energy(law, after, c);
+          c.memory[MemoryLayout<Dim>::kAdhesion] = volume_before;
+          sum -= normal_energy(law, after, c);
+        }
+        for (std::size_t k = 0; k < old.size(); ++k) {
+          if (is_kept[k]) continue;
+          Contact<Dim> c = old[k];
+          c.gap = surface_gap<Dim>(exact_branch(after, c), after.grains.radius[c.i], after.grains.radius[c.j]);
+          sum -= normal_energy(law, after, c);
+        }
+        return sum;
+      },
+      compose_law(after.law));
+}
+
 /// One time step of a packing.
 template <int Dim>
 class Step {
@@ -150,6 +198,7 @@ class Step {
                        spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
     }
     terms.work += work();
+    if (holds_liquid(after_)) terms.liquid += energy_of_liquid(before_, after_, changes_);
   }
 
  private:
@@ -211,6 +260,18 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
   // Where velocities were set to zero, what the step itself had left of them is what the account lacks.
   if (terms_.kinetic == 0.0 && kinetic_before > 0.0) terms_.removed += terms_.error() - error_before;
   previous_ = now;
+}
+
+template <int Dim>
+void EnergyAccount<Dim>::change_law(const LawParameters& law) {
+  previous_.law = law;
+  find_contacts(previous_);
+  const double with_law = elastic_energy_of(previous_);
+  spread_liquid(previous_);
+  const double with_liquid = elastic_energy_of(previous_);
+  terms_.law += with_law - terms_.elastic;
+  terms_.liquid += with_liquid - with_law;
+  terms_.elastic = with_liquid;
 }
 
 template class EnergyAccount<2>;

@@ -15,14 +15,19 @@ struct EnergyTerms {
   double scaling = 0.0;  ///< lost by tangential forces whose stiffness varies with the load
   double removed = 0.0;  ///< taken out by setting all velocities to zero
   double initial = 0.0;  ///< elastic and kinetic at the beginning
+  /// Put in by sharing liquid out, and by bridges that form: change of the elastic energy with their volumes.
+  double liquid = 0.0;
+  double law = 0.0;  ///< put in by changes of the contact law: change of the elastic energy where grains are
 
-  /// What the account leaves open: work less everything else.
-  double error() const { return work + initial - elastic - kinetic - viscous - sliding - scaling - removed; }
+  /// What the account leaves open: what was put in less everything else.
+  double error() const {
+    return work + initial - elastic - kinetic - viscous - sliding - scaling - removed + liquid + law;
+  }
 };
 
-/// Keeps the energy account of a moving packing, from its state after each time step alone: work = change of
-/// elastic + change of kinetic + viscous + sliding + scaling + removed, up to an error that vanishes with the
-/// time step to first order (dashpots and caps) or second (without them).
+/// Keeps the energy account of a moving packing, from its state after each time step alone: work + liquid + law =
+/// change of elastic + change of kinetic + viscous + sliding + scaling + removed, up to an error that vanishes with the
+/// time step to first order (dashpots, caps and liquid) or second (without them).
 template <int Dim>
 class EnergyAccount {
  public:
@@ -31,6 +36,11 @@ class EnergyAccount {
 
   /// Adds one time step. @param now  the same grains after it, their contacts as the law has them
   void advance(const Packing<Dim>& now, double time_step);
+
+  /// Exchanges the law of the present packing, as a step of a load path does that begins with another one: forces are
+  /// those of the new law, and liquid is shared out anew.
+  void change_law(const LawParameters& law);
+  const LawParameters& law() const { return previous_.law; }
 
   /// Goes on from an account that was kept up to the present packing.
   void continue_from(const EnergyTerms& terms) { terms_ = terms; }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "support/dynamics.h"
 
@@ -73,6 +74,38 @@ TEST(EnergyAccount, ClosesForSpheresToFirstOrder) {
 
 TEST(EnergyAccount, ClosesForHertzAndMindlinToFirstOrder) {
   expect_to_close<3>(beads_law());
+}
+
+LawParameters wet_law(BridgeFormation formation, BridgeForm form) {
+  LawParameters law;
+  law.normal = LinearRepulsion{1e3};
+  law.friction = CoulombFriction{0.3, 800.0};
+  law.damping = ViscousDamping{0.5, DampingMass::effective};
+  law.adhesion = CapillaryAdhesion{1.0, 20.0, 0.02, 2.6, form, formation};
+  return law;
+}
+
+/// What bridges take up as they form and as liquid is shared out anew has a term of its own; the rest closes to first
+/// order.
+TEST(EnergyAccount, ClosesForWetGrainsToFirstOrder) {
+  std::cout << "formation form: error at a step, at half of it, order; work, liquid\n";
+  for (const BridgeFormation formation : {BridgeFormation::gap, BridgeFormation::contact})
+    for (const BridgeForm form : {BridgeForm::exponential, BridgeForm::rational}) {
+      double coarse = 0.0, fine = 0.0;
+      EnergyTerms t;
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const LawParameters law = wet_law(formation, form);
+        coarse += std::abs(deformed<3>(law, seed, 0.1).error());
+        t = deformed<3>(law, seed, 0.05);
+        fine += std::abs(t.error());
+        EXPECT_LT(std::abs(t.error()), 0.003 * t.work) << seed;
+        EXPECT_NE(t.liquid, 0.0);
+      }
+      const double order = std::log2(coarse / fine);
+      std::cout << static_cast<int>(formation) << " " << static_cast<int>(form) << ": " << coarse / 5 << " "
+                << fine / 5 << " " << order << "; " << t.work << " " << t.liquid << "\n";
+      EXPECT_GT(order, 0.7);
+    }
 }
 
 }  // namespace

@@ -204,6 +204,8 @@ std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
   for (const ModuliRow& r : rows) dimension = std::max(dimension, r.dimension);
   std::ranges::move(axis_columns(dimension), std::back_inserter(columns));
   columns.emplace_back("p_wall", [](const ModuliRow& r) { return or_undefined(r.wall_pressure); });
+  columns.emplace_back("bounds_hold", [](const ModuliRow& r) { return r.moduli.bounds_hold(); });
+  columns.emplace_back("bounds_hold_B_S", [](const ModuliRow& r) { return r.moduli.bounds_hold_B_S(); });
   return columns;
 }
 

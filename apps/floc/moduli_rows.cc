@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "fault.h"
+#include "floc/base/error.h"
 #include "floc/base/seconds_since.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/modes.h"
@@ -97,9 +98,13 @@ std::vector<std::optional<double>> rolling_of(const ModuliRequest& request) {
   return {request.rolling_stiffness.begin(), request.rolling_stiffness.end()};
 }
 
-/// @throws NoResult where there are none
-void require_moduli(const Moduli& moduli) {
-  if (!moduli.failure.empty()) throw NoResult("no moduli: " + moduli.failure);
+/// @throws InputError where the state has no bounds to take the moduli from, NoResult where there are none for
+/// another reason
+void require_moduli(const std::string& file, const Moduli& moduli) {
+  if (moduli.failure.empty()) return;
+  if (moduli.method == ModuliMethod::bounds)
+    throw InputError(file, fmt::format("--method bounds: expected another method, because {}", moduli.failure));
+  throw NoResult("no moduli: " + moduli.failure);
 }
 
 /// Moduli of a packing by PETSc.
@@ -151,7 +156,7 @@ std::vector<Moduli> ModuliRows::compute(const std::string& file, const State<Dim
     all = {space_.next(state.packing, options.unloaded)};
   if (all.front().factor_bytes > 0.0)
     all = without_factor(file, state.packing, all.front().factor_bytes, options);
-  std::ranges::for_each(all, require_moduli);
+  for (const Moduli& moduli : all) require_moduli(file, moduli);
   return all;
 }
 
@@ -200,7 +205,7 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
     const auto start = std::chrono::steady_clock::now();
     ModuliRow& row = rows.emplace_back(description);
     row.moduli = elastic_moduli(network, packing.grains.position, load, chosen, solver);
-    require_moduli(row.moduli);
+    require_moduli(file, row.moduli);
     row.seconds = seconds_since(start);
     row.rolling_stiffness = rolling;
     row.mean_field = mean_field_estimates(network, description.z, description.solid_fraction);

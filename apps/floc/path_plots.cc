@@ -250,6 +250,18 @@ std::string stress_unit(const std::string& units, int dimension, bool cohesive) 
   return "units of the state";
 }
 
+ModuliPoint ModuliPoint::with_bounds(bool hold, bool stable) const {
+  ModuliPoint point = *this;
+  if (!hold) point.B_reuss = point.B_voigt = std::nan("");
+  if (!hold && !stable) point.G_voigt = std::nan("");
+  return point;
+}
+
+ModuliPoint moduli_point(double P_star, const Moduli& m) {
+  return ModuliPoint{P_star, m.B, m.B_S, m.G, m.bounds.B_reuss, m.bounds.B_voigt, m.bounds.G_voigt}.with_bounds(
+      m.bounds_hold(), m.n_negative == 0);
+}
+
 Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit) {
   std::vector<double> pressures;
   for (const ModuliPoint& p : points) pressures.push_back(p.P_star);
@@ -263,7 +275,9 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
   plot.add("unloading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(false, branches, row));
   const std::string curves = plot_command(
       plot,
-      {{0, "using 1:5:6 with filledcurves fillcolor rgb '#e3eef6' title 'bounds of B: Reuss to Voigt'"},
+      {{0,
+        "using 1:5:6 with filledcurves fillcolor rgb '#e3eef6' title 'bounds of B, where they hold: Reuss to "
+        "Voigt'"},
        {0, "using 1:5 with lines linecolor rgb '#9cc3de' notitle"},
        {0, "using 1:6 with lines linecolor rgb '#9cc3de' notitle"},
        {0, "using 1:7 with lines dashtype 3 linecolor rgb '#d55e00' title 'Voigt bound of G'"},

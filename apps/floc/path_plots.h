@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit_tables.h"
+#include "floc/elasticity/moduli.h"
 #include "floc/fitting/consolidation.h"
 #include "gnuplot.h"
 
@@ -34,11 +35,18 @@ Plot coordination_plot(const CsvTable& path);
 /// @param units  "reduced" or "SI"
 std::string stress_unit(const std::string& units, int dimension, bool cohesive);
 
-/// A state's moduli and their bounds (stress).
+/// A state's moduli and their bounds (stress); NaN where they are none.
 struct ModuliPoint {
   double P_star;
   double B, B_S, G, B_reuss, B_voigt, G_voigt;
+
+  /// Takes away what is no bound. @param hold  whether B_reuss <= B <= B_voigt is a theorem
+  /// @param stable  whether no eigenvalue of the stiffness matrix is negative: G <= G_voigt then
+  ModuliPoint with_bounds(bool hold, bool stable) const;
 };
+
+/// The point of moduli that were solved for.
+ModuliPoint moduli_point(double P_star, const Moduli& moduli);
 
 /// Moduli against P*, both logarithmic, with what bounds them; loading filled, unloading open symbols.
 /// @param unit  of the moduli, in words

@@ -63,14 +63,8 @@ ModuliPoint moduli_of_state(const AnyState& any) {
       [](const auto& state) {
         ModuliOptions options;
         options.unloaded = state.target_stress.isZero(0.0);
-        const Moduli m = elastic_moduli(state.packing, options);
-        return ModuliPoint{reduced_pressure(state.packing, state.target_stress.mean()),
-                           m.B,
-                           m.B_S,
-                           m.G,
-                           m.bounds.B_reuss,
-                           m.bounds.B_voigt,
-                           m.bounds.G_voigt};
+        return moduli_point(reduced_pressure(state.packing, state.target_stress.mean()),
+                            elastic_moduli(state.packing, options));
       },
       any);
 }
@@ -84,6 +78,20 @@ std::string unit_of_table(const CsvTable& table) {
   const auto number = [&](const char* name) { return table.number(row, table.column(name)); };
   return stress_unit(table.text(row, table.column("units")), static_cast<int>(number("dimension")),
                      std::abs(number("P") - number("P_star")) < 0.1 * std::abs(number("P")));
+}
+
+/// Whether the bounds of a row of a table of `floc moduli` hold: as it says, or, in one of floc 0.2 and before,
+/// where nothing acts across a gap.
+bool bounds_hold(const CsvTable& table, int row) {
+  if (table.has("bounds_hold")) return table.text(row, table.column("bounds_hold")) == "true";
+  return !table.has("n_distant") || table.number(row, table.column("n_distant")) == 0.0;
+}
+
+/// Whether a row counts no negative eigenvalue; some methods count none.
+bool is_stable(const CsvTable& table, int row) {
+  if (!table.has("n_negative")) return true;
+  const int column = table.column("n_negative");
+  return table.is_empty(row, column) || table.number(row, column) == 0.0;
 }
 
 Made moduli(const PlotArguments& arguments) {
@@ -101,7 +109,8 @@ Made moduli(const PlotArguments& arguments) {
         return table.is_empty(i, columns[k]) ? std::nan("") : table.number(i, columns[k]);
       };
       // A packing without load has no Reuss bound, and no place on a logarithmic axis of pressures.
-      points.push_back({x(4) > 0.0 ? x(0) : 0.0, x(1), x(2), x(3), x(4), x(5), x(6)});
+      const ModuliPoint point{x(4) > 0.0 ? x(0) : 0.0, x(1), x(2), x(3), x(4), x(5), x(6)};
+      points.push_back(point.with_bounds(bounds_hold(table, i), is_stable(table, i)));
     }
     if (table.n_rows() > 0) unit = unit_of_table(table);
   } else {

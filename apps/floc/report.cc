@@ -49,9 +49,9 @@ struct ReportedRun {
   std::optional<State<Dim>> first;
   std::vector<ModuliPoint> moduli;
   Table packings{{"state", "branch", "P*", "Φ", "z", "z+", "z−", "z0", "distant", "rattlers x0"}, {}};
-  Table elasticity{
-      {"state", "P*", "B Reuss", "B", "± B", "B Voigt", "G", "± G", "G Voigt", "isotropy defect", "unstable"},
-      {}};
+  Table elasticity{{"state", "P*", "B Reuss", "B", "± B", "B Voigt", "G", "± G", "G Voigt", "isotropy defect",
+                    "unstable", "bounds hold"},
+                   {}};
   std::vector<std::string> warnings;
   std::map<std::string, std::vector<int>> state_warnings;  ///< what is to be said of which states
 };
@@ -77,12 +77,13 @@ void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
       coordination(packing, state.tolerance.force * force_scale(packing, state.target_stress).force);
   const double P_star = reduced_pressure(packing, state.target_stress.mean());
   const std::int64_t step = state.path.step;
-  run.moduli.push_back({P_star, m.B, m.B_S, m.G, m.bounds.B_reuss, m.bounds.B_voigt, m.bounds.G_voigt});
+  run.moduli.push_back(moduli_point(P_star, m));
   run.packings.rows.push_back({step, state.path.branch, P_star, solid_fraction(packing), counted.z,
                                counted.z_plus, counted.z_minus, counted.z_zero, std::int64_t{counted.n_distant},
                                counted.rattler_fraction});
   run.elasticity.rows.push_back({step, P_star, m.bounds.B_reuss, m.B, m.B_error, m.bounds.B_voigt, m.G,
-                                 m.G_error, m.bounds.G_voigt, m.isotropy_defect, std::int64_t{m.n_negative}});
+                                 m.G_error, m.bounds.G_voigt, m.isotropy_defect, std::int64_t{m.n_negative},
+                                 m.bounds_hold()});
   for (const std::string& warning : m.warnings) run.state_warnings[warning].push_back(state.path.step);
   if (const std::string message = equilibrium_faults(state); !message.empty())
     run.state_warnings["not in equilibrium: " + message].push_back(state.path.step);
@@ -199,7 +200,7 @@ std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& r
   add(consolidation_plot({run.path}, fitted), "Consolidation curve, its fit, unloading and elastic line.");
   const bool cohesive = run.first->packing.law.adheres();
   add(moduli_plot(run.moduli, stress_unit(run.first->units, Dim, cohesive)),
-      "Bulk and shear moduli between their bounds.");
+      "Bulk and shear moduli, with their bounds where these hold.");
   add(coordination_plot(run.path.table), "Coordination by the sign of the normal force; open: unloading.");
   std::vector<ForceSample> forces;
   std::vector<ScatteringSample> scattering;

@@ -1,5 +1,6 @@
 #include "floc/elasticity/bounds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,9 @@ namespace {
 /// A pressure below this share of what the forces could sum up to is what an equilibrium, solved to 1e-8,
 /// leaves of zero.
 constexpr double kNoPressure = 1e-8;
+/// Forces balance where no grain or wall is left with more than this share of the largest of them: a hundred
+/// times what equilibrium tolerates. Less changes the complementary energy by a share of the same order.
+constexpr double kBalanced = 1e-3;
 
 struct Sums {
   int n = 0;  // touching contacts
@@ -69,6 +73,57 @@ void add_printed_forms(const ContactNetwork<Dim>& network, const MeanField& m, c
   b.B_reuss_printed = mean_field_bulk<Dim>(m, kn, d * d, power) / b.Z2;
 }
 
+/// What a contact carries, row by row of ContactRows.
+template <int Dim>
+RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
+  RowStiffness<Dim> f;
+  f[0] = c.normal_force;
+  f.template segment<Dim - 1>(1) = c.frame.template rightCols<Dim - 1>().transpose() * c.shear_force;
+  RotationVector<Dim> moment = c.rolling_moment;
+  if constexpr (Dim == 3) moment += c.twisting_moment * c.normal();
+  f.template tail<kRotations<Dim>>() = rotation_axes(c.frame).transpose() * moment;
+  return f;
+}
+
+/// Whether the forces of the contacts are in equilibrium on every grain and on the walls that move together:
+/// those that are not say nothing of the complementary energy.
+template <int Dim>
+bool forces_balance(const ContactNetwork<Dim>& network) {
+  Eigen::VectorXd on_grains = Eigen::VectorXd::Zero(network.n_unknowns());
+  Vec<Dim> on_walls = Vec<Dim>::Zero();
+  double largest = 0.0, largest_on_walls = 0.0;
+  for (const NetworkContact<Dim>& c : network.contacts) {
+    const ContactRows<Dim> rows = contact_rows(c);
+    const RowStiffness<Dim> forces = row_forces(c);
+    on_grains.segment<kDofs<Dim>>(first_unknown<Dim>(c.i)) += rows.on_i.transpose() * forces;
+    on_grains.segment<kDofs<Dim>>(first_unknown<Dim>(c.j)) += rows.on_j.transpose() * forces;
+    on_walls += rows_on_walls(c).transpose() * forces;
+    const double force = std::abs(c.normal_force) + c.shear_force.norm();
+    largest = std::max(largest, force);
+    if (c.on_wall()) largest_on_walls += std::abs(c.normal_force);
+  }
+  for (int i = 0; i < network.n_grains; ++i) {
+    const auto load = on_grains.segment<kDofs<Dim>>(first_unknown<Dim>(i));
+    const double moment = load.template tail<kRotations<Dim>>().norm() / network.grain_size[i];
+    if (std::max(load.template head<Dim>().norm(), moment) > kBalanced * largest) return false;
+  }
+  return std::ranges::all_of(network.wall_axes,
+                             [&](int a) { return std::abs(on_walls[a]) <= kBalanced * largest_on_walls; });
+}
+
+/// See Bounds::fault.
+template <int Dim>
+std::string fault_of_bounds(const ContactNetwork<Dim>& network, double B_reuss) {
+  const auto any = [&](auto&& has) { return std::ranges::any_of(network.contacts, has); };
+  using Contact = NetworkContact<Dim>;
+  if (any([](const Contact& c) { return c.distant; }))
+    return "attractions across gaps have a negative stiffness, with which the energy of forces has no minimum";
+  if (any([](const Contact& c) { return std::min({c.kn, c.kt, c.kr, c.ktw}) < 0.0; }))
+    return "contacts have a negative stiffness, with which the energy of forces has no minimum";
+  if (B_reuss > 0.0 && !forces_balance(network)) return "the forces do not balance";
+  return "";
+}
+
 }  // namespace
 
 template <int Dim>
@@ -78,10 +133,10 @@ Bounds elastic_bounds(const ContactNetwork<Dim>& network, double pressure, const
   b.B_voigt = bulk_modulus(affine);
   b.G_voigt = pure_shear_modulus(affine);
   const Sums s = sum_over_contacts(network);
-  if (s.n == 0) return b;
   const bool loaded = std::abs(pressure) * Dim * network.volume > kNoPressure * s.virial;
   if (loaded && s.complementary > 0.0) b.B_reuss = network.volume * pressure * pressure / s.complementary;
-  add_printed_forms(network, mean_field, s, b);
+  b.fault = fault_of_bounds(network, b.B_reuss);
+  if (s.n > 0) add_printed_forms(network, mean_field, s, b);
   return b;
 }
 

@@ -29,6 +29,8 @@ constexpr double kWarnCondition = 1e10;
 constexpr double kToleranceOfSolution = 1e-3;
 /// The same of a solver that takes steps of no such gain: each costs.
 constexpr double kToleranceOfIterativeSolution = 0.1;
+/// Share of the pressure by which principal stresses may differ where B_reuss bounds B_S.
+constexpr double kIsotropic = 1e-4;
 /// Relative rounding of the volume of the cell and of the forces that convect.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
@@ -133,6 +135,12 @@ void add_warnings(Moduli& m) {
   if (std::isfinite(m.condition) && m.condition > kWarnCondition)
     m.warnings.push_back(fmt::format(
         "condition number {:.1e}: soft modes dominate the moduli; see the moduli with prestress", m.condition));
+  if (!m.bounds_hold())
+    m.warnings.push_back("B_reuss and B_voigt do not bound B, because " + m.bounds.fault);
+  else if (!m.isotropic_stress && m.bounds.B_reuss > m.B_S)
+    m.warnings.push_back(fmt::format(
+        "B_reuss = {:.6g} exceeds B_S = {:.6g}: it bounds B alone, because the principal stresses are unequal",
+        m.bounds.B_reuss, m.B_S));
 }
 
 template <int Dim>
@@ -184,14 +192,37 @@ ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) c
 namespace {
 
 /// The middle between the bounds of the network, B_reuss <= B <= B_voigt and 0 <= G <= G_voigt, and half their
-/// distance.
+/// distance, where they are bounds.
 void set_midpoint_of_bounds(int n_strains, Moduli& m) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   m.method = ModuliMethod::bounds;
-  m.C = m.C_error = Eigen::MatrixXd::Constant(n_strains, n_strains, std::numeric_limits<double>::quiet_NaN());
-  m.B = m.B_S = 0.5 * (m.bounds.B_reuss + m.bounds.B_voigt);
-  m.B_error = m.B_S_error = 0.5 * (m.bounds.B_voigt - m.bounds.B_reuss);
+  m.C = m.C_error = Eigen::MatrixXd::Constant(n_strains, n_strains, kNone);
+  m.isotropy_defect = m.residual = m.condition = kNone;
+  m.B = m.B_S = m.G = m.B_error = m.B_S_error = m.G_error = kNone;
+  if (!m.bounds_hold()) {
+    m.failure = m.bounds.fault;
+    return;
+  }
+  const double low = std::min(m.bounds.B_reuss, m.bounds.B_voigt);  // which they are but for rounding
+  m.B = 0.5 * (low + m.bounds.B_voigt);
+  m.B_error = 0.5 * (m.bounds.B_voigt - low);
   m.G = m.G_error = 0.5 * m.bounds.G_voigt;
-  m.isotropy_defect = m.residual = m.condition = m.C(0, 0);
+  if (m.isotropic_stress) {
+    m.B_S = m.B;
+    m.B_S_error = m.B_error;
+  } else {
+    m.warnings.emplace_back(
+        "no B_S: B_reuss bounds it where the principal stresses are equal, and here they are not");
+  }
+}
+
+/// Whether the stress on the strains of the network is a pressure.
+template <int Dim>
+bool is_isotropic(const Mat<Dim>& stress, double pressure, StrainSet strains) {
+  const Mat<Dim> deviator = stress - pressure * Mat<Dim>::Identity();
+  const double largest = strains == StrainSet::diagonal ? deviator.diagonal().cwiseAbs().maxCoeff()
+                                                        : deviator.cwiseAbs().maxCoeff();
+  return largest <= kIsotropic * std::abs(pressure);
 }
 
 /// @param respond  elastic_response with what is kept from one call to the next
@@ -203,7 +234,8 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
   m.pressure = load.stress.trace() / Dim;
   m.n_mobilised = load.n_mobilised;
   m.bounds = elastic_bounds(network, load.unloaded ? 0.0 : m.pressure, load.mean_field);
-
+  if (options.prestress && m.bounds_hold()) m.bounds.fault = "B contains the geometric terms of the forces";
+  m.isotropic_stress = m.bounds.B_reuss == 0.0 || is_isotropic<Dim>(load.stress, m.pressure, options.strains);
   if (options.method == ModuliMethod::bounds) {
     set_midpoint_of_bounds(n_strains<Dim>(options.strains), m);
     return m;

@@ -18,8 +18,10 @@ enum class ModuliMethod {
   factor,         ///< Cholesky factor in double precision, error bounds
   single_factor,  ///< in single precision, refined in double: half the memory, error estimates
   iterative,      ///< conjugate gradients from the last state's solution, with its factor: error estimates
-  bounds,         ///< the middle between the bounds of the network: nothing is solved, the error is a bound
-  petsc,          ///< conjugate gradients by PETSc, on one process or many: error estimates
+  /// The middle between the bounds of the network: nothing is solved, the error is a bound. Fails where they are
+  /// none (Bounds::fault); B_S and its error are NaN where the stress is not isotropic.
+  bounds,
+  petsc,  ///< conjugate gradients by PETSc, on one process or many: error estimates
 };
 
 struct ModuliOptions {
@@ -78,7 +80,9 @@ struct Moduli {
   double B_S_error = 0.0;
   double G_error = 0.0;
   double isotropy_defect = 0.0;  ///< largest less smallest of C11, C22 (, C33), over their mean
-  Bounds bounds;
+  Bounds bounds;                 ///< of these moduli: with prestress they are none, and their fault says so
+  /// The principal stresses that load the network are equal, to one part in 10^4, or bounds.B_reuss is zero.
+  bool isotropic_stress = true;
   int n_negative = 0;    ///< negative eigenvalues of K, strains included
   int n_mechanisms = 0;  ///< vanishing eigenvalues of K beyond free motions found by structure
   /// Mechanisms among them that strain the cell at no cost: the moduli along them are zero.
@@ -99,6 +103,10 @@ struct Moduli {
   ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< of refinement
   std::vector<std::string> warnings;
+  /// Whether bounds.B_reuss <= B <= bounds.B_voigt is a theorem.
+  bool bounds_hold() const { return bounds.fault.empty(); }
+  /// Whether bounds.B_reuss <= B_S is one as well.
+  bool bounds_hold_B_S() const { return bounds_hold() && isotropic_stress; }
   /// Why there are no moduli, in words; all but the bounds is then meaningless. Empty where there are some.
   std::string failure;
   /// Predicted size of the factor (bytes), where that is the reason; else 0.

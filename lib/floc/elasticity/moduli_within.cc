@@ -22,9 +22,7 @@ constexpr int kMaxForSingle = 1000;
 /// Whether the middle between the bounds can be given as B, with half their distance as its error.
 template <int Dim>
 bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, const ModuliAccuracy& accuracy) {
-  if (std::isfinite(accuracy.G) || options.prestress || options.strains == StrainSet::full) return false;
-  if (std::any_of(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.distant; }))
-    return false;
+  if (std::isfinite(accuracy.G) || options.strains == StrainSet::full) return false;
   const Vec<Dim> stress = static_stress(packing).diagonal();
   return stress.maxCoeff() - stress.minCoeff() <= kAnisotropyShare * accuracy.B * std::abs(stress.mean());
 }
@@ -71,6 +69,7 @@ Moduli moduli_within(const Packing<Dim>& packing, ModuliOptions options, const M
     if (method == ModuliMethod::bounds && !bounds_suffice(packing, options, accuracy)) continue;
     options.method = method;
     moduli = elastic_moduli(packing, options);
+    if (method == ModuliMethod::bounds && !moduli.failure.empty()) continue;
     if (accuracy.met_by(moduli) && fully_counted(moduli)) break;
   }
   return moduli;

@@ -27,8 +27,7 @@ struct ModuliAccuracy {
 std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains);
 
 /// Moduli by the cheapest of these methods whose own errors are within what is asked: the bounds where they
-/// bound B (no prestress, nothing in tension across a gap, equal principal stresses) and nothing else is
-/// wanted, a single-precision factor where it finds no mechanism, the full factor otherwise. The last is given
+/// bound B (Moduli::bounds_hold()), the principal stresses are equal and nothing else is wanted, a single-precision factor where it finds no mechanism, the full factor otherwise. The last is given
 /// even where its errors are not within, see `accuracy.met_by()`.
 /// @param options  of the solution; method and tolerance are chosen
 /// @throws InputError with the faults of options and accuracy

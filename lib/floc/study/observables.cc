@@ -27,8 +27,8 @@ double tail_of(const Packing<2>& packing, double sign) {
 Observation observe_moduli(const State<2>& state, ModuliSequence<2>& sequence, const Observation& other) {
   Observation x = other;
   const Moduli moduli = sequence.next(state.packing, state.target_stress.isZero(0.0));
-  x[kB] = moduli.B;
-  x[kG] = moduli.G;
+  x[kB] = moduli.failure.empty() ? moduli.B : kNoValue;
+  x[kG] = moduli.failure.empty() ? moduli.G : kNoValue;
   x[kBReuss] = moduli.bounds.B_reuss;
   return x;
 }

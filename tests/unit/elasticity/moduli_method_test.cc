@@ -1,8 +1,10 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "floc/elasticity/moduli.h"
+#include "support/lattices.h"
 #include "support/network_packings.h"
 
 namespace floc {
@@ -86,6 +88,34 @@ TEST(ModuliMethod, TheMiddleBetweenTheBoundsIsOffByHalfTheirDistanceAtMost) {
   expect_within_errors(m, exact);
   EXPECT_TRUE(std::isnan(m.C(0, 0)));
   EXPECT_EQ(m.method, ModuliMethod::bounds);
+}
+
+/// Moduli of a crystal whose contacts were changed, by the bounds.
+Moduli bounds_of_changed(void (*change)(NetworkContact<2>&)) {
+  const Packing<2> packing = test::triangular_crystal(4, 0.999, test::elastic_law(1.0, 0.7, 0.03));
+  ModuliOptions options;
+  options.method = ModuliMethod::bounds;
+  ContactNetwork<2> network = options.loaded_network(packing);
+  change(network.contacts.front());
+  return elastic_moduli(network, network_load(packing, false), options);
+}
+
+TEST(ModuliMethod, BoundsFailWithAReasonWhereTheyAreNone) {
+  using Contact = NetworkContact<2>;
+  EXPECT_TRUE(bounds_of_changed([](Contact&) {}).failure.empty());
+  const std::pair<void (*)(Contact&), const char*> changes[] = {
+      {[](Contact& c) { c.kn = -1e-3; }, "contacts have a negative stiffness"},
+      {[](Contact& c) { c.kt = -1e-3; }, "contacts have a negative stiffness"},
+      {[](Contact& c) { c.kr = -1e-3; }, "contacts have a negative stiffness"},
+      {[](Contact& c) { c.distant = true; }, "attractions across gaps"},
+      {[](Contact& c) { c.normal_force *= 1.01; }, "the forces do not balance"},
+      {[](Contact& c) { c.rolling_moment[0] += 0.1 * c.normal_force; }, "the forces do not balance"}};
+  for (const auto& [change, reason] : changes) {
+    const Moduli m = bounds_of_changed(change);
+    EXPECT_THAT(m.failure, testing::HasSubstr(reason));
+    EXPECT_FALSE(m.bounds_hold() || m.bounds_hold_B_S());
+    EXPECT_TRUE(std::isnan(m.B) && std::isnan(m.B_error) && std::isnan(m.B_S) && std::isnan(m.G));
+  }
 }
 
 }  // namespace

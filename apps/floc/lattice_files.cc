@@ -14,7 +14,9 @@
 #include "floc/io/atomic_file.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/picture/lattice_picture.h"
+#include "floc/structure/force_distribution.h"
 #include "gnuplot.h"
+#include "repeated_warnings.h"
 
 namespace floc {
 namespace {
@@ -79,16 +81,17 @@ std::vector<Named> distributions(const LatticeRow& row, const LoadedSample<Dim>&
 }
 
 Table distribution_table(const std::vector<Named>& all, double width) {
-  Table table{{"of", "low", "high", "count", "n", "density", "unit"}, {}};
+  Table table{{"of", "low", "high", "count", "n", "density", "unit", "n_outside"}, {}};
   for (const Named& named : all) {
     // x counts along the load: stresses of its sign are positive.
     const double unit = named.distribution.unit;
     if (unit == 0.0) continue;
-    const StressHistogram h = stress_histogram(named.values, unit, width);
+    const ForceDistribution h = distribution_of(named.values, unit, width);
+    if (h.n_outside > 0) warn("distribution of " + named.name, outside_bins(h, "values", "--bin-width"));
     for (int b = 0; b < static_cast<int>(h.counts.size()); ++b)
       if (h.counts[b] > 0)
-        table.rows.push_back({named.name, (h.first + b) * width, (h.first + b + 1) * width, count(h.counts[b]),
-                              count(h.n), h.density(b), unit});
+        table.rows.push_back(
+            {named.name, h.low(b), h.low(b + 1), h.counts[b], h.n, h.density(b), unit, h.n_outside});
   }
   return table;
 }
@@ -112,7 +115,7 @@ Plot stress_plot(const LatticeRow& row, const std::vector<Named>& all, double wi
   for (std::size_t s = 0; s < all.size(); ++s) {
     const StressDistribution& d = all[s].distribution;
     if (d.unit == 0.0) continue;
-    const StressHistogram h = stress_histogram(all[s].values, d.unit, width);
+    const ForceDistribution h = distribution_of(all[s].values, d.unit, width);
     std::vector<std::vector<double>> points;
     for (int b = 0; b < static_cast<int>(h.counts.size()); ++b)
       if (h.counts[b] > 0) points.push_back({h.middle(b), h.density(b)});

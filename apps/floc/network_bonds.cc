@@ -15,6 +15,7 @@
 #include "floc/structure/force_distribution.h"
 #include "floc/structure/particle_stress.h"
 #include "output.h"
+#include "repeated_warnings.h"
 
 namespace floc {
 namespace {
@@ -87,8 +88,10 @@ Measured limits_of(const std::string& quantity, const std::string& unit, double 
 /// Forces over F0, over their mean size and over P a^(Dim-1); particle pressures over p0 and over their mean size.
 template <int Dim>
 std::vector<Measured> measured(const Packing<Dim>& packing, const std::vector<double>& pressure,
-                               double unit_pressure, const BondArguments& arguments) {
+                               double unit_pressure, const ForceLimits& limits,
+                               const BondArguments& arguments) {
   const double F0 = pull_off_force(packing);
+  const bool no_pressure = pressure_force(packing) <= limits.pressure || pressure_is_noise(packing);
   const std::vector<double> forces = contact_forces(packing, ForceKind::normal);
   std::vector<Measured> all;
   const auto add = [&](const std::string& quantity, const std::string& unit, double size,
@@ -101,9 +104,9 @@ std::vector<Measured> measured(const Packing<Dim>& packing, const std::vector<do
     all.push_back(std::move(m));
   };
   add("force", "F0", F0, forces);
-  add("force", "mean", mean_size(forces), forces);
-  add("force", "P", pressure_force(packing), forces);
-  add("pressure", "p0", unit_pressure, pressure);
+  add("force", "mean", force_unit(packing, ForceKind::normal, ForceUnit::mean), forces);
+  add("force", "P", no_pressure ? 0.0 : pressure_force(packing), forces);
+  add("pressure", "p0", F0 == 0.0 && no_pressure ? 0.0 : unit_pressure, pressure);
   add("pressure", "mean", mean_size(pressure), pressure);
   return all;
 }
@@ -111,8 +114,11 @@ std::vector<Measured> measured(const Packing<Dim>& packing, const std::vector<do
 void add_histogram(const std::string& file, const std::vector<double>& pressures, double unit, double width,
                    Table& table) {
   const ForceDistribution d = distribution_of(pressures, 1.0, width);
+  if (d.n_outside > 0)
+    warn(file, outside_bins(d, "particle pressures", "--pressure-bin-width"), static_cast<double>(d.n_outside));
   for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
-    table.rows.push_back({file, size_or_none(unit), d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b)});
+    table.rows.push_back(
+        {file, size_or_none(unit), d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b), d.n_outside});
 }
 
 void add_phase_tables(const std::string& file, const PhaseStructure& phases, BondTables& tables) {
@@ -193,7 +199,7 @@ void add_bond_options(CommandLine app, BondArguments& arguments) {
 
 template <int Dim>
 BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std::vector<double>& pressure,
-                 double zero_force, const BondArguments& arguments, BondTables& tables) {
+                 const ForceLimits& limits, const BondArguments& arguments, BondTables& tables) {
   BondRow row;
   if (arguments.asks_nothing() || packing.grains.size() == 0) return row;
   const double d = mean_diameter(packing), phi = solid_fraction(packing);
@@ -203,18 +209,18 @@ BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std
   row.rumpf_strength = rumpf_strength(Dim, phi, F0, d);
   row.unit_pressure = F0 > 0.0 ? F0 / std::pow(d, Dim - 1) : static_stress(packing).trace() / Dim;
   if (!arguments.needs_phases() && !arguments.needs_values()) return row;
-  const std::vector<bool> rattler = find_rattlers(packing, zero_force);
+  const std::vector<bool> rattler = find_rattlers(packing, limits.zero);
   if (arguments.needs_phases()) {
     row.phases =
         phase_structure(contact_network(packing), packing.cell,
-                        pressure_beyond_zero(packing, pressure, rattler, zero_force), arguments.phases);
+                        pressure_beyond_zero(packing, pressure, rattler, limits.zero), arguments.phases);
     add_phase_tables(file, *row.phases, tables);
   }
   if (!arguments.needs_values()) return row;
   std::vector<double> held;
   for (std::size_t i = 0; i < pressure.size(); ++i)
     if (!rattler[i]) held.push_back(pressure[i]);
-  for (const Measured& m : measured(packing, held, row.unit_pressure, arguments)) {
+  for (const Measured& m : measured(packing, held, row.unit_pressure, limits, arguments)) {
     if (!arguments.exponents.empty()) add_exponents(file, m, tables.exponents);
     if (m.unit == "p0" && !arguments.pressures.empty())
       add_histogram(file, m.values, m.unit_size, arguments.bin_width, tables.pressures);
@@ -273,9 +279,9 @@ void write_bond_tables(const BondArguments& arguments, const BondTables& tables)
     if (!path->empty()) write_csv(*path, *table);
 }
 
-template BondRow bond_row(const std::string&, const Packing<2>&, const std::vector<double>&, double,
+template BondRow bond_row(const std::string&, const Packing<2>&, const std::vector<double>&, const ForceLimits&,
                           const BondArguments&, BondTables&);
-template BondRow bond_row(const std::string&, const Packing<3>&, const std::vector<double>&, double,
+template BondRow bond_row(const std::string&, const Packing<3>&, const std::vector<double>&, const ForceLimits&,
                           const BondArguments&, BondTables&);
 
 }  // namespace floc

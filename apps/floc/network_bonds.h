@@ -43,17 +43,23 @@ struct BondRow {
 struct BondTables {
   Table exponents{{"file", "quantity", "unit", "unit_size", "side", "from", "to", "n", "exponent", "stderr"},
                   {}};
-  Table pressures{{"file", "unit_stress", "low", "high", "count", "n", "density"}, {}};
+  Table pressures{{"file", "unit_stress", "low", "high", "count", "n", "density", "n_outside"}, {}};
   Table neighbours{{"file", "phase", "like_low", "like_high", "n_grains", "mean_size", "stderr"}, {}};
   Table clusters{{"file", "phase", "n_grains", "count"}, {}};
   /// Values of all states by quantity and unit, each in its own unit.
   std::map<std::pair<std::string, std::string>, std::vector<double>> pooled;
 };
 
-/// @param pressure  of each grain (stress)   @param zero_force  largest normal force that counts as zero (force)
+/// What is no more than equilibrium leaves of zero (force).
+struct ForceLimits {
+  double zero;      ///< largest normal force that counts as zero
+  double pressure;  ///< largest P a^(Dim-1) that is no unit
+};
+
+/// @param pressure  of each grain (stress)
 template <int Dim>
 BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std::vector<double>& pressure,
-                 double zero_force, const BondArguments& arguments, BondTables& tables);
+                 const ForceLimits& limits, const BondArguments& arguments, BondTables& tables);
 
 /// The columns of the groups asked for.
 std::vector<Column<BondRow>> bond_columns(const BondArguments& arguments);

@@ -69,23 +69,46 @@ void add_contacts_and_stress(const Packing<Dim>& packing, NetworkRow& row) {
 }
 
 void add_distribution(const std::string& file, ForceKind kind, const ForceDistribution& d, Table& table) {
+  if (d.n_outside > 0)
+    warn(file, outside_bins(d, name_of(kind) + " forces", "--bin-width or another --unit"),
+         static_cast<double>(d.n_outside));
   for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
-    table.rows.push_back({file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b)});
+    table.rows.push_back(
+        {file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b), d.n_outside});
+}
+
+/// Force of a pressure that is no more than equilibrium leaves of zero.
+template <int Dim>
+double least_pressure_force(const State<Dim>& state) {
+  return state.tolerance.stress * force_scale(state.packing, state.target_stress).force;
+}
+
+/// Why there is no unit for the normal forces of a state.
+const char* why_no_unit(ForceUnit unit) {
+  switch (unit) {
+    case ForceUnit::pull_off:
+      return "F0 = 0, take --unit mean";
+    case ForceUnit::pressure:
+      return "P is not positive beyond rounding and the tolerance of equilibrium, take --unit mean";
+    default:
+      return "all are zero but for rounding";
+  }
 }
 
 template <int Dim>
-void add_distributions(const std::string& file, const Packing<Dim>& packing, const NetworkCommand& command,
+void add_distributions(const std::string& file, const State<Dim>& state, const NetworkCommand& command,
                        NetworkTables& side) {
+  const Packing<Dim>& packing = state.packing;
   const ForceUnit unit = command.unit == "F0"  ? ForceUnit::pull_off
                          : command.unit == "P" ? ForceUnit::pressure
                                                : ForceUnit::mean;
+  const bool no_pressure =
+      unit == ForceUnit::pressure && pressure_force(packing) <= least_pressure_force(state);
   for (const ForceKind kind : kForceKinds) {
-    const ForceDistribution d = force_distribution(packing, kind, unit, command.bin_width);
+    const double size = no_pressure ? 0.0 : force_unit(packing, kind, unit);
+    const ForceDistribution d = distribution_of(contact_forces(packing, kind), size, command.bin_width);
     if (d.n == 0 && kind == ForceKind::normal)
-      warn(file, fmt::format("no unit for the normal forces: {}", unit == ForceUnit::mean ? "all are zero"
-                                                                  : unit == ForceUnit::pressure
-                                                                      ? "P is not positive, take --unit mean"
-                                                                      : "F0 = 0, take --unit mean"));
+      warn(file, fmt::format("no unit for the normal forces: {}", why_no_unit(unit)));
     add_distribution(file, kind, d, side.distributions);
     side.pooled[kind].add(d);
   }
@@ -142,8 +165,9 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   row.carrying = carrying_forces(packing, between_grains(packing, held));
   if (command.mechanics() && packing.walls.empty()) add_mechanics(state, held, tolerance, row);
   add_contacts_and_stress(packing, row);
-  row.bonds = bond_row(file, packing, pressure, zero_force, command.bonds, side.bonds);
-  if (!command.distributions.empty()) add_distributions(file, packing, command, side);
+  row.bonds =
+      bond_row(file, packing, pressure, {zero_force, least_pressure_force(state)}, command.bonds, side.bonds);
+  if (!command.distributions.empty()) add_distributions(file, state, command, side);
   if (!command.pressures.empty()) add_pressures(file, packing, stress, side.pressures);
   row.seconds = seconds_since(start);
   return row;

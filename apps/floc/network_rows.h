@@ -62,7 +62,7 @@ using Pooled = std::map<ForceKind, ForceDistribution>;
 
 /// Rows that go to files beside the main table.
 struct NetworkTables {
-  Table distributions{{"file", "kind", "unit_force", "low", "high", "count", "n", "density"}, {}};
+  Table distributions{{"file", "kind", "unit_force", "low", "high", "count", "n", "density", "n_outside"}, {}};
   Table pressures;
   Pooled pooled;
   BondTables bonds;

@@ -95,7 +95,7 @@ template <int Dim>
 ForceSample force_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
                          ForceKind kind, ForceUnit unit) {
   ForceSample sample{name, {}, contact_forces(packing, kind)};
-  const double size = force_distribution(packing, kind, unit, 1.0).unit;
+  const double size = force_unit(packing, kind, unit);
   if (sample.forces.empty() || size <= 0.0)
     throw InputError(place, fmt::format("has no {} forces to plot in this unit", name_of(kind)));
   for (double& f : sample.forces) f /= size;
@@ -236,7 +236,7 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
   }
   const double unit = sample.over_adhesion ? pull_off_force(packing) / std::pow(diameter, Dim - 1)
                                            : static_stress(packing).trace() / Dim;
-  if (sample.pressures.empty() || !(unit > 0.0))
+  if (sample.pressures.empty() || !(unit > 0.0) || (!sample.over_adhesion && pressure_is_noise(packing)))
     throw InputError(place,
                      "has no particle pressures to plot: no grain carries forces, or there is neither adhesion "
                      "nor pressure to give them a unit");

@@ -109,7 +109,8 @@ TEST_F(Network, ReadsAPipe) {
 TEST_F(Network, WritesDistributionsOfEachStateAndOfAll) {
   ASSERT_EQ(network("square.h5 chain.h5 --pdf pdf.csv --unit mean --bin-width 0.5").code, 0);
   const CsvTable pdf = table("pdf.csv");
-  EXPECT_THAT(pdf.columns(), ElementsAre("file", "kind", "unit_force", "low", "high", "count", "n", "density"));
+  EXPECT_THAT(pdf.columns(),
+              ElementsAre("file", "kind", "unit_force", "low", "high", "count", "n", "density", "n_outside"));
   int n_pooled = 0;
   for (int r = 0; r < pdf.n_rows(); ++r) {
     if (pdf.text(r, 0) == "pooled" && pdf.text(r, 1) == "normal" && pdf.integer(r, 5) > 0) {

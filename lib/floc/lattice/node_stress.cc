@@ -69,21 +69,6 @@ StressDistribution stress_distribution(const std::vector<double>& values, double
   return out;
 }
 
-StressHistogram stress_histogram(const std::vector<double>& values, double unit, double width) {
-  constexpr double kMostBins = 5000.0;  // on either side of zero
-  StressHistogram out{width};
-  out.n = static_cast<int>(values.size());
-  if (values.empty()) return out;
-  const auto bin = [&](double value) {
-    return static_cast<int>(std::clamp(std::floor(value / (unit * width)), -kMostBins, kMostBins - 1.0));
-  };
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  out.first = std::min(bin(*low), bin(*high));
-  out.counts.assign(std::max(bin(*low), bin(*high)) - out.first + 1, 0);
-  for (const double value : values) ++out.counts[bin(value) - out.first];
-  return out;
-}
-
 template std::vector<Mat<2>> node_stress(const Lattice<2>&, const LatticeNetwork<2>&,
                                          const LatticeSolution<2>&);
 template std::vector<Mat<3>> node_stress(const Lattice<3>&, const LatticeNetwork<3>&,

@@ -38,18 +38,4 @@ struct StressDistribution {
 /// @param values  one component, of the nodes that count   @param sign  1: compression is the load; -1: tension
 StressDistribution stress_distribution(const std::vector<double>& values, double sign);
 
-/// A histogram of x: bins of that width, from the smallest to the largest, no more than 10 000.
-struct StressHistogram {
-  double width = 0.1;
-  int first = 0;  ///< bin b counts [first + b, first + b + 1) width
-  std::vector<int> counts = {};
-  int n = 0;
-
-  double middle(int b) const { return (first + b + 0.5) * width; }
-  double density(int b) const { return counts[b] / (n * width); }
-};
-
-/// @param unit  of x; not zero
-StressHistogram stress_histogram(const std::vector<double>& values, double unit, double width);
-
 }  // namespace floc

@@ -42,9 +42,11 @@ std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, in
     double s = to_reduced.dot(packing.grains.position[i]) - origin;
     if (!walled) s -= std::floor(s);
     const double radius = packing.grains.radius[i];
-    const int own = std::clamp(static_cast<int>(s * n), 0, n - 1);
-    ++slices[own].n_grains;
-    for (std::size_t v = 0; v < values.size(); ++v) slices[own].mean[v] += values[v][i];
+    if (s >= 0.0 && s <= 1.0) {  // a centre beyond a wall is in no slice
+      const int own = std::min(static_cast<int>(s * n), n - 1);
+      ++slices[own].n_grains;
+      for (std::size_t v = 0; v < values.size(); ++v) slices[own].mean[v] += values[v][i];
+    }
     const int first = static_cast<int>(std::floor((s * height - radius) / thickness));
     const int last = static_cast<int>(std::floor((s * height + radius) / thickness));
     for (int k = first; k <= last; ++k) {

@@ -1,8 +1,11 @@
 #include "floc/structure/force_distribution.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "floc/base/range.h"
 #include "floc/packing/balance.h"
@@ -12,13 +15,25 @@
 namespace floc {
 namespace {
 
-constexpr double kMaxBins = 1e5;
+/// Share of the largest elastic force that rounding leaves of forces which are zero.
+constexpr double kRoundedForce = 1e-12;
+/// See pressure_is_noise().
+constexpr double kNoPressure = 1e-8;
 
-/// A unit that does not depend on the forces themselves.
+/// Largest force that a contact adds up from its parts.
 template <int Dim>
-double given_unit(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit) {
-  const double force = unit == ForceUnit::pull_off ? pull_off_force(packing) : pressure_force(packing);
-  return kind == ForceKind::rolling ? force * largest_diameter(packing.grains) : force;
+double largest_part(const Packing<Dim>& packing) {
+  double largest = 0.0;
+  for (const Contact<Dim>& c : packing.contacts)
+    largest = std::max({largest, std::abs(c.elastic_force), std::abs(c.normal_force)});
+  return largest;
+}
+
+/// Histogram bin of a value; none beyond kMaxBins and for what is no number.
+std::optional<int> bin_of(double value, double width) {
+  const double bin = std::floor(value / width);
+  if (!(bin >= -kMaxBins && bin < kMaxBins)) return std::nullopt;
+  return static_cast<int>(bin);
 }
 
 }  // namespace
@@ -70,14 +85,16 @@ void ForceDistribution::add(const ForceDistribution& other) {
   }
   assert(width == other.width);
   const auto end = [](const ForceDistribution& d) { return d.first + static_cast<int>(d.counts.size()); };
-  const int low_end = std::min(first, other.first);
-  std::vector<std::int64_t> sum(std::max(end(*this), end(other)) - low_end, 0);
+  if (counts.empty()) first = other.first;
+  const int low_end = other.counts.empty() ? first : std::min(first, other.first);
+  std::vector<std::int64_t> sum(std::max({low_end, end(*this), end(other)}) - low_end, 0);
   for (const ForceDistribution* d : {static_cast<const ForceDistribution*>(this), &other})
     for (std::size_t b = 0; b < d->counts.size(); ++b)
       sum[d->first - low_end + static_cast<int>(b)] += d->counts[b];
   unit = (unit * static_cast<double>(n) + other.unit * static_cast<double>(other.n)) /
          static_cast<double>(n + other.n);
   n += other.n;
+  n_outside += other.n_outside;
   first = low_end;
   counts = std::move(sum);
 }
@@ -87,16 +104,25 @@ ForceDistribution distribution_of(const std::vector<double>& values, double unit
   ForceDistribution out;
   out.unit = unit;
   out.width = width;
-  if (values.empty() || !(unit > 0.0)) return out;
-  const auto bin_of = [&](double x) {
-    return static_cast<int>(std::clamp(std::floor(x / (unit * width)), -kMaxBins, kMaxBins));
-  };
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  out.first = bin_of(*low);
-  out.counts.assign(bin_of(*high) - out.first + 1, 0);
-  for (const double x : values) ++out.counts[bin_of(x) - out.first];
+  if (unit == 0.0) return out;
+  std::vector<int> bins;
+  for (const double x : values)
+    if (const auto bin = bin_of(x, unit * width)) bins.push_back(*bin);
   out.n = static_cast<std::int64_t>(values.size());
+  out.n_outside = out.n - static_cast<std::int64_t>(bins.size());
+  if (bins.empty()) return out;
+  const auto [low, high] = std::minmax_element(bins.begin(), bins.end());
+  out.first = *low;
+  out.counts.assign(*high - *low + 1, 0);
+  for (const int bin : bins) ++out.counts[bin - out.first];
   return out;
+}
+
+std::string outside_bins(const ForceDistribution& d, const std::string& what, const std::string& remedy) {
+  return fmt::format(
+      "{} of {} {} are in no bin of their distribution, which ends {} bins of {:g} from zero: choose a larger "
+      "{}",
+      d.n_outside, d.n, what, kMaxBins, d.width, remedy);
 }
 
 template <int Dim>
@@ -105,15 +131,35 @@ double pressure_force(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
+bool pressure_is_noise(const Packing<Dim>& packing) {
+  double virial = 0.0;
+  for (const Contact<Dim>& c : packing.contacts) {
+    const double other = packing.is_wall(c.j) ? 0.0 : packing.grains.radius[c.j];
+    virial += std::abs(c.normal_force) * (packing.grains.radius[c.i] + other);
+  }
+  return std::abs(static_stress(packing).trace()) * packing.cell.volume() <= kNoPressure * virial;
+}
+
+template <int Dim>
+double force_unit(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit) {
+  const double length = kind == ForceKind::rolling ? largest_diameter(packing.grains) : 1.0;
+  if (unit == ForceUnit::pull_off) return pull_off_force(packing) * length;
+  if (unit == ForceUnit::pressure)
+    return pressure_is_noise(packing) ? 0.0 : std::max(0.0, pressure_force(packing)) * length;
+  const double mean = mean_size(contact_forces(packing, kind));
+  return mean > kRoundedForce * largest_part(packing) * length ? mean : 0.0;
+}
+
+template <int Dim>
 ForceDistribution force_distribution(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit,
                                      double width) {
-  const std::vector<double> forces = contact_forces(packing, kind);
-  return distribution_of(forces, unit == ForceUnit::mean ? mean_size(forces) : given_unit(packing, kind, unit),
-                         width);
+  return distribution_of(contact_forces(packing, kind), force_unit(packing, kind, unit), width);
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                  \
   template double pressure_force(const Packing<Dim>&);                         \
+  template bool pressure_is_noise(const Packing<Dim>&);                        \
+  template double force_unit(const Packing<Dim>&, ForceKind, ForceUnit);       \
   template std::vector<double> contact_forces(const Packing<Dim>&, ForceKind); \
   template ForceDistribution force_distribution(const Packing<Dim>&, ForceKind, ForceUnit, double);
 FLOC_INSTANTIATE(2)

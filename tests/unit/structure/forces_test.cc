@@ -74,6 +74,43 @@ TEST(ForceDistribution, OfAnyValuesIsInTheirUnit) {
   EXPECT_THAT(distribution_of({}, 1.0, 0.25).counts, IsEmpty());
 }
 
+TEST(ForceDistribution, CountsWhatLiesBeyondItsBinsAndPutsItInNone) {
+  // Bins reach to +-1e5 widths, so to +-1e4 here; the upper end belongs to no bin.
+  const ForceDistribution d =
+      distribution_of({-2e4, -1e4, -0.05, 0.0, 9999.95, 1e4, 3e7, std::nan("")}, 1.0, 0.1);
+  EXPECT_EQ(d.n, 8);
+  EXPECT_EQ(d.n_outside, 4);
+  EXPECT_EQ(d.first, -kMaxBins);
+  EXPECT_EQ(d.counts.size(), 2u * kMaxBins);
+  EXPECT_EQ(std::accumulate(d.counts.begin(), d.counts.end(), std::int64_t{0}), 4);
+  EXPECT_EQ(d.counts.front(), 1);
+  EXPECT_EQ(d.counts.back(), 1);
+  const ForceDistribution none = distribution_of({1.0, 2.0}, 1.0, 1e-9);
+  EXPECT_EQ(none.n_outside, 2);
+  EXPECT_THAT(none.counts, IsEmpty());
+  ForceDistribution sum = none;
+  sum.add(distribution_of({0.5}, 1.0, 1e-9));
+  EXPECT_EQ(sum.n_outside, 3);
+  for (const double width : {1e-300, 1e-9, 1.0, 1e300}) {
+    const ForceDistribution wide = distribution_of({-1e-3, 0.0, 1.0, 1e6}, 1.0, width);
+    EXPECT_EQ(std::accumulate(wide.counts.begin(), wide.counts.end(), wide.n_outside), 4) << width;
+    for (int b = 0; b < static_cast<int>(wide.counts.size()); ++b)
+      EXPECT_TRUE(std::isfinite(wide.low(b)) && std::isfinite(wide.low(b + 1))) << width;
+  }
+}
+
+TEST(ForceDistribution, HasNoUnitOfRounding) {
+  // Forces that cancel their adhesion but for rounding, and a pressure that is what is left of it.
+  Packing<2> packing = with_forces({1e-16, -1e-16}, 1.0);
+  packing.cell.matrix.setIdentity();
+  EXPECT_EQ(force_unit(packing, ForceKind::normal, ForceUnit::mean), 0.0);
+  EXPECT_EQ(force_unit(packing, ForceKind::tangential, ForceUnit::mean), 0.0);
+  EXPECT_EQ(force_unit(packing, ForceKind::normal, ForceUnit::pull_off), 1.0);
+  EXPECT_TRUE(pressure_is_noise(packing));
+  EXPECT_EQ(force_unit(packing, ForceKind::normal, ForceUnit::pressure), 0.0);
+  EXPECT_GT(force_unit(with_forces({1e-9, -1e-9}, 1.0), ForceKind::normal, ForceUnit::mean), 0.0);
+}
+
 TEST(ForceDistribution, OfStatesAddUp) {
   ForceDistribution sum;
   sum.add(force_distribution(with_forces({-1.0, 3.0}, 1.0), ForceKind::normal, ForceUnit::pull_off, 1.0));

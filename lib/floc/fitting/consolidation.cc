@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "floc/fitting/consolidation_bootstrap.h"
 #include "floc/fitting/law_estimate.h"
@@ -166,13 +167,26 @@ std::string bounds_in_words(const FittedParameter& p) {
   return "not bounded";
 }
 
-void add_parameters(const LawEstimate& estimate, const Covariance& covariance, ConsolidationFit& fit) {
+/// Solid fractions end at one, and the law keeps the others positive.
+PhysicalRange range_of(const std::string& name) {
+  const bool is_fraction = name == "Phi_max" || name == "Phi0";
+  return {0.0, is_fraction ? 1.0 : std::numeric_limits<double>::infinity()};
+}
+
+/// @param last_phi  the largest solid fraction there is
+void add_parameters(const LawEstimate& estimate, const Covariance& covariance, double last_phi,
+                    ConsolidationFit& fit) {
   const std::vector<Quantity> quantities = quantities_of(estimate);
   for (const Quantity& q : quantities) {
     fit.parameters.push_back(fitted_parameter(q, covariance));
     FittedParameter& p = fit.parameters.back();
     if (q.name == "alpha") profile(estimate, 1, covariance, false, p, fit);
     if (q.name == "Phi_max") profile(estimate, 2, covariance, true, p, fit);
+    if (const std::string why = keep_in_range(range_of(p.name), p); !why.empty()) {
+      if (p.name == "Phi_max") p.low95 = std::min(1.0, last_phi);
+      fit.warnings.push_back(why);
+      continue;
+    }
     if (p.identified) continue;
     fit.warnings.push_back(
         fmt::format("{} is not identified by these data: {} (95 %)", p.name, bounds_in_words(p)));
@@ -194,7 +208,11 @@ void bound_regime_three(const LawEstimate& reported, const Covariance& covarianc
   fit.parameters.push_back(bounded_below("Phi_max", last_phi));
   fit.parameters.push_back(bounded_below("P1_star", fit.window_high));
   for (const Quantity& q : quantities)
-    if (q.name == "Phi0" || q.name == "P0_star") fit.parameters.push_back(fitted_parameter(q, covariance));
+    if (q.name == "Phi0" || q.name == "P0_star") {
+      fit.parameters.push_back(fitted_parameter(q, covariance));
+      const std::string beyond = keep_in_range(range_of(q.name), fit.parameters.back());
+      if (!beyond.empty()) fit.warnings.push_back(beyond);
+    }
   if (!reported.has_plateau()) fit.parameters.push_back(held_at("P0_star", fit.window_low));
   fit.correlated = {"lambda"};
   fit.correlation = Eigen::MatrixXd::Ones(1, 1);
@@ -317,6 +335,7 @@ void add_bootstrap(const LawEstimate& reported, const Eigen::MatrixXd& samples,
   const Resampled resampled = resample(reported, samples, options.n_bootstrap, options.seed);
   fit.n_bootstrapped = resampled.n;
   fit.bootstrap = resampled.parameters;
+  for (FittedParameter& p : fit.bootstrap) (void)keep_in_range(range_of(p.name), p);
 }
 
 /// Solves the law on the window and derives what follows from it.
@@ -353,7 +372,7 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
   if (ends_early)
     bound_regime_three(reported, covariance, curve.phi[fit.used.back()], fit);
   else
-    add_parameters(reported, covariance, fit);
+    add_parameters(reported, covariance, curve.phi[fit.used.back()], fit);
   if (!fit.errors_from_samples) check_independence(reported, fit);
   shift_window(reported, all, window, fit);
   add_bootstrap(reported, samples, options, fit);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -327,7 +328,10 @@ void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
       profile(e, k, p, fit);
       p.identified = p.identified && sees_first_power;
     }
-    if (p.identified) {
+    if (const std::string beyond = keep_in_range({0.0, std::numeric_limits<double>::infinity()}, p);
+        !beyond.empty()) {
+      fit.warnings.push_back(beyond);
+    } else if (p.identified) {
       fit.error_parts.push_back(parts_of(e, k, p));
     } else {
       const char* why =

@@ -105,6 +105,8 @@ void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Fi
   const auto error = [&](int k) { return std::sqrt(part.fit.covariance(k, k)); };
   fit.parameters = {from_inverse("B", part.fit.coefficients[1], error(1), t95),
                     from_logarithm("phi_unloaded", part.fit.coefficients[0], error(0), t95)};
+  const std::string beyond = keep_in_range({0.0, 1.0}, fit.parameters[1]);
+  if (!beyond.empty()) fit.warnings.push_back(beyond);
   fit.rms = std::sqrt(part.fit.sum_of_squares / static_cast<double>(part.n));
   fit.first = static_cast<int>(part.first);
   fit.n_points = static_cast<int>(part.n);

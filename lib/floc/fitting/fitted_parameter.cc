@@ -1,5 +1,8 @@
 #include "floc/fitting/fitted_parameter.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace floc {
@@ -34,6 +37,27 @@ FittedParameter from_value(const std::string& name, double value, double error, 
 
 FittedParameter held_at(const std::string& name, double value) {
   return {name, value, {}, {}, {}, true};
+}
+
+std::string keep_in_range(const PhysicalRange& range, FittedParameter& p) {
+  const auto inside = [&range](double x) { return range.low <= x && x <= range.high; };
+  if (!p.value || inside(*p.value)) {
+    if (p.low95) p.low95 = std::clamp(*p.low95, range.low, range.high);
+    if (p.high95) p.high95 = std::clamp(*p.high95, range.low, range.high);
+    return "";
+  }
+  const std::string limits = std::isinf(range.high)
+                                 ? fmt::format("at least {:g}", range.low)
+                                 : fmt::format("between {:g} and {:g}", range.low, range.high);
+  const std::string why = fmt::format(
+      "{} is not identified by these data: the law meets them best with {:.5g}, and it must be {}; "
+      "the law does not describe them, and the other parameters are what they are with that one",
+      p.name, *p.value, limits);
+  p.value = p.standard_error = p.low95 = p.high95 = std::nullopt;
+  if (std::isfinite(range.low)) p.low95 = range.low;
+  if (std::isfinite(range.high)) p.high95 = range.high;
+  p.identified = false;
+  return why;
 }
 
 FittedParameter bounded_below(const std::string& name, std::optional<double> low) {

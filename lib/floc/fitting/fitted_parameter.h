@@ -29,6 +29,16 @@ FittedParameter from_value(const std::string& name, double value, double error, 
 /// A parameter that was given, not fitted.
 FittedParameter held_at(const std::string& name, double value);
 
+/// The values that a parameter can have, both ends included.
+struct PhysicalRange {
+  double low, high;
+};
+
+/// Cuts an interval at the range of its parameter. A value outside the range, which a law takes that does not describe
+/// the data, is no result: the parameter loses it and is not identified.
+/// @return why, in words; empty where the value is inside
+std::string keep_in_range(const PhysicalRange& range, FittedParameter& p);
+
 /// A parameter for which the data give at most a lower bound.
 FittedParameter bounded_below(const std::string& name, std::optional<double> low);
 

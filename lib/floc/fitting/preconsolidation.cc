@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "floc/fitting/line_fit.h"
 #include "floc/fitting/student_t.h"
@@ -13,13 +14,28 @@
 namespace floc {
 namespace {
 
-/// Best lines on both sides of ln P_c = `bend`; coefficients y_c, -kappa, kappa - lambda.
-LinearFit broken_line(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend) {
+Eigen::MatrixXd columns_of_lines(const Eigen::ArrayXd& x, double bend) {
   Eigen::MatrixXd columns(x.size(), 3);
   columns.col(0).setOnes();
   columns.col(1) = x - bend;
   columns.col(2) = (x - bend).max(0.0);
-  return fit_linear(columns, y);
+  return columns;
+}
+
+/// Best lines on both sides of ln P_c = `bend`; coefficients y_c, -kappa, kappa - lambda.
+LinearFit broken_line(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend) {
+  return fit_linear(columns_of_lines(x, bend), y);
+}
+
+/// How much neighbouring residuals are alike, where it is more than independent ones would be: a bend that is round
+/// leaves a smooth curve. 0 elsewhere, and where the residuals are rounding.
+double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
+  constexpr double kRounding = 1e-9;
+  const Eigen::Index n = residuals.size();
+  const double squares = residuals.squaredNorm();
+  if (squares < static_cast<double>(n) * kRounding * kRounding) return 0.0;
+  const double correlation = residuals.head(n - 1).dot(residuals.tail(n - 1)) / squares;
+  return correlation < 2.0 / std::sqrt(static_cast<double>(n)) ? 0.0 : correlation;
 }
 
 /// Sum of squares against the place of the bend, on a fine grid: its minimum need not be alone.
@@ -69,9 +85,20 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
         "the reloading branch does not bend towards a steeper line: it does not reach the preconsolidation "
         "pressure");
   PreconsolidationFit fit;
+  // Correlated residuals are as good as fewer independent ones.
+  constexpr double kMostCorrelated = 0.9;
+  const double r = correlation_of_neighbours(y - columns_of_lines(x, bend) * lines.coefficients);
+  const double fewer = (1.0 + r) / (1.0 - std::min(r, kMostCorrelated));
+  const double within = lines.sum_of_squares + fewer * t95 * t95 * variance;
+  if (r > 0.0)
+    fit.warnings.push_back(
+        fmt::format("neighbouring residuals are correlated ({:.2f}): the bend is round, or the curve moves in "
+                    "steps, and the "
+                    "interval of P_c is widened for it",
+                    r));
   Eigen::Index low = profile.best, high = profile.best;
   for (Eigen::Index k = 0; k < profile.left.size(); ++k)
-    if (profile.left[k] <= allowed) low = std::min(low, k), high = std::max(high, k);
+    if (profile.left[k] <= within) low = std::min(low, k), high = std::max(high, k);
   FittedParameter P_c{
       "P_c", std::exp(bend), std::nullopt, std::exp(profile.bend[low]), std::exp(profile.bend[high]), true};
   P_c.standard_error = (*P_c.high95 - *P_c.low95) / (2 * t95);
@@ -86,6 +113,10 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
   const Eigen::MatrixXd c = lines.covariance * (static_cast<double>(lines.dof) / dof);
   fit.parameters = {P_c, from_value("kappa", kappa, std::sqrt(c(1, 1)), t95),
                     from_value("lambda", lambda, std::sqrt(c(1, 1) + c(2, 2) + 2 * c(1, 2)), t95)};
+  for (FittedParameter& p : fit.parameters) {
+    const std::string beyond = keep_in_range({0.0, std::numeric_limits<double>::infinity()}, p);
+    if (!beyond.empty()) fit.warnings.push_back(beyond);
+  }
   fit.rms = std::sqrt(lines.sum_of_squares / static_cast<double>(n));
   return fit;
 }

@@ -23,7 +23,7 @@ struct PreconsolidationFit {
 ///   1/Phi = y_c - kappa ln(P/P_c)  for P < P_c,   y_c - lambda ln(P/P_c)  beyond
 ///
 /// by least squares, continuous at P_c, which is searched for between the pressures. Its interval comes from
-/// the profile of the sum of squares. Refused with fewer than two points on either side, fewer than five in
+/// the profile of the sum of squares, wider where neighbouring residuals are correlated, as along a round bend. Refused with fewer than two points on either side, fewer than five in
 /// all, or no bend towards a steeper line.
 /// @param P    pressures, > 0, growing   @param phi  solid fractions, > 0; as many
 [[nodiscard]] PreconsolidationFit fit_preconsolidation(const std::vector<double>& P,

@@ -119,6 +119,9 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
     fit.warnings.push_back(fmt::format("{} is not identified by these data", p.name));
     p.value = p.standard_error = p.low95 = p.high95 = std::nullopt;
   }
+  constexpr double kPorod = 4.0;  // slope of smooth surfaces in 3D, and no law falls faster
+  if (const std::string beyond = keep_in_range({0.0, kPorod}, fit.parameters[2]); !beyond.empty())
+    fit.warnings.push_back(beyond);
   return fit;
 }
 

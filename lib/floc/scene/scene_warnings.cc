@@ -239,6 +239,24 @@ void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
         "dissipate no energy, so that grains separate again; expected one of these tables");
 }
 
+/// Diameters are quantiles with both ends, so that there is one grain of the largest size, however rare it is.
+void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
+  constexpr double kMuch = 0.05;
+  const DiameterDistribution& d = scene.grains.diameter;
+  using Kind = DiameterDistribution::Kind;
+  if (scene.starts_from_state() || scene.grains.count < 1) return;
+  if (d.kind != Kind::power_law && d.kind != Kind::lognormal) return;
+  double sum = 0.0;
+  for (const double diameter : equally_spaced_diameters(d, scene.grains.count))
+    sum += std::pow(diameter / d.max, scene.dimension);
+  if (1.0 / sum > kMuch)
+    warnings.push_back(fmt::format(
+        "grains.diameter: the largest of {} grains, which quantiles with both ends include, holds {:.2g} % "
+        "of their {}: sizes near it have more of it than the distribution says; more grains, or a list "
+        "of diameters, come closer",
+        scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
+}
+
 void warn_of_cost(const Scene& scene, Warnings& warnings) {
   constexpr double kDay = 86400.0, kLong = 30.0 * kDay;
   if (const double cost = expected_cost(scene); cost > kLong)
@@ -251,6 +269,7 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
   Warnings warnings;
   warn_of_tolerances(scene, warnings);
   warn_of_overlaps(scene, warnings);
+  warn_of_largest_grain(scene, warnings);
   warn_of_range(scene, warnings);
   warn_of_liquid(scene, warnings);
   warn_of_slow_compression(scene, warnings);

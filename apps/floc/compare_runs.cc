@@ -16,6 +16,7 @@
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
 #include "floc/io/csv.h"
+#include "floc/io/table_units.h"
 #include "output.h"
 #include "run_states.h"
 
@@ -50,13 +51,32 @@ struct StepComparison {
   std::optional<double> largest;       ///< relative difference of two numbers
 };
 
-void compare_values(const std::string& column, const std::string& a, const std::string& b,
+/// The column of a path that stands beside one of another, and the factor from its unit to that one's.
+struct Counterpart {
+  int column;
+  double factor;
+};
+std::optional<Counterpart> counterpart(const CsvTable& of, const std::string& header, const CsvTable& in) {
+  if (in.has(header)) return Counterpart{in.column(header), 1.0};
+  const auto [name, unit] = name_and_unit(header);
+  for (const std::string& other : in.columns())
+    if (const auto [its_name, its_unit] = name_and_unit(other); its_name == name)
+      return Counterpart{in.column(other), unit_factor(fmt::format("{}, column {}", in.place(), name), its_unit,
+                                                       of.place(), unit)};
+  return std::nullopt;
+}
+
+/// @param factor  that b is multiplied by
+void compare_values(const std::string& column, const std::string& a, const std::string& b, double factor,
                     StepComparison& row) {
-  if (a == b) return;
+  constexpr double kConverted = 1e-12;  // what changing units may leave
+  if (a == b && factor == 1.0) return;
+  const auto x = parse_number<double>(a), its = parse_number<double>(b);
+  const double y = factor * its.value_or(0.0);
+  if (factor != 1.0 && x && its && std::abs(*x - y) <= kConverted * std::abs(*x)) return;
   row.differing.push_back(column);
-  const auto x = parse_number<double>(a), y = parse_number<double>(b);
-  if (!x || !y) return;
-  const double difference = std::abs(*x - *y) / std::max(std::abs(*x), std::abs(*y));
+  if (!x || !its) return;
+  const double difference = std::abs(*x - y) / std::max(std::abs(*x), std::abs(y));
   row.largest = std::max(row.largest.value_or(0.0), difference);
 }
 
@@ -68,9 +88,11 @@ StepComparison compare_step(int step, const RunFiles& before, const RunFiles& af
   row.identical = !row.before.empty() && !row.after.empty() && read_file(row.before) == read_file(row.after);
   if (!before.rows.contains(step) || !after.rows.contains(step)) return row;
   for (const std::string& column : before.path.columns()) {
-    if (column == kTiming || !after.path.has(column)) continue;
+    if (column == kTiming) continue;
+    const auto other = counterpart(before.path, column, after.path);
+    if (!other) continue;
     compare_values(column, before.path.text(before.rows.at(step), before.path.column(column)),
-                   after.path.text(after.rows.at(step), after.path.column(column)), row);
+                   after.path.text(after.rows.at(step), other->column), other->factor, row);
   }
   return row;
 }

@@ -92,7 +92,8 @@ std::vector<int> left_out(const ConsolidationSample& sample, PathStep step) {
 }
 
 ConsolidationSample consolidation_sample(const PathTable& path, const ConsolidationArguments& arguments) {
-  return {path.name, first_loading(path.rows, arguments.loading == "virgin"), path_steps(path.rows), path.unit};
+  return {path.name, first_loading(path.rows, arguments.loading == "virgin"), path_steps(path.rows), path.unit,
+          path.stress};
 }
 
 ConsolidationOptions consolidation_options(const ConsolidationArguments& arguments) {
@@ -124,7 +125,8 @@ std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> sa
   if (samples.size() < 2) return samples;
   std::vector<ConsolidationCurve> curves;
   for (const ConsolidationSample& s : samples) curves.push_back(s.loading.curve);
-  ConsolidationSample pooled{"pooled", {mean_curve(curves), {}}, {}, samples.front().unit};
+  ConsolidationSample pooled{
+      "pooled", {mean_curve(curves), {}}, {}, samples.front().unit, samples.front().stress};
   if (only_pooled) return {pooled};
   samples.push_back(std::move(pooled));
   return samples;
@@ -153,6 +155,7 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
   object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
   object["window"] = fit.found() ? Json{fit.window_low, fit.window_high} : Json(nullptr);
   object["pressure_unit"] = sample.unit.empty() ? Json(nullptr) : Json(sample.unit);
+  object["stress"] = sample.stress.empty() ? Json(nullptr) : Json(sample.stress);
   object["n_points"] = fit.used.size();
   object["n_plateau"] = fit.n_plateau;
   object["parameters"] = parameters_as_json(fit.parameters);

@@ -35,6 +35,7 @@ struct ConsolidationSample {
   Loading loading;
   std::vector<PathStep> steps;  ///< of all rows
   std::string unit;             ///< of the pressures
+  std::string stress = {};      ///< that of oedometric rows: see PathTable
 };
 
 /// A step of a path whose rows are not fitted: its key in json, and in words.

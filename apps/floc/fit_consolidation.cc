@@ -13,14 +13,15 @@
 namespace floc {
 namespace {
 
-ConsolidationSample read_sample(const std::string& file, const ConsolidationArguments& arguments) {
-  const PathTable path =
+/// @param first  the table that it is pooled with, and whose unit it takes; empty: it is the first
+ConsolidationSample read_sample(const std::string& file, const ConsolidationArguments& arguments,
+                                std::optional<PathTable>& first) {
+  PathTable path =
       read_path(file, parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}),
                 {"P_star"}, arguments.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven);
-  const bool any_oedometer = std::any_of(path.rows.begin(), path.rows.end(),
-                                         [](const PathRow& row) { return row.load == PathLoad::oedometric; });
-  if (any_oedometer)
-    spdlog::info("{}: P* of oedometric rows is computed from the {} stress", path.name, arguments.stress);
+  log_notes(path);
+  if (first) convert_pressures(*first, path);
+  if (!first) first = path;
   ConsolidationSample sample = consolidation_sample(path, arguments);
   std::vector<std::string> pieces;
   for (const LeftOutStep& s : left_out_steps())
@@ -47,10 +48,11 @@ void add_table_rows(const ConsolidationSample& sample, const ConsolidationFit& f
       row.push_back(cell);
     if (arguments.n_bootstrap > 0) {
       const auto b = bootstrapped(p.name);
-      row.push_back(b ? TableValue(*b->standard_error) : TableValue());
-      row.push_back(b ? TableValue(*b->low95) : TableValue());
-      row.push_back(b ? TableValue(*b->high95) : TableValue());
+      row.push_back(b ? or_undefined(b->standard_error) : TableValue());
+      row.push_back(b ? or_undefined(b->low95) : TableValue());
+      row.push_back(b ? or_undefined(b->high95) : TableValue());
     }
+    row.push_back(or_undefined(sample.stress));
     table.rows.push_back(std::move(row));
   }
 }
@@ -121,8 +123,9 @@ void warn_of_missing_pressures(const std::vector<ConsolidationSample>& read,
 int fit_tables(const ConsolidationArguments& arguments) {
   const ConsolidationOptions options = consolidation_options(arguments);
   std::vector<ConsolidationSample> read;
+  std::optional<PathTable> first;
   int code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    read.push_back(read_sample(file, arguments));
+    read.push_back(read_sample(file, arguments, first));
     return static_cast<int>(kDone);
   });
   const std::vector<ConsolidationSample> samples = with_pooled(read, options.hold_P0);
@@ -134,6 +137,7 @@ int fit_tables(const ConsolidationArguments& arguments) {
   if (arguments.n_bootstrap > 0)
     for (const char* column : {"bootstrap_stderr", "bootstrap_low95", "bootstrap_high95"})
       table.columns.emplace_back(column);
+  table.columns.emplace_back("stress");
   ConsolidationFit fit;
   for (const ConsolidationSample& sample : samples) {
     if (arguments.weights == "scatter" && sample.loading.curve.samples.cols() < 2)
@@ -146,8 +150,8 @@ int fit_tables(const ConsolidationArguments& arguments) {
   }
   // With several samples the last is their mean.
   if (!arguments.plot.empty() && !samples.empty() && fit.found())
-    write_plot(arguments.plot,
-               plot_of_fit({samples.back().name, samples.back().unit, samples.back().loading.curve, fit}));
+    write_plot(arguments.plot, plot_of_fit({samples.back().name, samples.back().unit, samples.back().stress,
+                                            samples.back().loading.curve, fit}));
   constexpr std::size_t kOfParameters = 8;
   print_fit(array, table, kOfParameters, arguments.format);
   return code;

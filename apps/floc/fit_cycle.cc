@@ -21,6 +21,7 @@ int run_cycles(const CycleArguments& arguments) {
   Table table = cycle_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     const PathTable path = read_path(file, columns, {"P", "P_star"});
+    log_notes(path);
     if (add_cycles(path, table) > 0) return int{kDone};
     spdlog::warn("{}: no cycle: no pressure is reached both on loading and on the unloading after it",
                  path.name);

@@ -20,12 +20,16 @@ struct DynamicCompactionArguments {
 };
 
 std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNames& columns) {
-  const auto column = [&](const char* name) { return find_column(table, columns, name).index; };
-  const int e = column("e"), p = column("p"), sc = column("sc"), se = column("se");
+  const auto column = [&](const char* name) { return find_column(table, columns, name); };
+  const UnitColumn e = column("e"), p = column("p"), sc = column("sc"), se = column("se");
+  const auto to_unit_of_p = [&](const UnitColumn& of, const char* name) {
+    return unit_factor(fmt::format("{}, column {}", table.place(), name), of.unit, "column p", p.unit);
+  };
+  const double of_sc = to_unit_of_p(sc, "sc"), of_se = to_unit_of_p(se, "se");
   std::vector<CompactedSample> samples;
   for (int i = 0; i < table.n_rows(); ++i)
-    samples.push_back(compacted_sample(table.place(i), table.number(i, e), table.number(i, p),
-                                       table.number(i, sc), table.number(i, se)));
+    samples.push_back(compacted_sample(table.place(i), table.number(i, e.index), table.number(i, p.index),
+                                       of_sc * table.number(i, sc.index), of_se * table.number(i, se.index)));
   return samples;
 }
 
@@ -83,8 +87,10 @@ Command add_fit_dynamic_compaction(CommandLine fit) {
   auto arguments = std::make_shared<DynamicCompactionArguments>();
   CommandLine app = fit.add_subcommand(
       "dynamic-compaction", "void ratio of dynamically compacted samples against pressure and cohesion");
-  app.add_option("TABLE", arguments->inputs,
-                 "tables with columns e (void ratio), p, sc = f_c/d^2, se = k_n/d in one unit; - is stdin")
+  app.add_option(
+         "TABLE", arguments->inputs,
+         "tables with columns e (void ratio), p, sc = f_c/d^2, se = k_n/d, in one unit or with units in their "
+         "headers; - is stdin")
       .required();
   CompactionReference& reference = arguments->reference;
   app.add_option("--p-D", reference.p_D, "pressure at which the plateau is e_min + De, in the unit of p [0.01]")

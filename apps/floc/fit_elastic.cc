@@ -1,5 +1,6 @@
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -17,23 +18,29 @@ struct ElasticArguments {
   std::string format;
 };
 
-void add_table_rows(const PathTable& path, const Loading& branch, const ElasticFit& fit,
-                    const std::optional<StateModuli>& state, Table& table) {
-  const auto add = [&](const char* source, const FittedParameter& p, double rms) {
+void add_table_rows(const PathTable& path, const ElasticBranch& b, Table& table) {
+  const auto add = [&](const char* source, const FittedParameter& p, const Loading& points, double rms,
+                       const std::string& stress) {
     std::vector<TableValue> row = {path.name, std::string(source), p.name};
     for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
     row.push_back(p.name == "phi_unloaded" || path.unit.empty() ? TableValue() : TableValue(path.unit));
     for (const TableValue& cell :
-         std::vector<TableValue>{branch.curve.P_star.back(), branch.curve.P_star.front(),
-                                 static_cast<std::int64_t>(branch.rows.size()), rms})
+         std::vector<TableValue>{points.curve.P_star.back(), points.curve.P_star.front(),
+                                 static_cast<std::int64_t>(points.rows.size()), rms, or_undefined(stress)})
       row.push_back(cell);
     table.rows.push_back(std::move(row));
   };
-  for (const FittedParameter& p : fit.parameters) add("fit", p, fit.rms);
-  if (!state) return;
-  const double rms = distance_from(*state, branch.curve);
-  add("state", {"B", state->B, {}, {}, {}, true}, rms);
-  add("state", {"B_S", state->B_S, {}, {}, {}, true}, rms);
+  for (const FittedParameter& p : b.parameters())
+    if (p.name == "M")
+      add("fit", p, b.driven_fitted, b.driven->rms, "driven");
+    else
+      add("fit", p, b.fitted, b.fit.rms, path.stress);
+  if (!b.state) return;
+  const double rms = distance_from(*b.state, b.fitted.curve);
+  add("state", {"B", b.state->B, {}, {}, {}, true}, b.fitted, rms, path.stress);
+  add("state", {"B_S", b.state->B_S, {}, {}, {}, true}, b.fitted, rms, path.stress);
+  if (b.state->M && b.driven)
+    add("state", {"M", *b.state->M, {}, {}, {}, true}, b.driven_fitted, std::nan(""), "driven");
 }
 
 int fit_tables(const ElasticArguments& arguments) {
@@ -41,10 +48,11 @@ int fit_tables(const ElasticArguments& arguments) {
       parse_column_names(arguments.columns, {"P", "P_star", "phi", "void_ratio", "branch"});
   Json array = Json::array();
   Table table{{"sample", "source", "parameter", "value", "stderr", "low95", "high95", "identified", "unit",
-               "P_low", "P_high", "n_points", "rms"},
+               "P_low", "P_high", "n_points", "rms", "stress"},
               {}};
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    const PathTable path = read_path(file, columns, {"P", "P_star"});
+    const PathTable path = read_path(file, columns, {"P", "P_star"}, OedometerPressure::mean);
+    log_notes(path);
     const std::vector<ElasticBranch> branches = elastic_branches(path, arguments.state);
     if (branches.empty()) {
       spdlog::warn("{}: no fit: the pressure never falls, so there is no unloading branch", path.name);
@@ -57,10 +65,10 @@ int fit_tables(const ElasticArguments& arguments) {
         spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, b.fit.refusal);
         worst = worse(worst, kNotConverged);
       }
-      for (const std::string& warning : b.fit.warnings)
+      for (const std::string& warning : b.warnings())
         spdlog::warn("{}: rows {}: warning: {}", path.name, rows, warning);
       array.push_back(as_json(path, b));
-      add_table_rows(path, b.fitted, b.fit, b.state, table);
+      add_table_rows(path, b, table);
     }
     return worst;
   });
@@ -73,7 +81,9 @@ int fit_tables(const ElasticArguments& arguments) {
 Command add_fit_elastic(CommandLine fit) {
   auto arguments = std::make_shared<ElasticArguments>();
   CommandLine app = fit.add_subcommand(
-      "elastic", "bulk modulus from unloading branches, compared with that of a saved state");
+      "elastic",
+      "moduli from unloading branches, B against the mean stress and, of oedometers, M against the driven one, "
+      "compared with those of a saved state");
   app.add_option(
          "TABLE", arguments->inputs,
          "tables with columns P (or P_star), phi (or void_ratio); directories of `floc run`; - is stdin")

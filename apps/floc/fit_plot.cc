@@ -77,7 +77,7 @@ unset multiplot
       fmt::arg("xlow", low / 1.2), fmt::arg("xhigh", high * 1.2),
       fmt::arg("title", gnuplot_quoted(title_of(plot))), fmt::arg("curves", curves),
       fmt::arg("wlow", plot.fit.window_low), fmt::arg("whigh", plot.fit.window_high),
-      fmt::arg("xlabel", gnuplot_quoted(plot.unit.empty() ? "P*" : "pressure (" + plot.unit + ")")));
+      fmt::arg("xlabel", gnuplot_quoted(pressure_label(plot.unit, plot.stress))));
 }
 
 }  // namespace
@@ -99,6 +99,13 @@ std::vector<std::vector<double>> law_points(const ConsolidationFit& fit) {
     points.push_back({std::exp(log_P), fit.value(log_P)});
   }
   return points;
+}
+
+std::string pressure_label(const std::string& unit, const std::string& stress) {
+  const std::string name = stress.empty()     ? ""
+                           : stress == "mean" ? " of the mean stress"
+                                              : " of the driven stress";
+  return unit.empty() ? "P*" + name : "pressure" + name + " (" + unit + ")";
 }
 
 Plot plot_of_fit(const ConsolidationPlot& of) {

@@ -11,10 +11,14 @@ namespace floc {
 /// What a plot of a fit shows.
 struct ConsolidationPlot {
   std::string title;
-  std::string unit;  ///< of the pressures; empty in reduced units
+  std::string unit;    ///< of the pressures; empty in reduced units
+  std::string stress;  ///< that of oedometric rows: see PathTable
   const ConsolidationCurve& curve;
   const ConsolidationFit& fit;
 };
+
+/// Name of the axis of pressures. @param stress  that of oedometric rows: see PathTable
+std::string pressure_label(const std::string& unit, const std::string& stress);
 
 /// 1/Phi against P* with the fitted curve and its window, and the residuals below.
 Plot plot_of_fit(const ConsolidationPlot& of);

@@ -21,8 +21,9 @@ void add_table_rows(const PathTable& path, const Reloading& branch, const Precon
     std::vector<TableValue> row = {path.name, p.name};
     for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
     row.push_back(p.name != "P_c" || path.unit.empty() ? TableValue() : TableValue(path.unit));
-    for (const TableValue& cell : std::vector<TableValue>{
-             branch.largest_before, static_cast<std::int64_t>(branch.loading.rows.size()), fit.rms})
+    for (const TableValue& cell :
+         std::vector<TableValue>{branch.largest_before, static_cast<std::int64_t>(branch.loading.rows.size()),
+                                 fit.rms, path.stress_of_rows()})
       row.push_back(cell);
     table.rows.push_back(std::move(row));
   }
@@ -32,10 +33,11 @@ int fit_tables(const PreconsolidationArguments& arguments) {
   const ColumnNames columns = parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"});
   Json array = Json::array();
   Table table{{"sample", "parameter", "value", "stderr", "low95", "high95", "identified", "unit",
-               "largest_before", "n_points", "rms"},
+               "largest_before", "n_points", "rms", "stress"},
               {}};
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     const PathTable path = read_path(file, columns);
+    log_notes(path);
     const std::vector<ReloadingFit> fits = preconsolidation_fits(path);
     if (fits.empty()) {
       spdlog::warn("{}: no fit: the pressure does not rise again after a fall, so there is no reloading branch",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,6 @@
 
 namespace floc {
 namespace {
-
-/// "sigma [kPa]" or "sigma (kPa)" -> name and unit.
-std::pair<std::string, std::string> name_and_unit(const std::string& header) {
-  const std::size_t open = header.find_first_of("[(");
-  const bool has_unit = open != std::string::npos && open > 0 && (header.back() == ']' || header.back() == ')');
-  if (!has_unit) return {header, ""};
-  return {std::string(trimmed(header.substr(0, open))), header.substr(open + 1, header.size() - open - 2)};
-}
 
 /// @throws InputError if two columns have the name
 std::optional<UnitColumn> find_optional_column(const CsvTable& table, const std::string& name) {
@@ -88,24 +81,39 @@ class DensityColumns {
       return named || (!other_named && has_column(table, columns, name));
     };
     if (there("void_ratio", named_void_ratio, named_phi))
-      void_ratio_ = find_column(table, columns, "void_ratio").index;
-    if (void_ratio_ < 0 || there("phi", named_phi, named_void_ratio))
-      phi_ = find_column(table, columns, "phi").index;
+      void_ratio_ = share_column(find_column(table, columns, "void_ratio"));
+    if (!void_ratio_ || there("phi", named_phi, named_void_ratio))
+      phi_ = share_column(find_column(table, columns, "phi"));
   }
 
   double phi(int row) const {
-    if (phi_ < 0) return solid_fraction_of(table_.place(row), table_.number(row, void_ratio_), true);
-    const double phi = solid_fraction_of(table_.place(row), table_.number(row, phi_), false);
-    if (void_ratio_ >= 0 && !table_.is_empty(row, void_ratio_)) require_same(row, phi);
+    if (!phi_) return solid_fraction_of(table_.place(row), number(row, *void_ratio_), true);
+    const double phi = solid_fraction_of(table_.place(row), number(row, *phi_), false);
+    if (void_ratio_ && !table_.is_empty(row, void_ratio_->index)) require_same(row, phi);
     return phi;
   }
 
  private:
+  /// A column of shares, and what its numbers are multiplied by: those in "phi [%]" are hundredths.
+  struct ShareColumn {
+    int index;
+    double unit;
+  };
+  static ShareColumn share_column(const UnitColumn& column) {
+    return {column.index, column.unit == "%" ? 1e-2 : 1.0};
+  }
+  double number(int row, const ShareColumn& column) const {
+    return column.unit * table_.number(row, column.index);
+  }
+  double rounding(int row, const ShareColumn& column) const {
+    return column.unit * rounding_of(table_.text(row, column.index));
+  }
+
   void require_same(int row, double phi) const {
     constexpr double kArithmetic = 1e-12;
-    const double e = table_.number(row, void_ratio_);
-    const double open = rounding_of(table_.text(row, phi_)) * std::abs(1.0 + e) +
-                        rounding_of(table_.text(row, void_ratio_)) * phi + kArithmetic;
+    const double e = number(row, *void_ratio_);
+    const double open =
+        rounding(row, *phi_) * std::abs(1.0 + e) + rounding(row, *void_ratio_) * phi + kArithmetic;
     if (std::abs(phi * (1.0 + e) - 1.0) <= open) return;
     throw InputError(
         table_.place(row),
@@ -115,7 +123,7 @@ class DensityColumns {
   }
 
   const CsvTable& table_;
-  int phi_ = -1, void_ratio_ = -1;
+  std::optional<ShareColumn> phi_, void_ratio_;
 };
 
 /// @throws InputError unless rows keep to their branches. @param place  of a row, for messages
@@ -152,6 +160,41 @@ class LoadColumns {
  private:
   const CsvTable& table_;
   int control_ = -1, axis_ = -1, mean_ = -1;
+};
+
+/// P_star of `floc run` is over the force of the contact law, which a stage may change: factors to the unit of the
+/// first rows under pressure.
+class PressureUnit {
+ public:
+  /// @param name  of the column of the pressures; without a name of the user's choice
+  PressureUnit(const CsvTable& table, const std::string& name, bool mapped) : table_(table) {
+    if (mapped || name != "P_star" || !table.has("P") || !table.has("state")) return;
+    reduced_ = table.column("P_star");
+    stress_ = table.column("P");
+  }
+
+  /// By what the P_star of a row is multiplied; says where the unit changes.
+  double factor(int row, std::vector<std::string>& notes) {
+    if (reduced_ < 0) return 1.0;
+    const double reduced = table_.number(row, reduced_), stress = table_.number(row, stress_);
+    if (reduced == 0.0 || stress == 0.0) return 1.0;
+    const double unit = stress / reduced;
+    if (first_ == 0.0) first_ = last_ = unit;
+    if (std::abs(unit / last_ - 1.0) > kSameUnit)
+      notes.push_back(
+          fmt::format("row {}: the stress that P* = 1 stands for changes from {:.6g} to {:.6g}, as a stage "
+                      "sets another force "
+                      "or stiffness of the contacts: P* is converted to the unit of the first rows, {:.6g}",
+                      row, last_, unit, first_));
+    last_ = unit;
+    return std::abs(unit / first_ - 1.0) > kSameUnit ? unit / first_ : 1.0;
+  }
+
+ private:
+  static constexpr double kSameUnit = 1e-9;
+  const CsvTable& table_;
+  int reduced_ = -1, stress_ = -1;
+  double first_ = 0.0, last_ = 0.0;  // stresses that P_star = 1 stands for
 };
 
 }  // namespace
@@ -232,16 +275,35 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
   const int branch = has_branch ? find_column(table, columns, "branch").index : -1;
   path.unit = pressure.unit;
   const LoadColumns loads(table);
+  PressureUnit unit(table, name, columns.contains(name));
   for (int i = 0; i < table.n_rows(); ++i) {
     const PathLoad load = loads.load(i);
-    double P = table.number(i, pressure.index);
+    double P = table.number(i, pressure.index) * unit.factor(i, path.notes);
+    double driven_over_mean = 1.0;
     if (load == PathLoad::other) P = std::max(P, 0.0);  // which cohesive grains may carry as tension
-    if (load == PathLoad::oedometric && oedometer == OedometerPressure::driven) P *= loads.driven_over_mean(i);
+    if (load == PathLoad::oedometric) {
+      driven_over_mean = loads.driven_over_mean(i);
+      if (oedometer == OedometerPressure::driven) P *= driven_over_mean;
+      path.stress = oedometer == OedometerPressure::driven ? "driven" : "mean";
+    }
     if (P < 0) throw InputError(table.place(i), fmt::format("{} = {}: expected a pressure >= 0", name, P));
-    path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P, density.phi(i), load});
+    path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P, density.phi(i), load, driven_over_mean});
   }
+  if (!path.stress.empty())
+    path.notes.push_back(fmt::format("P* of oedometric rows is computed from the {} stress", path.stress));
   require_path(path.rows, name, [&table](int row) { return table.place(row); });
   return path;
+}
+
+void convert_pressures(const PathTable& to, PathTable& path) {
+  const double factor = unit_factor(path.name, path.unit, to.name, to.unit);
+  path.unit = to.unit;
+  if (factor == 1.0) return;
+  for (PathRow& row : path.rows) row.P_star *= factor;
+}
+
+void log_notes(const PathTable& path) {
+  for (const std::string& note : path.notes) spdlog::info("{}: {}", path.name, note);
 }
 
 PathTable path_of_arrays(const PathArrays& arrays) {

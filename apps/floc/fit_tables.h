@@ -8,6 +8,8 @@
 #include "command_line.h"
 #include "floc/fitting/loading_path.h"
 #include "floc/io/csv.h"
+#include "floc/io/table.h"
+#include "floc/io/table_units.h"
 
 namespace floc {
 
@@ -42,6 +44,11 @@ struct PathTable {
   std::vector<PathRow> rows;
   std::string unit;  ///< of the pressures; empty if the header has none
   CsvTable table;
+  std::string stress = {};  ///< that of oedometric rows, "driven" or "mean"; empty without such rows
+  std::vector<std::string> notes = {};  ///< what was done to the pressures, for stderr
+
+  /// `stress` as a table has it.
+  TableValue stress_of_rows() const { return or_undefined(stress); }
 };
 
 /// What stands for the pressure of the rows of an oedometer.
@@ -49,12 +56,19 @@ enum class OedometerPressure { driven, mean };
 
 /// Reads the pressure (the first of `pressures` that the table has), phi (or void_ratio) and, if there is one,
 /// branch. Of rows of `floc run` with one driven axis and no lateral strain, the pressure is the driven stress,
-/// or the mean stress.
+/// or the mean stress. P_star of `floc run` whose unit changes on the way is converted to that of its first rows.
 /// @throws InputError naming file, line and value for what is no path: columns missing, values that are no
 /// numbers, negative, or pressures that break their branch
 PathTable read_path(const std::string& file, const ColumnNames& columns,
                     const std::vector<std::string>& pressures = {"P_star"},
                     OedometerPressure oedometer = OedometerPressure::driven);
+
+/// Puts the pressures of a path in the unit of another one, which it is pooled with.
+/// @throws InputError where only one has a unit, or the units cannot be converted
+void convert_pressures(const PathTable& to, PathTable& path);
+
+/// Says on stderr what was done to the pressures of a path.
+void log_notes(const PathTable& path);
 
 /// A path as arrays.
 struct PathArrays {

@@ -52,14 +52,31 @@ std::vector<double> pressures_of(const PathTable& path) {
   return P;
 }
 
+/// The stress that a pressure of one of a path stands for at a row.
+double stress_of_unit(const PathTable& path, int row) {
+  const PathRow& of = path.rows[static_cast<std::size_t>(row)];
+  if (!path.table.has("P") || of.P_star == 0.0) return 1.0;
+  const double driven_over_mean = path.stress == "driven" ? of.driven_over_mean : 1.0;
+  return path.table.number(row, path.table.column("P")) * driven_over_mean / of.P_star;
+}
+
+/// The modulus of the state that a branch starts from, in the unit of the pressures of the path: of the strain of the
+/// driven axis in an oedometer, where the pressures are that axis's stress, else of equal stresses.
+std::optional<double> modulus_of_state(const PathTable& path, const Loading& branch) {
+  const auto state = moduli_of_row(path, branch.rows.front(), driven_axis(path, branch.rows.back()));
+  if (!state) return std::nullopt;
+  const double modulus = !state->M ? state->B_S : path.stress == "driven" ? *state->M : *state->B_uniaxial;
+  return modulus / stress_of_unit(path, branch.rows.front());
+}
+
 /// Points of the line ln Phi = ln phi + (P - pressure)/B from the start of a branch to its end.
 void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<std::vector<double>>& points) {
   constexpr int kSteps = 60;
   const double P_first = branch.curve.P_star.front(), P_last = branch.curve.P_star.back();
   const double phi_first = branch.curve.phi.front();
   double B = 0.0;
-  if (const auto state = moduli_of_row(path, branch.rows.front()))
-    B = state->B_S;
+  if (const auto modulus = modulus_of_state(path, branch))
+    B = *modulus;
   else if (const ElasticFit fit = fit_elastic(branch.curve.P_star, branch.curve.phi); fit.found())
     B = fit.parameters.front().value.value_or(0.0);
   if (B <= 0.0 || !(P_last > 0.0)) return;
@@ -203,7 +220,7 @@ set title {title} offset 0,0.6
 {regimes}{curves})",
       fmt::arg("ranges", range_script(plot, "x", all, 0, true) + y_range +
                              (y_range.empty() ? "" : "set y2" + y_range.substr(5)) + density_tics(plot)),
-      fmt::arg("xlabel", gnuplot_quoted(unit.empty() ? "P*" : "pressure (" + unit + ")")),
+      fmt::arg("xlabel", gnuplot_quoted(pressure_label(unit, samples.front().stress))),
       fmt::arg("title", gnuplot_quoted(fitted.fit.found() ? parameters_text(fitted.fit) : "")),
       fmt::arg("regimes", fitted.fit.found() ? regimes_script(fitted.fit, low, high) : ""),
       fmt::arg("curves", curves));

@@ -44,7 +44,10 @@ Made consolidation(const PlotArguments& arguments) {
   std::vector<PathTable> samples;
   Made made;
   made.code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    samples.push_back(read_path(file, arguments.names));
+    PathTable path = read_path(file, arguments.names);
+    log_notes(path);
+    if (!samples.empty()) convert_pressures(samples.front(), path);
+    samples.push_back(std::move(path));
     return int{kDone};
   });
   if (samples.empty()) return made;

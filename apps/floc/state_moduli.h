@@ -11,12 +11,19 @@ namespace floc {
 struct StateModuli {
   std::string file;
   double B, B_S, pressure, phi;
+  /// Of one axis, where one is asked for: the modulus of its strain alone, and how the mean stress answers it, over
+  /// that strain (stress).
+  std::optional<double> M = {}, B_uniaxial = {};
 };
 
-/// @throws InputError if the file is no state
-StateModuli moduli_of(const std::string& file);
+/// @param axis  driven axis of an oedometer, from 0; -1: none
+/// @throws InputError if the file is no state, or has no such axis
+StateModuli moduli_of(const std::string& file, int axis = -1);
+
+/// The driven axis of a row of `floc run`, from 0; -1 where it is not loaded as in an oedometer.
+int driven_axis(const PathTable& path, int row);
 
 /// Of the state that a row of a path names, if it lies beside the table.
-std::optional<StateModuli> moduli_of_row(const PathTable& path, int row);
+std::optional<StateModuli> moduli_of_row(const PathTable& path, int row, int axis = -1);
 
 }  // namespace floc

@@ -17,7 +17,7 @@ void add_rows(const PathTable& path, const PressureCycle& cycle, Table& table) {
   for (std::size_t k = 0; k < cycle.P.size(); ++k)
     table.rows.push_back({path.name, ranges(cycle.up.rows), ranges(cycle.down.rows), cycle.P[k],
                           cycle.phi_up[k], cycle.phi_down[k], cycle.phi_down[k] - cycle.phi_up[k],
-                          cycle.up.curve.P_star.back(), work, unit});
+                          cycle.up.curve.P_star.back(), work, unit, path.stress_of_rows()});
 }
 
 Json budget_as_json(const CompactionFit& fit) {
@@ -47,6 +47,7 @@ Json as_json(const PathTable& path, const ReloadingFit& reloading) {
   object["rows_used"] = branch.loading.rows;
   object["largest_before"] = branch.largest_before;
   object["pressure_unit"] = path.unit.empty() ? Json(nullptr) : Json(path.unit);
+  object["stress"] = path.stress.empty() ? Json(nullptr) : Json(path.stress);
   object["n_points"] = branch.loading.rows.size();
   object["parameters"] = parameters_as_json(fit.parameters);
   object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
@@ -55,7 +56,8 @@ Json as_json(const PathTable& path, const ReloadingFit& reloading) {
 }
 
 Table cycle_table() {
-  return {{"sample", "rows_up", "rows_down", "P", "phi_up", "phi_down", "dphi_irr", "P_turn", "work", "unit"},
+  return {{"sample", "rows_up", "rows_down", "P", "phi_up", "phi_down", "dphi_irr", "P_turn", "work", "unit",
+           "stress"},
           {}};
 }
 

@@ -87,8 +87,11 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
     const OedometerPressure oedometer =
         arguments.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven;
     std::vector<ConsolidationSample> read;
-    for (const PathTable& path : tables_of(inputs, {"P_star"}, oedometer))
+    std::vector<PathTable> paths = tables_of(inputs, {"P_star"}, oedometer);
+    for (PathTable& path : paths) {
+      convert_pressures(paths.front(), path);
       read.push_back(consolidation_sample(path, arguments));
+    }
     Json array = Json::array();
     for (const ConsolidationSample& sample : with_pooled(std::move(read), options.hold_P0))
       array.push_back(as_json(sample, fit_of(sample, arguments, options), arguments));
@@ -111,7 +114,7 @@ py::object elastic(const py::list& samples, const ColumnNames& columns, const st
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     Json array = Json::array();
-    for (const PathTable& path : tables_of(inputs, {"P", "P_star"}))
+    for (const PathTable& path : tables_of(inputs, {"P", "P_star"}, OedometerPressure::mean))
       for (const ElasticBranch& branch : elastic_branches(path, state)) array.push_back(as_json(path, branch));
     return array;
   }));

@@ -149,7 +149,9 @@ def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=N
 
 
 def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, state=None, columns=None):
-    """Bulk modulus from unloading branches, ln Phi = ln Phi_unloaded + P/B.
+    """Moduli from unloading branches, ln Phi = ln Phi_unloaded + P/B.
+
+    In an oedometer B is that of the mean stress, and M that of the driven one.
 
     Parameters
     ----------

@@ -216,13 +216,11 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   }
 }
 
-/// Whether the stress on the strains of the network is a pressure.
+/// Whether the principal stresses along the axes are equal, which B_S is defined by: it keeps shear strains clamped.
 template <int Dim>
-bool is_isotropic(const Mat<Dim>& stress, double pressure, StrainSet strains) {
-  const Mat<Dim> deviator = stress - pressure * Mat<Dim>::Identity();
-  const double largest = strains == StrainSet::diagonal ? deviator.diagonal().cwiseAbs().maxCoeff()
-                                                        : deviator.cwiseAbs().maxCoeff();
-  return largest <= kIsotropic * std::abs(pressure);
+bool is_isotropic(const Mat<Dim>& stress, double pressure) {
+  const Vec<Dim> deviator = stress.diagonal() - Vec<Dim>::Constant(pressure);
+  return deviator.cwiseAbs().maxCoeff() <= kIsotropic * std::abs(pressure);
 }
 
 /// @param respond  elastic_response with what is kept from one call to the next
@@ -235,7 +233,7 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
   m.n_mobilised = load.n_mobilised;
   m.bounds = elastic_bounds(network, load.unloaded ? 0.0 : m.pressure, load.mean_field);
   if (options.prestress && m.bounds_hold()) m.bounds.fault = "B contains the geometric terms of the forces";
-  m.isotropic_stress = m.bounds.B_reuss == 0.0 || is_isotropic<Dim>(load.stress, m.pressure, options.strains);
+  m.isotropic_stress = m.bounds.B_reuss == 0.0 || is_isotropic<Dim>(load.stress, m.pressure);
   if (options.method == ModuliMethod::bounds) {
     set_midpoint_of_bounds(n_strains<Dim>(options.strains), m);
     return m;

@@ -23,6 +23,7 @@ struct PathRow {
   double P_star;
   double phi;
   PathLoad load = PathLoad::isotropic;
+  double driven_over_mean = 1.0;  ///< driven over mean stress, of an oedometric row
 };
 
 /// What a row of a path does.

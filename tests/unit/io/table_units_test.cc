@@ -1,0 +1,83 @@
+#include "floc/io/table_units.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+using testing::Pair;
+
+TEST(TableUnits, AreTheLastBracketsOfAHeader) {
+  EXPECT_THAT(name_and_unit("P_star [kPa]"), Pair("P_star", "kPa"));
+  EXPECT_THAT(name_and_unit("sigma' (eff) [ kPa ]"), Pair("sigma' (eff)", "kPa"));
+  EXPECT_THAT(name_and_unit("sigma(MPa)"), Pair("sigma", "MPa"));
+  EXPECT_THAT(name_and_unit("P [-]"), Pair("P", ""));
+  EXPECT_THAT(name_and_unit("P [1]"), Pair("P", ""));
+  EXPECT_THAT(name_and_unit("P"), Pair("P", ""));
+  EXPECT_THAT(name_and_unit("c_force[1]x"), Pair("c_force[1]x", ""));
+}
+
+TEST(TableUnits, AreConvertedByTheirSizes) {
+  const auto factor = [](const char* from, const char* to) { return unit_factor("a", from, "b", to); };
+  EXPECT_DOUBLE_EQ(factor("kPa", "Pa"), 1e3);
+  EXPECT_DOUBLE_EQ(factor("MPa", "kpa"), 1e3);
+  EXPECT_DOUBLE_EQ(factor("GPa", "N/mm2"), 1e3);
+  EXPECT_DOUBLE_EQ(factor("kN/m2", "kPa"), 1.0);
+  EXPECT_DOUBLE_EQ(factor("bar", "kPa"), 100.0);
+  EXPECT_NEAR(factor("psi", "kPa"), 6.894757, 1e-6);
+  EXPECT_DOUBLE_EQ(factor("kN/m", "N/mm"), 1.0);
+  EXPECT_DOUBLE_EQ(factor("mN", "uN"), 1e3);
+  EXPECT_DOUBLE_EQ(factor("mm", "m"), 1e-3);
+  EXPECT_DOUBLE_EQ(factor("potatoes", "potatoes"), 1.0);
+  EXPECT_THROW(factor("potatoes", "Pa"), InputError);
+}
+
+/// All pairs of units, with prefixes: there and back is one, through a third it is the same, and what measures
+/// something else, or is not given, is refused.
+TEST(TableUnits, OfAllPairsConvertOrAreRefused) {
+  std::vector<std::string> units = known_units();
+  for (const char* name :
+       {"kPa", "MPa", "GPa", "hPa", "mPa", "kN/m2", "MN/m^2", "mbar", "kN", "mN", "kN/m", "mm", "um"})
+    units.emplace_back(name);
+  const auto convertible = [](const std::string& a, const std::string& b) {
+    try {
+      (void)unit_factor("a", a, "b", b);
+    } catch (const InputError&) {
+      return false;
+    }
+    return true;
+  };
+  int n_converted = 0, n_refused = 0;
+  for (const std::string& a : units)
+    for (const std::string& b : units) {
+      EXPECT_EQ(convertible(a, b), convertible(b, a)) << a << ", " << b;
+      if (!convertible(a, b)) {
+        ++n_refused;
+        continue;
+      }
+      ++n_converted;
+      EXPECT_NEAR(unit_factor("a", a, "b", b) * unit_factor("b", b, "a", a), 1.0, 1e-14) << a << ", " << b;
+      for (const std::string& c : units)
+        if (convertible(b, c)) {
+          EXPECT_NEAR(unit_factor("", a, "", b) * unit_factor("", b, "", c) / unit_factor("", a, "", c), 1.0,
+                      1e-14);
+        }
+    }
+  for (const std::string& a : units) {
+    EXPECT_FALSE(convertible(a, ""));
+    EXPECT_FALSE(convertible("", a));
+  }
+  fmt::print("{} units: {} pairs converted, {} refused, {} without one of the two units refused\n",
+             units.size(), n_converted, n_refused, 2 * units.size());
+  EXPECT_GT(n_converted, 100);
+  EXPECT_GT(n_refused, 100);
+}
+
+}  // namespace
+}  // namespace floc

@@ -48,13 +48,29 @@ class Moduli(Same):
         state = floc.read(file)
         for options, keywords in ((("--strains", "full"), {"strains": "full"}),
                                   (("--prestress",), {"prestress": True}),
-                                  (("--method", "bounds"), {"method": "bounds"}),
+                                  (("--method", "single-factor"), {"method": "single-factor"}),
                                   (("--accuracy", "B=0.5"), {"accuracy": {"B": 0.5}}),
                                   (("--force-tolerance", "1e-4"), {"force_tolerance": 1e-4})):
             self.assert_row(floc.moduli(state, **keywords), samples.rows_of("moduli", file, *options)[0])
         rows = samples.rows_of("moduli", file, "--rolling-stiffness", "0.5,2")
         for record, row in zip(floc.moduli(state, rolling_stiffness=[0.5, 2.0]), rows, strict=True):
             self.assert_row(record, row)
+
+    def test_by_bounds_where_they_hold(self):
+        n_refused = 0
+        for name in samples.SCENES:
+            file = samples.last_state(name)
+            exact = floc.moduli(file, force=True)
+            if exact.bounds_hold:
+                force = ("--force",) if floc.read(file).equilibrium_faults else ()
+                row = samples.rows_of("moduli", file, "--method", "bounds", *force)[0]
+                self.assert_row(floc.moduli(file, method="bounds", force=bool(force)), row)
+            else:
+                n_refused += 1
+                with self.assertRaisesRegex(floc.InputError, "--method bounds: expected another method, because"):
+                    floc.moduli(file, method="bounds", force=True)
+        self.assertGreater(n_refused, 0)
+        self.assertLess(n_refused, len(samples.SCENES))
 
     def test_of_several_states(self):
         files = [str(path) for path in samples.run("powder").states[-2:]]

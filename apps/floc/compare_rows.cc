@@ -22,7 +22,7 @@ void add_displacements(const CompareRow& row, const Packing<Dim>& before, const 
   names.emplace_back("rigid_cluster");
   expect_columns(row.after, names, table);
   for (int i = 0; i < row.n_grains; ++i) {
-    std::vector<TableValue> values = {row.before, row.after, count(i)};
+    std::vector<TableValue> values = {row.before, row.after, before.grains.name(i)};
     for (int a = 0; a < Dim; ++a) values.emplace_back(before.grains.position[i][a]);
     for (int a = 0; a < Dim; ++a) values.emplace_back(changes.displacement[i][a]);
     values.push_back(rigid.cluster[i] < 0 ? TableValue{} : count(rigid.cluster[i]));
@@ -37,8 +37,8 @@ void add_contacts(const CompareRow& row, const Packing<Dim>& before, const Packi
                  table);
   const auto add = [&](const char* change, const Contact<Dim>& c, int index_before, int index_after) {
     const auto index = [](int k) { return k < 0 ? TableValue{} : count(k); };
-    table.rows.push_back(
-        {row.before, row.after, change, count(c.i), count(c.j), index(index_before), index(index_after)});
+    table.rows.push_back({row.before, row.after, change, before.grains.name(c.i), before.grains.name(c.j),
+                          index(index_before), index(index_after)});
   };
   for (const KeptContact& k : changes.kept) add("kept", before.contacts[k.before], k.before, k.after);
   for (const int k : changes.lost) add("lost", before.contacts[k], k, -1);

@@ -58,7 +58,7 @@ std::string complete_import(const std::string& place, const Imported& imported,
     throw InputError(completion.law_place, faults.front().words);
   if (!imported.contacts_known)
     find_contacts(state.packing);
-  else
+  else if (!imported.liquid_known)
     spread_liquid(state.packing);
   refuse_impossible_density(place, state.packing);
   require_small_overlaps(place, state.packing);
@@ -69,6 +69,11 @@ std::string complete_import(const std::string& place, const Imported& imported,
   state.provenance.commit = commit();
   state.provenance.compiler = compiler();
   if (!holds_liquid(state.packing)) return "";
+  if (imported.liquid_known) {
+    Packing<Dim> shared = state.packing;
+    state.n_bridges_unsettled = spread_liquid(shared).n_changed();
+    return "";
+  }
   return "the file does not hold the volumes of the liquid bridges; they and the forces follow from the law";
 }
 

@@ -95,6 +95,7 @@ template <int Dim>
 ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
   ConversionSummary summary;
   if (imported.complete) return summary;
+  summary.doubts = imported.doubts;
   ContactCheck check = check_contacts(state.packing, kForceTolerance);
   if (imported.contacts_known) {
     add_missing_contacts(state.packing, check);
@@ -102,8 +103,9 @@ ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
     add_stiffnesses(imported, summary);
   }
   add_contacts(check, state.packing.law.adheres(), summary);
+  const Mat<Dim> by_rows = state.stress.transpose();  // matrices are stored by columns
   summary.lines.back() +=
-      fmt::format("; stress {:.6g}", fmt::join(state.stress.data(), state.stress.data() + Dim * Dim, " "));
+      fmt::format("; stress {:.6g}", fmt::join(by_rows.data(), by_rows.data() + Dim * Dim, " "));
   add_absence_of_contacts(state.packing, summary);
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
     summary.doubts.push_back("this state is not in equilibrium: " + faults);

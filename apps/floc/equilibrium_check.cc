@@ -15,8 +15,10 @@ std::string equilibrium_faults(const State<Dim>& state) {
     if (!(value < limit))
       faults += fmt::format("{}{} = {:.3g}, limit {:.3g}", faults.empty() ? "" : "; ", what, value, limit);
   };
-  check(fmt::format("net force of grain {} / F1", r.worst_force_grain), r.force, t.force);
-  check(fmt::format("net moment of grain {} / (F1 a)", r.worst_moment_grain), r.moment, t.moment);
+  // No grain is the worst of a packing in which nothing can be measured.
+  const auto name = [&](int grain) { return grain < 0 ? grain : state.packing.grains.name(grain); };
+  check(fmt::format("net force of grain {} / F1", name(r.worst_force_grain)), r.force, t.force);
+  check(fmt::format("net moment of grain {} / (F1 a)", name(r.worst_moment_grain)), r.moment, t.moment);
   check("deviation from the imposed stress / (F1/a^(d-1))", r.stress, t.stress);
   check("kinetic energy per grain / (F1 a)", r.energy, t.energy);
   return faults;

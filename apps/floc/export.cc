@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "columns.h"
 #include "floc/base/error.h"
+#include "floc/base/shell_word.h"
 #include "floc/io/law_text.h"
+#include "floc/packing/liquid.h"
 #include "output.h"
 
 namespace floc {
@@ -32,7 +35,7 @@ Table grain_table(const Packing<Dim>& packing) {
   table.columns.insert(table.columns.end(), {"radius", "mass"});
   for (int i = 0; i < grains.size(); ++i) {
     auto& row = table.rows.emplace_back();
-    row.push_back(count(i));
+    row.emplace_back(grains.name(i));
     for (int a = 0; a < Dim; ++a) row.emplace_back(grains.position[i][a]);
     for (int a = 0; a < Dim && exact; ++a) row.emplace_back(grains.position_low[i][a]);
     row.emplace_back(grains.radius[i]);
@@ -57,9 +60,10 @@ Table contact_table(const Packing<Dim>& packing) {
   if (twists) table.columns.emplace_back("twisting_moment");
   table.columns.insert(table.columns.end(), {"kn", "kt"});
   if (rolls) table.columns.emplace_back("kr");
+  if (holds_liquid(packing)) table.columns.emplace_back("bridge_volume");
   for (const Contact<Dim>& c : packing.contacts) {
     auto& row = table.rows.emplace_back();
-    row = {count(c.i), count(c.j)};
+    row = {packing.grains.name(c.i), packing.grains.name(c.j)};
     for (int a = 0; a < Dim; ++a) row.push_back(count(c.image[a]));
     row.emplace_back(c.normal_force);
     for (int a = 0; a < Dim; ++a) row.emplace_back(c.shear_force[a]);
@@ -68,6 +72,7 @@ Table contact_table(const Packing<Dim>& packing) {
     row.emplace_back(c.kn);
     row.emplace_back(c.kt);
     if (rolls) row.emplace_back(c.kr);
+    if (holds_liquid(packing)) row.emplace_back(bridge_volume(packing, c));
   }
   return table;
 }
@@ -80,12 +85,12 @@ std::string convert_command(const ExportArguments& arguments, const State<Dim>& 
     const auto row = state.packing.cell.matrix.row(a);
     vectors.push_back(fmt::format("{}", fmt::join(row.begin(), row.end(), ",")));
   }
-  return fmt::format("floc convert {} STATE.h5 --cell '{}' --law '{}' --stress={} --units {} --tolerance {}{}",
-                     arguments.grains.empty() ? "GRAINS.csv" : arguments.grains, fmt::join(vectors, ";"),
-                     law_text(state.packing.law),
-                     fmt::join(state.target_stress.begin(), state.target_stress.end(), ","), state.units,
-                     state.tolerance.force,
-                     arguments.contacts.empty() ? "" : " --contacts " + arguments.contacts);
+  const bool named_csv = std::filesystem::path(arguments.grains).extension() == ".csv";
+  return fmt::format(
+      "floc convert {} STATE.h5{} --cell '{}' --law '{}' --stress={} --units {} --tolerance {} --contacts {}",
+      shell_word(arguments.grains), named_csv ? "" : " --from csv", fmt::join(vectors, ";"),
+      law_text(state.packing.law), fmt::join(state.target_stress.begin(), state.target_stress.end(), ","),
+      state.units, state.tolerance.force, shell_word(arguments.contacts));
 }
 
 template <int Dim>

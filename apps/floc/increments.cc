@@ -77,7 +77,8 @@ void add_increments(const std::string& file, const Packing<Dim>& packing, const 
   for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
     const Contact<Dim>& contact = packing.contacts[k];
     const int c = in_network[k];
-    Values values{file, static_cast<std::int64_t>(k), std::int64_t{contact.i}, std::int64_t{contact.j}};
+    Values values{file, static_cast<std::int64_t>(k), packing.grains.name(contact.i),
+                  packing.grains.name(contact.j)};
     for (int a = 0; a < Dim; ++a) values.emplace_back(std::int64_t{contact.image[a]});
     values.emplace_back(contact.distant);
     append_step(mechanics.isotropic, network, c, values);

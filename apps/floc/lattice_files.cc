@@ -56,7 +56,8 @@ Table node_table(const LoadedSample<Dim>& of) {
     std::vector<TableValue> row = {number++};
     for (int a = 0; a < Dim; ++a) row.emplace_back(of.sample.lattice.node[k][a]);
     row.emplace_back(phase_name(of.sample.phase[k]));
-    row.emplace_back(count(of.sample.owner[k]));
+    const int owner = of.sample.owner[k];
+    row.emplace_back(owner < 0 ? count(owner) : of.sample.grains.name(owner));
     row.emplace_back(of.sample.lattice.volume[k]);
     row.emplace_back(of.stress[k].trace() / Dim);
     for (const auto& [a, b] : stress_components<Dim>()) row.emplace_back(of.stress[k](a, b));

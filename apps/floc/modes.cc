@@ -36,7 +36,7 @@ struct ModeRow {
   std::optional<double> eigenvalue, with_prestress, participation, softens_B, softens_G;
   Eigen::VectorXd coupling;  // volume times stress per unit amplitude; empty: none
   Eigen::VectorXd strain;    // of a mechanism that strains the cell
-  std::vector<int> grains;
+  std::vector<std::int64_t> grains;
 };
 
 void print_message(const std::string& file, const std::string& message) {
@@ -73,7 +73,8 @@ void add_strain_mechanisms(const std::string& file, const StrainMechanisms& foun
 }
 
 template <int Dim>
-void add_modes(const std::string& file, const SoftModes<Dim>& soft, std::vector<ModeRow>& rows) {
+void add_modes(const std::string& file, const Grains<Dim>& grains, const SoftModes<Dim>& soft,
+               std::vector<ModeRow>& rows) {
   for (const Mode<Dim>& mode : soft.modes) {
     ModeRow row;
     row.file = file;
@@ -84,7 +85,7 @@ void add_modes(const std::string& file, const SoftModes<Dim>& soft, std::vector<
     row.softens_B = mode.softens_B;
     row.softens_G = mode.softens_G;
     row.coupling = mode.coupling;
-    row.grains = mode.grains;
+    for (const int i : mode.grains) row.grains.push_back(grains.name(i));
     rows.push_back(row);
   }
 }
@@ -124,7 +125,7 @@ void add_state(const std::string& file, const State<Dim>& state, const ModesComm
   add_free_motions(file, soft.free, rows);
   add_strain_mechanisms(
       file, strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)), rows);
-  add_modes(file, soft, rows);
+  add_modes(file, packing.grains, soft, rows);
   report_soft_modes(file, network, moduli, soft);
 }
 
@@ -133,7 +134,7 @@ TableValue entry(const Eigen::VectorXd& values, int a) {
   return values[a];
 }
 
-TableValue list(const std::vector<int>& grains) {
+TableValue list(const std::vector<std::int64_t>& grains) {
   if (grains.empty()) return {};
   return fmt::format("{}", fmt::join(grains, " "));
 }

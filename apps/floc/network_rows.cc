@@ -124,7 +124,7 @@ void add_pressures(const std::string& file, const Packing<Dim>& packing, const s
     for (int b = 1; b <= Dim; ++b) names.push_back(fmt::format("stress{}{}", a, b));
   expect_columns(file, names, table);
   for (int i = 0; i < packing.grains.size(); ++i) {
-    std::vector<TableValue> values = {file, count(i)};
+    std::vector<TableValue> values = {file, packing.grains.name(i)};
     for (int a = 0; a < Dim; ++a) values.emplace_back(packing.grains.position[i][a]);
     values.emplace_back(packing.grains.radius[i]);
     values.emplace_back(stress[i].trace() / Dim);

@@ -34,7 +34,7 @@ Criterion check_mass(const std::string& file, const State<Dim>& state) {
     result.where = fmt::format(
         "mass {:.6g} of grain {}, whose radius is {:.6g}, is not the {:.6g} that follows from the scene's "
         "density",
-        g.mass[i], i, g.radius[i], expected);
+        g.mass[i], g.name(i), g.radius[i], expected);
   }
   result.holds = result.value <= kRelative;
   return result;

@@ -170,7 +170,7 @@ void add_voronoi(const Packing<3>& packing, const StructureCommand& command, Ser
   for (int i = 0; i < packing.grains.size(); ++i) {
     const Vec<3>& x = packing.grains.position[i];
     series.map.rows.push_back(
-        {row.file, count(i), x[0], x[1], x[2], voronoi.volume[i], voronoi.solid_fraction[i]});
+        {row.file, packing.grains.name(i), x[0], x[1], x[2], voronoi.volume[i], voronoi.solid_fraction[i]});
   }
 }
 

@@ -59,7 +59,8 @@ Eigen::Vector3d row_of(const std::string& name, const Numbers& array, py::ssize_
 }
 
 std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& radius,
-                                       const std::optional<Numbers>& mass, int dimension) {
+                                       const std::optional<Numbers>& mass, const std::optional<Integers>& ids,
+                                       int dimension) {
   if (position.ndim() != 2 || position.shape(1) != dimension)
     throw InputError("position", fmt::format("has shape {}, expected (n, {}), as many columns as the cell has",
                                              shape_of(position), dimension));
@@ -67,12 +68,13 @@ std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& r
   if (n == 0) throw InputError("position", "has no grains");
   require_shape("radius", radius, n, -1);
   if (mass) require_shape("mass", *mass, n, -1);
+  if (ids) require_shape("ids", *ids, n, -1);
   const auto before = std::make_shared<const std::string>("grain ");
   std::vector<ListedGrain> grains(static_cast<std::size_t>(n));
   for (py::ssize_t i = 0; i < n; ++i) {
     ListedGrain& grain = grains[static_cast<std::size_t>(i)];
     grain.place = {before, static_cast<int>(i)};
-    grain.id = i;
+    grain.id = ids ? ids->data()[i] : i;
     grain.position = row_of("position", position, i, dimension);
     grain.radius = positive("radius", i, radius.data()[i]);
     if (mass) grain.mass = positive("mass", i, mass->data()[i]);
@@ -108,6 +110,7 @@ class ContactArrays {
     numbers("kt", &ListedContact::kt, contacts);
     numbers("kr", &ListedContact::kr, contacts);
     numbers("ktw", &ListedContact::ktw, contacts);
+    numbers("bridge_volume", &ListedContact::bridge_volume, contacts);
     return contacts;
   }
 
@@ -188,8 +191,9 @@ NamedState assembled(const ListedPacking& listed, const ImportCompletion& comple
 
 NamedState from_arrays(const Numbers& position, const Numbers& radius, const Numbers& cell,
                        const std::string& law, const std::optional<py::dict>& contacts,
-                       const std::optional<Numbers>& mass, const py::object& stress,
-                       const py::object& tolerance, const py::object& units, bool drop_tensile) {
+                       const std::optional<Numbers>& mass, const std::optional<Integers>& ids,
+                       const py::object& stress, const py::object& tolerance, const py::object& units,
+                       bool drop_tensile) {
   if (cell.ndim() != 2 || cell.shape(0) != cell.shape(1) || (cell.shape(0) != 2 && cell.shape(0) != 3))
     throw InputError("cell", fmt::format("has shape {}, expected (2, 2) or (3, 3)", shape_of(cell)));
   const auto dimension = static_cast<int>(cell.shape(0));
@@ -203,7 +207,7 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
     const Eigen::Vector3d vector = row_of("cell", cell, a, dimension);
     listed.cell.emplace_back(vector.data(), vector.data() + dimension);
   }
-  listed.grains = listed_grains(position, radius, mass, dimension);
+  listed.grains = listed_grains(position, radius, mass, ids, dimension);
   if (contacts) listed.contacts = ContactArrays(*contacts, dimension).listed();
   return assembled(listed, {"law", numbers_of("stress", stress), "stress",
                             number_if_any("tolerance", tolerance, kPositiveNumber)});
@@ -213,8 +217,8 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
 
 void bind_packings(py::module_& module) {
   module.def("from_arrays", &from_arrays, py::kw_only(), py::arg("position"), py::arg("radius"),
-             py::arg("cell"), py::arg("law"), py::arg("contacts"), py::arg("mass"), py::arg("stress"),
-             py::arg("tolerance"), py::arg("units"), py::arg("drop_tensile"));
+             py::arg("cell"), py::arg("law"), py::arg("contacts"), py::arg("mass"), py::arg("ids"),
+             py::arg("stress"), py::arg("tolerance"), py::arg("units"), py::arg("drop_tensile"));
 }
 
 }  // namespace floc::python

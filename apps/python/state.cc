@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 
 #include "binding.h"
 #include "equilibrium_check.h"
@@ -152,6 +154,18 @@ void bind_arrays(py::class_<NamedState>& bound) {
                              }))
       .def_property_readonly("mass", property([](const py::object& self, const auto& s) -> py::object {
                                return view_of(self, s.packing.grains.mass, 1);
+                             }))
+      .def_property_readonly("ids", property([](const py::object& self, const auto& s) -> py::object {
+                               const auto& id = s.packing.grains.id;
+                               const auto n = static_cast<py::ssize_t>(s.packing.grains.size());
+                               constexpr py::ssize_t kItem = sizeof(std::int64_t);
+                               if (!id.empty())
+                                 return view(self, py::dtype::of<std::int64_t>(), {n}, {kItem}, id.data());
+                               py::array_t<std::int64_t> indices(n);
+                               std::iota(indices.mutable_data(), indices.mutable_data() + n, std::int64_t{0});
+                               py::detail::array_proxy(indices.ptr())->flags &=
+                                   ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+                               return indices;
                              }))
       .def_property_readonly("orientation", property([](const py::object& self, const auto& s) -> py::object {
                                return view_of(self, s.packing.grains.orientation,

@@ -33,6 +33,7 @@ class FlocWarning(UserWarning): ...
 class State:
     def __init__(self, other: State) -> None: ...
     position: _Array
+    ids: _Array
     position_low: _Array | None
     velocity: _Array
     radius: _Array
@@ -68,7 +69,7 @@ class Packing(State):
         cls, position: _npt.ArrayLike, radius: _npt.ArrayLike, cell: _npt.ArrayLike, law: str | _Mapping[str, _Any],
         contacts: _Mapping[str, _npt.ArrayLike] | _npt.NDArray[_np.void] | None = None, *,
         mass: _npt.ArrayLike | None = None, stress: _Iterable[float] | None = None, tolerance: float | None = None,
-        units: str = "reduced", drop_tensile: bool = False) -> Packing: ...
+        units: str = "reduced", drop_tensile: bool = False, ids: _npt.ArrayLike | None = None) -> Packing: ...
 
 class Record(_Mapping[str, _Any]):
     tables: dict[str, _Table]

@@ -26,6 +26,8 @@ class State(_core.State):
                                "in its last place (length); None where there are none.")
     velocity = _documented("velocity", "(n, d) velocities without the affine part of the cell (length/time).")
     radius = _documented("radius", "(n,) radii (length).")
+    ids = _documented("ids", "(n,) numbers by which messages and tables name the grains: those of the program a packing came "
+                      "from, otherwise the indices. ``contacts`` refers to indices.")
     mass = _documented("mass", "(n,) masses.")
     orientation = _documented("orientation", "(n,) angles in radians; in 3D (n, 4) quaternions x, y, z, w, as SciPy "
                               "orders them.")
@@ -103,7 +105,7 @@ class Packing(State):
 
     @classmethod
     def from_arrays(cls, position, radius, cell, law, contacts=None, *, mass=None, stress=None, tolerance=None,
-                    units="reduced", drop_tensile=False):
+                    units="reduced", drop_tensile=False, ids=None):
         """Makes a packing from arrays of any program, for moduli and all else, as ``floc convert`` makes one from files.
 
         What contacts do not say follows from the law: forces that are given are kept to the last digit, and springs are
@@ -122,9 +124,9 @@ class Packing(State):
             ``{"normal.stiffness": 1e5, "friction": {"coefficient": 0.5, "stiffness": 1e5}}`` or in one line,
             ``"normal.stiffness=1e5, friction.coefficient=0.5, friction.stiffness=1e5"``.
         contacts : dict of arrays, structured array or DataFrame, optional
-            id1 and id2, the indices of the two grains, and of what is known: image (m, d), normal_force (m,), positive in
-            compression, shear_force (m, d) on id1, or force (m, d), all of the force on id1; rolling_moment (m,) or, in
-            3D, (m, 3), twisting_moment (m,), kn, kt, kr, ktw (m,).
+            id1 and id2, the two grains by their `ids`, without these by their indices from 0, and of what is known: image
+            (m, d), normal_force (m,), positive in compression, shear_force (m, d) on id1, or force (m, d), all of the force on id1; rolling_moment (m,) or, in
+            3D, (m, 3), twisting_moment (m,), kn, kt, kr, ktw (m,), bridge_volume (m,) of a law with liquid.
         mass : array_like, (n,), optional
             Masses; without them unit mass at unit diameter.
         stress : array_like, (d,), optional
@@ -135,6 +137,8 @@ class Packing(State):
         units : {"reduced", "SI"}
         drop_tensile : bool
             Leaves out contacts that pull under a law without adhesion, which are an error otherwise.
+        ids : array_like of int, (n,), optional
+            Numbers by which contacts, messages and tables name the grains; without them their indices.
 
         Returns
         -------
@@ -157,7 +161,7 @@ class Packing(State):
             position=_numbers("position", position), radius=_numbers("radius", radius), cell=cell, law=_law_text(law),
             contacts=_contact_arrays(contacts), mass=None if mass is None else _numbers("mass", mass),
             stress=[] if stress is None else unmasked("stress", stress), tolerance=tolerance, units=units,
-            drop_tensile=drop_tensile))
+            drop_tensile=drop_tensile, ids=None if ids is None else _integers("ids", np.asarray(unmasked("ids", ids)))))
 
 
 def read(path):
@@ -231,7 +235,7 @@ def _numbers(name, values):
 
 # What a list of contacts may say; a structured array or data frame may have more.
 _CONTACT_NUMBERS = ("image", "force", "normal_force", "shear_force", "rolling_moment", "twisting_moment", "kn", "kt", "kr",
-                    "ktw")
+                    "ktw", "bridge_volume")
 # The contacts of a state have zeros of these where the law knows no such thing.
 _MOMENTS = ("rolling_moment", "twisting_moment")
 

@@ -4,15 +4,10 @@
 
 #include <algorithm>
 
+#include "floc/base/shell_word.h"
+
 namespace floc {
 namespace {
-
-/// One argument of a shell.
-std::string shell_quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 /// A text of Python.
 std::string python_quoted(const std::string& text) {

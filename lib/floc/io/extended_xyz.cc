@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -10,6 +12,7 @@
 #include "floc/base/read_file.h"
 #include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
+#include "floc/io/listed_space.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -88,19 +91,50 @@ std::vector<std::string> columns_of(const std::string& place, const std::string&
   return columns;
 }
 
-std::vector<std::vector<double>> lattice_of(const std::string& place, const std::string& text, int dimension) {
+std::vector<std::vector<double>> lattice_of(const std::string& place, const std::string& text) {
   const std::vector<std::string> tokens = tokenize(text);
   if (tokens.size() != 9)
     throw InputError(place, fmt::format("Lattice has {} numbers, expected 9", tokens.size()));
-  std::vector<std::vector<double>> cell(dimension);
-  for (int a = 0; a < dimension; ++a)
-    for (int b = 0; b < dimension; ++b) {
-      const auto value = parse_number<double>(tokens[3 * a + b]);
-      if (!value)
-        throw InputError(place, fmt::format("Lattice has \"{}\", expected a finite number", tokens[3 * a + b]));
-      cell[a].push_back(*value);
-    }
+  std::vector<std::vector<double>> cell(3);
+  for (std::size_t k = 0; k < 9; ++k) {
+    const auto value = parse_number<double>(tokens[k]);
+    if (!value) throw InputError(place, fmt::format("Lattice has \"{}\", expected a finite number", tokens[k]));
+    cell[k / 3].push_back(*value);
+  }
   return cell;
+}
+
+/// pbc="T T F": along which lattice vectors the packing is periodic.
+std::vector<bool> periodic_of(const std::string& place, const std::string& text) {
+  std::vector<bool> periodic;
+  for (std::string token : tokenize(text)) {
+    std::transform(token.begin(), token.end(), token.begin(), [](unsigned char c) { return std::tolower(c); });
+    const bool yes = token == "t" || token == "true" || token == "1";
+    if (!yes && token != "f" && token != "false" && token != "0")
+      throw InputError(place, fmt::format("pbc=\"{}\", expected T or F for each lattice vector", text));
+    periodic.push_back(yes);
+  }
+  if (periodic.size() != 3)
+    throw InputError(place, fmt::format("pbc=\"{}\", expected T or F for each lattice vector", text));
+  return periodic;
+}
+
+/// What the comment line of a frame says of the cell.
+ListedSpace space_of(const std::string& place, const std::map<std::string, std::string>& keys,
+                     const ImportOptions& options) {
+  ListedSpace space;
+  space.place = place;
+  if (options.cell.empty() && keys.contains("Lattice")) space.cell = lattice_of(place, keys.at("Lattice"));
+  if (options.cell.empty() && keys.contains("pbc")) {
+    space.periodic = periodic_of(place, keys.at("pbc"));
+    space.boundary = fmt::format("pbc=\"{}\", expected T in every direction", keys.at("pbc"));
+  }
+  if (!keys.contains("dimension")) return space;
+  const auto dimension = parse_number<int>(keys.at("dimension"));
+  if (!dimension || (*dimension != 2 && *dimension != 3))
+    throw InputError(place, fmt::format("dimension={}, expected 2 or 3", keys.at("dimension")));
+  space.dimension = *dimension;
+  return space;
 }
 
 }  // namespace
@@ -133,11 +167,7 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   listed.units = options.units;
   listed.drop_tensile = options.drop_tensile;
   listed.grains = read_grains(NamedColumns(table, options.columns));
-  listed.cell_place = options.cell.empty() ? place : "--cell";
-  listed.cell = options.cell;
-  const int dimension = dimension_of(listed.grains, options);
-  if (options.cell.empty() && keys.contains("Lattice"))
-    listed.cell = lattice_of(place, keys["Lattice"], dimension);
+  const int dimension = settle_space(space_of(place, keys, options), options, listed);
   listed.contacts = read_contact_file(options, dimension);
   Imported imported = assemble(listed);
   imported.remarks.push_back(fmt::format("frame {} of 0 to {}", index, n - 1));
@@ -155,12 +185,14 @@ std::string xyz_text(const State<Dim>& state) {
   std::string text = fmt::format("{}\nLattice=\"", grains.size());
   for (int k = 0; k < 9; ++k) text += fmt::format("{}{}", k == 0 ? "" : " ", lattice(k / 3, k % 3));
   const auto periodic_along = [&](int a) { return between_walls(packing.walls, a) ? "F" : "T"; };
-  text += fmt::format("\" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:id:I:1 pbc=\"{} {} {}\"\n",
-                      periodic_along(0), periodic_along(1), Dim == 3 ? periodic_along(2) : "F");
+  text += fmt::format(
+      "\" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:id:I:1 pbc=\"{} {} {}\" dimension={}\n",
+      periodic_along(0), periodic_along(1), Dim == 3 ? periodic_along(2) : "F", Dim);
   for (int i = 0; i < grains.size(); ++i) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.head<Dim>() = grains.position[i];
-    text += fmt::format("X {} {} {} {} {} {}\n", x[0], x[1], x[2], grains.radius[i], grains.mass[i], i);
+    text += fmt::format("X {} {} {} {} {} {}\n", x[0], x[1], x[2], grains.radius[i], grains.mass[i],
+                        grains.name(i));
   }
   return text;
 }

@@ -298,6 +298,8 @@ template void Hdf5Writer::rows(const std::string&, const Shape&,
                                const std::function<void(std::uint64_t, std::span<std::int32_t>)>&);
 template void Hdf5Writer::rows(const std::string&, const Shape&,
                                const std::function<void(std::uint64_t, std::span<std::uint8_t>)>&);
+template void Hdf5Writer::rows(const std::string&, const Shape&,
+                               const std::function<void(std::uint64_t, std::span<std::int64_t>)>&);
 
 void Hdf5Writer::text(const std::string& path, const std::string& value) {
   const Handle type = text_type();
@@ -380,6 +382,8 @@ template void Hdf5Reader::rows(const std::string&, const Shape&,
                                const std::function<void(std::uint64_t, std::span<const std::int32_t>)>&) const;
 template void Hdf5Reader::rows(const std::string&, const Shape&,
                                const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>&) const;
+template void Hdf5Reader::rows(const std::string&, const Shape&,
+                               const std::function<void(std::uint64_t, std::span<const std::int64_t>)>&) const;
 
 std::string Hdf5Reader::text(const std::string& path) const {
   const Handle dataset = open_dataset(file_, place(path), path);

@@ -20,7 +20,7 @@ struct ImportOptions {
   std::string contacts;  ///< file of contacts; empty: they follow from the geometry
   /// The same as `columns` for the contacts.
   std::map<std::string, std::string> contact_columns;
-  std::optional<int> dimension;  ///< 2 or 3 where the format leaves it open; none: see dimension_of()
+  std::optional<int> dimension;  ///< 2 or 3; none: see settle_space()
   std::optional<int> index;  ///< which packing of a file that holds several, from 0; none: the format's choice
   std::string units = "reduced";  ///< "reduced" or "SI"
   bool drop_tensile = false;      ///< leaves out contacts that pull under a law without adhesion, else refused
@@ -40,10 +40,12 @@ struct ListedContactCounts {
 struct Imported {
   AnyState state;                    ///< without residuals; `provenance.source` is set
   std::vector<std::string> remarks;  ///< choices the reader made, in words for the user
+  std::vector<std::string> doubts;   ///< choices that may be wrong
   bool complete = false;             ///< a state of floc: nothing to add to it
   bool contacts_known = false;       ///< the file listed them; otherwise they follow from the geometry
   bool law_of_contacts = false;  ///< the law has the mean of the stiffnesses that contacts have of their own
   ListedContactCounts listed_contacts;  ///< where contacts_known
+  bool liquid_known = false;            ///< the file says which contacts hold how much liquid
   bool target_stress_known = false;     ///< the file says which stress it was loaded with
 };
 

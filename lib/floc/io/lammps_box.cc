@@ -12,17 +12,20 @@ Eigen::Matrix3d LammpsBox::matrix() const {
   return m;
 }
 
-std::vector<std::vector<double>> LammpsBox::lattice(const std::string& place, int dimension) const {
+std::vector<std::vector<double>> LammpsBox::vectors() const {
   const Eigen::Matrix3d rows = matrix();
-  std::vector<std::vector<double>> vectors(dimension);
-  for (int a = 0; a < dimension; ++a) {
+  std::vector<std::vector<double>> vectors(3);
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) vectors[a].push_back(rows(a, b));
+  return vectors;
+}
+
+void LammpsBox::require_sides(const std::string& place, int dimension) const {
+  for (int a = 0; a < dimension; ++a)
     if (!(side[a] > 0.0))
       throw InputError(
           place, fmt::format("the cell is degenerate: its side along {} is {:.6g}, must be positive", "xyz"[a],
                              side[a]));
-    for (int b = 0; b < dimension; ++b) vectors[a].push_back(rows(a, b));
-  }
-  return vectors;
 }
 
 }  // namespace floc

@@ -17,9 +17,14 @@ struct LammpsBox {
   /// Rows are the lattice vectors.
   Eigen::Matrix3d matrix() const;
 
-  /// The first `dimension` lattice vectors, with as many components.
-  /// @throws InputError naming `place` if a side of them is not positive.
-  std::vector<std::vector<double>> lattice(const std::string& place, int dimension) const;
+  /// The same, a list each.
+  std::vector<std::vector<double>> vectors() const;
+
+  /// @throws InputError naming `place` if one of the first `dimension` sides is not positive
+  void require_sides(const std::string& place, int dimension) const;
+
+  /// Whether z = 0 is in the middle of the box and this z is it, as LAMMPS asks for in two dimensions.
+  bool has_mid_plane(double z) const { return z == 0.0 && low[2] == -0.5 * side[2]; }
 };
 
 }  // namespace floc

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -14,6 +15,7 @@
 #include "floc/io/contact_file.h"
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
+#include "floc/io/listed_space.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -27,6 +29,7 @@ double sphere_volume(double radius) {
 struct DataFile {
   LammpsBox box;
   std::string box_place;
+  std::string title;  ///< the first line, which LAMMPS ignores
   std::int64_t n_atoms = -1;
   CsvTable atoms;
   std::set<std::string> given;  ///< what lines of the header and sections have been there
@@ -75,7 +78,9 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
 /// "Atoms # sphere": another style has no radii.
 void check_style(const std::string& place, const std::string& line) {
   const std::size_t comment = line.find('#');
-  if (comment == std::string::npos || trimmed(line.substr(comment + 1)) == "sphere") return;
+  if (comment == std::string::npos) return;
+  const std::string style(trimmed(line.substr(comment + 1)));
+  if (style == "sphere" || style == "granular") return;  // the older name of sphere
   throw InputError(place, fmt::format("atom_style{} has no radii, expected sphere", line.substr(comment + 1)));
 }
 
@@ -87,6 +92,7 @@ DataFile read_data(const std::string& path) {
   for (std::string line; std::getline(in, line);) {
     const std::string place = fmt::format("{}:{}", path, ++number);
     const std::string text = without_comment(line);
+    if (number == 1) data.title = line;
     if (number == 1 || text.empty()) continue;  // The first line is a title.
     std::vector<std::string> tokens = tokenize(text);
     if (std::isalpha(static_cast<unsigned char>(text[0]))) {
@@ -115,6 +121,37 @@ DataFile read_data(const std::string& path) {
   return data;
 }
 
+/// Words of the title that come after one of them, without the marks between them.
+std::vector<std::string> words_after(const std::string& title, const std::string& word) {
+  std::string words = title;
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == ',' || c == ';' || c == ':'; }, ' ');
+  std::vector<std::string> tokens = tokenize(words);
+  tokens.erase(tokens.begin(), std::find(tokens.begin(), tokens.end(), word));
+  if (!tokens.empty()) tokens.erase(tokens.begin());
+  return tokens;
+}
+
+/// The box, and what LAMMPS would be told beside the file and floc's title tells: "dimension 2", "boundary f f p".
+ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grains) {
+  ListedSpace space;
+  space.place = data.box_place;
+  space.cell = data.box.vectors();
+  space.mid_plane = data.box.has_mid_plane(grains.empty() ? 0.0 : grains.front().position[2]);
+  if (const auto words = words_after(data.title, "dimension");
+      !words.empty() && (words[0] == "2" || words[0] == "3"))
+    space.dimension = words[0][0] - '0';
+  const std::vector<std::string> boundary = words_after(data.title, "boundary");
+  const auto is_style = [](const std::string& word) {
+    return !word.empty() && word.size() <= 2 && word.find_first_not_of("pfsm") == std::string::npos;
+  };
+  if (boundary.size() < 3 || !std::all_of(boundary.begin(), boundary.begin() + 3, is_style)) return space;
+  for (int a = 0; a < 3; ++a) space.periodic.push_back(boundary[a] == "p" || boundary[a] == "pp");
+  space.boundary = fmt::format("its title says \"boundary {} {} {}\", expected p in every direction",
+                               boundary[0], boundary[1], boundary[2]);
+  return space;
+}
+
 }  // namespace
 
 bool is_lammps_data(const std::string& path) {
@@ -141,9 +178,8 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
       throw InputError(data.atoms.place(i), fmt::format("density = {}, must be positive", density));
     listed.grains[i].mass = density * sphere_volume(listed.grains[i].radius);
   }
-  const int dimension = dimension_of(listed.grains, options);
-  listed.cell_place = options.cell.empty() ? data.box_place : "--cell";
-  listed.cell = options.cell.empty() ? data.box.lattice(data.box_place, dimension) : options.cell;
+  const int dimension = settle_space(space_of(data, listed.grains), options, listed);
+  if (options.cell.empty()) data.box.require_sides(data.box_place, dimension);
   listed.contacts = read_contact_file(options, dimension);
   return assemble(listed);
 }
@@ -180,18 +216,29 @@ void reduce_tilts(Mat<Dim>& rows) {
     for (int b = a - 1; b >= 0; --b) rows.row(a) -= std::round(rows(a, b) / rows(b, b)) * rows.row(b);
 }
 
-/// What of the walls the format has no place for, for its comment line.
+/// What the format has no place for, in the words of LAMMPS' commands, for its title.
 template <int Dim>
-std::string walls_in_words(const std::vector<Wall<Dim>>& walls) {
-  if (walls.empty()) return "";
+std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
   std::string axes, boundary;
   for (int a = 0; a < Dim; ++a) {
     const bool walled = between_walls(walls, a);
     if (walled) axes += fmt::format("{}{}", axes.empty() ? "" : " and ", "xyz"[a]);
     boundary += walled ? " f" : " p";
   }
-  return fmt::format("; walls at the faces across {}: boundary{}{}, fix wall/gran", axes, boundary,
-                     Dim == 2 ? " p" : "");
+  if (Dim == 2) boundary += " p";
+  if (walls.empty()) return fmt::format("; dimension {}, boundary{}", Dim, boundary);
+  return fmt::format("; dimension {}; walls at the faces across {}: boundary{}, fix wall/gran", Dim, axes,
+                     boundary);
+}
+
+/// LAMMPS numbers atoms from 1: identifiers from 1 on are kept, others and indices are counted anew.
+template <int Dim>
+std::vector<std::int64_t> atom_numbers(const Grains<Dim>& grains) {
+  std::vector<std::int64_t> numbers = grains.id;
+  if (!numbers.empty() && *std::min_element(numbers.begin(), numbers.end()) >= 1) return numbers;
+  numbers.resize(grains.size());
+  std::iota(numbers.begin(), numbers.end(), std::int64_t{1});
+  return numbers;
 }
 
 template <int Dim>
@@ -207,14 +254,15 @@ std::string lammps_text(const State<Dim>& state) {
   cell.matrix = rows;
   std::string text = fmt::format(
       "floc: {} grains, atom_style sphere{}\n\n{} atoms\n1 atom types\n\n0 {} xlo xhi\n0 {} ylo yhi\n",
-      grains.size(), walls_in_words<Dim>(packing.walls), grains.size(), box(0, 0), box(1, 1));
+      grains.size(), space_in_words<Dim>(packing.walls), grains.size(), box(0, 0), box(1, 1));
   text += Dim == 3 ? fmt::format("0 {} zlo zhi\n", box(2, 2)) : std::string("-0.5 0.5 zlo zhi\n");
   if (!rows.isDiagonal(0.0)) text += fmt::format("{} {} {} xy xz yz\n", box(1, 0), box(2, 0), box(2, 1));
   text += "\nAtoms # sphere\n\n";
+  const std::vector<std::int64_t> number = atom_numbers(grains);
   for (int i = 0; i < grains.size(); ++i) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.head<Dim>() = packing.walls.empty() ? cell.wrapped(rotation * grains.position[i]) : grains.position[i];
-    text += fmt::format("{} 1 {} {} {} {} {}\n", i + 1, 2.0 * grains.radius[i],
+    text += fmt::format("{} 1 {} {} {} {} {}\n", number[i], 2.0 * grains.radius[i],
                         grains.mass[i] / sphere_volume(grains.radius[i]), x[0], x[1], x[2]);
   }
   return text;

@@ -17,6 +17,7 @@
 #include "floc/io/contact_file.h"
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
+#include "floc/io/listed_space.h"
 
 namespace floc {
 namespace {
@@ -114,20 +115,26 @@ struct DumpFrame {
   std::int64_t timestep = 0;
   LammpsBox box;
   std::string box_place;
-  std::string flags;  ///< periodicity of x, y, z: "pp pp pp"
+  std::vector<std::string> flags;  ///< periodicity of x, y, z: "pp" each; fewer where the file says less
+  std::string header;              ///< the line that they stand in
   CsvTable table;
+
+  [[noreturn]] void refuse_header() const {
+    throw InputError(
+        box_place,
+        fmt::format("\"{}\", expected BOX BOUNDS [xy xz yz] and three boundary styles such as pp", header));
+  }
 };
 
 /// Reads the three lines of a box whose header begins at `at`: bounds of what it occupies, then its tilts.
 void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   std::vector<std::string> tokens = tokenize(dump[at].substr(std::string("ITEM: BOX BOUNDS").size()));
   const bool tilted = !tokens.empty() && tokens[0] == "xy";
-  if (tokens.size() != (tilted ? 6u : 3u) || (tilted && (tokens[1] != "xz" || tokens[2] != "yz")))
-    throw InputError(
-        dump.place(at),
-        fmt::format("\"{}\", expected BOX BOUNDS [xy xz yz] and three boundary styles such as pp", dump[at]));
-  frame.flags = fmt::format("{}", fmt::join(tokens.end() - 3, tokens.end(), " "));
   frame.box_place = dump.place(at);
+  frame.header = dump[at];
+  frame.flags.assign(tokens.begin() + (tilted ? std::min<std::ptrdiff_t>(3, std::ssize(tokens)) : 0),
+                     tokens.end());
+  if (tilted && (tokens.size() < 3 || tokens[1] != "xz" || tokens[2] != "yz")) frame.refuse_header();
   std::array<std::vector<double>, 3> rows;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::string what = tilted ? "lower bound, upper bound and tilt" : "lower and upper bound";
@@ -241,17 +248,18 @@ std::vector<ListedGrain> grains_of(const DumpFrame& frame, const ImportOptions& 
   return grains;
 }
 
-/// Lattice vectors of the frame's box.
-std::vector<std::vector<double>> cell_of(const DumpFrame& frame, int dimension) {
-  const std::vector<std::string> flags = tokenize(frame.flags);
-  for (int a = 0; a < dimension; ++a)
-    if (flags[a] != "pp")
-      throw InputError(frame.box_place,
-                       fmt::format("the box is not periodic (\"{}\", expected pp in every direction): packings "
-                                   "between walls are not read; --cell puts grains that touch no wall into a "
-                                   "periodic cell",
-                                   frame.flags));
-  return frame.box.lattice(frame.box_place, dimension);
+/// What the frame says of its box; nothing where `options.cell` replaces it, whatever its flags.
+ListedSpace space_of(const DumpFrame& frame, const std::vector<ListedGrain>& grains,
+                     const ImportOptions& options) {
+  ListedSpace space;
+  space.place = frame.box_place;
+  if (!options.cell.empty()) return space;
+  if (frame.flags.size() != 3) frame.refuse_header();
+  space.cell = frame.box.vectors();
+  for (const std::string& flag : frame.flags) space.periodic.push_back(flag == "pp");
+  space.boundary = fmt::format("\"{}\", expected pp in every direction", fmt::join(frame.flags, " "));
+  space.mid_plane = frame.box.has_mid_plane(grains.empty() ? 0.0 : grains.front().position[2]);
+  return space;
 }
 
 }  // namespace
@@ -273,17 +281,13 @@ Imported read_lammps_dump(const std::string& path, const ImportOptions& options)
   listed.law = required_law(path, options);
   listed.units = options.units;
   listed.drop_tensile = options.drop_tensile;
-  std::vector<std::string> remarks;
-  DumpFrame frame = read_grain_frame(path, options, remarks);
+  DumpFrame frame = read_grain_frame(path, options, listed.remarks);
   listed.grains = grains_of(frame, options);
   frame.table = {};  // which takes more room than all that follows from it
-  const int dimension = dimension_of(listed.grains, options);
-  listed.cell_place = options.cell.empty() ? frame.box_place : "--cell";
-  listed.cell = options.cell.empty() ? cell_of(frame, dimension) : options.cell;
+  const int dimension = settle_space(space_of(frame, listed.grains, options), options, listed);
+  if (options.cell.empty()) frame.box.require_sides(frame.box_place, dimension);
   listed.contacts = read_contact_file(options, dimension, frame.timestep);
-  Imported imported = assemble(listed);
-  imported.remarks = std::move(remarks);
-  return imported;
+  return assemble(listed);
 }
 
 }  // namespace floc

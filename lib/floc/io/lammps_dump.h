@@ -15,7 +15,7 @@ bool is_lammps_dump(const std::string& path);
 /// Reads grains from a file of LAMMPS' `dump custom`: columns x y [z] (or xu yu zu; or scaled, xs or xsu),
 /// radius or diameter and, if present, id and mass; `options.columns` renames them. The box may be triclinic;
 /// it has to be periodic (pp) unless `options.cell` replaces it. Of several frames `options.index`, counted
-/// from 0, is read, by default the last. In 2D, by dimension_of(), x, y and their part of the box are taken.
+/// from 0, is read, by default the last. In 2D, by settle_space(), x, y and their part of the box are taken.
 ///
 /// `options.contacts` may name a file of contacts: see read_contact_file(). Of a `dump local` the frame of the
 /// same time step is read; its columns are named after computes, which `options.contact_columns` translates:

@@ -54,7 +54,7 @@ int image_of(const CsvTable& table, int row, int column) {
 
 /// Columns of a list of contacts; -1 or empty where it has none.
 struct ContactColumns {
-  int id1, id2, normal_force, kn, kt, kr, ktw, rolling_moment_2d, twisting_moment;
+  int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment;
   std::vector<int> image, force, shear_force, rolling_moment;
 
   ContactColumns(const NamedColumns& names, int dimension)
@@ -65,6 +65,7 @@ struct ContactColumns {
         kt(column_if(names, "kt")),
         kr(column_if(names, "kr")),
         ktw(column_if(names, "ktw")),
+        bridge_volume(column_if(names, "bridge_volume")),
         rolling_moment_2d(dimension == 2 ? column_if(names, "rolling_moment") : -1),
         twisting_moment(dimension == 3 ? column_if(names, "twisting_moment") : -1),
         image(numbered(names, "image", dimension)),
@@ -97,6 +98,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.kt = number_of(table, row, columns.kt);
   c.kr = number_of(table, row, columns.kr);
   c.ktw = number_of(table, row, columns.ktw);
+  c.bridge_volume = number_of(table, row, columns.bridge_volume);
   return c;
 }
 
@@ -208,7 +210,8 @@ void check_contact_columns(const std::string& option, const std::map<std::string
                  "kn",
                  "kt",
                  "kr",
-                 "ktw"},
+                 "ktw",
+                 "bridge_volume"},
                 given);
 }
 

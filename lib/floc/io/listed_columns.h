@@ -59,6 +59,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 ///   rolling_moment (2D) or rolling_moment1..3, on id1
 ///   twisting_moment (3D), on id1 about the normal from id1 to id2
 ///   kn, kt, kr, ktw  stiffnesses
+///   bridge_volume of the liquid at it
 /// @throws InputError naming file, line and column.
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension);
 

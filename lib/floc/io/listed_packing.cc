@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "floc/base/error.h"
+#include "floc/io/listed_ids.h"
+#include "floc/io/listed_space.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/liquid.h"
 #include "floc/packing/stiffness_check.h"
@@ -53,34 +55,6 @@ Cell<Dim> make_cell(const std::string& place, const std::vector<std::vector<doub
   return cell;
 }
 
-/// Index of each identifier.
-class Identifiers {
- public:
-  explicit Identifiers(const std::vector<ListedGrain>& grains) {
-    index_.reserve(grains.size());
-    for (const ListedGrain& grain : grains) index_.emplace_back(grain.id, static_cast<int>(index_.size()));
-    std::sort(index_.begin(), index_.end());
-    // Of identifiers given twice, the one that a reader of the file meets first.
-    int twice = static_cast<int>(grains.size());
-    for (std::size_t k = 1; k < index_.size(); ++k)
-      if (index_[k].first == index_[k - 1].first) twice = std::min(twice, index_[k].second);
-    if (twice < static_cast<int>(grains.size()))
-      throw InputError(grains[twice].place.text(), fmt::format("id = {} is given twice", grains[twice].id));
-  }
-
-  int index(const NumberedPlace& place, const char* name, std::int64_t id) const {
-    const auto found = std::lower_bound(index_.begin(), index_.end(), std::pair(id, 0));
-    if (found != index_.end() && found->first == id) return found->second;
-    throw InputError(place.text(),
-                     fmt::format("{} = {}: no grain has this id; they are from {} to {} (contacts with walls "
-                                 "and other bodies are not read: packings have to be periodic)",
-                                 name, id, index_.front().first, index_.back().first));
-  }
-
- private:
-  std::vector<std::pair<std::int64_t, int>> index_;  // sorted by identifier
-};
-
 template <int Dim>
 Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
   const int n = static_cast<int>(listed.size());
@@ -93,6 +67,9 @@ Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
     grains.mass[i] = listed[i].mass.value_or(std::pow(2.0 * listed[i].radius, Dim));
   }
   grains.set_centres(centres);
+  std::vector<std::int64_t> names;
+  for (const ListedGrain& grain : listed) names.push_back(grain.id);
+  grains.set_names(std::move(names));
   return grains;
 }
 
@@ -237,14 +214,17 @@ class ListedContacts {
     Contact<Dim> c;
     c.i = identifiers_.index(row.place, "id1", row.id1);
     c.j = identifiers_.index(row.place, "id2", row.id2);
+    set_liquid(row, c);
     set_image(row, c);
     const double gap = gap_of(c);
-    if (gap >= 0.0 && gap >= packing_.law.range() && force_of(row) <= kNoForce * largest_force_) {
+    const bool wet = bridge_volume(packing_, c) != 0.0;
+    if (gap >= 0.0 && gap >= range_of(packing_, c) && !wet && force_of(row) <= kNoForce * largest_force_) {
       if (!row.force && !row.normal_force)
         throw InputError(
             row.place.text(),
             fmt::format("the gap is {}, at which the law does not act, and no normal_force says otherwise",
-                        gap));
+                        gap) +
+                counting_hint(listed_));
       ++counts_.n_neighbors;
       return std::nullopt;
     }
@@ -327,7 +307,18 @@ class ListedContacts {
   }
   double gap_of(const Contact<Dim>& c) const { return branch(packing_, c).norm() - radii(c); }
   bool can_touch(const Contact<Dim>& c) const {
-    return gap_of(c) <= packing_.law.range() + 0.5 * kFarthestGap * radii(c);
+    return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
+  }
+
+  /// @throws InputError for liquid under a law without
+  void set_liquid(const ListedContact& row, Contact<Dim>& c) const {
+    if (!row.bridge_volume) return;
+    if (!holds_liquid(packing_) && *row.bridge_volume != 0.0)
+      throw InputError(
+          row.place.text(),
+          fmt::format("bridge_volume = {:.6g}, but the law has no liquid: give adhesion.law=capillary",
+                      *row.bridge_volume));
+    if (holds_liquid(packing_)) c.memory[MemoryLayout<Dim>::kAdhesion] = *row.bridge_volume;
   }
 
   /// The image listed, or the nearest one, also where the one listed cannot be: programs list images that go
@@ -358,15 +349,15 @@ class ListedContacts {
     if (chosen && distance >= half_width_)
       throw InputError(row.place.text(),
                        fmt::format("the contact is {:.6g} long, not below half the cell ({:.6g}): the list has "
-                                   "to say which image of the second grain touches the first",
-                                   distance, half_width_));
+                                   "to say which image of the second grain touches the first{}",
+                                   distance, half_width_, counting_hint(listed_)));
     if (!can_touch(c))
       throw InputError(row.place.text(),
                        fmt::format("grains {} and {} carry a force of {:.6g}, but even their nearest images "
                                    "have a gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or "
-                                   "cell are not those of this contact",
+                                   "cell are not those of this contact{}",
                                    row.id1, row.id2, force_of(row), gap_of(c), packing_.grains.radius[c.i],
-                                   packing_.grains.radius[c.j]));
+                                   packing_.grains.radius[c.j], counting_hint(listed_)));
   }
 
   const ListedPacking& listed_;
@@ -431,6 +422,26 @@ void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
   }
 }
 
+bool lists_liquid(const ListedPacking& listed) {
+  return listed.contacts && !listed.contacts->empty() &&
+         std::all_of(listed.contacts->begin(), listed.contacts->end(),
+                     [](const ListedContact& c) { return c.bridge_volume.has_value(); });
+}
+
+/// The liquid listed is that of the law, but for the digits of the file.
+template <int Dim>
+void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& doubts) {
+  constexpr double kDigits = 1e-6;
+  const double all = BridgeSearch(*packing.law.liquid(), packing.grains.radius).liquid();
+  double sum = 0.0;
+  for (const Contact<Dim>& c : packing.contacts) sum += std::abs(bridge_volume(packing, c));
+  if (std::abs(sum - all) > kDigits * all)
+    doubts.push_back(
+        fmt::format("the bridges listed hold a volume of {:.6g}, but the law's water content gives "
+                    "{:.6g}",
+                    sum, all));
+}
+
 template <int Dim>
 Imported assemble_in(const ListedPacking& listed) {
   State<Dim> state;
@@ -438,26 +449,24 @@ Imported assemble_in(const ListedPacking& listed) {
   Packing<Dim>& packing = state.packing;
   packing.cell = make_cell<Dim>(listed.cell_place, listed.cell);
   packing.law = listed.law;
+  if (Dim == 2) require_one_plane(listed);
   packing.grains = make_grains<Dim>(listed.grains);
-  const Identifiers identifiers(listed.grains);
+  const Identifiers identifiers(listed);
   Imported imported;
   if (listed.contacts) imported.listed_contacts = add_contacts(listed, identifiers, packing);
+  imported.liquid_known = holds_liquid(packing) && lists_liquid(listed);
   wrap(listed, packing);
   state.path.branch = "imported";
   state.provenance.source = listed.place;
   imported.state = std::move(state);
   imported.contacts_known = listed.contacts.has_value();
+  imported.remarks = listed.remarks;
+  imported.doubts = listed.doubts;
+  if (imported.liquid_known) add_doubt_of_liquid(std::get<State<Dim>>(imported.state).packing, imported.doubts);
   return imported;
 }
 
 }  // namespace
-
-int dimension_of(const std::vector<ListedGrain>& grains, const ImportOptions& options) {
-  if (options.dimension) return *options.dimension;
-  if (!options.cell.empty()) return static_cast<int>(options.cell.size());
-  const auto same_height = [&](const ListedGrain& g) { return g.position[2] == grains.front().position[2]; };
-  return std::all_of(grains.begin(), grains.end(), same_height) ? 2 : 3;
-}
 
 const LawParameters& required_law(const std::string& path, const ImportOptions& options) {
   if (!options.law) throw InputError(path, "it holds no contact law: give --law");

@@ -37,6 +37,8 @@ struct ListedContact {
   std::optional<double> kt;
   std::optional<double> kr;   ///< (force * length); springs of rolling follow from the law's
   std::optional<double> ktw;  ///< the same of twisting
+  /// Of the liquid at it, negative where the bridge has broken (length^3).
+  std::optional<double> bridge_volume;
 
   bool has_stiffness() const { return kn || kt || kr || ktw; }
 };
@@ -51,13 +53,10 @@ struct ListedPacking {
   std::string units;
   std::vector<ListedGrain> grains;
   std::optional<std::vector<ListedContact>> contacts;
-  bool drop_tensile = false;  ///< see ImportOptions
+  bool drop_tensile = false;         ///< see ImportOptions
+  std::vector<std::string> remarks;  ///< see Imported
+  std::vector<std::string> doubts;
 };
-
-/// Dimension of a packing whose file does not say: `--dimension`, or the number of vectors of `--cell`, or 2 if
-/// all grains have the same third coordinate, as programs without a second dimension lay them out, and 3
-/// otherwise.
-int dimension_of(const std::vector<ListedGrain>& grains, const ImportOptions& options);
 
 /// The law of `--law`. @throws InputError naming `path`, whose file does not say the law, if there is none.
 const LawParameters& required_law(const std::string& path, const ImportOptions& options);

@@ -36,6 +36,13 @@ struct ArchiveItem<int> {
   static void set(int& item, int, std::int32_t value) { item = value; }
 };
 template <>
+struct ArchiveItem<std::int64_t> {
+  using Stored = std::int64_t;
+  static constexpr int kComponents = 1;
+  static std::int64_t get(std::int64_t item, int) { return item; }
+  static void set(std::int64_t& item, int, std::int64_t value) { item = value; }
+};
+template <>
 struct ArchiveItem<bool> {
   using Stored = std::uint8_t;
   static constexpr int kComponents = 1;

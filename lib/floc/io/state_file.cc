@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "floc/base/error.h"
 #include "floc/base/sha256.h"
@@ -329,6 +330,19 @@ void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std
   }
 }
 
+/// Identifiers of another program are each of one grain.
+template <int Dim>
+void check_names(const Hdf5Reader& file, const Grains<Dim>& grains) {
+  std::vector<std::pair<std::int64_t, std::size_t>> sorted;
+  for (std::size_t i = 0; i < grains.id.size(); ++i) sorted.emplace_back(grains.id[i], i);
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t k = 1; k < sorted.size(); ++k)
+    if (sorted[k].first == sorted[k - 1].first)
+      refuse(file, "grains/imported_id", sorted[k].second,
+             fmt::format("{}, as is entry {}: expected a number of its own for each grain", sorted[k].first,
+                         sorted[k - 1].second));
+}
+
 template <int Dim>
 void check_contacts(const Hdf5Reader& file, const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -378,6 +392,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   const auto id = archive.take<std::int32_t>(kId, {n});
   describe_grains<Dim>(archive, packing.grains);
   check_grains(file, packing, id);
+  check_names(file, packing.grains);
   packing.contacts.resize(counted_rows(file, "contacts/id1"));
   describe_contacts<Dim>(archive, packing.contacts);
   read_walls(file, archive, s);

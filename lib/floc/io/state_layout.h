@@ -58,6 +58,9 @@ void describe_grains(Archive& archive, Grains& g) {
   else
     archive.column({"grains/orientation", ratio, "unit quaternion w, x, y, z"}, g.orientation);
   archive.column({"grains/angular_velocity", spin, ""}, g.angular_velocity);
+  archive.column_if_there(
+      {"grains/imported_id", count, "by which messages and tables name the grain; absent: the index"}, g.id,
+      g.radius.size());
 }
 
 template <int Dim, class Archive, class Walls>

@@ -13,6 +13,7 @@
 #include "floc/base/read_file.h"
 #include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
+#include "floc/io/listed_space.h"
 #include "floc/io/vtk_arrays.h"
 #include "floc/packing/wall_forces.h"
 
@@ -120,16 +121,31 @@ std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arr
   return grains;
 }
 
-/// Lattice vectors of the field array "cell"; none if it is not there.
-std::vector<std::vector<double>> cell_of(const VtkArrays& arrays, int dimension) {
-  if (!arrays.has("FieldData", "cell")) return {};
+/// What the field arrays say of the cell, as vtu_text() writes them.
+ListedSpace space_of(const VtkArrays& arrays) {
+  ListedSpace space;
+  space.place = arrays.place("FieldData", "cell");
+  if (!arrays.has("FieldData", "cell")) return space;
   const std::vector<double> numbers = arrays.read("FieldData", "cell");
   if (numbers.size() != 9)
-    throw InputError(arrays.place("FieldData", "cell"),
-                     fmt::format("has {} numbers, expected 9", numbers.size()));
-  std::vector<std::vector<double>> cell;
-  for (int a = 0; a < dimension; ++a) cell.emplace_back(&numbers[3 * a], &numbers[3 * a] + dimension);
-  return cell;
+    throw InputError(space.place, fmt::format("has {} numbers, expected 9", numbers.size()));
+  for (int a = 0; a < 3; ++a) space.cell.emplace_back(&numbers[3 * a], &numbers[3 * a] + 3);
+  if (arrays.has("FieldData", "dimension")) {
+    const std::vector<double> dimension = arrays.read("FieldData", "dimension");
+    if (dimension != std::vector<double>{2.0} && dimension != std::vector<double>{3.0})
+      throw InputError(arrays.place("FieldData", "dimension"),
+                       fmt::format("is {}, expected 2 or 3", fmt::join(dimension, " ")));
+    space.dimension = static_cast<int>(dimension[0]);
+    space.periodic = {true, true, true};
+  }
+  if (arrays.has("FieldData", "walls")) {
+    const std::vector<double> walls = arrays.read("FieldData", "walls");  // axis, side, position of each
+    space.periodic = {true, true, true};
+    for (std::size_t k = 0; k + 2 < walls.size(); k += 3)
+      if (walls[k] >= 0.0 && walls[k] < 3.0) space.periodic[static_cast<std::size_t>(walls[k])] = false;
+    space.boundary = fmt::format("its field array walls has {} of them, expected none", walls.size() / 3);
+  }
+  return space;
 }
 
 }  // namespace
@@ -150,9 +166,7 @@ Imported read_vtu(const std::string& path, const ImportOptions& options) {
   listed.units = options.units;
   listed.drop_tensile = options.drop_tensile;
   listed.grains = grains_of(path, arrays, options);
-  const int dimension = dimension_of(listed.grains, options);
-  listed.cell_place = options.cell.empty() ? arrays.place("FieldData", "cell") : "--cell";
-  listed.cell = options.cell.empty() ? cell_of(arrays, dimension) : options.cell;
+  const int dimension = settle_space(options.cell.empty() ? space_of(arrays) : ListedSpace(), options, listed);
   listed.contacts = read_contact_file(options, dimension);
   return assemble(listed);
 }
@@ -195,8 +209,9 @@ class Drawing {
   template <int Dim>
   explicit Drawing(const Packing<Dim>& packing) : has_twisting_(packing.law.twisting) {
     const Grains<Dim>& grains = packing.grains;
+    if (!grains.id.empty()) id_.type = "Int64";
     for (int i = 0; i < grains.size(); ++i) {
-      add_point(in_space<Dim>(grains.position[i]), grains.radius[i], grains.mass[i], i);
+      add_point(in_space<Dim>(grains.position[i]), grains.radius[i], grains.mass[i], grains.name(i));
       add_cell(kVertex, {i});
       add_contact_data(Contact<Dim>());
     }
@@ -218,7 +233,7 @@ class Drawing {
   }
 
  private:
-  int add_point(const Eigen::Vector3d& x, double radius, double mass, int id) {
+  int add_point(const Eigen::Vector3d& x, double radius, double mass, std::int64_t id) {
     points_.add(x);
     radius_.add(radius);
     mass_.add(mass);
@@ -304,6 +319,10 @@ std::string vtu_text(const State<Dim>& state) {
   pugi::xml_node fields = grid.append_child("FieldData");
   append(fields, cell);
   fields.child("DataArray").append_attribute("NumberOfTuples") = 3;
+  ArrayText dimension{"Int32", "dimension", 1, ""};
+  dimension.add(Dim);
+  append(fields, dimension);
+  fields.last_child().append_attribute("NumberOfTuples") = 1;
   const Packing<Dim> packing = with_walls_at_cell(state.packing);
   if (!packing.walls.empty()) {
     ArrayText walls{"Float64", "walls", 3, ""};  // axis, side, position

@@ -12,7 +12,8 @@ bool is_vtu(const std::string& path);
 /// Reads grains from the points of a VTU file (VTK's XML format, unstructured grid): the point arrays radius
 /// (or r, or diameter) and, if present, mass and id; `options.columns` renames them. If some cells are
 /// vertices, only their points are grains. ASCII, base64 and appended raw data, little endian, not compressed.
-/// The cell is the field array "cell" (lattice vectors, as vtu_text() writes them) or `options.cell`.
+/// The cell is the field array "cell" (lattice vectors, as vtu_text() writes them) or `options.cell`, the dimension
+/// the field array "dimension" or settle_space()'s; a field array "walls" is refused without `options.cell`.
 /// `options.law` is required; `options.contacts` may name a csv file, as in read_csv_packing().
 /// @throws InputError naming file and array.
 Imported read_vtu(const std::string& path, const ImportOptions& options);

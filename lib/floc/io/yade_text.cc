@@ -11,6 +11,7 @@
 #include "floc/io/contact_file.h"
 #include "floc/io/law_text.h"
 #include "floc/io/listed_columns.h"
+#include "floc/io/listed_space.h"
 
 namespace floc {
 namespace {
@@ -175,21 +176,20 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   listed.units = options.units;
   listed.drop_tensile = options.drop_tensile;
   listed.grains = read_grains(NamedColumns(spheres.table, options.columns));
-  listed.cell_place = options.cell.empty() ? spheres.cell_place : "--cell";
-  listed.cell = options.cell.empty() ? spheres.cell : options.cell;
-  const int dimension = dimension_of(listed.grains, options);
-  if (options.cell.empty() && dimension == 2 && listed.cell.size() == 3)
-    listed.cell = {{listed.cell[0][0], listed.cell[0][1]}, {listed.cell[1][0], listed.cell[1][1]}};
-  std::vector<std::string> remarks;
+  ListedSpace space;  // YADE has a cell where it is periodic
+  space.place = spheres.cell_place;
+  space.cell = spheres.cell;
+  space.periodic = {true, true, true};
+  const int dimension = settle_space(space, options, listed);
   const bool says_law = !options.law && !options.contacts.empty() &&
                         (is_yade_interactions(options.contacts) || begins_with_number(options.contacts));
   listed.law = says_law ? law_of(read_table(options.contacts, "id1", {}).table, options.contacts)
                         : required_law(path, options);
   listed.contacts = read_contact_file(options, dimension);
-  if (says_law) remarks.push_back("law with the mean stiffnesses of its contacts: " + law_text(listed.law));
+  if (says_law)
+    listed.remarks.push_back("law with the mean stiffnesses of its contacts: " + law_text(listed.law));
   Imported imported = assemble(listed);
   imported.law_of_contacts = says_law;
-  imported.remarks = std::move(remarks);
   return imported;
 }
 

@@ -53,11 +53,12 @@ void find_contacts(Packing<Dim>& packing) {
   }
   refresh_contacts(packing);
   spread_liquid(packing);
+  const auto name = [&](int i) { return std::to_string(packing.grains.name(i)); };
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j) && c.normal.dot(packing.wall(c.j).normal()) <= 0.0)
-      throw InputError("grain " + std::to_string(c.i), "has its centre on or beyond a wall");
+      throw InputError("grain " + name(c.i), "has its centre on or beyond a wall");
     if (c.normal.isZero(0.0))
-      throw InputError("grains " + std::to_string(c.i) + " and " + std::to_string(c.j),
+      throw InputError("grains " + name(c.i) + " and " + name(c.j),
                        "have the same centre: their contact has no direction");
   }
 }

@@ -42,7 +42,8 @@ struct WrappedGrains {
       for (int a = 0; a < Dim; ++a) {
         const double cells = std::floor(s[a]);
         if (!(std::abs(cells) < kMaxCells))
-          throw InputError("grain " + std::to_string(i), "lies more than 1e9 cells away from the cell");
+          throw InputError("grain " + std::to_string(grains.name(i)),
+                           "lies more than 1e9 cells away from the cell");
         wrap[i][a] = -static_cast<int>(cells);
         reduced[i][a] = s[a] - cells;
       }
@@ -240,7 +241,7 @@ void check_finite(const Cell<Dim>& cell, const Grains<Dim>& grains) {
     throw InputError("cell", "lattice vectors must be finite and span a volume");
   for (int i = 0; i < grains.size(); ++i)
     if (!grains.position[i].allFinite() || !std::isfinite(grains.radius[i]))
-      throw InputError("grain " + std::to_string(i), "position and radius must be finite");
+      throw InputError("grain " + std::to_string(grains.name(i)), "position and radius must be finite");
 }
 
 /// The pairs of one grain with those of its own and of coarser levels, as the caller of find_pairs() gets them.

@@ -17,6 +17,13 @@ void Grains<Dim>::set_centres(const std::vector<DoubleDoubleVec<Dim>>& centres) 
 }
 
 template <int Dim>
+void Grains<Dim>::set_names(std::vector<std::int64_t> names) {
+  bool indices = true;
+  for (std::size_t i = 0; i < names.size(); ++i) indices = indices && names[i] == static_cast<std::int64_t>(i);
+  id = indices ? std::vector<std::int64_t>{} : std::move(names);
+}
+
+template <int Dim>
 double solid_fraction(const Packing<Dim>& packing) {
   double volume = 0.0;
   for (const double r : packing.grains.radius)

@@ -28,7 +28,7 @@ inline Orientation<Dim> no_rotation() {
   }
 }
 
-/// Round grains, one array entry per grain. The identifier of a grain in a state file is its index here.
+/// Round grains, one array entry per grain. Contacts refer to grains by their index here.
 template <int Dim>
 struct Grains {
   std::vector<Vec<Dim>> position;  ///< centre (length), inside the cell in a saved state
@@ -39,6 +39,8 @@ struct Grains {
   std::vector<double> mass;        ///< (mass)
   std::vector<Orientation<Dim>> orientation;
   std::vector<RotationVector<Dim>> angular_velocity;  ///< (1/time)
+  /// Identifiers that another program gave the grains, by which messages and tables name them; empty: the indices.
+  std::vector<std::int64_t> id;
 
   int size() const { return static_cast<int>(radius.size()); }
 
@@ -57,6 +59,10 @@ struct Grains {
   DoubleDoubleVec<Dim> centre(int i) const {
     return double_double<Dim>(position[i], position_low.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : position_low[i]);
   }
+  /// How messages and tables name grain i.
+  std::int64_t name(int i) const { return id.empty() ? i : id[i]; }
+  /// Keeps the identifiers only if they are not the indices.
+  void set_names(std::vector<std::int64_t> names);
   /// Keeps the low parts only if at least one of them is not zero.
   void set_centres(const std::vector<DoubleDoubleVec<Dim>>& centres);
 

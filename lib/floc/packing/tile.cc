@@ -62,6 +62,7 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
   repeat(out.grains.mass, n_tiles);
   repeat(out.grains.orientation, n_tiles);
   repeat(out.grains.angular_velocity, n_tiles);
+  if (n_tiles > 1) out.grains.id.clear();  // each would be that of several grains
   out.contacts.clear();
   out.contacts.reserve(n_tiles * packing.contacts.size());
   const ContactMemory<Dim> parity = swap_parity<Dim>(packing.law);

@@ -50,7 +50,8 @@ std::string in_words(const Unmet& unmet) {
   return "";
 }
 
-std::string worst_residual(const Residuals& residuals, const EquilibriumTolerance& t) {
+std::string worst_residual(const Residuals& residuals, const EquilibriumTolerance& t,
+                           std::span<const std::int64_t> id) {
   struct Criterion {
     const char* name;
     double value, tolerance;
@@ -64,7 +65,8 @@ std::string worst_residual(const Residuals& residuals, const EquilibriumToleranc
       std::begin(criteria), std::end(criteria),
       [](const auto& p, const auto& q) { return p.value * q.tolerance < q.value * p.tolerance; });
   if (worst->value < worst->tolerance) return "";
-  const std::string where = worst->grain >= 0 ? fmt::format(" (grain {})", worst->grain) : "";
+  const auto name = [&](int grain) { return id.empty() ? grain : id[grain]; };
+  const std::string where = worst->grain >= 0 ? fmt::format(" (grain {})", name(worst->grain)) : "";
   return fmt::format("{} {:.2e} against {:.0e}{}", worst->name, worst->value, worst->tolerance, where);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "floc/packing/equilibrium.h"
@@ -36,6 +38,8 @@ struct Unmet {
 std::string in_words(const Unmet& unmet);
 
 /// The residual that is worst against its tolerance, with its grain; empty where all are below theirs.
-std::string worst_residual(const Residuals& residuals, const EquilibriumTolerance& tolerance);
+/// @param id  of the grains; empty: they are named by their index
+std::string worst_residual(const Residuals& residuals, const EquilibriumTolerance& tolerance,
+                           std::span<const std::int64_t> id = {});
 
 }  // namespace floc

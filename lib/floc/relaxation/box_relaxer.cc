@@ -139,7 +139,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   }
   if (progress_.time <= options_.max_time * time_unit_) return status;
   std::string blocking = in_words(unmet_);
-  if (blocking.empty()) blocking = worst_residual(residuals_, options_.tolerance);
+  if (blocking.empty()) blocking = worst_residual(residuals_, options_.tolerance, packing_.grains.id);
   return give_up("", fmt::format("the box has not settled within equilibrium.max_time = {:g}: {}",
                                  options_.max_time, blocking));
 }
@@ -167,7 +167,7 @@ std::string BoxRelaxer<Dim>::lost() const {
         return fmt::format(
             "grain {} has its centre on or beyond a wall of axis {}: the walls are too fast, or the "
             "pressure too high for the stiffness of the grains",
-            i, wall.axis + 1);
+            g.name(i), wall.axis + 1);
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {

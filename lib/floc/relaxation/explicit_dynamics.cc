@@ -321,6 +321,7 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
   out.wall_law = wall_law_;
   // Centres without low parts: motion ends at the rounding of a double.
   out.grains = Grains<Dim>::with_size(grains_.size());
+  out.grains.id = grains_.id;
   out.cell = cell();
   std::vector<Vec<Dim, int>> wrap(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -32,6 +33,7 @@ struct GrainArrays {
   std::array<Component, kOrientationNumbers<Dim>> orientation;
   Component radius, mass, inertia;
   Component inverse_mass, inverse_inertia;
+  std::vector<std::int64_t> id;  ///< as in the packing, and in its order
 
   GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order);
 
@@ -72,7 +74,8 @@ void GrainArrays<Dim>::set_orientation(const Orientation<Dim>& lies, std::size_t
 }
 
 template <int Dim>
-GrainArrays<Dim>::GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order) : index(order) {
+GrainArrays<Dim>::GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order)
+    : index(order), id(grains.id) {
   const std::size_t n = order.size();
   const std::size_t padded = (n + kGrainBlock - 1) / kGrainBlock * kGrainBlock + kWindow;
   for (auto* component : {&radius, &mass, &inertia, &inverse_mass, &inverse_inertia})

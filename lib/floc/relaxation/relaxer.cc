@@ -472,7 +472,7 @@ RelaxationReport Relaxer<Dim>::report() const {
   report.phase = progress_.phase == RelaxationProgress::finishing ? "finishing" : "moving";
   report.time = progress_.time;
   report.n_steps = progress_.n_steps;
-  report.blocking = worst_residual(residuals_, options_.tolerance);
+  report.blocking = worst_residual(residuals_, options_.tolerance, packing_.grains.id);
   const bool by_force = !(residuals_.force < options_.tolerance.force);
   if (report.blocking.empty()) report.blocking = in_words(unmet_);
   if (report.blocking.empty()) report.blocking = "all residuals are within their tolerances";

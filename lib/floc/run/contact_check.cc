@@ -20,6 +20,11 @@ constexpr double kCapTolerance = 1e-4;
 /// A pull below this fraction of the largest normal force is rounding.
 constexpr double kNoForce = 1e-9;
 
+template <int Dim>
+std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  return fmt::format("{}-{}", packing.grains.name(c.i), packing.grains.name(c.j));
+}
+
 /// The law's normal force at the geometry of a contact, with the stiffness that the contact has. A spring that
 /// was read as touching pulls across a gap.
 template <int Dim>
@@ -42,7 +47,7 @@ void add_forces(const Packing<Dim>& packing, double tolerance, ContactCheck& che
     const double difference = std::abs(c.normal_force - expected_normal_force(packing, c));
     if (difference / unit > check.largest_difference) {
       check.largest_difference = difference / unit;
-      check.most_different = fmt::format("{}-{}", c.i, c.j);
+      check.most_different = names_of(packing, c);
     }
     if (difference > tolerance * unit + std::abs(c.kn) * open) ++check.n_different;
   }
@@ -90,7 +95,7 @@ void add_missing_contacts(const Packing<Dim>& packing, ContactCheck& check) {
   const std::vector<Contact<Dim>> missing = missing_contacts(packing, distance_error(packing));
   check.n_missing = static_cast<int>(missing.size());
   if (!missing.empty())
-    check.missing = fmt::format("{}-{} at a gap of {:.2g}", missing[0].i, missing[0].j, missing[0].gap);
+    check.missing = fmt::format("{} at a gap of {:.2g}", names_of(packing, missing[0]), missing[0].gap);
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                       \

@@ -32,7 +32,7 @@ struct ContactCheck {
   int n_beyond_cap = 0;             ///< tangential force or rolling moment above its cap
   int n_different = 0;              ///< normal force differs from the law's
   double largest_difference = 0.0;  ///< of normal forces, over the mean of their sizes
-  std::string most_different;       ///< the grains of that contact: indices from 0
+  std::string most_different;       ///< the grains of that contact
   int n_missing = 0;                ///< pairs that touch and are not listed
   std::string missing;              ///< the first of them
 };

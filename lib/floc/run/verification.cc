@@ -54,8 +54,9 @@ class Violations {
 
 template <int Dim>
 std::string name_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  if (packing.is_wall(c.j)) return fmt::format("grain {} and wall {}", c.i, c.j - packing.grains.size());
-  return fmt::format("grains {}-{}", c.i, c.j);
+  const Grains<Dim>& g = packing.grains;
+  if (packing.is_wall(c.j)) return fmt::format("grain {} and wall {}", g.name(c.i), c.j - g.size());
+  return fmt::format("grains {}-{}", g.name(c.i), g.name(c.j));
 }
 
 template <int Dim>
@@ -181,12 +182,14 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
 }
 
 /// Grains whose net force or moment, measured in unit(grain), is not below `limit`.
-template <class Vector, class Unit>
-std::string unbalanced(const std::vector<Vector>& net, const Unit& unit, double limit) {
+template <int Dim, class Vector, class Unit>
+std::string unbalanced(const Grains<Dim>& grains, const std::vector<Vector>& net, const Unit& unit,
+                       double limit) {
   Violations violations;
   for (std::size_t i = 0; i < net.size(); ++i) {
     const double value = net[i].norm() / unit(static_cast<int>(i));
-    if (value >= limit) violations.add(value, fmt::format("grain {} with {:.2g}", i, value));
+    if (value >= limit)
+      violations.add(value, fmt::format("grain {} with {:.2g}", grains.name(static_cast<int>(i)), value));
   }
   return violations.worst_first();
 }
@@ -203,10 +206,11 @@ void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, co
   };
   add("force", r.force, t.force,
       unbalanced(
-          net.force, [&](int i) { return scales.of(i).force; }, t.force));
+          recomputed.grains, net.force, [&](int i) { return scales.of(i).force; }, t.force));
   add("moment", r.moment, t.moment,
       unbalanced(
-          net.moment, [&](int i) { return scales.of(i).force * scales.of(i).length; }, t.moment));
+          recomputed.grains, net.moment, [&](int i) { return scales.of(i).force * scales.of(i).length; },
+          t.moment));
   std::string stresses;
   const bool boxed = !recomputed.walls.empty();
   const Vec<Dim> on_walls = wall_pressure(recomputed);
@@ -397,8 +401,8 @@ void compare_orientations(const Grains<Dim>& grains, Record& record) {
     for (int i = 0; i < grains.size(); ++i)
       if (!(std::abs(grains.orientation[i].norm() - 1.0) <= kRounding))
         record.wrong(
-            fmt::format("the orientation of grain {} recorded with norm {:.9g}, not as a unit quaternion", i,
-                        grains.orientation[i].norm()));
+            fmt::format("the orientation of grain {} recorded with norm {:.9g}, not as a unit quaternion",
+                        grains.name(i), grains.orientation[i].norm()));
 }
 
 /// The residuals, the number of negative eigenvalues and the flags that the file records.

@@ -121,8 +121,8 @@ std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) 
                        after.grains.size());
   for (int i = 0; i < before.grains.size(); ++i)
     if (std::abs(before.grains.radius[i] - after.grains.radius[i]) > kSameRadius * before.grains.radius[i])
-      return fmt::format("grain {} has radius {:.10g} against {:.10g}: expected states of the same grains", i,
-                         before.grains.radius[i], after.grains.radius[i]);
+      return fmt::format("grain {} has radius {:.10g} against {:.10g}: expected states of the same grains",
+                         before.grains.name(i), before.grains.radius[i], after.grains.radius[i]);
   if (!is_lattice_choice<Dim>(lattice_choice(before.cell, after.cell)))
     return "no strain and choice of lattice vectors takes one cell into the other";
   return {};

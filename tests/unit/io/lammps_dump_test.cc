@@ -93,7 +93,9 @@ TEST_F(LammpsDump, OfATriclinicBoxHasTheBoundsOfItsBoundingBox) {
 TEST_F(LammpsDump, OfSeveralFramesIsReadLastUnlessOneIsNamed) {
   grains(frame(10, "id x y z radius", kRows) + frame(20, "id x y z radius", "1 2 3 0 0.25\n"));
   EXPECT_EQ(packing<2>().grains.size(), 1);
-  EXPECT_THAT(read().remarks, ElementsAre("frame 1 of 0 to 1, time step 20"));
+  EXPECT_THAT(read().remarks,
+              ElementsAre("frame 1 of 0 to 1, time step 20",
+                          "every z is the same: taken as disks, in 2D; --dimension 3 makes spheres of them"));
   options_.index = 0;
   EXPECT_EQ(packing<2>().grains.size(), 3);
   options_.index = 2;

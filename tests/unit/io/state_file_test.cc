@@ -327,6 +327,24 @@ TEST(StateFileRefuses, NumbersThatNoStateHolds) {
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.units = "imperial"; }), HasSubstr("imperial"));
 }
 
+TEST(StateFile, KeepsIdentifiersThatAreNotTheIndices) {
+  const ScratchDirectory scratch;
+  const auto written = [&](std::vector<std::int64_t> id) {
+    State<2> s = busy_state<2>();
+    s.packing.grains.set_names(std::move(id));
+    write_state(scratch.file("s.h5"), s);
+    return std::get<State<2>>(read_state(scratch.file("s.h5"))).packing.grains.id;
+  };
+  const std::vector<std::int64_t> far = {std::numeric_limits<std::int64_t>::max(), -7, 0};
+  EXPECT_EQ(written(far), far);
+  EXPECT_TRUE(written({0, 1, 2}).empty());
+  EXPECT_EQ(read_file(scratch.file("s.h5")).find("imported_id"), std::string::npos);
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) {
+                s.packing.grains.id = {5, 8, 5};
+              }),
+              AllOf(HasSubstr("/grains/imported_id"), HasSubstr("entry 2 is 5, as is entry 0")));
+}
+
 /// Where some integers lie in a file.
 std::size_t find_integers(const std::string& bytes, const std::vector<std::int32_t>& values) {
   return bytes.find(

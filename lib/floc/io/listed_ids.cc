@@ -1,0 +1,44 @@
+#include "floc/io/listed_ids.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "floc/base/error.h"
+
+namespace floc {
+
+std::string counting_hint(const ListedPacking& listed) {
+  for (std::size_t i = 0; i < listed.grains.size(); ++i)
+    if (listed.grains[i].id != static_cast<std::int64_t>(i)) return "";
+  std::int64_t lowest = std::numeric_limits<std::int64_t>::max();
+  for (const ListedContact& c : *listed.contacts) lowest = std::min({lowest, c.id1, c.id2});
+  if (lowest != 1) return "";
+  return "; the list looks as if it counted the grains from 1, but they are counted from 0: give their ids, or "
+         "subtract 1";
+}
+
+Identifiers::Identifiers(const ListedPacking& listed) : listed_(listed) {
+  const std::vector<ListedGrain>& grains = listed.grains;
+  index_.reserve(grains.size());
+  for (const ListedGrain& grain : grains) index_.emplace_back(grain.id, static_cast<int>(index_.size()));
+  std::sort(index_.begin(), index_.end());
+  // Of identifiers given twice, the one that a reader of the file meets first.
+  int twice = static_cast<int>(grains.size());
+  for (std::size_t k = 1; k < index_.size(); ++k)
+    if (index_[k].first == index_[k - 1].first) twice = std::min(twice, index_[k].second);
+  if (twice < static_cast<int>(grains.size()))
+    throw InputError(grains[twice].place.text(), fmt::format("id = {} is given twice", grains[twice].id));
+}
+
+int Identifiers::index(const NumberedPlace& place, const char* name, std::int64_t id) const {
+  const auto found = std::lower_bound(index_.begin(), index_.end(), std::pair(id, 0));
+  if (found != index_.end() && found->first == id) return found->second;
+  throw InputError(place.text(),
+                   fmt::format("{} = {}: no grain has this id; they are from {} to {} (contacts with walls "
+                               "and other bodies are not read: packings have to be periodic){}",
+                               name, id, index_.front().first, index_.back().first, counting_hint(listed_)));
+}
+
+}  // namespace floc

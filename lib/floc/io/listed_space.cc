@@ -1,0 +1,130 @@
+#include "floc/io/listed_space.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+/// Spheres that overlap their images by more of their diameter are none: the third side of disks is any length.
+constexpr double kDeepestOverlap = 0.1;
+
+/// Heights of disks agree up to this fraction of the smallest diameter, whatever few digits the file has.
+constexpr double kOnePlane = 1e-6;
+
+struct Guess {
+  int dimension = 2;
+  std::string words;
+  bool doubtful = false;
+};
+
+/// Whether a lattice vector of the plane leaves it, or the third one leans.
+bool tilts_along_z(const std::vector<std::vector<double>>& cell) {
+  return cell[0][2] != 0.0 || cell[1][2] != 0.0 || cell[2][0] != 0.0 || cell[2][1] != 0.0;
+}
+
+/// What one layer of grains is whose images along z are `height` apart: a sphere touches its own image where that
+/// is less than its diameter.
+Guess guess_of_layer(const std::vector<ListedGrain>& grains, double height, bool mid_plane) {
+  std::size_t n_touching = 0;
+  double largest = 0.0;
+  for (const ListedGrain& g : grains) {
+    n_touching += 2.0 * g.radius > height;
+    largest = std::max(largest, 2.0 * g.radius);
+  }
+  if (n_touching == 0)
+    return {2, "every z is the same: taken as disks, in 2D; --dimension 3 makes spheres of them", false};
+  if (n_touching == grains.size() && largest - height <= kDeepestOverlap * largest && !mid_plane)
+    return {3,
+            fmt::format(
+                "every z is the same, but the cell is {:.6g} high, less than the diameter of each grain: taken "
+                "as spheres that touch their own images across z; --dimension 2 makes disks of them",
+                height),
+            false};
+  return {
+      2,
+      fmt::format("every z is the same: taken as disks, in 2D; as spheres {} of the {} would touch their own "
+                  "images across z, as the cell is {:.6g} high; --dimension 2 or 3 says which they are",
+                  n_touching, grains.size(), height),
+      true};
+}
+
+Guess guess_dimension(const ListedSpace& space, const std::vector<ListedGrain>& grains) {
+  const auto same_height = [&](const ListedGrain& g) { return g.position[2] == grains.front().position[2]; };
+  if (!std::all_of(grains.begin(), grains.end(), same_height)) return {3, "", false};
+  const double none = std::numeric_limits<double>::infinity();
+  if (space.cell.empty()) return guess_of_layer(grains, none, space.mid_plane);
+  if (tilts_along_z(space.cell))
+    return {3,
+            "every z is the same, but the lattice vectors lean along z: taken as spheres; --dimension 2 makes "
+            "disks of "
+            "them",
+            false};
+  const bool periodic = space.periodic.size() < 3 || space.periodic[2];
+  return guess_of_layer(grains, periodic ? std::abs(space.cell[2][2]) : none, space.mid_plane);
+}
+
+void require_periodic(const ListedSpace& space, int dimension, std::vector<std::string>& remarks) {
+  for (std::size_t a = 0; a < std::min<std::size_t>(dimension, space.periodic.size()); ++a)
+    if (!space.periodic[a])
+      throw InputError(
+          space.place,
+          fmt::format("the box is not periodic ({}): packings between walls are not read; --cell puts "
+                      "grains that touch no wall into a periodic cell",
+                      space.boundary));
+  if (space.periodic.empty() && !space.cell.empty())
+    remarks.emplace_back("taken as periodic in every direction: the file does not say");
+}
+
+}  // namespace
+
+int settle_space(const ListedSpace& space, const ImportOptions& options, ListedPacking& listed) {
+  if (listed.grains.empty()) throw InputError(listed.place, "has no grains");
+  int dimension = 0;
+  if (options.dimension || !options.cell.empty() || space.dimension) {
+    const int of_cell = static_cast<int>(options.cell.size());
+    dimension = options.dimension ? *options.dimension : of_cell > 0 ? of_cell : *space.dimension;
+  } else {
+    Guess guess = guess_dimension(space, listed.grains);
+    dimension = guess.dimension;
+    if (!guess.words.empty())
+      (guess.doubtful ? listed.doubts : listed.remarks).push_back(std::move(guess.words));
+  }
+  if (!options.cell.empty()) {
+    listed.cell_place = "--cell";
+    listed.cell = options.cell;
+    return dimension;
+  }
+  require_periodic(space, dimension, listed.remarks);
+  listed.cell_place = space.place;
+  listed.cell.clear();
+  for (int a = 0; a < dimension && !space.cell.empty(); ++a) {
+    const std::vector<double>& vector = space.cell[a];
+    if (dimension == 2 && vector[2] != 0.0)
+      throw InputError(space.place, fmt::format("lattice vector {} reaches {:.6g} along z, expected 0 in two "
+                                                "dimensions; --dimension 3 makes spheres of the grains",
+                                                a + 1, vector[2]));
+    listed.cell.emplace_back(vector.begin(), vector.begin() + dimension);
+  }
+  return dimension;
+}
+
+void require_one_plane(const ListedPacking& listed) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const ListedGrain& g : listed.grains) smallest = std::min(smallest, 2.0 * g.radius);
+  const double z = listed.grains.front().position[2];
+  for (const ListedGrain& g : listed.grains)
+    if (std::abs(g.position[2] - z) > kOnePlane * smallest)
+      throw InputError(
+          g.place.text(),
+          fmt::format("z = {:.6g}, but {:.6g} at {}: expected one z of all disks, as the packing is to be "
+                      "two-dimensional (three vectors of --cell, or --dimension 3, make spheres)",
+                      g.position[2], z, listed.grains.front().place.text()));
+}
+
+}  // namespace floc

@@ -83,8 +83,9 @@ void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& sum
       cause = "hard grains at contact end a little apart; radii larger by more than half of this gap touch";
     else if (std::abs(nearest->gap - radii) <= kDoubled * radii)
       cause = "twice as large, the nearest would touch: are radii given as diameters?";
-    where = fmt::format(" (the smallest gap is {:.3g}, {:.2g} of a mean diameter, of grains {}-{})",
-                        nearest->gap, nearest->gap / radii, nearest->i, nearest->j);
+    where =
+        fmt::format(" (the smallest gap is {:.3g}, {:.2g} of a mean diameter, of grains {}-{})", nearest->gap,
+                    nearest->gap / radii, packing.grains.name(nearest->i), packing.grains.name(nearest->j));
   }
   summary.doubts.push_back(fmt::format("no grains touch{}: {}", where, cause));
 }

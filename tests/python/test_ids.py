@@ -125,6 +125,12 @@ class Ids(unittest.TestCase):
             self.assertIsNone(with_indices.search(said.stdout + said.stderr), command)
         (samples.directory() / "same.csv").write_text(grains.replace("3.44,0.5", "2.45,0.7"), encoding="utf-8")
         self.assertIn("grains 103 and 102: have the same centre", program("convert", "same.csv", "s.h5", *cell).stderr)
+        (samples.directory() / "k.csv").write_text("id1,id2,normal_force,kn,kt\n301,204,10,2000,0\n", encoding="utf-8")
+        self.assertIn("301-204", program("convert", "g.csv", "k.h5", "--contacts", "k.csv", *cell).stderr)
+        (samples.directory() / "apart.csv").write_text(grains.replace(",0.5\n", ",0.3\n"), encoding="utf-8")
+        said = program("convert", "apart.csv", "a.h5", *cell).stderr
+        self.assertIn("no grains touch", said)
+        self.assertIsNone(re.search(r"grains? [0-3]-", said), said)
         state = floc.read(samples.directory() / "m.h5")
         self.assertIn("net force of grain 301", state.equilibrium_faults)
         other = program("convert", "g.csv", "o.h5", "--law", "normal.stiffness=1000", "--cell", "4.2,0;0,4", "--columns",

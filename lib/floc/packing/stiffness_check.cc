@@ -85,7 +85,8 @@ template <int Dim>
 std::string stiffness_differences(const Packing<Dim>& packing) {
   StiffnessComparison comparison;
   for (const Contact<Dim>& c : packing.contacts)
-    comparison.add(stiffnesses(c), law_stiffnesses(packing, c), fmt::format("{}-{}", c.i, c.j));
+    comparison.add(stiffnesses(c), law_stiffnesses(packing, c),
+                   fmt::format("{}-{}", packing.grains.name(c.i), packing.grains.name(c.j)));
   return fmt::format("{}", fmt::join(comparison.differences(packing.law.stiffness_varies()), "; "));
 }
 

@@ -1,0 +1,211 @@
+"""Takes states of every kind through every command, with the program that is named; tests/sanitized/run calls it with one that
+has sanitizers:
+
+  commands.py --floc PROGRAM --source DIR [--only WORDS]
+
+A command may refuse what it is not for, in words and with an exit code of its own (2, 3, 4 or 5). It may not end by a signal or
+a sanitizer's report. Each command has to succeed with some kind of state, and each kind with some command."""
+import argparse
+import collections
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "sweep"))
+import loads  # noqa: E402
+
+TIMEOUT = 900
+EXIT_CODES = (0, 2, 3, 4, 5)
+REPORTS = ("AddressSanitizer", "LeakSanitizer", "runtime error:", "terminate called", "Assertion")
+
+# {state} is the last of {run}, {first} its first.
+COMMANDS = """
+verify {run}
+verify {state} --format json
+info {state} --format json
+info {state} --scene
+moduli {run} --columns all
+moduli {state} --strains full --prestress
+moduli {state} --method bounds
+moduli {state} --method iterative
+moduli {state} --method single-factor
+moduli {state} --increments increments.csv --force
+moduli {state} --rolling-stiffness 1,10
+modes {state} --count 5
+network {run} --columns all
+network {state} --with bonds,phases
+network {state} --without mechanics --pdf forces.csv --unit F0 --particle-stress stress.csv
+network {state} --exponents e.csv --pressure-pdf p.csv --like-neighbours l.csv --clusters c.csv
+structure {run}
+structure {state} --average --intensity I.csv --prediction u.csv
+structure {state} --pair-correlation g.csv --gaps z.csv --pores pores.csv --map phi.csv --map-size 16,16
+structure {state} --porosity e.csv --probes 200 --profile slices.csv --profile-axis y --slices 5
+compare {first} {state} --displacements u.csv --contacts c.csv
+compare {run} --against-first
+export {state} --grains grains.csv --contacts contacts.csv
+convert {state} out.vtu
+convert {state} out.xyz
+convert {state} out.data
+convert out.vtu from-vtu.h5 --law normal.stiffness=1000 --overwrite
+convert out.xyz from-xyz.h5 --law normal.stiffness=1000 --overwrite
+convert out.data from-data.h5 --law normal.stiffness=1000 --overwrite
+lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load compression --stress s.csv --forces f.csv
+lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load tension --moduli
+lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load shear --boundary uniform-strain --phases p.csv
+lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load tension --strength grain=10,matrix=1 --curve c.csv --yes
+draw {state} -o forces.svg
+draw {state} -o forces.png --forces particle-pressure --width 200
+draw {state} -o forces.pdf --forces phases
+draw {state} -o increment.pdf --forces increment
+draw {run} -o strip.svg --steps 0,1
+draw {first} -o change.svg --compare {state}
+plot {run} -o plot.svg
+plot {run} -o moduli.svg --show moduli
+plot {run} -o coordination.svg --show coordination
+plot {run} -o forces.svg --show forces
+plot {run} -o pressures.svg --show pressures
+plot {run} -o scattering.svg --show scattering
+plot {run} -o test.svg --show test
+plot {run} -o fabric.svg --show fabric
+report {run} -o report.html
+fit consolidation {run} --bootstrap 20
+fit elastic {run}
+fit preconsolidation {run}
+fit cycle {run}
+fit force-distribution {state} --draws 20
+fit force-distribution {state} --form tails --draws 5
+""".strip().splitlines()
+
+# Without a state.
+ALONE = """
+chain --n 20 --R 0.5 --kn 1 --kt 1 --kr 1e-4
+chain --n 20 --R 0.5 --kn 1 --kt 1 --kr 1e-4 --bend 2
+scene new powder
+scene check powder.toml --set grains.count=40
+run powder.toml -o powder --set grains.count=30 --until 1
+campaign new study
+campaign check study.toml
+help columns
+fit consolidation {source}/data/tables/demo --law log
+fit preconsolidation {source}/data/tables/reload
+fit consolidation {source}/data/tables/oedometer/oedometer.csv --columns P_star=Effective_Vertical_Stress,void_ratio=Void_Ratio
+plot {source}/data/tables/demo -o tables.svg
+convert {source}/data/packings/jambashbulk/N16~P1e-3~0001.txt disks.h5
+tradeoff {scene} --budget 5 --samples 1 --observables phi
+""".strip().splitlines()
+
+# Cycles and a track of energy, beside the scenes of loads.py.
+CYCLE = loads.stage("to = 4.0", "steps = 6") + loads.stage("to = 0.5", "steps = 5") + loads.stage("to = 6.0", "steps = 6")
+DYNAMIC = loads.stage("to = 0.6", "steps = 1")
+
+
+def kinds():
+    """A scene for each kind of state."""
+    for dimension in (2, 3):
+        yield f"powder {dimension}D", loads.powder(dimension) + CYCLE
+        yield f"sheared {dimension}D", loads.powder(dimension) + loads.stage('control = "simple_shear"', "strain = 0.02", "steps = 2")
+        yield f"sand {dimension}D", loads.sand(dimension) + loads.stage('control = "triaxial"', "strain = 0.01", "steps = 2")
+        yield f"wet {dimension}D", loads.wet(dimension) + loads.stage("to = 1.0", "steps = 2")
+        yield f"box {dimension}D", loads.box(dimension) + loads.stage("to = 0.8", "steps = 2")
+    yield "beads 3D", loads.beads(3) + loads.stage("to = 2.0", "steps = 2")
+
+
+class Sweep:
+    def __init__(self, program, source, root, only):
+        self.program, self.source, self.root, self.only = program, source, root, only
+        self.done, self.refused = collections.Counter(), collections.Counter()
+        self.faults = []
+
+    def floc(self, what, command, directory):
+        """@return whether it succeeded"""
+        arguments = shlex.split(command)
+        try:
+            done = subprocess.run([self.program, *arguments], capture_output=True, cwd=directory, timeout=TIMEOUT)
+        except subprocess.TimeoutExpired:
+            self.faults.append(f"{what}: floc {command}: takes more than {TIMEOUT} s")
+            return False
+        words = done.stderr.decode(errors="replace")
+        if done.returncode not in EXIT_CODES or any(report in words for report in REPORTS):
+            self.faults.append(f"{what}: floc {command}: exit code {done.returncode}: {words[-3000:]}")
+        elif done.returncode and not words.strip():
+            self.faults.append(f"{what}: floc {command}: exit code {done.returncode} without a word")
+        return done.returncode == 0
+
+    def analyse(self, kind, directory, run):
+        states = sorted((directory / run).glob("state-*.h5"))
+        if not states:
+            self.faults.append(f"{kind}: no state")
+            return
+        for command in COMMANDS:
+            if self.floc(kind, command.format(state=states[-1], first=states[0], run=run), directory):
+                self.done[command] += 1
+                self.done[kind] += 1
+            else:
+                self.refused[command] += 1
+
+    def kinds(self):
+        n = 0
+        for kind, text in kinds():
+            if self.only not in kind:
+                continue
+            directory = self.root / kind.replace(" ", "-")
+            directory.mkdir()
+            (directory / "scene.toml").write_text(text)
+            self.floc(kind, "run scene.toml -o run", directory)
+            self.analyse(kind, directory, "run")
+            if not self.done[kind]:
+                self.faults.append(f"{kind}: no command succeeded")
+            tracked = text.replace("[equilibrium]", '[equilibrium]\nfinish = "dynamic"')
+            (directory / "tracked.toml").write_text(tracked)
+            self.floc(kind, "run tracked.toml -o tracked --track-energy --until 1", directory)
+            n += 1
+        for command in COMMANDS:
+            if n and not self.only and not self.done[command]:
+                self.faults.append(f"floc {command}: succeeded with no kind of state")
+        return n
+
+    def shipped(self):
+        """Every shipped scene, of few grains and up to its second state."""
+        n = 0
+        for scene in sorted((self.source / "data/scenes").glob("*.toml")):
+            if self.only not in scene.name:
+                continue
+            few = [] if 'distribution = "list"' in scene.read_text() else ["--set", "grains.count=24"]
+            self.floc(scene.name, f"scene check {scene}", self.root)
+            command = ["run", str(scene), "-o", scene.stem, "--until", "1", *few]
+            if few and self.floc(scene.name, shlex.join(command), self.root):
+                n += 1
+        return n
+
+    def alone(self):
+        directory = self.root / "alone"
+        directory.mkdir()
+        n = 0
+        for command in ALONE:
+            if self.only in command:
+                n += self.floc("alone", command.format(source=self.source, scene=self.source / "data/scenes/demo.toml"), directory)
+        return n
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--floc", required=True, help="the program")
+    parser.add_argument("--source", required=True, help="folder of the sources")
+    parser.add_argument("--only", default="", help="kinds, scenes and commands with these words in their names")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory(prefix="floc-commands-") as root:
+        sweep = Sweep(os.path.abspath(arguments.floc), pathlib.Path(arguments.source).resolve(), pathlib.Path(root), arguments.only)
+        n_kinds, n_shipped, n_alone = sweep.kinds(), sweep.shipped(), sweep.alone()
+    print(f"kinds of states: {n_kinds}; commands on each: {len(COMMANDS)}, "
+          f"{sum(sweep.done[c] for c in COMMANDS)} done, {sum(sweep.refused.values())} refused in words")
+    print(f"shipped scenes of few grains: {n_shipped} run; commands without a state: {n_alone} done")
+    for fault in sweep.faults:
+        print(f"FAULT {fault}")
+    return 1 if sweep.faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -250,4 +250,13 @@ std::optional<int> ProgramLine::parse(int argc, char** argv) {
   return std::nullopt;
 }
 
+std::string ProgramLine::command() const {
+  std::vector<std::string> names;
+  for (const CLI::App* app = app_.get(); !app->get_subcommands().empty();) {
+    app = app->get_subcommands().front();
+    names.push_back(app->get_name());
+  }
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
 }  // namespace floc

@@ -95,6 +95,9 @@ class ProgramLine {
   ///   is to end: with an exit code of 0, or of kUsage for a fault
   std::optional<int> parse(int argc, char** argv);
 
+  /// Names of the command that was given and of its subcommands: "fit elastic".
+  std::string command() const;
+
  private:
   std::unique_ptr<CLI::App> app_;
 };

@@ -225,7 +225,6 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
     if (!columns.emplace(name, trimmed(item.substr(equals + 1))).second)
       throw InputError("--columns", fmt::format("{} is given twice", name));
   }
-  check_chosen_columns();
   return columns;
 }
 

@@ -18,6 +18,7 @@
 #include "floc/io/transient_file.h"
 #include "help.h"
 #include "lattice_command.h"
+#include "printed_columns.h"
 
 namespace {
 
@@ -62,6 +63,7 @@ int main(int argc, char** argv) {
   std::vector<char*> arguments = floc::arguments_of_help(argc, argv);
   try {
     const std::optional<int> parsed = line.parse(static_cast<int>(arguments.size()), arguments.data());
+    if (!parsed) floc::expect_columns_of(line.command());
     const int code = parsed ? *parsed : run_command(commands);
     floc::finish_output();
     return code;

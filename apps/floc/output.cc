@@ -78,7 +78,6 @@ void add_states_argument(CommandLine app, std::vector<std::string>& files) {
 
 int for_each_file(const std::vector<std::string>& files,
                   const std::function<int(const std::string& file)>& work) {
-  check_chosen_columns();
   const RepeatedWarnings once;
   int code = kDone;
   for (const std::string& file : files) {

@@ -18,18 +18,34 @@
 namespace floc {
 namespace {
 
+std::string g_command;
 std::vector<std::string> g_chosen;
 
 std::string pattern_of(const std::string& chosen) {
   return chosen == "all" ? "*" : chosen;
 }
 
-/// Names of all columns there are; patterns among them as they are.
-std::vector<std::string> all_names() {
-  std::vector<std::string> names;
-  for (const DescribedTable& table : described_tables())
+/// Names of the columns that a command may print; patterns among them as they are. A table "moduli --increments"
+/// goes into a file, unless the command has no other, as `campaign collect --table runs`.
+std::vector<std::string> names_printed_by(const std::string& command) {
+  std::vector<std::string> printed, with_option;
+  for (const DescribedTable& table : described_tables()) {
+    if (table.name != command && !table.name.starts_with(command + " ")) continue;
+    auto& names = table.name.starts_with(command + " --") ? with_option : printed;
     for (const DescribedColumn& column : table.columns) names.push_back(column.name);
-  return names;
+  }
+  return printed.empty() ? with_option : printed;
+}
+
+/// @throws InputError if the command prints tables and no column of them is meant
+void expect_column_of(const std::string& command, const std::string& chosen) {
+  const std::vector<std::string> names = names_printed_by(command);
+  const std::string pattern = pattern_of(chosen);
+  const bool known = std::ranges::any_of(
+      names, [&](const std::string& name) { return stands_for(pattern, name) || stands_for(name, pattern); });
+  if (!known && !names.empty())
+    throw InputError("--columns", fmt::format("no column of floc {} is named {}; the nearest is {}", command,
+                                              chosen, nearest_name(chosen, names)));
 }
 
 int terminal_width() {
@@ -108,7 +124,13 @@ void add_columns_choice(CommandLine app) {
   }
 }
 
+void expect_columns_of(const std::string& command) {
+  g_command = command;
+  for (const std::string& chosen : g_chosen) expect_column_of(g_command, chosen);
+}
+
 void choose_column(const std::string& pattern) {
+  expect_column_of(g_command, pattern);
   g_chosen.push_back(pattern);
 }
 
@@ -116,20 +138,7 @@ bool columns_are_chosen() {
   return !g_chosen.empty();
 }
 
-void check_chosen_columns() {
-  const std::vector<std::string> names = all_names();
-  for (const std::string& chosen : g_chosen) {
-    const std::string pattern = pattern_of(chosen);
-    const bool known = std::ranges::any_of(
-        names, [&](const std::string& name) { return stands_for(pattern, name) || stands_for(name, pattern); });
-    if (!known)
-      throw InputError("--columns", fmt::format("no column is named {}; the nearest is {}", chosen,
-                                                nearest_name(chosen, names)));
-  }
-}
-
 Table with_chosen_columns(const Table& table, bool on_terminal) {
-  check_chosen_columns();
   if (!g_chosen.empty()) return chosen_part(table);
   const DescribedTable* described = on_terminal ? table_with(table.columns) : nullptr;
   if (described == nullptr || described->on_terminal.empty()) return table;

@@ -56,8 +56,10 @@ int start_scene(const std::string& name) {
   if (!file) throw IoError(path.string(), std::strerror(errno));
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if (std::fclose(file) != 0 || !written) throw IoError(path.string(), "cannot be written: disk full?");
-  spdlog::info("wrote {0}; next: floc scene check {0}, floc run {0} -o {1}", path.string(),
-               path.stem().string());
+  spdlog::info(
+      "wrote {0}, the cohesive powder of floc demo: a name chooses no kind of scene, and data/scenes has "
+      "the other kinds; next: floc scene check {0}, floc run {0} -o {1}",
+      path.string(), path.stem().string());
   return kDone;
 }
 
@@ -73,8 +75,10 @@ Command add_scene(CommandLine program) {
   check.add_option("--set", arguments->overrides, "key.path=value: replaces what the file says")
       .one_argument_each();
   add_format_option(check, arguments->format);
-  CommandLine start = app.add_subcommand("new", "write a commented starting scene NAME.toml");
-  start.add_option("NAME", arguments->name, "name of the scene; - is stdout").required();
+  CommandLine start =
+      app.add_subcommand("new", "write NAME.toml, a commented scene of a cohesive powder to start from");
+  start.add_option("NAME", arguments->name, "name of the scene, which chooses no kind of scene; - is stdout")
+      .required();
   return {app, [arguments, check] {
             return check.parsed() ? check_scene(*arguments) : start_scene(arguments->name);
           }};

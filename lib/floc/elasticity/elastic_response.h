@@ -51,12 +51,13 @@ struct ElasticResponse {
   /// that both bear the same. Empty without walls.
   Eigen::MatrixXd wall_shift;
   FreeMotions free;
-  int n_free_shifts = 0;   ///< ways in which walls move together at no cost, and the grains with them
-  int n_negative = 0;      ///< negative eigenvalues of the block of the grains, unstable dead ends included
-  int n_mechanisms = 0;    ///< its vanishing eigenvalues beyond those of `free`
-  double residual = 0.0;   ///< backward error of the solution
-  double condition = 1.0;  ///< estimate, of K; infinite with mechanisms
-  bool resolved = true;    ///< false where even the square root of K leaves no digit
+  int n_free_shifts = 0;  ///< ways in which walls move together at no cost, and the grains with them
+  int n_negative = 0;     ///< negative eigenvalues of grains and shifts of walls, unstable dead ends included
+  int n_negative_shifts = 0;  ///< those among them that are of the shifts, once the grains have relaxed
+  int n_mechanisms = 0;       ///< its vanishing eigenvalues beyond those of `free`
+  double residual = 0.0;      ///< backward error of the solution
+  double condition = 1.0;     ///< estimate, of K; infinite with mechanisms
+  bool resolved = true;       ///< false where even the square root of K leaves no digit
   /// False where the solver finds neither negative eigenvalues nor mechanisms, and `error` is an estimate.
   bool counted = true;
   int steps = 0;  ///< of refinement

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "floc/elasticity/isotropic_moduli.h"
+#include "floc/elasticity/reduced_unknowns.h"
 #include "floc/linalg/lowest_eigenpairs.h"
 
 namespace floc {
@@ -13,46 +14,30 @@ namespace {
 constexpr int kMinCount = 10;
 constexpr int kMaxCount = 100;
 
-/// Unknowns of the grains that have contacts, rotations times the grain's size.
+/// Which unknowns of K belong to grains that have contacts.
 template <int Dim>
-struct ConnectedUnknowns {
-  std::vector<int> unknown;  // of K, for each row
-  std::vector<int> row;      // of each unknown of K, -1: the grain has no contact
-  Eigen::VectorXd size;      // value in a row = size * unknown of K
+std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
+  std::vector<bool> connected(network.n_unknowns(), false);
+  for (const NetworkContact<Dim>& c : network.contacts)
+    for (const int grain : {c.i, c.j})
+      std::fill_n(connected.begin() + first_unknown<Dim>(grain), kDofs<Dim>, true);
+  return connected;
+}
 
-  explicit ConnectedUnknowns(const ContactNetwork<Dim>& network) : row(network.n_unknowns(), -1) {
-    std::vector<bool> connected(network.n_grains, false);
-    for (const NetworkContact<Dim>& c : network.contacts) connected[c.i] = connected[c.j] = true;
-    for (int u = 0; u < network.n_unknowns(); ++u)
-      if (connected[u / kDofs<Dim>]) row[u] = static_cast<int>(unknown.size()), unknown.push_back(u);
-    size.resize(static_cast<Eigen::Index>(unknown.size()));
-    for (Eigen::Index a = 0; a < size.size(); ++a)
-      size[a] = unknown[a] % kDofs<Dim> < Dim ? 1.0 : network.grain_size[unknown[a] / kDofs<Dim>];
+/// Those among them that a contact resists: without friction, each rotation is free by itself.
+template <int Dim>
+std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
+  std::vector<bool> resisted(network.n_unknowns(), false);
+  for (const NetworkContact<Dim>& c : network.contacts) {
+    const bool resists_rotation = c.kt != 0.0 || c.kr != 0.0 || c.ktw != 0.0;
+    for (const int grain : {c.i, c.j})
+      std::fill_n(resisted.begin() + first_unknown<Dim>(grain), resists_rotation ? kDofs<Dim> : Dim, true);
   }
-  int n() const { return static_cast<int>(unknown.size()); }
-  int n_grains() const { return n() / kDofs<Dim>; }
-};
-
-template <int Dim>
-Eigen::SparseMatrix<double> scaled_stiffness(const ContactNetwork<Dim>& network,
-                                             const ConnectedUnknowns<Dim>& u, StrainSet strains) {
-  const Eigen::SparseMatrix<double> grains = stiffness_matrix(network, {strains, false}).grains;
-  const double scale = stiffness_scale(network);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(grains.nonZeros());
-  for (int b = 0; b < u.n(); ++b)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(grains, u.unknown[b]); it; ++it) {
-      const int a = u.row[it.row()];
-      entries.emplace_back(a, b, it.value() / (scale * u.size[a] * u.size[b]));
-    }
-  Eigen::SparseMatrix<double> matrix(u.n(), u.n());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  return resisted;
 }
 
 /// Motions that are free by structure, those of grains without contact left out; columns of unit length.
-template <int Dim>
-Eigen::SparseMatrix<double> scaled_free_motions(const FreeMotions& free, const ConnectedUnknowns<Dim>& u) {
+Eigen::SparseMatrix<double> scaled_free_motions(const FreeMotions& free, const ReducedUnknowns& u) {
   std::vector<Eigen::Triplet<double>> entries;
   int n = 0;
   for (int m = 0; m < free.modes.cols(); ++m) {
@@ -60,16 +45,16 @@ Eigen::SparseMatrix<double> scaled_free_motions(const FreeMotions& free, const C
     const double length = [&] {
       double square = 0.0;
       for (Eigen::SparseMatrix<double>::InnerIterator it(free.modes, m); it; ++it)
-        square += std::pow(it.value() * u.size[u.row[it.row()]], 2);
+        square += std::pow(it.value() / u.length[u.row[it.row()]], 2);
       return std::sqrt(square);
     }();
     for (Eigen::SparseMatrix<double>::InnerIterator it(free.modes, m); it; ++it) {
       const int a = u.row[it.row()];
-      entries.emplace_back(a, n, it.value() * u.size[a] / length);
+      entries.emplace_back(a, n, it.value() / (u.length[a] * length));
     }
     ++n;
   }
-  Eigen::SparseMatrix<double> motions(u.n(), n);
+  Eigen::SparseMatrix<double> motions(u.length.size(), n);
   motions.setFromTriplets(entries.begin(), entries.end());
   return motions;
 }
@@ -133,13 +118,13 @@ ModeKind kind_of(double eigenvalue, double zero, double near) {
 }
 
 template <int Dim>
-Mode<Dim> describe(const ContactNetwork<Dim>& network, const ConnectedUnknowns<Dim>& u,
-                   const Eigen::VectorXd& vector, const ModeOptions& options, double near) {
+Mode<Dim> describe(const ContactNetwork<Dim>& network, const ReducedUnknowns& u, const Eigen::VectorXd& vector,
+                   const ModeOptions& options, double near) {
   Mode<Dim> mode;
   mode.motion = Eigen::VectorXd::Zero(network.n_unknowns());
-  for (int a = 0; a < u.n(); ++a) mode.motion[u.unknown[a]] = vector[a] / u.size[a];
+  for (Eigen::Index a = 0; a < vector.size(); ++a) mode.motion[u.unknown[a]] = vector[a] * u.length[a];
   add_energies(network, options.strains, mode);
-  add_participation(network, u.n_grains(), mode);
+  add_participation(network, static_cast<int>(vector.size()) / kDofs<Dim>, mode);
   mode.kind = kind_of(mode.eigenvalue, options.mechanism_bound * stiffness_scale(network), near);
   if (mode.kind == ModeKind::mechanism) return mode;
   const Eigen::VectorXd on_axes = mode.coupling.template head<Dim>();
@@ -171,11 +156,13 @@ SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions&
   SoftModes<Dim> out;
   out.free = find_free_motions(network);
   out.near_bound = near_bound(network);
-  const ConnectedUnknowns<Dim> unknowns(network);
-  if (unknowns.n() == 0) return out;
+  const ReducedUnknowns unknowns = reduce_unknowns(network, connected_unknowns(network));
+  if (unknowns.unknown.empty()) return out;
   const Eigen::SparseMatrix<double> free_motions = scaled_free_motions(out.free, unknowns);
   SymmetricFactor factor(options.ordering);
-  factor.set_matrix(scaled_stiffness(network, unknowns, options.strains));
+  factor.set_matrix(
+      reduce(stiffness_matrix(network, {options.strains, false}).grains, unknowns, stiffness_scale(network)),
+      grain_of_rows<Dim>(unknowns));
   const double bound = std::max(out.near_bound / stiffness_scale(network), options.mechanism_bound);
   out.n_below_near_bound = factor.count_eigenvalues_below(bound) - static_cast<int>(free_motions.cols());
   const int count = options.count.value_or(std::clamp(out.n_below_near_bound, kMinCount, kMaxCount));
@@ -187,19 +174,26 @@ SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions&
 }
 
 template <int Dim>
-int count_near_mechanisms(const ContactNetwork<Dim>& network, const ElasticResponse& response) {
-  const ConnectedUnknowns<Dim> unknowns(network);
-  const double bound = near_bound(network) / stiffness_scale(network);
-  if (unknowns.n() == 0 || bound <= ModeOptions{}.mechanism_bound) return 0;
+std::optional<int> count_near_mechanisms(const ContactNetwork<Dim>& network, const ElasticResponse& response,
+                                         double largest_factor) {
+  const double unit = stiffness_scale(network), bound = near_bound(network) / unit;
+  if (network.contacts.empty() || bound <= ModeOptions{}.mechanism_bound) return 0;
+  const std::vector<bool> connected = connected_unknowns(network), resisted = resisted_unknowns(network);
+  const ReducedUnknowns unknowns = reduce_unknowns(network, resisted);
   SymmetricFactor factor;
-  factor.set_matrix(scaled_stiffness(network, unknowns, StrainSet::diagonal));
+  factor.set_matrix(reduce(stiffness_matrix(network, {}).grains, unknowns, unit), grain_of_rows<Dim>(unknowns));
+  if (factor.predicted_cost().bytes > largest_factor) return std::nullopt;
   const FreeMotions& free = response.free;
-  const int n_free = static_cast<int>(free.kind.size()) - free.count(FreeMotionKind::rattler);
-  return factor.count_eigenvalues_below(bound) - n_free - response.n_mechanisms - response.n_negative;
+  const auto n_unresisted = std::count(connected.begin(), connected.end(), true) -
+                            static_cast<std::ptrdiff_t>(unknowns.unknown.size());
+  const int n_free =
+      static_cast<int>(free.kind.size()) - free.count(FreeMotionKind::rattler) - static_cast<int>(n_unresisted);
+  const int n_negative = response.n_negative - response.n_negative_shifts;  // walls stand still here
+  return factor.count_eigenvalues_below(bound) - n_free - response.n_mechanisms - n_negative;
 }
 
-template int count_near_mechanisms(const ContactNetwork<2>&, const ElasticResponse&);
-template int count_near_mechanisms(const ContactNetwork<3>&, const ElasticResponse&);
+template std::optional<int> count_near_mechanisms(const ContactNetwork<2>&, const ElasticResponse&, double);
+template std::optional<int> count_near_mechanisms(const ContactNetwork<3>&, const ElasticResponse&, double);
 template SoftModes<2> soft_modes(const ContactNetwork<2>&, const ModeOptions&);
 template SoftModes<3> soft_modes(const ContactNetwork<3>&, const ModeOptions&);
 

@@ -73,9 +73,11 @@ template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
 
 /// Number of near-mechanisms: eigenvalues up to max |F_N|/r, counted by inertia, that belong neither to free
-/// motions nor to mechanisms and are not negative.
-/// @param response  of the same network, strains clamped or not, without prestress
+/// motions nor to mechanisms and are not negative. It takes a factor like that of the response.
+/// @param response        of the same network, strains clamped or not, without prestress
+/// @param largest_factor  bytes that the factor may take; no value where it would take more
 template <int Dim>
-int count_near_mechanisms(const ContactNetwork<Dim>& network, const ElasticResponse& response);
+std::optional<int> count_near_mechanisms(const ContactNetwork<Dim>& network, const ElasticResponse& response,
+                                         double largest_factor = std::numeric_limits<double>::infinity());
 
 }  // namespace floc

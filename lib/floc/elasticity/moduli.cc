@@ -225,8 +225,8 @@ bool is_isotropic(const Mat<Dim>& stress, double pressure) {
 
 /// @param respond  elastic_response with what is kept from one call to the next
 template <int Dim>
-Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
-                   const ModuliOptions& options, const auto& respond) {
+Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
+                     const ModuliOptions& options, const auto& respond) {
   refuse_faults(options.validate());
   Moduli m;
   m.pressure = load.stress.trace() / Dim;
@@ -268,18 +268,28 @@ Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& l
   m.condition = response.condition;
   derive_constants<Dim>(m.bounds.B_voigt + m.bounds.G_voigt, m);
   check_errors(response.resolved, options.tolerance, m);
-  if (options.prestress) {
-    ModuliOptions plain = options;
-    plain.prestress = false;
-    Moduli without = moduli_with(network, load, plain, respond);
-    if (!without.failure.empty()) return without;
-    m.B_without_prestress = without.B;
-    m.G_without_prestress = without.G;
-    response = std::move(without.response);
-  }
   m.response = std::move(response);
   add_warnings(m);
   return m;
+}
+
+/// Stands moduli without prestress beside those with it.
+Moduli beside(Moduli without, Moduli with) {
+  if (!without.failure.empty()) return without;
+  with.B_without_prestress = without.B;
+  with.G_without_prestress = without.G;
+  with.response = std::move(without.response);
+  return with;
+}
+
+template <int Dim>
+Moduli moduli_with(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
+                   const ModuliOptions& options, const auto& respond) {
+  Moduli m = solved_moduli(network, load, options, respond);
+  if (!options.prestress || options.method == ModuliMethod::bounds || !m.failure.empty()) return m;
+  ModuliOptions plain = options;
+  plain.prestress = false;
+  return beside(solved_moduli(network, load, plain, respond), std::move(m));
 }
 
 template <int Dim>
@@ -297,6 +307,17 @@ Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>
   return moduli_with(network, load, options, [&](const auto& contacts, const ResponseOptions& response) {
     return elastic_response(contacts, response, factor);
   });
+}
+
+template <int Dim>
+Moduli prestressed_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
+                          ModuliOptions options, Moduli without) {
+  options.prestress = true;
+  SymmetricFactor factor(options.ordering);
+  return beside(std::move(without), solved_moduli(network, load, options,
+                                                  [&](const auto& contacts, const ResponseOptions& response) {
+                                                    return elastic_response(contacts, response, factor);
+                                                  }));
 }
 
 template <int Dim>
@@ -348,6 +369,8 @@ template ContactNetwork<2> ModuliOptions::loaded_network(const Packing<2>&) cons
 template ContactNetwork<3> ModuliOptions::loaded_network(const Packing<3>&) const;
 template Moduli elastic_moduli(const ContactNetwork<2>&, const NetworkLoad<2>&, const ModuliOptions&);
 template Moduli elastic_moduli(const ContactNetwork<3>&, const NetworkLoad<3>&, const ModuliOptions&);
+template Moduli prestressed_moduli(const ContactNetwork<2>&, const NetworkLoad<2>&, ModuliOptions, Moduli);
+template Moduli prestressed_moduli(const ContactNetwork<3>&, const NetworkLoad<3>&, ModuliOptions, Moduli);
 template NetworkLoad<2> network_load(const Packing<2>&, bool);
 template NetworkLoad<3> network_load(const Packing<3>&, bool);
 template Moduli elastic_moduli(const ContactNetwork<2>&, const std::vector<Vec<2>>&, const NetworkLoad<2>&,

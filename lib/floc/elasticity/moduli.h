@@ -126,6 +126,11 @@ template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                     const ModuliOptions& options);
 
+/// The same with prestress, whatever the options say of it, where the moduli without it are known.
+template <int Dim>
+[[nodiscard]] Moduli prestressed_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
+                                        ModuliOptions options, Moduli without);
+
 /// The same for options.loaded_network(packing) under the stress that the packing carries.
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);

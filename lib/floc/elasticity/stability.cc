@@ -24,8 +24,6 @@ namespace {
 constexpr double kVanishingStrain = 1e-11;
 /// A Cholesky factor of a larger condition may hide a mechanism, which has no sign.
 constexpr double kSuspiciousCondition = 1e12;
-/// L D L^T takes its operations one by one, L L^T works on dense blocks: an order of magnitude, rounded up.
-constexpr double kSlownessOfPivots = 20.0;
 /// Largest eigenvalue of a network's stiffness matrix with a diagonal of 1: 2 to 4 in packings.
 constexpr double kLargestEigenvalue = 4.0;
 
@@ -92,23 +90,17 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
 /// Haynsworth: the inertia of K is that of the block of the grains and that of its Schur complement, the
 /// stiffness of the strains once the grains have relaxed. The factor's rounding is that of a matrix close to K,
 /// so that no refinement would add to it.
-/// @return why not in words, where the factor or the count of its pivots would take too much
+/// @return why not in words, where the factor would take too much
 Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& options) {
   SymmetricFactor factor;
   factor.set_matrix(k.grains, k.group);
   const FactorCost cost = factor.predicted_cost();
-  const auto too_dear = [&cost](const char* what, double operations) {
-    return Stability{std::nullopt, fmt::format("{} would take {:.2g} GB and {:.0e} operations; ", what,
-                                               1e-9 * cost.bytes, operations)};
-  };
   if (cost.bytes > options.largest_factor || cost.operations > options.most_operations)
-    return too_dear("a factor", cost.operations);
+    return {std::nullopt, fmt::format("a factor would take {:.2g} GB and {:.0e} operations; ",
+                                      1e-9 * cost.bytes, cost.operations)};
   int n_negative = k.n_unstable_ends;
-  if (!factor.factorize_positive() || factor.reciprocal_condition() * kSuspiciousCondition < 1.0) {
-    const double operations = kSlownessOfPivots * cost.operations;
-    if (operations > options.most_operations) return too_dear("a count of negative pivots", operations);
+  if (!factor.factorize_positive() || factor.reciprocal_condition() * kSuspiciousCondition < 1.0)
     n_negative += factor.count_eigenvalues_below(-k.unresolved);
-  }
   const Eigen::MatrixXd relaxed = k.boundary - k.border.transpose() * factor.solve(k.border, 0);
   return {n_negative + count_below(relaxed, -k.vanishing), ""};
 }

@@ -34,7 +34,7 @@ struct Stability {
 
 /// Negative eigenvalues of the stiffness matrix of a network, grains and diagonal strains, after rigid
 /// translations, rattlers and free rollers are removed. Mechanisms do not count. By inertia alone: a Cholesky
-/// factor that succeeds shows that there is none, else the negative pivots of L D L^T are counted; a network
+/// factor that succeeds shows that there is none, else the signs of L S L^T are counted; a network
 /// without negative stiffness needs neither. Where a factor would be too expensive, Lanczos' method looks for a
 /// direction of negative curvature (test_positivity()).
 template <int Dim>

@@ -26,8 +26,9 @@ void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out)
       inverse[k] = 1.0 / eigen.values[k];
     else
       ++out.n_free_shifts;
-    if (eigen.values[k] < -least) ++out.n_negative;
+    if (eigen.values[k] < -least) ++out.n_negative_shifts;
   }
+  out.n_negative += out.n_negative_shifts;
   Eigen::MatrixXd with_strain = Eigen::MatrixXd::Identity(out.relaxed.rows(), n_strains);
   with_strain.bottomRows(n) = -eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose() *
                               out.relaxed.bottomLeftCorner(n, n_strains);

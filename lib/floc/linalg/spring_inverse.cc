@@ -56,7 +56,22 @@ SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& spr
   return out;
 }
 
+/// By a factor of the matrix as it is, which is not positive; no value where an eigenvalue may lie within `bound`
+/// of zero.
+std::optional<SpringInverse> invert_indefinite(SymmetricFactor& factor, double bound) {
+  constexpr double kClear = 1e3;  // as far from the bound as no estimate of a norm is off
+  SpringInverse out;
+  out.n_negative = factor.count_eigenvalues_below(0.0);
+  out.condition = factor.condition_estimate();
+  if (out.n_negative == 0 || !(kClear * bound * out.condition < factor.norm())) return std::nullopt;
+  out.inverse.apply = by(factor);
+  out.inverse.definite = false;
+  out.inverse.inverse_norm = kEstimateMargin * out.condition / factor.norm();
+  return out;
+}
+
 SpringInverse invert_shifted(SymmetricFactor& factor, double bound) {
+  if (std::optional<SpringInverse> inverse = invert_indefinite(factor, bound)) return std::move(*inverse);
   SpringInverse out;
   out.n_negative = factor.count_eigenvalues_below(-bound);
   out.n_mechanisms = factor.count_eigenvalues_below(bound) - out.n_negative;

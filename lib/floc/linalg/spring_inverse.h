@@ -23,7 +23,7 @@ std::optional<SpringInverse> invert_positive(SymmetricFactor& factor);
 
 /// For a K on which invert_positive() fails. Without negative stiffnesses the springs have a square root
 /// sqrt(k) A, which keeps the digits that K has lost and shows mechanisms by its rank (SuiteSparseQR).
-/// Otherwise by L D L^T: eigenvalues within `mechanism_bound` of zero are counted as mechanisms, those below as
+/// Otherwise by L S L^T: eigenvalues within `mechanism_bound` of zero are counted as mechanisms, those below as
 /// negative, and a shift regularises the mechanisms.
 /// @param factor  holds K; `inverse` may refer to it
 SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound);

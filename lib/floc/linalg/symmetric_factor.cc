@@ -15,11 +15,12 @@
 #include "floc/base/huge_pages.h"
 #include "floc/linalg/blas.h"
 #include "floc/linalg/condition.h"
+#include "floc/linalg/signed_factor.h"
 
 namespace floc {
 namespace {
 
-/// Replaces an exactly vanishing pivot of L D L^T so that the elimination goes on; far below any rounding.
+/// Replaces an exactly vanishing pivot of L S L^T so that the elimination goes on; far below any rounding.
 constexpr double kSmallestPivot = 1e-30;
 /// CHOLMOD asks for teams of four threads whatever it is set to, each of which waits in a loop for panels of
 /// some columns: it is faster with one.
@@ -59,10 +60,10 @@ struct SymmetricFactor::Factor {
   double shift = 0.0;                                  // of the last factor
   cholmod_common common{};
   cholmod_sparse* matrix = nullptr;
-  cholmod_factor* positive = nullptr;    // supernodal L L^T; its ordering is kept
-  cholmod_factor* indefinite = nullptr;  // simplicial L D L^T
-  cholmod_factor* current = nullptr;     // whichever of the two was made last
-  FactorCost positive_cost;              // once it is analysed
+  cholmod_factor* factor = nullptr;  // by supernodes; its ordering is kept
+  bool factorized = false;
+  Eigen::VectorXd sign;  // S of L S L^T; empty: L L^T
+  FactorCost cost;       // once it is analysed
 
   explicit Factor(Ordering chosen) : ordering(chosen) {
     prepare_blas();
@@ -75,6 +76,8 @@ struct SymmetricFactor::Factor {
     common.method[0].ordering = CHOLMOD_NATURAL;  // the matrix is given in its order
     common.postorder = 0;
     common.quick_return_if_not_posdef = 1;
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.final_ll = 1;
   }
   ~Factor() {
     release();
@@ -84,10 +87,9 @@ struct SymmetricFactor::Factor {
   Factor& operator=(const Factor&) = delete;
 
   void release() {
-    cholmod_l_free_factor(&positive, &common);
-    cholmod_l_free_factor(&indefinite, &common);
+    cholmod_l_free_factor(&factor, &common);
     cholmod_l_free_sparse(&matrix, &common);
-    current = nullptr;
+    factorized = false;
   }
 
   void check(const char* doing) const {
@@ -112,7 +114,7 @@ struct SymmetricFactor::Factor {
 
   /// Takes A, reordered; symbolic factors stay if they hold for it.
   void take_matrix(const Eigen::SparseMatrix<double>& lower, std::vector<int> next_group) {
-    current = nullptr;
+    factorized = false;
     if (group == next_group && matrix != nullptr) {
       cholmod_sparse* next = reordered(lower);
       if (has_pattern_of(next)) {
@@ -179,38 +181,64 @@ struct SymmetricFactor::Factor {
   }
 
   /// Symbolic analysis.
-  void analyse(cholmod_factor*& factor, bool ll) {
-    common.supernodal = ll ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
-    common.final_ll = ll ? 1 : 0;
-    common.dbound = ll ? 0.0 : kSmallestPivot;
+  void analyse() {
     if (factor != nullptr) return;
     factor = cholmod_l_analyze(matrix, &common);
     check("analysing a matrix");
-    if (ll) positive_cost = {static_cast<double>(factor->xsize) * sizeof(double), common.fl};
+    cost = {static_cast<double>(factor->xsize) * sizeof(double), common.fl};
   }
 
-  bool factorize(cholmod_factor*& factor, double with_shift, bool ll) {
+  bool factorize_positive(double with_shift) {
     const OneThread one_thread;
-    current = nullptr;
+    factorized = false;
     if (size() == 0) return true;
-    analyse(factor, ll);
+    analyse();
     double beta[2] = {with_shift, 0.0};
     cholmod_l_factorize_p(matrix, beta, nullptr, 0, factor, &common);
     check("factorizing a matrix");
     shift = with_shift;
-    if (factor->minor < factor->n) return false;
-    current = factor;
-    return true;
+    sign.resize(0);
+    factorized = factor->minor == factor->n;
+    return factorized;
   }
 
-  Eigen::MatrixXd apply_inverse(const Eigen::MatrixXd& B) {
-    const OneThread one_thread;
+  bool factorize_signed(double with_shift) {
+    factorized = false;
+    if (size() == 0) return true;
+    analyse();
+    if (factor->xtype == CHOLMOD_PATTERN) cholmod_l_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor, &common);
+    check("making room for a factor");
+    const std::vector<double> signs = floc::factorize_signed({{columns(), matrix->ncol + 1}, rows(), values()},
+                                                             with_shift, kSmallestPivot, supernodes());
+    factor->minor = factor->n;
+    shift = with_shift;
+    sign = Eigen::Map<const Eigen::VectorXd>(signs.data(), static_cast<Eigen::Index>(signs.size()));
+    factorized = !signs.empty();
+    return factorized;
+  }
+
+  Supernodes supernodes() const {
+    const auto span = [](void* values, std::size_t n) {
+      return std::span<const std::int64_t>(static_cast<const SuiteSparse_long*>(values), n);
+    };
+    const std::size_t n = factor->nsuper + 1;
+    return {span(factor->super, n), span(factor->pi, n), span(factor->px, n), span(factor->s, factor->ssize),
+            static_cast<double*>(factor->x)};
+  }
+
+  Eigen::MatrixXd solve_with(int system, const Eigen::MatrixXd& B) {
     cholmod_dense b = as_cholmod(B);
-    cholmod_dense* x = cholmod_l_solve(CHOLMOD_A, current, &b, &common);
+    cholmod_dense* x = cholmod_l_solve(system, factor, &b, &common);
     check("solving");
     Eigen::MatrixXd X = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(x->x), B.rows(), B.cols());
     cholmod_l_free_dense(&x, &common);
     return X;
+  }
+
+  Eigen::MatrixXd apply_inverse(const Eigen::MatrixXd& B) {
+    const OneThread one_thread;
+    if (sign.size() == 0) return solve_with(CHOLMOD_A, B);
+    return solve_with(CHOLMOD_Lt, sign.asDiagonal() * solve_with(CHOLMOD_L, B));
   }
 
   /// Iterative refinement of A X = B while the residual falls.
@@ -231,23 +259,15 @@ struct SymmetricFactor::Factor {
     return lower().selfadjointView<Eigen::Lower>() * X;
   }
 
-  /// Calls visit(pivot) for every entry of D, or squared diagonal entry of L.
+  /// Calls visit(d) for the square d of every diagonal entry of L.
   template <class Visit>
   void for_each_pivot(Visit visit) const {
-    const auto* x = static_cast<const double*>(current->x);
-    if (!current->is_super) {
-      const auto* p = static_cast<const SuiteSparse_long*>(current->p);
-      for (std::size_t k = 0; k < current->n; ++k) visit(current->is_ll ? x[p[k]] * x[p[k]] : x[p[k]]);
-      return;
-    }
-    const auto* super = static_cast<const SuiteSparse_long*>(current->super);
-    const auto* pi = static_cast<const SuiteSparse_long*>(current->pi);
-    const auto* px = static_cast<const SuiteSparse_long*>(current->px);
-    for (std::size_t s = 0; s < current->nsuper; ++s) {
-      const SuiteSparse_long columns = super[s + 1] - super[s];
-      const SuiteSparse_long rows = pi[s + 1] - pi[s];
-      for (SuiteSparse_long k = 0; k < columns; ++k) {
-        const double diagonal = x[px[s] + k * (rows + 1)];
+    const Supernodes l = supernodes();
+    for (std::size_t s = 0; s < factor->nsuper; ++s) {
+      const SuiteSparse_long n_columns = l.first_column[s + 1] - l.first_column[s];
+      const SuiteSparse_long n_rows = l.first_row[s + 1] - l.first_row[s];
+      for (SuiteSparse_long k = 0; k < n_columns; ++k) {
+        const double diagonal = l.value[l.first_value[s] + k * (n_rows + 1)];
         visit(diagonal * diagonal);
       }
     }
@@ -272,25 +292,23 @@ void SymmetricFactor::set_matrix(const Eigen::SparseMatrix<double>& lower, const
 
 FactorCost SymmetricFactor::predicted_cost() {
   if (factor_->size() == 0) return {};
-  factor_->analyse(factor_->positive, true);
-  return factor_->positive_cost;
+  factor_->analyse();
+  return factor_->cost;
 }
 
 bool SymmetricFactor::factorize_positive(double shift) {
-  return factor_->factorize(factor_->positive, shift, true);
+  return factor_->factorize_positive(shift);
 }
 
 bool SymmetricFactor::factorize_indefinite(double shift) {
-  return factor_->factorize(factor_->indefinite, shift, false);
+  return factor_->factorize_signed(shift);
 }
 
 int SymmetricFactor::count_eigenvalues_below(double bound) {
   if (factor_->size() == 0) return 0;
   if (!factorize_indefinite(-bound))
-    throw std::runtime_error("CHOLMOD found a vanishing pivot while counting eigenvalues");
-  int n_negative = 0;
-  factor_->for_each_pivot([&](double pivot) { n_negative += pivot < 0.0 ? 1 : 0; });
-  return n_negative;
+    throw std::runtime_error("counting eigenvalues of a matrix that is not finite");
+  return static_cast<int>((factor_->sign.array() < 0.0).count());
 }
 
 double SymmetricFactor::norm() const {
@@ -304,7 +322,7 @@ Eigen::MatrixXd SymmetricFactor::multiply(const Eigen::MatrixXd& X) const {
 
 Eigen::MatrixXd SymmetricFactor::solve(const Eigen::MatrixXd& load, int max_refinements) const {
   Factor& f = *factor_;
-  assert(f.size() == 0 || (f.current != nullptr && load.rows() == f.size()));
+  assert(f.size() == 0 || (f.factorized && load.rows() == f.size()));
   if (load.size() == 0) return load;
   const Eigen::MatrixXd B = f.to_matrix * load;
   Eigen::MatrixXd X = f.apply_inverse(B);
@@ -315,7 +333,7 @@ Eigen::MatrixXd SymmetricFactor::solve(const Eigen::MatrixXd& load, int max_refi
 double SymmetricFactor::condition_estimate() const {
   Factor& f = *factor_;
   if (f.size() == 0) return 1.0;
-  assert(f.current != nullptr);
+  assert(f.factorized);
   const auto apply = [&f](const Eigen::VectorXd& x) -> Eigen::VectorXd { return f.apply_inverse(x); };
   return inverse_norm_estimate(f.size(), apply) * (f.norm + std::abs(f.shift));
 }
@@ -323,11 +341,11 @@ double SymmetricFactor::condition_estimate() const {
 double SymmetricFactor::reciprocal_condition() const {
   const Factor& f = *factor_;
   if (f.size() == 0) return 1.0;
-  assert(f.current != nullptr);
+  assert(f.factorized);
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
   f.for_each_pivot([&](double pivot) {
-    smallest = std::min(smallest, std::abs(pivot));
-    largest = std::max(largest, std::abs(pivot));
+    smallest = std::min(smallest, pivot);
+    largest = std::max(largest, pivot);
   });
   return smallest / largest;
 }

@@ -15,8 +15,8 @@ struct FactorCost {
 };
 
 /// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite
-/// matrices are factorized by supernodes; that a matrix is not positive definite is a result, not an error, and
-/// its eigenvalues can be counted. The unknowns should be scaled so that A has a diagonal of order one: pivots
+/// matrices are factorized by supernodes, others as fast by the same (factorize_signed()): that a matrix is not positive
+/// definite is a result, not an error, and its eigenvalues can be counted. The unknowns should be scaled so that A has a diagonal of order one: pivots
 /// and shifts are absolute.
 class SymmetricFactor {
  public:
@@ -33,19 +33,19 @@ class SymmetricFactor {
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 
   /// What factorize_positive() will take, from the symbolic analysis that it then continues: nothing of the
-  /// size of the factor is allocated. L D L^T takes as many operations, but one at a time.
+  /// size of the factor is allocated. factorize_indefinite() takes as much.
   FactorCost predicted_cost();
 
   /// Factorizes A + shift * 1 as L L^T.
   /// @return false when it is not positive definite to working precision.
   [[nodiscard]] bool factorize_positive(double shift = 0.0);
 
-  /// Factorizes A + shift * 1 as L D L^T without pivoting, whatever its signs.
-  /// @return false when a pivot vanishes to working precision.
+  /// Factorizes A + shift * 1 as L S L^T without pivoting, whatever its signs, which S has on its diagonal.
+  /// @return false when A is not finite
   [[nodiscard]] bool factorize_indefinite(double shift = 0.0);
 
-  /// Number of eigenvalues of A below `bound`, by Sylvester's law of inertia from the signs of D in
-  /// A - bound * 1 = L D L^T. Exact for a matrix within a few units of rounding of A - bound * 1, so `bound`
+  /// Number of eigenvalues of A below `bound`, by Sylvester's law of inertia from the signs of S in
+  /// A - bound * 1 = L S L^T. Exact for a matrix within a few units of rounding of A - bound * 1, so `bound`
   /// should stay further than that from the eigenvalues that matter. The factor it makes replaces any other.
   int count_eigenvalues_below(double bound);
 

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <iterator>
+#include <vector>
 
 #include "floc/elasticity/elastic_response.h"
 #include "floc/elasticity/isotropic_moduli.h"
@@ -108,6 +112,110 @@ TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
   EXPECT_EQ(count_near_mechanisms(network, response), n_near);
   const auto stretched = soft_modes(contact_network(packing), {});
   EXPECT_GT(stretched.modes.front().with_prestress, stretched.modes.front().eigenvalue);
+}
+
+/// What a count of near-mechanisms met.
+struct Met {
+  int states = 0, without_any = 0, near = 0, largest = 0;
+  int with_mechanisms = 0, unstable = 0, with_free_motions = 0, with_rattlers = 0, without_contacts = 0;
+};
+
+/// Lets the largest force lie between two eigenvalues that follow each other, at several places of the spectrum, and
+/// counts what lies below it.
+template <int Dim>
+void expect_dense_count(ContactNetwork<Dim> network, Met& met) {
+  constexpr double kZero = 1e-11;  // of the largest stiffness: rounding of both
+  const double unit = stiffness_scale(network);
+  const ElasticResponse response = elastic_response(network, {});
+  const Eigen::VectorXd all = dense_eigenvalues(network) / unit;
+  std::vector<double> positive;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(positive), [&](double v) { return v > kZero; });
+  const auto n = static_cast<int>(positive.size());
+  for (const int k : {0, 1, 2, 7, n / 2, n - 1}) {
+    if (k < 0 || k > n - 1) continue;
+    const double below = k == 0 ? 0.1 * positive[0] : positive[k - 1];
+    if (positive[k] - below < 1e-9) continue;  // copies of one eigenvalue
+    bool between_grains = false;
+    for (NetworkContact<Dim>& c : network.contacts) {
+      c.normal_force = 0.5 * (positive[k] + below) * unit * c.branch.norm() * (between_grains ? -0.7 : 1.0);
+      between_grains = between_grains || !c.on_wall();
+    }
+    if (!between_grains) continue;
+    EXPECT_EQ(count_near_mechanisms(network, response), k)
+        << Dim << "D, " << network.n_grains << " grains, " << network.contacts.size() << " contacts, "
+        << network.wall_axes.size() << " axes between walls, " << response.n_mechanisms << " mechanisms, "
+        << response.n_negative << " negative, " << response.free.kind.size() << " free, "
+        << response.free.n_unstable_ends << " unstable ends, " << (all.array() < -kZero).count()
+        << " below and " << (all.array().abs() < kZero).count() << " at zero";
+    ++met.states;
+    met.without_any += k == 0 ? 1 : 0;
+    met.near += k;
+    met.largest = std::max(met.largest, k);
+    met.with_mechanisms += response.n_mechanisms > 0 ? 1 : 0;
+    met.unstable += response.n_negative > 0 ? 1 : 0;
+    const int n_rattlers = response.free.count(FreeMotionKind::rattler);
+    met.with_rattlers += n_rattlers > 0 ? 1 : 0;
+    met.with_free_motions += static_cast<int>(response.free.kind.size()) > n_rattlers + Dim ? 1 : 0;
+  }
+  network.contacts.clear();
+  EXPECT_EQ(count_near_mechanisms(network, elastic_response(network, {})), 0);
+  ++met.without_contacts;
+}
+
+template <int Dim>
+Packing<Dim> between_walls(Packing<Dim> packing) {
+  const Vec<Dim> sides = packing.cell.matrix.diagonal();
+  packing.cell.matrix = sides.asDiagonal();
+  for (Vec<Dim>& x : packing.grains.position)
+    for (int a = 0; a < Dim; ++a) x[a] -= sides[a] * std::floor(x[a] / sides[a]);
+  packing.wall_law = packing.law;
+  for (int a = 0; a < Dim; ++a) {
+    packing.walls.push_back({a, -1, 0.0, 0.0, 1.0});
+    packing.walls.push_back({a, +1, sides[a], 0.0, 1.0});
+  }
+  packing.contacts.clear();
+  find_contacts(packing);
+  return packing;
+}
+
+template <int Dim>
+void count_in_all_kinds_of_packings(Met& met) {
+  LawParameters sticky = test::elastic_law(1.0, 0.7, 0.05), wet = test::elastic_law(1.0, 0.7, 0.0);
+  sticky.adhesion = TailAdhesion{0.02, 0.08};
+  wet.adhesion = CapillaryAdhesion{0.01, 0.0, 2e-3, 2.5};
+  for (const LawParameters& law :
+       {test::elastic_law(1.0, 0.6, 0.1), test::elastic_law(1.0, 0.6, 0.0), test::elastic_law(1.0, 0.0, 0.0),
+        test::elastic_law(1.0, 0.0, 0.1), sticky, wet})
+    for (const double grains_per_volume : {0.8, 1.3, 2.0})
+      for (unsigned seed = 0; seed < 3; ++seed)
+        for (const int n_grains : {4, 14}) {
+          const Packing<Dim> packing = test::random_packing<Dim>(n_grains, seed, law, grains_per_volume);
+          expect_dense_count(contact_network(packing), met);
+          expect_dense_count(contact_network(between_walls(packing)), met);
+        }
+}
+
+TEST(NearMechanisms, AreAsManyAsInTheDenseSpectrum) {
+  Met met;
+  count_in_all_kinds_of_packings<2>(met);
+  count_in_all_kinds_of_packings<3>(met);
+  std::cout << met.states << " states, " << met.without_any << " without a near-mechanism, " << met.near
+            << " of them in the others, up to " << met.largest << " in one; " << met.with_mechanisms
+            << " with mechanisms, " << met.unstable << " unstable, " << met.with_free_motions
+            << " with grains that roll or spin, " << met.with_rattlers << " with rattlers; "
+            << met.without_contacts << " networks without contacts\n";
+  for (const int kind :
+       {met.without_any, met.with_mechanisms, met.unstable, met.with_free_motions, met.with_rattlers})
+    EXPECT_GT(kind, 20);
+  EXPECT_GT(met.states, 1000);
+}
+
+TEST(NearMechanisms, AreNotCountedWhereTheFactorWouldNotFit) {
+  auto network = contact_network(test::random_packing<2>(60, 0, test::elastic_law(1.0, 0.6, 0.1), 1.6));
+  for (NetworkContact<2>& c : network.contacts) c.normal_force = 0.1;
+  const ElasticResponse response = elastic_response(network, {});
+  EXPECT_TRUE(count_near_mechanisms(network, response).has_value());
+  EXPECT_FALSE(count_near_mechanisms(network, response, 100.0).has_value());
 }
 
 TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {

@@ -3,8 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <limits>
 #include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
 
 namespace floc {
 namespace {
@@ -92,6 +98,59 @@ TEST(SymmetricFactor, CountsEigenvaluesBelowABound) {
   for (int k = 1; k < n; ++k)
     EXPECT_EQ(factor.count_eigenvalues_below(0.5 * (eigenvalue(k) + eigenvalue(k + 1))), k);
   EXPECT_EQ(factor.count_eigenvalues_below(4.0), n);
+}
+
+/// Lower triangle of a band of blocks, with some long connections, whose signs are as they come.
+Eigen::SparseMatrix<double> any_signs(int n, double positive_share, std::mt19937& engine) {
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<Eigen::Triplet<double>> t;
+  for (int c = 0; c < n; ++c) {
+    t.emplace_back(c, c, uniform(engine) < 2.0 * positive_share - 1.0 ? 4.0 : -4.0);
+    for (int r = c + 1; r < std::min(n, c + 9); ++r) t.emplace_back(r, c, uniform(engine));
+    if (const int r = static_cast<int>(engine() % static_cast<unsigned>(n)); r > c)
+      t.emplace_back(r, c, uniform(engine));
+  }
+  Eigen::SparseMatrix<double> m(n, n);
+  m.setFromTriplets(t.begin(), t.end());
+  return m;
+}
+
+TEST(SymmetricFactor, CountsAndSolvesWhateverTheSigns) {
+  std::mt19937 engine(1);
+  int n_matrices = 0, n_negative = 0;
+  for (const int n : {1, 2, 7, 31, 32, 33, 64, 65, 200, 500})
+    for (const double positive_share : {0.0, 0.5, 0.9, 1.0})
+      for (const int group_size : {1, 3}) {
+        const Eigen::SparseMatrix<double> matrix = any_signs(n, positive_share, engine);
+        std::vector<int> group(n);
+        for (int u = 0; u < n; ++u) group[u] = u / group_size;
+        SymmetricFactor factor;
+        factor.set_matrix(matrix, group);
+        const Eigen::MatrixXd dense = Eigen::MatrixXd(matrix).selfadjointView<Eigen::Lower>();
+        const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense).eigenvalues();
+        for (const double bound : {-1.0, 0.0, 0.7})
+          EXPECT_EQ(factor.count_eigenvalues_below(bound), (values.array() < bound).count())
+              << n << " " << bound;
+        const Eigen::MatrixXd X = Eigen::MatrixXd::Random(n, 2);
+        ASSERT_TRUE(factor.factorize_indefinite(0.3));
+        // Growth of the elimination, which has no pivoting, times rounding.
+        EXPECT_LT((factor.solve(factor.multiply(X) + 0.3 * X, 0) - X).norm(), 1e-8)
+            << n << " " << positive_share;
+        EXPECT_EQ(factor.factorize_positive(), (values.array() > 0.0).all());
+        ++n_matrices;
+        n_negative += static_cast<int>((values.array() < 0.0).count());
+      }
+  std::cout << n_matrices << " matrices, " << n_negative << " negative eigenvalues\n";
+  EXPECT_GT(n_negative, 1000);
+}
+
+TEST(SymmetricFactor, AMatrixThatIsNotFiniteHasNoFactor) {
+  Eigen::SparseMatrix<double> matrix = chain(40);
+  matrix.coeffRef(20, 20) = std::numeric_limits<double>::quiet_NaN();
+  SymmetricFactor factor;
+  factor.set_matrix(matrix);
+  EXPECT_FALSE(factor.factorize_indefinite());
+  EXPECT_THROW(factor.count_eigenvalues_below(0.0), std::runtime_error);
 }
 
 TEST(SymmetricFactor, AnswersThatAMatrixIsNotPositiveDefinite) {

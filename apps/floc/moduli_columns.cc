@@ -206,6 +206,7 @@ std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
   columns.emplace_back("p_wall", [](const ModuliRow& r) { return or_undefined(r.wall_pressure); });
   columns.emplace_back("bounds_hold", [](const ModuliRow& r) { return r.moduli.bounds_hold(); });
   columns.emplace_back("bounds_hold_B_S", [](const ModuliRow& r) { return r.moduli.bounds_hold_B_S(); });
+  columns.emplace_back("seconds_row", [](const ModuliRow& r) { return r.seconds_row; });
   return columns;
 }
 

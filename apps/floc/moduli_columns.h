@@ -38,7 +38,8 @@ struct ModuliRow {
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
   MeanFieldEstimates mean_field;
-  double seconds;
+  double seconds;            ///< of the moduli
+  double seconds_row = 0.0;  ///< of the whole row, the reading of the state included
 };
 
 /// What rows were asked for, where that decides on their columns.

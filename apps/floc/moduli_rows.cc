@@ -4,11 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "fault.h"
 #include "floc/base/error.h"
-#include "floc/base/seconds_since.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/modes.h"
 #include "floc/packing/balance.h"
@@ -16,13 +14,11 @@
 #include "floc/packing/stiffness_check.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/coordination.h"
+#include "floc/study/deadline.h"
 #include "repeated_warnings.h"
 
 namespace floc {
 namespace {
-
-/// Near-mechanisms are counted up to this number of grains: it takes a factor that is slow for large packings.
-constexpr int kLargestCounted = 20000;
 
 /// What a state is, beside its moduli.
 template <int Dim>
@@ -75,16 +71,17 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
   row.network = network_mechanics(packing, network, row.moduli, contacts);
   row.budget = error_budget(state, network, row.moduli, contacts.isotropic ? &*contacts.isotropic : nullptr);
   if (increments != nullptr) add_increments(row.file, packing, network, contacts, *increments);
-  const ElasticResponse response = std::move(row.moduli.response);
+  const ElasticResponse& response = row.moduli.response;
   const auto vanishing = strain_mechanisms<Dim>(response, affine_stiffness(network, options.strains)).vanishing;
   if (!vanishing.empty()) warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
-  if (network.n_grains > kLargestCounted) return;
-  row.n_near_mechanisms = count_near_mechanisms(network, response);
-  if (*row.n_near_mechanisms == 0 && !options.prestress) return;
-  options.prestress = true;
-  const Moduli with = row.moduli.B_without_prestress ? row.moduli : elastic_moduli(packing, options);
-  row.B_prestress = with.B;
-  row.G_prestress = with.G;
+  row.n_near_mechanisms = count_near_mechanisms(network, response, options.largest_factor);
+  if (options.prestress || row.n_near_mechanisms.value_or(0) > 0) {
+    const Moduli with = options.prestress ? row.moduli
+                                          : prestressed_moduli(network, network_load(packing, options.unloaded),
+                                                               options, row.moduli);
+    if (with.failure.empty()) row.B_prestress = with.B, row.G_prestress = with.G;
+  }
+  row.moduli.response = {};  // rows are kept until all are printed
 }
 
 /// The options with one of the rolling stiffnesses asked for, or with none.
@@ -117,7 +114,7 @@ Moduli by_petsc(const Packing<Dim>& packing, const ModuliOptions& options, Paral
 }  // namespace
 
 ModuliRows::ModuliRows(const ModuliRequest& request)
-    : request_(request), plane_(request.options), space_(request.options) {}
+    : request_(request), plane_(request.options), space_(request.options), last_row_(processor_seconds()) {}
 
 /// Where the factor is predicted to be too large.
 template <int Dim>
@@ -166,9 +163,9 @@ std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>&
   warn_of_rounding(file, state);
   warn_of_stiffnesses(file, state);
   ModuliOptions options = request_.options;
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   const std::vector<Moduli> moduli = compute(file, state, options);
-  const double seconds = seconds_since(start);
+  const double seconds = processor_seconds() - start;
   std::vector<ModuliRow> rows(moduli.size(), description);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     rows[k].moduli = moduli[k];
@@ -181,12 +178,16 @@ std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>&
       add_network(state, options, rows[k], increments);
     for (const std::string& warning : moduli[k].warnings) warn(file, warning, first_number(warning));
   }
+  const double since_last_row = processor_seconds() - last_row_;
+  for (ModuliRow& row : rows) row.seconds_row = since_last_row / static_cast<double>(rows.size());
+  last_row_ += since_last_row;
   return rows;
 }
 
 template <int Dim>
 std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> state,
                                             const ModuliRequest& request, ParallelSolver& solver) {
+  const double began = processor_seconds();
   ModuliOptions options = request.options;
   options.unloaded = state.target_stress.isZero(0.0);
   const bool speaks = solver.rank() == 0;
@@ -202,16 +203,18 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
     const ModuliOptions chosen = with_rolling(options, rolling);
     const ContactNetwork<Dim> network = chosen.loaded_network(packing);
     if (rows.size() + 1 == rolling_of(request).size()) packing.contacts = {};
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_seconds();
     ModuliRow& row = rows.emplace_back(description);
     row.moduli = elastic_moduli(network, packing.grains.position, load, chosen, solver);
     require_moduli(file, row.moduli);
-    row.seconds = seconds_since(start);
+    row.seconds = processor_seconds() - start;
     row.rolling_stiffness = rolling;
     row.mean_field = mean_field_estimates(network, description.z, description.solid_fraction);
     if (speaks)
       for (const std::string& warning : row.moduli.warnings) warn(file, warning, first_number(warning));
   }
+  for (ModuliRow& row : rows)
+    row.seconds_row = (processor_seconds() - began) / static_cast<double>(rows.size());
   return rows;
 }
 

@@ -50,6 +50,7 @@ class ModuliRows {
   /// Of the states so far, which an iterative method goes on from.
   ModuliSequence<2> plane_;
   ModuliSequence<3> space_;
+  double last_row_;                         // processor time when it was done
   std::unique_ptr<ParallelSolver> solver_;  // once a factor was too large
 };
 

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <chrono>
-
 #include "equilibrium_check.h"
-#include "floc/base/seconds_since.h"
 #include "floc/elasticity/mechanisms.h"
 #include "floc/network/carrying_structure.h"
 #include "floc/packing/balance.h"
@@ -14,6 +11,7 @@
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/elastic_energy.h"
 #include "floc/structure/particle_stress.h"
+#include "floc/study/deadline.h"
 #include "repeated_warnings.h"
 
 namespace floc {
@@ -139,7 +137,7 @@ void add_pressures(const std::string& file, const Packing<Dim>& packing, const s
 template <int Dim>
 NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkCommand& command,
                        NetworkTables& side) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   const Packing<Dim>& packing = state.packing;
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
     warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
@@ -169,7 +167,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
       bond_row(file, packing, pressure, {zero_force, least_pressure_force(state)}, command.bonds, side.bonds);
   if (!command.distributions.empty()) add_distributions(file, state, command, side);
   if (!command.pressures.empty()) add_pressures(file, packing, stress, side.pressures);
-  row.seconds = seconds_since(start);
+  row.seconds = processor_seconds() - start;
   return row;
 }
 

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "columns.h"
 #include "floc/base/error.h"
-#include "floc/base/seconds_since.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
@@ -25,6 +23,7 @@
 #include "floc/structure/porosity_probe.h"
 #include "floc/structure/pushed_rattlers.h"
 #include "floc/structure/voronoi.h"
+#include "floc/study/deadline.h"
 #include "repeated_warnings.h"
 
 namespace floc {
@@ -309,7 +308,7 @@ void require_fit_range(const StructureCommand& command) {
 template <int Dim>
 StructureRow structure_row(const std::string& file, const State<Dim>& state, const StructureCommand& command,
                            Series& series) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   const Packing<Dim>& packing = state.packing;
   if (series.dimension == 0) series.dimension = Dim;
   if (command.average && series.dimension != Dim)
@@ -331,7 +330,7 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state, con
   if (!command.prediction.empty()) add_prediction(file, state, series);
   if (!command.porosity.empty()) add_porosity(file, packing, command, series.porosity);
   if (!command.profile.empty()) add_profile(file, packing, command, series.profile);
-  row.seconds = seconds_since(start);
+  row.seconds = processor_seconds() - start;
   return row;
 }
 

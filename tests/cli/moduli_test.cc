@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "floc/io/state_file.h"
@@ -41,6 +42,23 @@ TEST_F(ModuliCommand, HasTheColumnsOfTheContractFirst) {
                          "B_reuss_printed,Z2,n_negative,n_mechanisms,n_coupled_mechanisms,residual,"
                          "condition,seconds,"));
   EXPECT_THAT(o.out, HasSubstr("\npacking.h5,2,16,33,0,"));
+}
+
+TEST_F(ModuliCommand, TakeNoLongerThanTheirRows) {
+  int n_rows = 0;
+  for (const char* options :
+       {"", "--method iterative", "--method bounds", "--method single-factor", "--prestress",
+        "--accuracy B=1e-6", "--rolling-stiffness 0,0.1"}) {
+    const Outcome o = moduli(std::string("packing.h5 packing.h5 --format json ") + options);
+    ASSERT_EQ(o.code, 0) << options << o.err;
+    for (const json& row : json::parse(o.out)) {
+      EXPECT_GT(row.at("seconds").get<double>(), 0.0) << options;
+      EXPECT_GE(row.at("seconds_row").get<double>(), row.at("seconds").get<double>()) << options;
+      ++n_rows;
+    }
+  }
+  std::cout << n_rows << " rows of 7 sets of options\n";
+  EXPECT_EQ(n_rows, 16);
 }
 
 TEST_F(ModuliCommand, OfAForeignPackingGiveTheShearModulusOfTheProgramThatMadeIt) {

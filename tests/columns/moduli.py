@@ -184,7 +184,7 @@ def columns(s, row, options, context):
            "n_contacts": Same(int(s.counted.sum())), "n_distant": Same(int((s.distant & ~s.on_wall).sum())),
            "P": Close(s.P, s.stress_scale), "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)),
            "p_wall": Close(s.p_wall), "phi": Close(s.phi), "z": Close(2 * s.counted.sum() / s.n),
-           "method": Same("factor"), "seconds": Exempt("a time")}
+           "method": Same("factor"), "seconds": Exempt("a time"), "seconds_row": Exempt("a time")}
     for name, value in entries(C, full).items():
         out[name] = Close(value, size)
     out |= {"B": Close(B, size), "B_S": Close(B_S, size), "G": Close(G, size)}

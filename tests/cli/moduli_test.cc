@@ -46,9 +46,8 @@ TEST_F(ModuliCommand, HasTheColumnsOfTheContractFirst) {
 
 TEST_F(ModuliCommand, TakeNoLongerThanTheirRows) {
   int n_rows = 0;
-  for (const char* options :
-       {"", "--method iterative", "--method bounds", "--method single-factor", "--prestress",
-        "--accuracy B=1e-6", "--rolling-stiffness 0,0.1"}) {
+  for (const char* options : {"", "--method iterative", "--method bounds", "--method single-factor",
+                              "--prestress", "--accuracy B=1e-6", "--rolling-stiffness 0,0.1"}) {
     const Outcome o = moduli(std::string("packing.h5 packing.h5 --format json ") + options);
     ASSERT_EQ(o.code, 0) << options << o.err;
     for (const json& row : json::parse(o.out)) {

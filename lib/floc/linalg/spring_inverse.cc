@@ -59,11 +59,11 @@ SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& spr
 /// By a factor of the matrix as it is, which is not positive; no value where an eigenvalue may lie within `bound`
 /// of zero.
 std::optional<SpringInverse> invert_indefinite(SymmetricFactor& factor, double bound) {
-  constexpr double kClear = 1e3;  // as far from the bound as no estimate of a norm is off
+  constexpr double kFarFromZero = 1e3;  // as far from the bound as no estimate of a norm is off
   SpringInverse out;
   out.n_negative = factor.count_eigenvalues_below(0.0);
   out.condition = factor.condition_estimate();
-  if (out.n_negative == 0 || !(kClear * bound * out.condition < factor.norm())) return std::nullopt;
+  if (out.n_negative == 0 || !(kFarFromZero * bound * out.condition < factor.norm())) return std::nullopt;
   out.inverse.apply = by(factor);
   out.inverse.definite = false;
   out.inverse.inverse_norm = kEstimateMargin * out.condition / factor.norm();

@@ -243,9 +243,9 @@ void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
 void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.05;
   const DiameterDistribution& d = scene.grains.diameter;
-  using Kind = DiameterDistribution::Kind;
   if (scene.starts_from_state() || scene.grains.count < 1) return;
-  if (d.kind != Kind::power_law && d.kind != Kind::lognormal) return;
+  if (d.kind != DiameterDistribution::Kind::power_law && d.kind != DiameterDistribution::Kind::lognormal)
+    return;
   double sum = 0.0;
   for (const double diameter : equally_spaced_diameters(d, scene.grains.count))
     sum += std::pow(diameter / d.max, scene.dimension);

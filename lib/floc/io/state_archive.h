@@ -177,7 +177,8 @@ class ReadingArchive {
   std::vector<T> take(const Field& field, const Shape& shape) {
     std::vector<T> values;
     file_.array(field.path, shape, values);
-    if (!values.empty()) check_finite(field, 0, values.size() / shape[0], std::span<const T>(values));
+    const std::size_t rows = shape.empty() ? 1 : shape.front();  // a single value has no shape
+    if (rows > 0) check_finite(field, 0, values.size() / rows, std::span<const T>(values));
     return values;
   }
 

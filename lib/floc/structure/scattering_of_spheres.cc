@@ -60,7 +60,8 @@ std::complex<double> amplitude(const Scatterers& grains, const Wave& n, double k
   double radius = 0.0, transform = 0.0;
   for (std::size_t i = 0; i < grains.place.size(); ++i) {
     if (grains.radius[i] != radius) radius = grains.radius[i], transform = ball_transform(k, radius);
-    sum += std::polar(transform, -kTwoPi * n.cast<double>().dot(grains.place[i]));
+    // The transform may be negative, which no absolute value is.
+    sum += transform * std::polar(1.0, -kTwoPi * n.cast<double>().dot(grains.place[i]));
   }
   return sum;
 }

@@ -180,6 +180,9 @@ class Moduli(Record):
     nu_31: float | None
     nu_32: float | None
     p_wall: float | None
+    bounds_hold: bool | None
+    bounds_hold_B_S: bool | None
+    seconds_row: float | None
 
 class Network(Record):
     file: str

@@ -67,6 +67,7 @@ LONG = {
 UNCHECKED_TABLES = {
     "| group | meaning |": "words",
     "| | loose | dense |": "processor time",
+    "| command | 4000 beads | 32 000 beads |": "processor time and memory",
     "| column | meaning |": "words",
     "| column of a contact | meaning |": "words",
     "| read | from |": "words",

@@ -14,11 +14,10 @@ namespace floc {
 namespace {
 
 /// @param first  the table that it is pooled with, and whose unit it takes; empty: it is the first
-ConsolidationSample read_sample(const std::string& file, const ConsolidationArguments& arguments,
-                                std::optional<PathTable>& first) {
-  PathTable path =
-      read_path(file, parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}),
-                {"P_star"}, arguments.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven);
+ConsolidationSample read_sample(const std::string& file, const ColumnNames& columns,
+                                const ConsolidationArguments& arguments, std::optional<PathTable>& first) {
+  PathTable path = read_path(file, columns, {"P_star"},
+                             arguments.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven);
   log_notes(path);
   if (first) convert_pressures(*first, path);
   if (!first) first = path;
@@ -122,10 +121,11 @@ void warn_of_missing_pressures(const std::vector<ConsolidationSample>& read,
 
 int fit_tables(const ConsolidationArguments& arguments) {
   const ConsolidationOptions options = consolidation_options(arguments);
+  const ColumnNames columns = parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"});
   std::vector<ConsolidationSample> read;
   std::optional<PathTable> first;
   int code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    read.push_back(read_sample(file, arguments, first));
+    read.push_back(read_sample(file, columns, arguments, first));
     return static_cast<int>(kDone);
   });
   const std::vector<ConsolidationSample> samples = with_pooled(read, options.hold_P0);

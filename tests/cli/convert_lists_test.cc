@@ -148,7 +148,7 @@ TEST_F(ConvertLists, AreComparedWithGeometryAndLawAndStrictAcceptsNoDoubt) {
   EXPECT_THAT(other_law.err,
               HasSubstr("warning: 2 normal forces differ from the law, by up to 0.2 of their mean"));
   EXPECT_THAT(convert("id1,id2,normal_force\n1,3,2.5\n", "normal.stiffness=50").err,
-              HasSubstr("warning: 1 pairs of grains touch but are not listed (grains 1-3 at a gap of -0.05)"));
+              HasSubstr("warning: 1 pairs of grains touch but are not listed (grains 2-4 at a gap of -0.05)"));
   EXPECT_THAT(convert("id1,id2,normal_force,shear_force1,shear_force2\n1,3,2.5,2,0\n2,4,2.5,0,0\n",
                       "normal.stiffness=50,friction.coefficient=0.5,friction.stiffness=30")
                   .err,

@@ -90,7 +90,6 @@ TEST_F(Columns, OfAnotherCommandAreRefusedBeforeWork) {
                               "fit force-distribution none.csv",
                               "fit dynamic-compaction none.csv",
                               "report none -o r.html",
-                              "draw none.h5 -o d.svg",
                               "plot none -o p.svg --show coordination",
                               "tradeoff none.toml",
                               "campaign check none.toml",

@@ -50,7 +50,7 @@ std::string unknown_name(const CLI::App& app, const std::string& called) {
   return given.empty() ? "" : unknown_name(*given.back(), called + " " + given.back()->get_name());
 }
 
-/// What an option or each of its values is.
+/// Kind of an option or of each of its values.
 template <class T>
 struct ValueOf {
   using Type = T;

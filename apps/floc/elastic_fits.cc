@@ -12,7 +12,7 @@ std::optional<StateModuli> find_state(const std::string& state, const PathTable&
   return state.empty() ? moduli_of_row(path, row, axis) : std::optional(moduli_of(state, axis));
 }
 
-/// What answers the mean stress along a branch.
+/// Modulus that answers the mean stress along a branch.
 double bulk_modulus_of(const StateModuli& state) {
   return state.B_uniaxial.value_or(state.B_S);
 }

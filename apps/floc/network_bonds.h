@@ -50,7 +50,7 @@ struct BondTables {
   std::map<std::pair<std::string, std::string>, std::vector<double>> pooled;
 };
 
-/// What is no more than equilibrium leaves of zero (force).
+/// Forces that equilibrium cannot tell from zero.
 struct ForceLimits {
   double zero;      ///< largest normal force that counts as zero
   double pressure;  ///< largest P a^(Dim-1) that is no unit

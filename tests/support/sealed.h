@@ -1,7 +1,11 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <fstream>
 #include <string>
 
+#include "floc/base/read_file.h"
 #include "floc/base/sha256.h"
 #include "floc/io/sealed_file.h"
 
@@ -15,6 +19,20 @@ inline std::string sealed(const std::string& content) {
 /// What a state file holds before its seal. @pre it is sealed
 inline std::string without_seal(const std::string& bytes) {
   return bytes.substr(0, bytes.size() - kSealSize);
+}
+
+/// Path of a copy of a state file in which `to`, of the same length, takes the place of the one `from` that it
+/// holds; sealed anew.
+inline std::string with_replaced(const std::string& path, const std::string& from, const std::string& to) {
+  std::string content = without_seal(read_file(path));
+  std::size_t n = 0;
+  for (std::size_t at = content.find(from); at != std::string::npos;
+       at = content.find(from, at + to.size()), ++n)
+    content.replace(at, from.size(), to);
+  EXPECT_EQ(n, 1u);
+  const std::string other = path + ".other";
+  std::ofstream(other, std::ios::binary) << sealed(content);
+  return other;
 }
 
 }  // namespace floc::test

@@ -9,7 +9,7 @@ namespace floc {
 namespace {
 
 DoubleDouble read(const char* text) {
-  return decimal(text, *parse_number<double>(text));
+  return decimal(text, parse_number<double>(text).value());
 }
 
 TEST(DoubleDouble, SumsKeepWhatADoubleDrops) {
@@ -57,7 +57,7 @@ TEST(Decimal, OfADoubleIsThatDouble) {
 
 TEST(Decimal, NearTheEndsOfDoublesHasNoSecondPartLargerThanALastDigit) {
   for (const char* text :
-       {"1234567890123456789012345e-330", "12345678901234567890123456e280", "1234567890123456789e-342"})
+       {"1234567890123456789012345e-330", "12345678901234567890123456e280", "1234567890123456789e-340"})
     EXPECT_LE(std::abs(read(text).low), 0x1p-52 * read(text).high) << text;
 }
 

@@ -1,8 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
 #include "floc/io/state_file.h"
@@ -17,20 +15,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-/// A state file with every `from` in its content replaced by a text of the same length.
-std::string with_replaced(const std::string& path, const std::string& from, const std::string& to) {
-  const std::string bytes = read_file(path);
-  std::string content = without_seal(bytes);
-  std::size_t n = 0;
-  for (std::size_t at = content.find(from); at != std::string::npos;
-       at = content.find(from, at + to.size()), ++n)
-    content.replace(at, from.size(), to);
-  EXPECT_EQ(n, 1u);
-  const std::string other = path + ".other";
-  std::ofstream(other, std::ios::binary) << sealed(content);
-  return other;
-}
 
 TEST(StateFeatures, ThatAReaderDoesNotKnowAreRefusedByName) {
   const ScratchDirectory scratch;

@@ -1,13 +1,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "floc/base/error.h"
 #include "floc/io/hdf5_file.h"
 #include "floc/io/state_file.h"
 #include "floc/packing/wall_forces.h"
 #include "support/scratch_directory.h"
+#include "support/sealed.h"
 #include "support/states.h"
 
 namespace floc {
@@ -87,8 +90,16 @@ TEST(StateWithWalls, IsRefusedWhereTheyMakeNoBox) {
   state.packing.walls.pop_back();
   expect_refused(state, "expected two for each axis");
   state = test::boxed_state<2>();
-  state.packing.contacts[2].j = 7;
-  expect_refused(state, "contacts/id2");
+  // A program that writes a wall beyond the last one: no packing in memory can hold it.
+  const test::ScratchDirectory scratch;
+  write_state(scratch.file("box.h5"), state);
+  const auto id2 = [](std::int32_t last) {
+    const std::array<std::int32_t, 3> bodies = {1, 3, last};
+    return std::string(reinterpret_cast<const char*>(bodies.data()), sizeof bodies);
+  };
+  const std::string beyond = test::with_replaced(scratch.file("box.h5"), id2(4), id2(7));
+  EXPECT_THAT([&] { read_state(beyond); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("contacts/id2")));
 }
 
 }  // namespace

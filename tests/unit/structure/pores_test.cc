@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "support/lattices.h"
 
@@ -20,6 +22,19 @@ constexpr double kPi = std::numbers::pi;
 Packing<2> of_radius(Packing<2> packing, double R) {
   std::fill(packing.grains.radius.begin(), packing.grains.radius.end(), R);
   return packing;
+}
+
+/// Adds disks at rest to a packing, and finds its contacts anew.
+void add_disks(Packing<2>& packing, const std::vector<Vec<2>>& places, const std::vector<double>& radii) {
+  const Grains<2> old = packing.grains;
+  packing.grains = Grains<2>::with_size(old.size() + static_cast<int>(places.size()));
+  const auto join = [](auto& all, const auto& first, const auto& then) {
+    std::copy(then.begin(), then.end(), std::copy(first.begin(), first.end(), all.begin()));
+  };
+  join(packing.grains.position, old.position, places);
+  join(packing.grains.radius, old.radius, radii);
+  packing.grains.mass.assign(packing.grains.size(), 1.0);
+  find_contacts(packing);
 }
 
 /// Square of the radius of gyration of a square of side s less a quarter disk of radius R at each corner.
@@ -62,13 +77,12 @@ TEST(Pores, OfDifferentSizesCountByTheirArea) {
   const double large = find_pores(of_radius(packing, 0.5)).pores.at(0).gyration_radius;
   Packing<2> two = packing;
   two.cell.matrix(0, 0) *= 2.0;
-  for (int i = 0; i < packing.grains.size(); ++i) {
-    two.grains.position.push_back(packing.grains.position[i] + Vec<2>(4.0, 0.0));
-    two.grains.radius.push_back(0.51);
-  }
-  two.grains.position.emplace_back(2.0, 2.0);
-  two.grains.radius.push_back(0.75);
-  find_contacts(two);
+  std::vector<Vec<2>> places;
+  for (const Vec<2>& x : packing.grains.position) places.push_back(x + Vec<2>(4.0, 0.0));
+  places.emplace_back(2.0, 2.0);
+  std::vector<double> radii(packing.grains.radius);
+  radii.push_back(0.75);
+  add_disks(two, places, radii);
   two = of_radius(two, 0.5);
   two.grains.radius.back() = 0.75;
   const Pores found = find_pores(two);
@@ -86,11 +100,7 @@ TEST(Pores, OfDifferentSizesCountByTheirArea) {
 TEST(Pores, HoldIslandsAndDeadEnds) {
   // A frame with a dead end of one disk, a lone disk and a pair inside.
   Packing<2> packing = square_frames(9, 1.0, elastic_law(1.0, 0.0, 0.0));
-  for (const Vec<2>& x : {Vec<2>(3.0, 1.0), Vec<2>(6.0, 5.5), Vec<2>(2.3, 4.0), Vec<2>(2.3, 5.0)}) {
-    packing.grains.position.push_back(x);
-    packing.grains.radius.push_back(0.51);
-  }
-  find_contacts(packing);
+  add_disks(packing, {{3.0, 1.0}, {6.0, 5.5}, {2.3, 4.0}, {2.3, 5.0}}, std::vector<double>(4, 0.51));
   packing = of_radius(packing, 0.5);
   const Pores found = find_pores(packing);
   ASSERT_THAT(found.pores, SizeIs(1));

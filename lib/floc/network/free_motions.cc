@@ -311,6 +311,7 @@ class FreeMotionFinder {
     const int n = static_cast<int>(part.grains.size());
     for (int k = 0; k < n; ++k) row_of[part.grains[k]] = kDofs<Dim> * k;
     const Eigen::MatrixXd shares = free_of_walls(part, axes, reach, row_of);
+    if (shares.cols() == 0) return;  // walls hold the part
     const auto motion_at = [&](const Vec<Dim>& place, int m) {
       GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
       for (int k = 0; k < static_cast<int>(shares.rows()); ++k)

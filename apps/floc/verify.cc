@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "command.h"
+#include "floc/run/boundary_verification.h"
 #include "floc/run/verification.h"
 #include "output.h"
 #include "scene_check.h"

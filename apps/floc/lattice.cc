@@ -293,7 +293,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   const LatticeLoad<Dim> load = load_of<Dim>(arguments);
   const ElementStiffness stiffness = stiffness_of(arguments);
   if (!arguments.strength.empty()) (void)strength_of(arguments);
-  check_lattice_pictures(arguments);
+  check_lattice_pictures(arguments, state.packing.cell);
   const CementedSample<Dim> sample = make_sample(arguments, state.packing, row);
   const LatticeNetwork<Dim> network = make_network(arguments, sample, stiffness, row);
   refuse_long_breaking(arguments, row);

@@ -215,8 +215,14 @@ std::vector<double> stresses_of(const LoadedSample<Dim>& of, int axis, std::opti
   return values;
 }
 
-void check_lattice_pictures(const LatticeArguments& arguments) {
+template <int Dim>
+void check_lattice_pictures(const LatticeArguments& arguments, const Cell<Dim>& cell) {
   (void)section_of(arguments.cut);
+  const bool drawn = !(arguments.map.empty() && arguments.phases.empty() && arguments.cracks.empty());
+  if (drawn && !can_be_drawn(cell))
+    throw InputError(arguments.file,
+                     "holds a cell that --map, --phases and --cracks cannot draw: expected its first vector "
+                     "along x and its second in the plane of x and y, as in a cell that simple shear skews");
   for (const std::string& path : {arguments.map, arguments.phases, arguments.cracks})
     if (!path.empty()) (void)format_of(path);
   if (!arguments.plot.empty()) format_of(arguments.plot);
@@ -263,6 +269,8 @@ void write_fracture_files(const LatticeArguments& arguments, const LatticeRow& r
                          draw_lattice(of.sample.lattice, picture, sheet_of(arguments, arguments.cracks)));
 }
 
+template void check_lattice_pictures(const LatticeArguments&, const Cell<2>&);
+template void check_lattice_pictures(const LatticeArguments&, const Cell<3>&);
 template std::vector<double> stresses_of(const LoadedSample<2>&, int, std::optional<Phase>);
 template std::vector<double> stresses_of(const LoadedSample<3>&, int, std::optional<Phase>);
 template void write_lattice_files(const LatticeArguments&, const LatticeRow&, const LoadedSample<2>&);

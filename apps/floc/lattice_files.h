@@ -32,7 +32,8 @@ template <int Dim>
 void write_fracture_files(const LatticeArguments& arguments, const LatticeRow& row,
                           const LoadedSample<Dim>& of);
 
-/// Checks names of pictures and the section before any work. @throws InputError
-void check_lattice_pictures(const LatticeArguments& arguments);
+/// Checks names of pictures, the section, and that the cell can be drawn, before any work. @throws InputError
+template <int Dim>
+void check_lattice_pictures(const LatticeArguments& arguments, const Cell<Dim>& cell);
 
 }  // namespace floc

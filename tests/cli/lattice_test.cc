@@ -143,6 +143,23 @@ TEST_F(LatticeCommand, TakesSpheres) {
     EXPECT_EQ(run_floc(std::string("network ") + state, scratch_.path()).code, 0) << state;
 }
 
+TEST_F(LatticeCommand, DrawsSkewedCellsButNoneThatAreTurned) {
+  State<3> state;
+  state.packing = grid_of_grains<3>(2, -0.01);
+  state.packing.cell.matrix(2, 0) = 0.3;
+  write_state(scratch_.file("skewed.h5"), state);
+  state.packing.cell.matrix(0, 2) = 0.3;
+  write_state(scratch_.file("turned.h5"), state);
+  const std::string pictures =
+      " --bridge-gap 0.1 --matrix 0.2 --per-diameter 5 --load tension --strength matrix=1,interface=1 --yes "
+      "--map m.svg --phases p.svg --cracks c.svg";
+  row_of("skewed.h5" + pictures);
+  for (const char* name : {"m.svg", "p.svg", "c.svg"}) EXPECT_TRUE(exists(name)) << name;
+  const Outcome o = lattice("turned.h5" + pictures);
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, HasSubstr("turned.h5: holds a cell that --map, --phases and --cracks cannot draw"));
+}
+
 TEST_F(LatticeCommand, TakesPlatesAndImposedStrains) {
   const json plates = row_of(std::string(kDisks) + "--boundary plates");
   EXPECT_NEAR(plates.at("stress22").get<double>(), 1.0, 1e-8);

@@ -58,6 +58,18 @@ int nearest_node(const NodeGrid<Dim>& grid, const Vec<Dim>& point, double spacin
   return nearest;
 }
 
+/// The point of the right-angled room along the axes, with the sides of the cell, that is equivalent to x.
+template <int Dim>
+Vec<Dim> brought_into_room(const Cell<Dim>& cell, Vec<Dim> x) {
+  // The vector of an axis moves along that axis and those before it, so the last axis goes first.
+  for (int a = Dim; a-- > 0;) {
+    const double side = cell.matrix(a, a);
+    const double times = std::floor(x[a] / std::abs(side));
+    x -= std::copysign(1.0, side) * times * cell.matrix.row(a).transpose();
+  }
+  return x;
+}
+
 std::uint32_t pixel_of(const Color& c) {
   const auto byte = [](double x) { return static_cast<std::uint32_t>(std::lround(255.0 * x)); };
   return 0xff000000u | byte(c.red) << 16 | byte(c.green) << 8 | byte(c.blue);
@@ -98,7 +110,8 @@ void draw_faces(cairo_t* page, const Section<Dim>& section, const LatticePicture
   cairo_set_line_cap(page, CAIRO_LINE_CAP_ROUND);
   for (const int b : picture.faces) {
     const LatticeBond<Dim>& bond = section.lattice.bonds[b];
-    const Vec<Dim> middle = section.lattice.cell.wrapped(section.lattice.node[bond.i] + bond.arm_i);
+    const Vec<Dim> middle =
+        brought_into_room<Dim>(section.lattice.cell, section.lattice.node[bond.i] + bond.arm_i);
     if (section.across >= 0 && std::abs(middle[section.across] - section.at) > 0.5 * section.lattice.spacing)
       continue;
     Vec<2> along(-bond.branch[section.up], bond.branch[section.right]);
@@ -151,7 +164,7 @@ std::vector<Color> stress_colors(const std::vector<double>& value, const std::ve
 template <int Dim>
 std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
                          const LatticeSheetOptions& options) {
-  assert(lattice.cell.rectangular());
+  assert(can_be_drawn(lattice.cell));
   refuse_faults(options.validate());
   assert(static_cast<int>(picture.color.size()) == lattice.n_nodes());
   const Section<Dim> section = section_of(lattice, options);

@@ -38,8 +38,16 @@ struct LatticeSheetOptions {
   std::vector<std::string> validate() const;
 };
 
+/// Whether draw_lattice() can show a lattice in this cell: the first lattice vector lies along the first axis, the
+/// second in the plane of the first two. The picture shows the right-angled room whose sides are the diagonal of
+/// such a cell: it holds each point of the lattice once, whatever the slant.
+template <int Dim>
+bool can_be_drawn(const Cell<Dim>& cell) {
+  return cell.matrix.isLowerTriangular(0.0);
+}
+
 /// @return the bytes of the file: the nodes as an image, all else as vectors in svg and pdf
-/// @pre the cell is rectangular   @throws InputError with the faults of the options
+/// @pre can_be_drawn(lattice.cell)   @throws InputError with the faults of the options
 template <int Dim>
 std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
                          const LatticeSheetOptions& options);

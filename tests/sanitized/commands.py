@@ -19,6 +19,7 @@ import loads  # noqa: E402
 
 TIMEOUT = 900
 EXIT_CODES = (0, 2, 3, 4, 5)
+NOTHING_SELECTED = 5  # exit code of this script
 REPORTS = ("AddressSanitizer", "LeakSanitizer", "runtime error:", "terminate called", "Assertion")
 
 # {state} is the last of {run}, {first} its first.
@@ -54,8 +55,8 @@ convert out.xyz from-xyz.h5 --law normal.stiffness=1000 --overwrite
 convert out.data from-data.h5 --law normal.stiffness=1000 --overwrite
 lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load compression --stress s.csv --forces f.csv
 lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load tension --moduli
-lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load shear --boundary uniform-strain --phases p.csv
-lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load tension --strength grain=10,matrix=1 --curve c.csv --yes
+lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load shear --boundary uniform-strain --phases p.svg
+lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load tension --strength grain=10,matrix=1 --curve c.csv --cracks c.svg --yes
 draw {state} -o forces.svg
 draw {state} -o forces.png --forces particle-pressure --width 200
 draw {state} -o forces.pdf --forces phases
@@ -117,7 +118,7 @@ class Sweep:
     def __init__(self, program, source, root, only):
         self.program, self.source, self.root, self.only = program, source, root, only
         self.done, self.refused = collections.Counter(), collections.Counter()
-        self.faults = []
+        self.faults, self.names = [], []
 
     def floc(self, what, command, directory):
         """@return whether it succeeded"""
@@ -151,6 +152,7 @@ class Sweep:
         for kind, text in kinds():
             if self.only not in kind:
                 continue
+            self.names.append(kind)
             directory = self.root / kind.replace(" ", "-")
             directory.mkdir()
             (directory / "scene.toml").write_text(text)
@@ -173,6 +175,7 @@ class Sweep:
         for scene in sorted((self.source / "data/scenes").glob("*.toml")):
             if self.only not in scene.name:
                 continue
+            self.names.append(scene.name)
             few = [] if 'distribution = "list"' in scene.read_text() else ["--set", "grains.count=24"]
             self.floc(scene.name, f"scene check {scene}", self.root)
             command = ["run", str(scene), "-o", scene.stem, "--until", "1", *few]
@@ -186,6 +189,7 @@ class Sweep:
         n = 0
         for command in ALONE:
             if self.only in command:
+                self.names.append(command)
                 n += self.floc("alone", command.format(source=self.source, scene=self.source / "data/scenes/demo.toml"), directory)
         return n
 
@@ -199,12 +203,14 @@ def main():
     with tempfile.TemporaryDirectory(prefix="floc-commands-") as root:
         sweep = Sweep(os.path.abspath(arguments.floc), pathlib.Path(arguments.source).resolve(), pathlib.Path(root), arguments.only)
         n_kinds, n_shipped, n_alone = sweep.kinds(), sweep.shipped(), sweep.alone()
-    print(f"kinds of states: {n_kinds}; commands on each: {len(COMMANDS)}, "
+    print(f"kinds of states: {n_kinds} ({', '.join(sweep.names[:n_kinds])}); commands on each: {len(COMMANDS)}, "
           f"{sum(sweep.done[c] for c in COMMANDS)} done, {sum(sweep.refused.values())} refused in words")
     print(f"shipped scenes of few grains: {n_shipped} run; commands without a state: {n_alone} done")
     for fault in sweep.faults:
         print(f"FAULT {fault}")
-    return 1 if sweep.faults else 0
+    if sweep.faults:
+        return 1
+    return 0 if sweep.names else NOTHING_SELECTED
 
 
 if __name__ == "__main__":

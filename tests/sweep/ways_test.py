@@ -25,6 +25,7 @@ except ImportError:
     package = None
 
 TIMEOUT = 300
+NOTHING_SELECTED = 5  # exit code
 
 
 class Failure(Exception):
@@ -242,7 +243,9 @@ class Sweep:
         print(f"refused: {c['refused scenes']} scenes, {c['refusals']} refusals in words")
         for fault in self.faults:
             print(f"FAULT {fault}")
-        return 1 if self.faults or c["scenes"] + c["refused scenes"] == 0 else 0
+        if self.faults:
+            return 1
+        return 0 if c["scenes"] + c["refused scenes"] > 0 else NOTHING_SELECTED
 
 
 def main():

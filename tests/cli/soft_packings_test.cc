@@ -135,5 +135,17 @@ TEST_F(SoftPackings, OfEqualGrainsAreHeldAgainstTheDensestThereAre) {
                     Not(HasSubstr("a tenth of a radius"))));
 }
 
+/// A cluster that does not span the cell has no stiffness against its own images under no stress. Newton steps took
+/// this one into them, where its list of contacts lacked 172 pairs.
+TEST_F(SoftPackings, OfAClusterUnderNoStressListAllOfTheirContacts) {
+  const std::string out = scratch_.file("cluster");
+  const Outcome made =
+      floc_arguments({"run", source_directory() + "/data/scenes/demo.toml", "-o", out, "--until", "0", "--set",
+                      "grains.count=60", "--set", "contact.normal.stiffness=10"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  const Outcome verified = floc_arguments({"verify", out + "/state-0000.h5"});
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+}
+
 }  // namespace
 }  // namespace floc::test

@@ -12,8 +12,10 @@
 #include <tuple>
 #include <vector>
 
+#include "floc/base/error.h"
 #include "floc/linalg/tangent_solver.h"
 #include "floc/neighbors/pairs.h"
+#include "floc/neighbors/unlisted_pairs.h"
 #include "floc/network/tangent_matrix.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_response.h"
@@ -181,6 +183,21 @@ class StaticProblem {
         if (strains_[q][0] == strains_[q][1])
           load(p, q) = at.cell.volume() * target_stress_[p] / (scale_.length * scale_.length);
     matrix.add_boundary(load);
+  }
+
+  /// Whether a pair acts that is no candidate. Candidates are all pairs that displacements within the limits bring
+  /// together; but parts that no contact joins, such as a cluster and its own images under no stress, have no
+  /// stiffness against each other, and a step may take them anywhere.
+  bool meets_others(const Configuration<Dim>& at) const {
+    Packing<Dim> here;
+    here.contacts = at.remembered;
+    here.grains.radius = start_.grains.radius;
+    for (const DoubleDoubleVec<Dim>& centre : at.centre) here.grains.position.push_back(rounded<Dim>(centre));
+    try {
+      return !unlisted_pairs(here, find_pairs(at.cell, here.grains, start_.law.range())).empty();
+    } catch (const InputError&) {  // so small a cell that each grain meets hundreds
+      return true;
+    }
   }
 
   /// The packing of a configuration: at rest, memories mapped back, grains inside the cell.
@@ -455,6 +472,10 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
     now = std::move(next);
   }
   solution.converged = now.worst <= target_residual;
+  if (solution.converged && problem.meets_others(now)) {
+    solution.converged = false;
+    solution.reason = "grains come together that were apart";
+  }
   solution.residual = now.worst;
   solution.packing = problem.packing(now);
   return solution;

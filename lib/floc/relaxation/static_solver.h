@@ -39,7 +39,7 @@ struct StaticSolution {
 /// law maps memories back from those it starts with (return mapping); the tangent is the consistent one of
 /// the law's response with all geometric terms, unsymmetric where contacts slide. Free motions without
 /// stiffness (translations, rattlers, free rollers) carry no load and are given a vanishing stiffness
-/// (regularisation).
+/// (regularisation). Where that brings grains together that were apart, there is no solution.
 ///
 /// @param control  components under a stress are unknowns; axes and a shear that have a way start from its end,
 ///                 grains following; the others stay as they are; mean_stress() sets the scale of forces

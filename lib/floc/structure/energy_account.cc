@@ -5,9 +5,11 @@
 #include <variant>
 
 #include "floc/geometry/separation.h"
-#include "floc/neighbors/find_contacts.h"
+#include "floc/neighbors/interacting_pairs.h"
 #include "floc/neighbors/spread_liquid.h"
+#include "floc/neighbors/unlisted_pairs.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/law_response.h"
 #include "floc/packing/require_periodic.h"
@@ -265,7 +267,11 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
 template <int Dim>
 void EnergyAccount<Dim>::change_law(const LawParameters& law) {
   previous_.law = law;
-  find_contacts(previous_);
+  // Springs are kept; pairs that the new law reaches and the one before did not have join the list.
+  const std::vector<Contact<Dim>> added = unlisted_pairs(previous_, interacting_pairs(previous_));
+  previous_.contacts.insert(previous_.contacts.end(), added.begin(), added.end());
+  std::sort(previous_.contacts.begin(), previous_.contacts.end(), precedes<Contact<Dim>>);
+  refresh_contacts(previous_);
   const double with_law = elastic_energy_of(previous_);
   spread_liquid(previous_);
   const double with_liquid = elastic_energy_of(previous_);

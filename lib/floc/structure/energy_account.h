@@ -37,8 +37,8 @@ class EnergyAccount {
   /// Adds one time step. @param now  the same grains after it, their contacts as the law has them
   void advance(const Packing<Dim>& now, double time_step);
 
-  /// Exchanges the law of the present packing, as a step of a load path does that begins with another one: forces are
-  /// those of the new law, and liquid is shared out anew.
+  /// Exchanges the law of the present packing, as a step of a load path does that begins with another one: springs are
+  /// kept, forces are those of the new law, and liquid is shared out anew.
   void change_law(const LawParameters& law);
   const LawParameters& law() const { return previous_.law; }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "floc/packing/contact_forces.h"
 #include "support/dynamics.h"
 
 namespace floc {
@@ -106,6 +107,41 @@ TEST(EnergyAccount, ClosesForWetGrainsToFirstOrder) {
                 << fine / 5 << " " << order << "; " << t.work << " " << t.liquid << "\n";
       EXPECT_GT(order, 0.7);
     }
+}
+
+/// Contacts that carry shear forces and rolling moments.
+Packing<2> strained_packing(const LawParameters& law) {
+  const Packing<2> start = test::gas_of<2>(40, law, 0.6, 1);
+  BoundaryControl<2> control = BoundaryControl<2>::fixed();
+  control.target = {0.8, 0.6, 0.3};
+  const double step = 0.2 * time_step_of(start, 0.36, 10.0);
+  const auto dynamics = make_dynamics(start, control, {step, 0.1});
+  dynamics->advance(static_cast<int>(0.3 / step), Motion::free);
+  return dynamics->packing();
+}
+
+/// As in a run, where what a contact remembers stays when a stage sets a number of the law.
+TEST(EnergyAccount, KeepsSpringsWhereTheLawChanges) {
+  const Packing<2> packing = strained_packing(full_law<2>());
+  LawParameters rougher = packing.law, stiffer = packing.law;
+  rougher.friction = CoulombFriction{0.6, 800.0};
+  stiffer.friction = CoulombFriction{0.3, 1600.0};
+  for (const LawParameters& law : {rougher, stiffer}) {
+    EnergyAccount<2> account(packing);
+    account.change_law(law);
+    Packing<2> refreshed = packing;
+    refreshed.law = law;
+    refresh_contacts(refreshed);
+    const double elastic = EnergyAccount<2>(refreshed).terms().elastic;
+    // Sums of as many terms in another order.
+    const double rounding = 1e-13 * elastic;
+    EXPECT_NEAR(account.terms().elastic, elastic, rounding);
+    EXPECT_NEAR(account.terms().law, elastic - EnergyAccount<2>(packing).terms().elastic, rounding);
+    EXPECT_NEAR(account.terms().error(), 0.0, rounding);
+  }
+  EnergyAccount<2> account(packing);
+  account.change_law(rougher);
+  EXPECT_NEAR(account.terms().law, 0.0, 1e-13 * account.terms().elastic);  // no spring is beyond its cap
 }
 
 }  // namespace

@@ -78,8 +78,8 @@ int run_scene(const RunArguments& arguments) {
 int run_seeds(const RunArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
-  // A bad path is reported once, before any sample starts.
-  (void)plan_run(scene.assembly, scene.law, scene.load, scene.dimension);
+  // What no sample can do is reported once, before any of them starts.
+  (void)checked_options(scene, arguments);
   if (!scene.is_random())
     throw InputError("--seeds " + arguments.seeds,
                      "all samples would be the same, because the scene starts from a state at rest; expected "

@@ -50,17 +50,17 @@ std::string trend_of(const RelaxationReport& report) {
                      std::abs(report.decay_rate));
 }
 
-/// @throws InputError for what no run of the scene can do
+}  // namespace
+
 RunOptions checked_options(const Scene& scene, const RunArguments& arguments) {
-  if (scene.assembly.box && (arguments.track_contacts || arguments.track_energy))
-    throw InputError(arguments.track_energy ? "--track-energy" : "--track-contacts",
+  if (scene.assembly.box && arguments.track_contacts)
+    throw InputError("--track-contacts",
                      "the grains stand in a [box]; contacts are tracked in periodic cells only");
   RunOptions options = run_options(scene, arguments);
+  if (arguments.track_energy) require_energy_account(options);
   (void)plan_run(options.assembly, options.law, options.load, options.dimension);
   return options;
 }
-
-}  // namespace
 
 Existing existing_of(const RunArguments& arguments) {
   return arguments.resume ? Existing::resume : arguments.overwrite ? Existing::overwrite : Existing::refuse;

@@ -29,6 +29,10 @@ struct RunArguments {
   bool no_timing = false;
 };
 
+/// Options of the run of a scene.
+/// @throws InputError for what no run of the scene can do, before anything is written
+RunOptions checked_options(const Scene& scene, const RunArguments& arguments);
+
 /// A run of a scene in its directory, ready to be driven, and what is recorded of it while it moves.
 template <int Dim>
 struct SceneRun {

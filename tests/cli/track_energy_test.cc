@@ -1,9 +1,14 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <map>
 
 #include "floc/io/csv.h"
+#include "floc/scene/read_scene.h"
 #include "support/kill_and_resume.h"
 #include "support/places.h"
 #include "support/run_arguments.h"
@@ -92,7 +97,87 @@ TEST_F(TrackEnergy, IsRefusedWhereNoMotionLeadsToAnEquilibrium) {
   const Outcome sheared = floc(std::string(kRun) + "sheared");
   EXPECT_EQ(sheared.code, 4);
   EXPECT_THAT(sheared.err, HasSubstr("is a simple shear"));
+  for (const char* directory : {"none", "sheared"}) EXPECT_FALSE(std::filesystem::exists(file(directory)));
 }
+
+/// Why no account is kept of a shipped scene as it is, or with equilibrium.finish = "dynamic"; empty where one is.
+std::string refusal_of(const Scene& scene, bool dynamic) {
+  if (scene.assembly.box) return "the grains stand in a [box]";
+  if (!dynamic && scene.relaxation.finish != Finish::dynamic)
+    return "expected equilibrium.finish = \"dynamic\"";
+  for (const LoadStage& stage : scene.load)
+    if (stage.shear != 0.0) return "is a simple shear";
+  return scene.assembly.vibration ? "assembly.vibration moves the grains" : "";
+}
+
+/// Before anything is written, of one run or of several.
+TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
+  std::map<std::string, int> n_refused;
+  for (const auto& entry : std::filesystem::directory_iterator(source_directory() + "/data/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Scene scene = read_scene(entry.path());
+    for (const bool dynamic : {false, true}) {
+      const std::string words = refusal_of(scene, dynamic);
+      if (words.empty() || (dynamic && scene.assembly.box)) continue;
+      for (const char* several : {"", " --seeds 1..2"}) {
+        const Outcome o = floc("run " + entry.path().string() + " -o none --track-energy" + several +
+                               (dynamic ? " --set equilibrium.finish=dynamic" : ""));
+        EXPECT_EQ(o.code, 4) << entry.path();
+        EXPECT_THAT(o.err, HasSubstr("--track-energy: ")) << entry.path();
+        EXPECT_THAT(o.err, HasSubstr(words)) << entry.path();
+        EXPECT_FALSE(std::filesystem::exists(file("none"))) << entry.path();
+        ++n_refused[words];
+      }
+    }
+  }
+  for (const auto& [words, n] : n_refused) std::cout << n << " refusals: " << words << "\n";
+  EXPECT_GE(n_refused["the grains stand in a [box]"], 4);
+  EXPECT_GE(n_refused["assembly.vibration moves the grains"], 2);
+}
+
+/// A shipped scene, and the equilibrium with which each of its kinds of control has been reached.
+struct ShippedPath {
+  const char* scene;
+  int until;
+};
+void PrintTo(const ShippedPath& path, std::ostream* out) {
+  *out << path.scene;
+}
+
+class EnergyOfShippedPath : public ::testing::TestWithParam<ShippedPath> {
+ protected:
+  /// What is left over at the end of the path of a few grains, over the work of its boundary.
+  double error_at(double time_step) const {
+    const std::string directory = fmt::format("at-{}", time_step);
+    const Outcome o = run_floc(
+        fmt::format("run {}/data/scenes/{}.toml --set grains.count=16 --set equilibrium.finish=dynamic "
+                    "--set equilibrium.force=1e-3 --set equilibrium.moment=1e-3 --set equilibrium.stress=1e-3 "
+                    "--set equilibrium.energy=1e-5 --set run.time_step={} --until {} --track-energy -o {}",
+                    source_directory(), GetParam().scene, time_step, GetParam().until, directory),
+        scratch_.path());
+    EXPECT_EQ(o.code, 0) << o.err;
+    const CsvTable rows = CsvTable::read(scratch_.file(directory + "/energy.csv"));
+    const auto last = [&rows](const char* name) { return rows.number(rows.n_rows() - 1, rows.column(name)); };
+    return std::abs(last("error")) / std::abs(last("work"));
+  }
+
+  ScratchDirectory scratch_;
+};
+
+/// The error falls to a quarter, up to how the paths of two time steps part.
+TEST_P(EnergyOfShippedPath, ClosesWithTheTimeStepOfTheRun) {
+  const double coarse = error_at(0.36), fine = error_at(0.09);
+  std::cout << GetParam().scene << ": error over work " << coarse << " and at a quarter of the step " << fine
+            << ", order " << 0.5 * std::log2(coarse / fine) << "\n";
+  EXPECT_LT(fine, 0.5 * coarse);
+  EXPECT_LT(fine, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EnergyOfShippedPath,
+                         testing::Values(ShippedPath{"cohesionless_cycle", 1}, ShippedPath{"biaxial_dense", 1},
+                                         ShippedPath{"constant_volume", 1}, ShippedPath{"oedometer", 2},
+                                         ShippedPath{"stiff_contacts", 1}, ShippedPath{"wet_tension", 2},
+                                         ShippedPath{"spheres_demo", 1}));
 
 }  // namespace
 }  // namespace floc::test

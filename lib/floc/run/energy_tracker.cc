@@ -69,9 +69,10 @@ void EnergyTracker<Dim>::finish_step(const Run<Dim>& run) {
   add_row_of(run, run.packing(), time_);
 }
 
-template <int Dim>
-std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
-                                                 const RunDirectory& directory) {
+void require_energy_account(const RunOptions& options) {
+  if (options.assembly.box)
+    throw InputError("--track-energy",
+                     "the grains stand in a [box]; the energy account is kept in periodic cells only");
   if (options.relaxation.finish != Finish::dynamic)
     throw InputError("--track-energy",
                      "Newton steps may complete the equilibria of this scene, and they follow no motion whose "
@@ -87,6 +88,12 @@ std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions
         "--track-energy",
         "assembly.vibration moves the grains between two equilibria, by no force whose work could be "
         "recorded; expected a scene without it");
+}
+
+template <int Dim>
+std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
+                                                 const RunDirectory& directory) {
+  require_energy_account(options);
   // A step may begin with another law than the state before it has.
   const RunPoint& point = run.point();
   const bool at_a_state = point.step > 0 && point.equilibration.empty();

@@ -35,10 +35,13 @@ class EnergyTracker final : public MotionTable<Dim> {
   int n_steps_ = 0;
 };
 
+/// @throws InputError if no account of a run can be kept: if its grains stand in a box, if its equilibria may be found
+/// by static steps, to which no motion leads, or if its grains are moved otherwise between two of them
+void require_energy_account(const RunOptions& options);
+
 /// Has the energy account of a run kept while it moves, in the table of its directory.
 /// @pre the run is not finished, and stays where it is in memory as long as it moves
-/// @throws InputError if its equilibria may be found by static steps, to which no motion leads, or if its grains are
-/// moved otherwise between two of them
+/// @throws InputError as require_energy_account()
 template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory);

@@ -66,11 +66,17 @@ int run_scene(const Scene& scene, const RunArguments& arguments) {
   return report_outcome(scene_run.drive(watch), scene_run.run, arguments.directory);
 }
 
+void tell_unused_threads(const Scene& scene, const RunArguments& arguments) {
+  if (const std::string words = unused_threads(scene, arguments); !words.empty())
+    fmt::print(stderr, "{}\n", words);
+}
+
 int run_scene(const RunArguments& arguments) {
   ::mallopt(M_MMAP_THRESHOLD, kReturnedBlock);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
   for (const std::string& warning : scene_warnings(scene))
     fmt::print(stderr, "{}: warning: {}\n", arguments.scene, warning);
+  tell_unused_threads(scene, arguments);
   return scene.dimension == 3 ? run_scene<3>(scene, arguments) : run_scene<2>(scene, arguments);
 }
 
@@ -79,16 +85,18 @@ int run_seeds(const RunArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
   // What no sample can do is reported once, before any of them starts.
-  (void)checked_options(scene, arguments);
+  const RunOptions options = checked_options(scene, arguments);
   if (!scene.is_random())
     throw InputError("--seeds " + arguments.seeds,
                      "all samples would be the same, because the scene starts from a state at rest; expected "
                      "assembly.agitation, or one run");
   const std::string& directory = arguments.directory;
   const ClaimedDirectory claim(directory, existing_of(arguments), "runs");
+  tell_unused_threads(scene, arguments);
   std::vector<std::string> args = {arguments.scene};
   for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
-  if (arguments.threads) args.insert(args.end(), {"--threads", std::to_string(*arguments.threads)});
+  // Those that are useful, so that no sample says once more that others are not.
+  args.insert(args.end(), {"--threads", std::to_string(options.relaxation.threads)});
   if (arguments.until) args.insert(args.end(), {"--until", std::to_string(*arguments.until)});
   if (arguments.track_contacts)
     args.insert(args.end(), {"--track-contacts", fmt::format("{}", *arguments.track_contacts)});
@@ -118,7 +126,10 @@ Command add_run(CommandLine program) {
                      "A..B: an ensemble with one sample per seed, each in its own directory seed-N")
           .excludes(seed);
   app.add_option("--jobs", arguments->jobs, "samples that run at the same time").needs(seeds).within(kJobs);
-  app.add_option("--threads", arguments->threads, "number of threads; results do not depend on it")
+  app.add_option(
+         "--threads", arguments->threads,
+         "number of threads, of which at most one for each 1400 disks or 500 spheres is used; results do not "
+         "depend on it")
       .within(RunOptions::kThreads);
   app.add_option("--set", arguments->overrides,
                  "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "floc/base/error.h"
+#include "floc/relaxation/useful_threads.h"
 #include "floc/run/contact_tracker.h"
 #include "floc/run/energy_tracker.h"
 #include "floc/scene/scene_changes.h"
@@ -14,10 +15,15 @@
 namespace floc {
 namespace {
 
+int threads_asked_for(const Scene& scene, const RunArguments& arguments) {
+  return arguments.threads.value_or(scene.relaxation.threads);
+}
+
 RunOptions run_options(const Scene& scene, const RunArguments& arguments) {
   RunOptions options = scene;
   if (arguments.seed) options.seed = *arguments.seed;
-  if (arguments.threads) options.relaxation.threads = *arguments.threads;
+  options.relaxation.threads =
+      useful_threads(scene.grains.count, scene.dimension, threads_asked_for(scene, arguments));
   return options;
 }
 
@@ -60,6 +66,10 @@ RunOptions checked_options(const Scene& scene, const RunArguments& arguments) {
   if (arguments.track_energy) require_energy_account(options);
   (void)plan_run(options.assembly, options.law, options.load, options.dimension);
   return options;
+}
+
+std::string unused_threads(const Scene& scene, const RunArguments& arguments) {
+  return unused_threads(scene.grains.count, scene.dimension, threads_asked_for(scene, arguments));
 }
 
 Existing existing_of(const RunArguments& arguments) {

@@ -29,9 +29,12 @@ struct RunArguments {
   bool no_timing = false;
 };
 
-/// Options of the run of a scene.
+/// Options of the run of a scene, with no more threads than are useful (useful_threads()).
 /// @throws InputError for what no run of the scene can do, before anything is written
 RunOptions checked_options(const Scene& scene, const RunArguments& arguments);
+
+/// The threads that the run leaves unused and why, in words; empty where it uses all that are asked for.
+std::string unused_threads(const Scene& scene, const RunArguments& arguments);
 
 /// A run of a scene in its directory, ready to be driven, and what is recorded of it while it moves.
 template <int Dim>

@@ -116,6 +116,8 @@ void run(const std::string& scene_file, const std::string& directory, const std:
   Warnings warnings;
   for (const std::string& words : scene_warnings(scene))
     warnings.push_back(fmt::format("{}: {}", scene_file, words));
+  if (const std::string words = unused_threads(scene, arguments); !words.empty())
+    warnings.push_back(fmt::format("{}: {}", scene_file, words));
   issue(warnings);
   const std::string ending = without_gil([&] {
     return scene.dimension == 3 ? drive_scene<3>(scene, arguments, watch)

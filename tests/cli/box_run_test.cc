@@ -10,6 +10,7 @@
 #include "floc/io/csv.h"
 #include "support/box_scene.h"
 #include "support/kill_and_resume.h"
+#include "support/threaded_run.h"
 
 namespace floc::test {
 namespace {
@@ -122,7 +123,7 @@ TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
 
 TEST_P(BoxRun, GivesTheSameFilesForTwoThreads) {
   ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o one").code, 0);
-  ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o two --threads 2").code, 0);
+  ASSERT_TRUE(run_with_threads(file("box.toml"), file("two"), 2, 0));
   expect_same_results(file("one"), file("two"), 1);
 }
 

@@ -7,6 +7,7 @@
 
 #include "support/kill_and_resume.h"
 #include "support/places.h"
+#include "support/threaded_run.h"
 
 namespace floc::test {
 namespace {
@@ -68,8 +69,27 @@ TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
   replace("\"aggregation\"\nagitation = 3.0\npressure = 0.01", "\"direct\"\npressure = 0.1");
   write_text(file("direct.toml"), scene);
   ASSERT_EQ(run("direct.toml --until 0 -o one").code, 0);
-  ASSERT_EQ(run("direct.toml --until 0 -o two --threads 2").code, 0);
+  ASSERT_TRUE(run_with_threads(file("direct.toml"), file("two"), 2, 0));
   EXPECT_TRUE(content_of(file("one/state-0000.h5")) == content_of(file("two/state-0000.h5")));
+}
+
+/// Of an ensemble the program says so once, and not in the log of each sample.
+TEST_F(RunCommand, SaysThatThreadsAreOfNoUseToFewGrains) {
+  const std::string words = "40 disks: 1 of 2 threads is used, since ";
+  const auto n_told = [&](const std::string& text) {
+    int n = 0;
+    for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++n;
+    return n;
+  };
+  const Outcome one = run("small.toml --until 0 --threads 2 -o few");
+  EXPECT_EQ(one.code, 0);
+  EXPECT_EQ(n_told(one.err), 1) << one.err;
+  EXPECT_EQ(n_told(run("small.toml --until 0 --threads 1 -o few --overwrite").err), 0);
+  EXPECT_EQ(n_told(run("small.toml --until 0 --set run.threads=2 -o few --overwrite").err), 1);
+  const Outcome all = run("small.toml --until 0 --threads 2 -o ensemble --seeds 1..2 --jobs 2");
+  EXPECT_EQ(all.code, 0);
+  EXPECT_EQ(n_told(all.err), 1) << all.err;
+  EXPECT_EQ(n_told(content_of(file("ensemble/seed-1.log")) + content_of(file("ensemble/seed-2.log"))), 0);
 }
 
 TEST_F(RunCommand, SurvivesTwentyKillsWithoutATrace) {

@@ -7,6 +7,7 @@
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
 #include "support/kill_and_resume.h"
+#include "support/threaded_run.h"
 
 namespace floc::test {
 namespace {
@@ -83,7 +84,7 @@ TEST_F(SpheresRun, MakesStatesThatVerifyAndRowsWithThreeSides) {
 
 TEST_F(SpheresRun, GivesTheSameFilesForTwoThreads) {
   ASSERT_EQ(run(beads(), "--until 1 -o one").code, 0);
-  ASSERT_EQ(run(beads(), "--until 1 -o two --threads 2").code, 0);
+  ASSERT_TRUE(run_with_threads(file("beads.toml"), file("two"), 2, 1));
   expect_same_results(file("one"), file("two"), 2);
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "support/kill_and_resume.h"
+#include "support/threaded_run.h"
 #include "support/wet_scene.h"
 
 namespace floc::test {
@@ -36,7 +37,7 @@ TEST(WetRun, GivesTheSameFilesForTwoThreads) {
   const ScratchDirectory scratch;
   write_text(scratch.file("wet.toml"), kWetScene);
   ASSERT_EQ(run_floc("run wet.toml -o one", scratch.path()).code, 0);
-  ASSERT_EQ(run_floc("run wet.toml -o two --threads 2", scratch.path()).code, 0);
+  ASSERT_TRUE(run_with_threads(scratch.file("wet.toml"), scratch.file("two"), 2));
   expect_same_results(scratch.file("one"), scratch.file("two"), 3);
 }
 

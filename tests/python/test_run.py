@@ -91,6 +91,11 @@ class Runs(unittest.TestCase):
         self.assertEqual(len(run), 2)
         self.assertEqual(run[0].provenance["seed"], 5)
 
+    def test_warn_of_threads_that_few_grains_leave_unused(self):
+        with self.assertWarnsRegex(floc.FlocWarning, "disks: 1 of 2 threads is used"):
+            floc.run(self.scene, self.directory(), threads=2, timing=False)
+        self.assertEqual(content(self.directory()), self.expected)
+
     def test_refuse_bad_scenes_in_words(self):
         with self.assertRaisesRegex(floc.InputError, "nowhere.toml"):
             floc.run("nowhere.toml", self.directory())

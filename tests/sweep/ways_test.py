@@ -175,9 +175,10 @@ def save_states(program, directory):
 
 
 def refuse_threads(program, directory):
-    """Where OpenMP may not start as many threads, none of them waits for one that never comes."""
+    """Where OpenMP may not start as many threads, none of them waits for one that never comes. Of fewer grains the program
+    would use one thread."""
     scene = directory / "threads.toml"
-    scene.write_text(loads.powder(2).replace(f"count = {loads.GRAINS}", "count = 300"))
+    scene.write_text(loads.powder(2).replace(f"count = {loads.GRAINS}", "count = 2800"))
     done = subprocess.run([program, "run", scene, "-o", "threads", "--threads", "2"], cwd=directory, capture_output=True, text=True,
                           timeout=60, env={**os.environ, "OMP_THREAD_LIMIT": "1"})
     if done.returncode != 4 or "OMP_THREAD_LIMIT" not in done.stderr:

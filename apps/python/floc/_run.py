@@ -78,7 +78,8 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
     changes : dict, optional
         Keys of the scene to change, ``{"run.seed": 2, "load.0.to": 10.0}``.
     seed, threads, until : int, optional
-        As ``--seed``, ``--threads`` and ``--until`` (the last equilibrium to make).
+        As ``--seed``, ``--threads`` and ``--until`` (the last equilibrium to make). A warning says where so few grains
+        leave threads unused.
     track_contacts : float, optional
         Records in contacts.csv which contacts open and close, checking at this interval of simulated time.
     track_energy : bool

@@ -12,6 +12,7 @@
 #include "floc/base/parse_number.h"
 #include "floc/loading/run_plan.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/relaxation/useful_threads.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_source.h"
@@ -138,7 +139,7 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
                                    one.label));
     CasePlan& plan = plans.emplace_back();
     plan.states = states_of(scene);
-    plan.threads = scene.relaxation.threads;
+    plan.threads = useful_threads(scene.grains.count, scene.dimension, scene.relaxation.threads);
     plan.cost = expected_cost(scene);
     for (const Collection& c : campaign.collections) {
       (void)chosen_states(c.states, one, plan);

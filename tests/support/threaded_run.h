@@ -1,0 +1,32 @@
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "floc/run/drive.h"
+#include "floc/scene/read_scene.h"
+
+namespace floc::test {
+
+/// Runs a scene into a new directory as `floc run --no-timing` does, but with as many threads as are asked for:
+/// the program uses no more than are useful for so many grains (useful_threads()).
+/// @return whether every equilibrium that was asked for is saved
+template <int Dim>
+bool run_with_threads(Scene scene, const std::string& directory, int threads, int until) {
+  scene.relaxation.threads = threads;
+  RunDirectory run_directory(directory, Existing::refuse, scene);
+  Run<Dim> run = start_or_resume<Dim>(run_directory, scene);
+  DriveOptions<Dim> options;
+  options.until = until;
+  options.timing = false;
+  return drive(run, run_directory, options).outcome == DriveReport::done;
+}
+
+inline bool run_with_threads(const std::string& scene_file, const std::string& directory, int threads,
+                             int until = std::numeric_limits<int>::max()) {
+  const Scene scene = read_scene(scene_file);
+  return scene.dimension == 3 ? run_with_threads<3>(scene, directory, threads, until)
+                              : run_with_threads<2>(scene, directory, threads, until);
+}
+
+}  // namespace floc::test

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "floc/base/error.h"
-#include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 #include "floc/base/seed_range.h"
 #include "floc/campaign/campaign_cases.h"
 #include "floc/scene/table_reader.h"
@@ -302,7 +302,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
     throw InputError(path, "cannot be read: it is a directory: expected a campaign file (TOML)");
   const std::vector<std::string> overrides =
       scene.empty() ? std::vector<std::string>{} : std::vector{fmt::format("campaign.scene=\"{}\"", scene)};
-  SceneSource source(read_file(path), path, overrides);
+  SceneSource source(read_text(path), path, overrides);
   TableReader root(source);
   Campaign campaign;
   TableReader head = root.table("campaign", "a table with scene and seeds");
@@ -338,7 +338,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
     source.fault_at(path, fmt::format("has {} cases with {} seeds: expected at most {} runs",
                                       campaign.cases.size(), campaign.seeds.size(), kMaxRuns));
   source.throw_faults();
-  campaign.scene = read_file(campaign.scene_file);
+  campaign.scene = read_text(campaign.scene_file);
   return campaign;
 }
 

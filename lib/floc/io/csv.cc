@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iostream>
 #include <sstream>
 
 #include "floc/base/decimal.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
-#include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 
 namespace floc {
 namespace {
@@ -50,24 +48,51 @@ char separator_of(std::string_view header) {
   return ',';
 }
 
+/// For messages about a row that has not as many cells as the table has columns: why that may be.
+const char* count_hint(const std::vector<std::string>& cells, const CsvTable& table, char separator) {
+  const auto is_number = [](const std::string& cell) { return parse_number<double>(cell).has_value(); };
+  const std::size_t n_columns = table.columns().size();
+  const bool may_be_decimal_commas =
+      separator == ',' && cells.size() > n_columns && cells.size() <= 2 * n_columns;
+  if (may_be_decimal_commas && std::all_of(cells.begin(), cells.end(), is_number))
+    return "; numbers are written with a decimal point, not a comma";
+  if (table.n_rows() == 0 && std::none_of(cells.begin(), cells.end(), is_number))
+    return "; if what stands above this line is a title, remove it or put # before it";
+  return "";
+}
+
+/// For messages about a column that is not there: what the first lines of the table look like instead.
+std::string header_hint(const CsvTable& table, const std::string& name) {
+  const std::vector<std::string>& columns = table.columns();
+  if (columns.size() == 1 && columns[0].find_first_of(" \t") != std::string::npos)
+    return ": the first line names the columns, which need a comma, semicolon or tab between them, not blanks";
+  for (int k = 0; k < static_cast<int>(columns.size()) && table.n_rows() > 0; ++k)
+    if (table.text(0, k).starts_with(name))
+      return fmt::format("; line {} has it: if what stands above is a title, remove it or put # before it",
+                         table.line(0));
+  return "";
+}
+
 }  // namespace
 
 CsvTable::CsvTable(std::string place, std::vector<std::string> columns)
     : place_(std::move(place)), columns_(std::move(columns)) {}
 
 void CsvTable::add_row(int line, const std::vector<std::string>& cells) {
-  if (cells.size() != columns_.size())
-    throw InputError(fmt::format("{}:{}", place_, line),
-                     fmt::format("has {} cells, expected {} as in the header of the csv table", cells.size(),
-                                 columns_.size()));
+  if (cells.size() != columns_.size()) refuse_count(line, cells.size(), "");
   lines_.push_back(line);
   for (const std::string& cell : cells) cells_.push_back(cell);
 }
 
+void CsvTable::refuse_count(int line, std::size_t n_cells, const char* hint) const {
+  throw InputError(fmt::format("{}:{}", place_, line),
+                   fmt::format("has {} cells, expected {} as in the header of the csv table{}", n_cells,
+                               columns_.size(), hint));
+}
+
 CsvTable CsvTable::read(const std::string& path) {
-  if (path == "-") return parse("stdin", std::cin);
-  std::istringstream in(read_file(path));
-  return parse(path, in);
+  std::istringstream in(read_text(path));
+  return parse(path == "-" ? "stdin" : path, in);
 }
 
 CsvTable CsvTable::parse(const std::string& place, std::istream& in) {
@@ -77,14 +102,16 @@ CsvTable CsvTable::parse(const std::string& place, std::istream& in) {
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     const std::string here = fmt::format("{}:{}", place, ++number);
-    if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
     if (trimmed(line).empty() || trimmed(line).starts_with('#')) continue;
     if (table.columns_.empty()) {
       separator = separator_of(line);
       table.columns_ = split(here, line, separator);
       continue;
     }
-    table.add_row(number, split(here, line, separator));
+    const std::vector<std::string> cells = split(here, line, separator);
+    if (cells.size() != table.columns_.size())
+      table.refuse_count(number, cells.size(), count_hint(cells, table, separator));
+    table.add_row(number, cells);
   }
   if (number == 0) throw InputError(place, "is empty, expected a table whose first line names its columns");
   if (table.columns_.empty()) throw InputError(place, "has no header: the first line names the columns");
@@ -98,8 +125,8 @@ bool CsvTable::has(const std::string& name) const {
 int CsvTable::column(const std::string& name) const {
   const auto found = std::find(columns_.begin(), columns_.end(), name);
   if (found == columns_.end())
-    throw InputError(place_,
-                     fmt::format("has no column \"{}\"; its columns are {}", name, fmt::join(columns_, ", ")));
+    throw InputError(place_, fmt::format("has no column \"{}\"; its columns are {}{}", name,
+                                         fmt::join(columns_, ", "), header_hint(*this, name)));
   if (const auto second = std::find(found + 1, columns_.end(), name); second != columns_.end())
     throw InputError(place_,
                      fmt::format("columns {} and {} are both named \"{}\": rename or remove one of them",
@@ -109,8 +136,8 @@ int CsvTable::column(const std::string& name) const {
 
 double CsvTable::number(int row, int column) const {
   if (const auto value = parse_number<double>(cell(row, column))) return *value;
-  throw InputError(place(row),
-                   fmt::format("{} = \"{}\", expected a finite number", columns_[column], cell(row, column)));
+  throw InputError(place(row), fmt::format("{} = \"{}\", expected a finite number{}", columns_[column],
+                                           cell(row, column), decimal_comma_hint(cell(row, column))));
 }
 
 DoubleDouble CsvTable::double_double_number(int row, int column) const {
@@ -121,8 +148,8 @@ std::int64_t CsvTable::integer(int row, int column) const {
   if (const auto value = parse_number<std::int64_t>(cell(row, column))) return *value;
   if (const auto real = parse_number<double>(cell(row, column)); real && std::abs(*real) <= kExactIntegers)
     if (const auto value = whole_number(*real)) return *value;
-  throw InputError(place(row),
-                   fmt::format("{} = \"{}\", expected an integer", columns_[column], cell(row, column)));
+  throw InputError(place(row), fmt::format("{} = \"{}\", expected an integer{}", columns_[column],
+                                           cell(row, column), decimal_comma_hint(cell(row, column))));
 }
 
 std::string CsvTable::place(int row) const {

@@ -58,6 +58,8 @@ class CsvTable {
   const std::string& place() const { return place_; }
 
  private:
+  /// @throws InputError always. @param hint  end of the message
+  [[noreturn]] void refuse_count(int line, std::size_t n_cells, const char* hint) const;
   std::string_view cell(int row, int column) const { return cells_[row * columns_.size() + column]; }
 
   std::string place_;

@@ -9,7 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
-#include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 #include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
 #include "floc/io/listed_space.h"
@@ -26,7 +26,7 @@ struct XyzFrame {
 };
 
 std::vector<XyzFrame> read_frames(const std::string& path) {
-  std::istringstream in(read_file(path));
+  std::istringstream in(read_text(path));
   std::vector<XyzFrame> frames;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
@@ -98,7 +98,9 @@ std::vector<std::vector<double>> lattice_of(const std::string& place, const std:
   std::vector<std::vector<double>> cell(3);
   for (std::size_t k = 0; k < 9; ++k) {
     const auto value = parse_number<double>(tokens[k]);
-    if (!value) throw InputError(place, fmt::format("Lattice has \"{}\", expected a finite number", tokens[k]));
+    if (!value)
+      throw InputError(place, fmt::format("Lattice has \"{}\", expected a finite number{}", tokens[k],
+                                          decimal_comma_hint(tokens[k])));
     cell[k / 3].push_back(*value);
   }
   return cell;
@@ -140,7 +142,7 @@ ListedSpace space_of(const std::string& place, const std::map<std::string, std::
 }  // namespace
 
 bool is_extended_xyz(const std::string& path) {
-  std::istringstream in(read_file(path));
+  std::istringstream in(read_text(path));
   std::string first, second;
   std::getline(in, first);
   std::getline(in, second);

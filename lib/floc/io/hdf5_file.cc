@@ -232,7 +232,7 @@ void read_attribute(hid_t file, const std::string& place, const std::string& pat
 
 /// Reads a text, of variable or fixed length, through `read(type, buffer)`.
 template <class Read>
-std::string read_text(hid_t type, const Read& read) {
+std::string text_of_dataset(hid_t type, const Read& read) {
   if (H5Tis_variable_str(type) > 0) {
     char* buffer = nullptr;
     const Handle memory = text_type();
@@ -391,7 +391,7 @@ std::string Hdf5Reader::text(const std::string& path) const {
   const Handle space(checked(H5Dget_space(dataset)), H5Sclose);
   if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
     throw InputError(place(path), "is not a string");
-  return read_text(type, [&](hid_t memory, void* buffer) {
+  return text_of_dataset(type, [&](hid_t memory, void* buffer) {
     return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
   });
 }
@@ -403,7 +403,7 @@ bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name)
 void Hdf5Reader::attribute(const std::string& path, const std::string& name, std::string& value) const {
   const Handle attribute = open_attribute(file_, place(path), path, name, H5T_STRING, "a string");
   const Handle type(checked(H5Aget_type(attribute)), H5Tclose);
-  value = read_text(type, [&](hid_t memory, void* buffer) { return H5Aread(attribute, memory, buffer); });
+  value = text_of_dataset(type, [&](hid_t memory, void* buffer) { return H5Aread(attribute, memory, buffer); });
 }
 void Hdf5Reader::attribute(const std::string& path, const std::string& name, double& value) const {
   read_attribute(file_, place(path), path, name, value);

@@ -6,6 +6,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 #include "floc/io/csv_packing.h"
 #include "floc/io/extended_xyz.h"
 #include "floc/io/jambashbulk.h"
@@ -40,7 +41,7 @@ Imported read_own_state(const std::string& path, const ImportOptions& options) {
 }  // namespace
 
 bool begins_with(const std::string& path, const std::string& text) {
-  return read_file(path).starts_with(text);
+  return without_byte_order_mark(read_file(path)).starts_with(text);
 }
 
 const std::vector<ImportFormat>& import_formats() {
@@ -66,8 +67,10 @@ const ImportFormat& find_import_format(const std::string& keyword, const std::st
     if (keyword.empty() ? format.recognises(path) : format.keyword == keyword) return format;
     known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", format.keyword, format.description);
   }
-  if (keyword.empty())
+  if (keyword.empty()) {
+    require_text(path, read_file(path));
     throw InputError(path, fmt::format("its format is not recognised; name one of {} with --from", known));
+  }
   throw InputError("--from", fmt::format("\"{}\" is not a format; the formats are {}", keyword, known));
 }
 

@@ -58,7 +58,7 @@ struct ImportFormat {
   Imported (*read)(const std::string& path, const ImportOptions& options);
 };
 
-/// Whether a file can be read and its first bytes are `text`.
+/// Whether a file can be read and its first bytes, after a byte order mark, are `text`.
 bool begins_with(const std::string& path, const std::string& text);
 
 /// THE list of formats. To add one: a reader in its own file pair, a row here, a round-trip and a

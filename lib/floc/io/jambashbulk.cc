@@ -9,7 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
-#include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 
 namespace floc {
 namespace {
@@ -36,6 +36,17 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
   }
 }
 
+/// For messages about a wrong count of numbers: what to change where commas between digits may be why.
+const char* comma_hint(std::string_view text) {
+  const auto is_digit = [&](std::size_t at) {
+    return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
+  };
+  for (std::size_t at = text.find(','); at != std::string_view::npos; at = text.find(',', at + 1))
+    if (at > 0 && is_digit(at - 1) && is_digit(at + 1))
+      return "; numbers are written with a decimal point, not a comma";
+  return "";
+}
+
 /// The `count` numbers behind "key =" in a header, up to the next key.
 std::vector<double> header_numbers(const std::string& place, std::string_view header, const std::string& key,
                                    std::size_t count) {
@@ -53,7 +64,8 @@ std::vector<double> header_numbers(const std::string& place, std::string_view he
     if (!found.empty()) throw InputError(place, fmt::format("{} is given twice", key));
     found = numbers(place, value);
     if (found.size() != count)
-      throw InputError(place, fmt::format("{} has {} numbers, expected {}", key, found.size(), count));
+      throw InputError(
+          place, fmt::format("{} has {} numbers, expected {}{}", key, found.size(), count, comma_hint(value)));
   }
   if (found.empty()) throw InputError(place, fmt::format("{} is missing", key));
   return found;
@@ -62,7 +74,7 @@ std::vector<double> header_numbers(const std::string& place, std::string_view he
 /// Lines of a file, numbered, without comments.
 class Lines {
  public:
-  explicit Lines(const std::string& path) : path_(path), in_(read_file(path)) {}
+  explicit Lines(const std::string& path) : path_(path), in_(read_text(path)) {}
 
   bool next() {
     while (std::getline(in_, line_)) {
@@ -101,7 +113,8 @@ Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell
     const std::vector<double> row = numbers(lines.place(), lines.line());
     if (row.empty()) continue;
     if (row.size() != 3)
-      throw InputError(lines.place(), fmt::format("has {} numbers, expected x, y and the radius", row.size()));
+      throw InputError(lines.place(), fmt::format("has {} numbers, expected x, y and the radius{}", row.size(),
+                                                  comma_hint(lines.line())));
     if (!(row[2] > 0.0)) throw InputError(lines.place(), fmt::format("radius = {}, must be positive", row[2]));
     const Vec<2> x(row[0], row[1]);
     if (!(cell.reduced(x).cwiseAbs().maxCoeff() < 1e9))

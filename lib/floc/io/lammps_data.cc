@@ -11,7 +11,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
-#include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 #include "floc/io/contact_file.h"
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
@@ -46,6 +46,8 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
   for (const std::string& token : tokens) {
     if (const auto value = parse_number<double>(token); value && key.empty())
       values.push_back(*value);
+    else if (const std::string hint = decimal_comma_hint(token); !hint.empty())
+      throw InputError(place, fmt::format("\"{}\", expected a finite number{}", token, hint));
     else
       key += (key.empty() ? "" : " ") + token;
   }
@@ -69,6 +71,8 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
     data.box.low[a] = values[0];
     data.box.side[a] = values[1] - values[0];
     data.box_place = place;
+  } else if (key.ends_with("xy xz yz")) {
+    throw InputError(place, fmt::format("\"{}\", expected three finite numbers and xy xz yz", key));
   } else if (key.find("lo ") != std::string::npos) {
     throw InputError(place,
                      fmt::format("\"{}\", expected two finite numbers and xlo xhi, ylo yhi or zlo zhi", key));
@@ -86,7 +90,7 @@ void check_style(const std::string& place, const std::string& line) {
 
 DataFile read_data(const std::string& path) {
   DataFile data;
-  std::istringstream in(read_file(path));
+  std::istringstream in(read_text(path));
   std::string section;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
@@ -155,7 +159,7 @@ ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grain
 }  // namespace
 
 bool is_lammps_data(const std::string& path) {
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   return text.find(" atoms") != std::string::npos && text.find("xlo xhi") != std::string::npos &&
          text.find("\nAtoms") != std::string::npos;
 }

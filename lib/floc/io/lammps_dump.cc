@@ -14,6 +14,7 @@
 #include "floc/base/packed_strings.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 #include "floc/io/contact_file.h"
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
@@ -62,7 +63,12 @@ class FrameSearch {
   FrameSearch(const std::string& path, std::function<bool(int, std::string_view)> wanted)
       : path_(path), wanted_(std::move(wanted)) {
     std::string begun;  // a line of which the rest is in the next piece
+    bool first = true;
     read_pieces(path, [&](std::string_view piece) {
+      if (std::exchange(first, false)) {
+        require_text(path, piece);
+        piece = without_byte_order_mark(piece);
+      }
       for (std::size_t end; (end = piece.find('\n')) != std::string_view::npos; piece.remove_prefix(end + 1)) {
         begun.append(piece.substr(0, end));
         pass(trimmed(begun));
@@ -141,7 +147,8 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
     for (const std::string& token : tokenize(dump.line(at + 1 + a, what))) {
       const auto value = parse_number<double>(token);
       if (!value)
-        throw InputError(dump.place(at + 1 + a), fmt::format("\"{}\", expected a finite number", token));
+        throw InputError(dump.place(at + 1 + a),
+                         fmt::format("\"{}\", expected a finite number{}", token, decimal_comma_hint(token)));
       rows[a].push_back(*value);
     }
     if (rows[a].size() != (tilted ? 3u : 2u))

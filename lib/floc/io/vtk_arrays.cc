@@ -11,6 +11,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/base/read_text.h"
 
 namespace floc {
 namespace {
@@ -66,7 +67,9 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
     const std::size_t end = std::min(text.find_first_of(kSpace, at), text.size());
     const std::string_view token = text.substr(at, end - at);
     const auto value = parse_number<double>(token);
-    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", token));
+    if (!value)
+      throw InputError(place,
+                       fmt::format("\"{}\", expected a finite number{}", token, decimal_comma_hint(token)));
     values.push_back(*value);
     at = text.find_first_not_of(kSpace, end);
   }

@@ -7,7 +7,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
-#include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 #include "floc/io/contact_file.h"
 #include "floc/io/law_text.h"
 #include "floc/io/listed_columns.h"
@@ -44,7 +44,9 @@ std::vector<std::vector<double>> parse_cell(const std::string& place, const std:
   std::vector<std::vector<double>> cell(3);
   for (std::size_t k = 0; k < 9; ++k) {
     const auto value = parse_number<double>(tokens[k + 1]);
-    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", tokens[k + 1]));
+    if (!value)
+      throw InputError(place, fmt::format("\"{}\", expected a finite number{}", tokens[k + 1],
+                                          decimal_comma_hint(tokens[k + 1])));
     cell[k / 3].push_back(*value);
   }
   return cell;
@@ -54,7 +56,7 @@ std::vector<std::vector<double>> parse_cell(const std::string& place, const std:
 /// @param columns  what they are when no comment names them; empty if one has to
 YadeTable read_table(const std::string& path, const std::string& mark, std::vector<std::string> columns) {
   YadeTable result;
-  std::istringstream in(read_file(path));
+  std::istringstream in(read_text(path));
   bool begun = false;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
@@ -132,7 +134,7 @@ void check_no_contact_columns(const ImportOptions& options) {
 
 /// Whether a file has rows without a line that names their columns.
 bool begins_with_number(const std::string& path) {
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && text[first] >= '0' && text[first] <= '9';
 }
@@ -140,7 +142,7 @@ bool begins_with_number(const std::string& path) {
 /// Tokens of the first line, if that is a comment.
 std::vector<std::string> first_comment(const std::string& path) {
   if (!begins_with(path, "#")) return {};
-  std::istringstream in(read_file(path));
+  std::istringstream in(read_text(path));
   std::string line;
   std::getline(in, line);
   return comment_tokens(std::string(trimmed(line)));

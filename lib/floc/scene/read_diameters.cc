@@ -12,7 +12,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
-#include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 
 namespace floc {
 namespace {
@@ -21,12 +21,10 @@ using Kind = DiameterDistribution::Kind;
 
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 
-/// The text of a file without the mark that some editors put before UTF-8; a fault, and nothing, where it is none.
+/// The text of a file; a fault, and nothing, where it cannot be read or is no text.
 std::optional<std::string> text_of_list(const std::string& path, TableReader& t, SceneSource& source) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   try {
-    std::string text = read_file(path);
-    if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+    std::string text = read_text(path);
     if (text.find('\0') == std::string::npos) return text;
     source.fault_at(path, "is not text in UTF-8: expected diameters, separated by spaces or lines");
   } catch (const InputError& error) {
@@ -51,9 +49,8 @@ std::vector<double> read_list_file(const std::string& path, TableReader& t, Scen
         continue;
       }
       ++n_faults;
-      const char* hint = token.find(',') == std::string::npos ? "" : " with a point, not a comma";
       source.fault_at(fmt::format("{}:{}", path, number),
-                      fmt::format("'{}': expected a positive number{}", token, hint));
+                      fmt::format("'{}': expected a positive number{}", token, decimal_comma_hint(token)));
     }
   }
   if (n_faults == 0 && values.empty())

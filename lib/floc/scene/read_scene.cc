@@ -13,7 +13,7 @@
 
 #include "floc/assembly/gas.h"
 #include "floc/base/error.h"
-#include "floc/base/read_file.h"
+#include "floc/base/read_text.h"
 #include "floc/contact/law_description.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/check_resolution.h"
@@ -316,7 +316,7 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
   };
   if (std::filesystem::is_directory(path)) refuse("cannot be read: it is a directory");
   if (path != "-" && !std::filesystem::exists(path)) refuse("cannot be read: no such file");
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) refuse("is empty");
   return parse_scene(text, path, std::filesystem::path(path).parent_path().string(), overrides);
 }

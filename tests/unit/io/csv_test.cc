@@ -10,8 +10,10 @@
 namespace floc {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using testing::ThrowsMessage;
 
@@ -56,11 +58,30 @@ TEST(Csv, NamesFileLineAndColumnOfWhatItCannotRead) {
 }
 
 TEST(Csv, RefusesALineOfAnotherLengthAndATableWithoutHeader) {
-  EXPECT_THAT([] { parse("x,y\n1,2\n1,2,3\n"); },
+  EXPECT_THAT([] { parse("x,y\n1,2\n1,2,b\n"); },
               ThrowsMessage<InputError>("t.csv:3: has 3 cells, expected 2 as in the header of the csv table"));
   EXPECT_THAT([] { parse("x,y\n\"1,2\n"); }, ThrowsMessage<InputError>(HasSubstr("t.csv:2: a quoted cell")));
   EXPECT_THAT([] { parse("# nothing\n"); }, ThrowsMessage<InputError>(HasSubstr("no header")));
   EXPECT_THAT([] { CsvTable::read("nowhere.csv"); }, ThrowsMessage<InputError>(HasSubstr("No such file")));
+}
+
+TEST(Csv, NamesDecimalCommasTitlesAndColumnsSeparatedByBlanks) {
+  const char* words = "decimal point, not a comma";
+  const CsvTable t = parse("x;y\n0,5;-1,5e3\n1,2,3;a,b\n");
+  EXPECT_THAT([&] { t.number(0, 0); },
+              ThrowsMessage<InputError>(
+                  "t.csv:2: x = \"0,5\", expected a finite number with a decimal point, not a comma"));
+  EXPECT_THAT([&] { t.integer(0, 1); }, ThrowsMessage<InputError>(HasSubstr(words)));
+  EXPECT_THAT([&] { t.number(1, 0); }, ThrowsMessage<InputError>(Not(HasSubstr(words))));
+  EXPECT_THAT([&] { t.number(1, 1); }, ThrowsMessage<InputError>(Not(HasSubstr(words))));
+  EXPECT_THAT(
+      [] { parse("x,y\n0,5,1\n"); },
+      ThrowsMessage<InputError>(AllOf(StartsWith("t.csv:2: has 3 cells, expected 2"), HasSubstr(words))));
+  for (const char* titled : {"Sample 12, 3 May\np,e\n1,2\n", "Sample 12\np,e\n1,2\n"})
+    EXPECT_THAT([titled] { parse(titled).column("e"); },
+                ThrowsMessage<InputError>(HasSubstr("is a title, remove it or put # before it")));
+  EXPECT_THAT([] { parse("x y r\n1 2 3\n").column("x"); },
+              ThrowsMessage<InputError>(HasSubstr("a comma, semicolon or tab between them, not blanks")));
 }
 
 }  // namespace

@@ -477,8 +477,8 @@ TEST(ReadScene, WhatIsNoListOfDiametersIsRefusedWithTheReason) {
   for (const auto& [file, words] :
        {std::pair{"directory", "directory: is a directory, expected a file"},
         {"missing.txt", "missing.txt: No such file or directory"},
-        {"utf16.txt", "utf16.txt: is not text in UTF-8"},
-        {"comma.txt", "comma.txt:1: '0,5': expected a positive number with a point"},
+        {"utf16.txt", "utf16.txt: is in UTF-16: save it as UTF-8"},
+        {"comma.txt", "comma.txt:1: '0,5': expected a positive number with a decimal point, not a comma"},
         {"empty.txt", "empty.txt: holds no diameters"},
         {"hexadecimal.txt", "hexadecimal.txt:1: '0x10': expected a positive number"}})
     EXPECT_THAT(([&scene_with, name = file] { scene_with(name); }),

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace floc {
+
+/// The text of a file in UTF-8, or of stdin for "-", without the byte order mark that some editors put before it.
+/// @throws InputError if the file cannot be read, or as require_text()
+std::string read_text(const std::string& path);
+
+/// Checks the encoding and the ends of lines of a text, for readers that take a file piece by piece.
+///
+/// @param beginning  of the text, its first line at least
+/// @throws InputError if it is in UTF-16 or UTF-32, or its lines end in carriage returns alone
+void require_text(const std::string& place, std::string_view beginning);
+
+/// `text` without the byte order mark of UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
+
+/// For messages about `text`, which is no number: what to change where a decimal comma is why, else nothing.
+std::string decimal_comma_hint(std::string_view text);
+
+}  // namespace floc

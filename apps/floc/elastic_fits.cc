@@ -6,10 +6,11 @@
 namespace floc {
 namespace {
 
-/// The state to compare with: the one asked for, else that of the branch's first row if it lies beside the
-/// table.
+/// The state to compare with, in the unit of the table: the one asked for, else that of the branch's first row if it
+/// lies beside the table.
 std::optional<StateModuli> find_state(const std::string& state, const PathTable& path, int row, int axis) {
-  return state.empty() ? moduli_of_row(path, row, axis) : std::optional(moduli_of(state, axis));
+  const auto found = state.empty() ? moduli_of_row(path, row, axis) : std::optional(moduli_of(state, axis));
+  return found ? std::optional(in_unit_of(path, *found)) : std::nullopt;
 }
 
 /// Modulus that answers the mean stress along a branch.

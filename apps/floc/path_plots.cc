@@ -63,10 +63,11 @@ double stress_of_unit(const PathTable& path, int row) {
 /// The modulus of the state that a branch starts from, in the unit of the pressures of the path: of the strain of the
 /// driven axis in an oedometer, where the pressures are that axis's stress, else of equal stresses.
 std::optional<double> modulus_of_state(const PathTable& path, const Loading& branch) {
-  const auto state = moduli_of_row(path, branch.rows.front(), driven_axis(path, branch.rows.back()));
-  if (!state) return std::nullopt;
+  const auto found = moduli_of_row(path, branch.rows.front(), driven_axis(path, branch.rows.back()));
+  if (!found) return std::nullopt;
+  const std::optional<StateModuli> state = in_unit_of(path, *found);
   const double modulus = !state->M ? state->B_S : path.stress == "driven" ? *state->M : *state->B_uniaxial;
-  return modulus / stress_of_unit(path, branch.rows.front());
+  return path.unit.empty() ? modulus / stress_of_unit(path, branch.rows.front()) : modulus;
 }
 
 /// Points of the line ln Phi = ln phi + (P - pressure)/B from the start of a branch to its end.

@@ -15,7 +15,8 @@ StateModuli moduli_of(const std::string& file, int axis) {
   return std::visit(
       [&]<int Dim>(const State<Dim>& state) {
         const Moduli m = elastic_moduli(state.packing, ModuliOptions{});
-        StateModuli moduli{file, m.B, m.B_S, state.target_stress.mean(), solid_fraction(state.packing)};
+        const char* unit = state.units != "SI" ? "" : Dim == 2 ? "N/m" : "Pa";
+        StateModuli moduli{file, unit, m.B, m.B_S, state.target_stress.mean(), solid_fraction(state.packing)};
         if (axis >= Dim)
           throw InputError(file, fmt::format("has {} axes: the driven one is the {}th", Dim, axis + 1));
         if (axis < 0) return moduli;
@@ -24,6 +25,16 @@ StateModuli moduli_of(const std::string& file, int axis) {
         return moduli;
       },
       any);
+}
+
+StateModuli in_unit_of(const PathTable& path, StateModuli moduli) {
+  if (path.unit.empty()) return moduli;
+  const double factor = unit_factor(moduli.file, moduli.unit, path.name, path.unit);
+  for (double* stress : {&moduli.B, &moduli.B_S, &moduli.pressure}) *stress *= factor;
+  for (std::optional<double>* stress : {&moduli.M, &moduli.B_uniaxial})
+    if (*stress) **stress *= factor;
+  moduli.unit = path.unit;
+  return moduli;
 }
 
 int driven_axis(const PathTable& path, int row) {

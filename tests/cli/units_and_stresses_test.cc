@@ -81,6 +81,52 @@ TEST(UnitsOfTables, AreConvertedOrRefusedWhereTablesArePooled) {
   fmt::print("consolidation and its plot: {} pairs of units converted, {} refused\n", n_pairs, n_refused);
 }
 
+TEST(UnitsOfTables, ModuliOfAStateTakeTheUnitOfTheTable) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.file("grains.csv"))
+      << "x,y,z,radius\n0,0,0,0.5\n0.999,0,0,0.5\n0,0.999,0,0.5\n0.999,0.999,0,0.5\n";
+  const auto convert = [&](const std::string& options) {
+    return run_floc("convert grains.csv --overwrite --law normal.stiffness=1e6 --tolerance 1e9 " + options,
+                    scratch.path());
+  };
+  ASSERT_EQ(convert("solid.h5 --units SI --cell \"1.998,0,0;0,1.998,0;0,0,0.999\"").code, 0);
+  ASSERT_EQ(convert("bare.h5 --cell \"1.998,0,0;0,1.998,0;0,0,0.999\"").code, 0);
+  ASSERT_EQ(convert("disks.h5 --dimension 2 --units SI --cell \"1.998,0;0,1.998\"").code, 0);
+  const auto fit = [&](const std::string& header, double unit, const std::string& state) {
+    std::string table = header + ",phi\n";
+    for (const double P : {2e3, 1.5e3, 1e3, 0.5e3, 0.0})
+      table += fmt::format("{},{}\n", P / unit, 0.5 * std::exp(P / 9e5));
+    return run_floc("fit elastic - --format json --state " + state, scratch.path(), table);
+  };
+  const auto of = [](const Outcome& o, const char* key) {
+    return json::parse(o.out).at(0).at("state").at(key).get<double>();
+  };
+  const Outcome expected = fit("P", 1.0, "solid.h5");
+  ASSERT_EQ(expected.code, 0) << expected.err;
+  // A simple cubic crystal: B = K_N/(3 d).
+  EXPECT_NEAR(of(expected, "B"), 1e6 / (3 * 0.999), 1e-3);
+  for (const auto& [header, unit, state] : {std::tuple{"P [Pa]", 1.0, "solid.h5"},
+                                            {"P [kPa]", 1e3, "solid.h5"},
+                                            {"P (MPa)", 1e6, "solid.h5"},
+                                            {"P_star [bar]", 1e5, "solid.h5"},
+                                            {"P [kN/m]", 1e3, "disks.h5"}}) {
+    const Outcome o = fit(header, unit, state), bare = fit("P", 1.0, state);
+    ASSERT_EQ(o.code, 0) << header << ": " << o.err;
+    for (const char* key : {"B", "B_S", "P"})
+      EXPECT_NEAR(of(o, key) * unit / of(bare, key), 1.0, 1e-12) << header << ", " << key;
+    EXPECT_NEAR(of(o, "rms"), of(bare, "rms"), 1e-12) << header;
+  }
+  for (const auto& [header, state] : {std::pair{"P [kPa]", "disks.h5"},
+                                      {"P [N/m]", "solid.h5"},
+                                      {"P [kPa]", "bare.h5"},
+                                      {"P [turnips]", "solid.h5"}}) {
+    const Outcome o = fit(header, 1.0, state);
+    EXPECT_EQ(o.code, 4) << header;
+    EXPECT_THAT(o.err, HasSubstr(std::string(state) + ": has ")) << header;
+    EXPECT_THAT(o.err, HasSubstr("expected units of one kind")) << header;
+  }
+}
+
 TEST(UnitsOfTables, OfColumnsOfOneTableAreMadeTheSame) {
   const ScratchDirectory scratch;
   const auto samples = [&](const std::string& sc, double of_sc, const std::string& se, double of_se) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -86,6 +87,7 @@ class DensityColumns {
       phi_ = share_column(find_column(table, columns, "phi"));
   }
 
+  bool has_void_ratios_alone() const { return !phi_; }
   double phi(int row) const {
     if (!phi_) return solid_fraction_of(table_.place(row), number(row, *void_ratio_), true);
     const double phi = solid_fraction_of(table_.place(row), number(row, *phi_), false);
@@ -133,6 +135,18 @@ void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
     throw InputError(place(fault->row),
                      fmt::format("{} = {}: expected {}", pressure,
                                  rows[static_cast<std::size_t>(fault->row)].P_star, fault->expected));
+}
+
+/// Doubts void ratios that are so large throughout that they may be percentages.
+void doubt_percent(PathTable& path) {
+  constexpr double kLoosest = 10.0;  // void ratio; that of the loosest soils is 5
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const PathRow& row : path.rows) smallest = std::min(smallest, 1.0 / row.phi - 1.0);
+  if (path.rows.empty() || smallest < kLoosest) return;
+  path.doubts.push_back(
+      fmt::format("the void ratio is {:.4g} and more in every row: is it in percent? A header such as "
+                  "\"e [%]\" says so",
+                  smallest));
 }
 
 /// How the rows of a table of `floc run` are loaded, and the factor from their mean stress to the driven one.
@@ -288,6 +302,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
     if (P < 0) throw InputError(table.place(i), fmt::format("{} = {}: expected a pressure >= 0", name, P));
     path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P, density.phi(i), load, driven_over_mean});
   }
+  if (density.has_void_ratios_alone()) doubt_percent(path);
   if (!path.stress.empty())
     path.notes.push_back(fmt::format("P* of oedometric rows is computed from the {} stress", path.stress));
   require_path(path.rows, name, [&table](int row) { return table.place(row); });
@@ -303,6 +318,7 @@ void convert_pressures(const PathTable& to, PathTable& path) {
 
 void log_notes(const PathTable& path) {
   for (const std::string& note : path.notes) spdlog::info("{}: {}", path.name, note);
+  for (const std::string& doubt : path.doubts) spdlog::warn("{}: warning: {}", path.name, doubt);
 }
 
 PathTable path_of_arrays(const PathArrays& arrays) {

@@ -45,7 +45,8 @@ struct PathTable {
   std::string unit;  ///< of the pressures; empty if the header has none
   CsvTable table;
   std::string stress = {};  ///< that of oedometric rows, "driven" or "mean"; empty without such rows
-  std::vector<std::string> notes = {};  ///< what was done to the pressures, for stderr
+  std::vector<std::string> notes = {};   ///< what was done to the pressures, for stderr
+  std::vector<std::string> doubts = {};  ///< of values that may be meant otherwise
 
   /// `stress` as a table has it.
   TableValue stress_of_rows() const { return or_undefined(stress); }
@@ -67,7 +68,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
 /// @throws InputError where only one has a unit, or the units cannot be converted
 void convert_pressures(const PathTable& to, PathTable& path);
 
-/// Says on stderr what was done to the pressures of a path.
+/// Says on stderr what was done to the pressures of a path, and warns of what is in doubt.
 void log_notes(const PathTable& path);
 
 /// A path as arrays.

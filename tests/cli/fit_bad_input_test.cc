@@ -10,6 +10,7 @@ namespace floc::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 struct BadTable {
   const char* what;
@@ -81,6 +82,16 @@ TEST(FitConsolidation, BadMapsAreNamed) {
   const Outcome absent = run_floc("fit consolidation - --columns P_star=q", ".", table);
   EXPECT_EQ(absent.code, 4);
   EXPECT_THAT(absent.err, HasSubstr("has no column \"q\"; its columns are p, phi"));
+}
+
+TEST(FitConsolidation, VoidRatiosThatMayBeInPercentAreDoubted) {
+  std::string bare = "P_star,void_ratio\n", named = "P_star,void_ratio [%]\n";
+  for (const auto& [P, e] : {std::pair{8, 105.0}, {16, 98.8}, {32, 92.5}, {64, 86.3}, {128, 80.0}, {256, 73.8}})
+    for (std::string* table : {&bare, &named}) *table += fmt::format("{},{}\n", P, e);
+  const Outcome doubted = run_floc("fit consolidation - --law log", ".", bare);
+  EXPECT_EQ(doubted.code, 0);
+  EXPECT_THAT(doubted.err, HasSubstr("the void ratio is 73.8 and more in every row: is it in percent?"));
+  EXPECT_THAT(run_floc("fit consolidation - --law log", ".", named).err, Not(HasSubstr("percent")));
 }
 
 TEST(FitElastic, BadTablesAreRefused) {

@@ -9,6 +9,7 @@
 
 #include "floc/fitting/consolidation_bootstrap.h"
 #include "floc/fitting/law_estimate.h"
+#include "floc/fitting/line_fit.h"
 
 namespace floc {
 namespace {
@@ -235,6 +236,30 @@ void check_independence(const LawEstimate& estimate, ConsolidationFit& fit) {
       correlation));
 }
 
+/// A plateau that falls is the recompression of a soil: the pressure sought is then where its line meets that of
+/// regime II, while P0* is where its mean does.
+void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit) {
+  constexpr double kLevel = 0.1;  // of lambda
+  constexpr double kSignificant = 3.0;
+  const LawPoints& plateau = estimate.plateau;
+  if (estimate.law == Law::power || plateau.size() < 3) return;
+  Eigen::MatrixXd columns(plateau.size(), 2);
+  columns << Eigen::VectorXd::Ones(plateau.size()), -plateau.log_P;
+  const LinearFit line = fit_linear(columns, plateau.y);
+  const double slope = line.coefficients[1], lambda = std::exp(estimate.solution.theta[0]);
+  if (!(slope > kLevel * lambda && slope < lambda)) return;
+  if (slope < kSignificant * std::sqrt(line.covariance(1, 1))) return;
+  const double first = std::log(fit.window_low);
+  const double log_P =
+      (law_value(estimate.law, estimate.solution.theta, first, first) + lambda * first - line.coefficients[0]) /
+      (lambda - slope);
+  fit.warnings.push_back(
+      fmt::format("the plateau of regime I is not level: 1/Phi falls by {:.2g} for each unit of ln P* there, "
+                  "{:.0f} % of lambda; the lines of "
+                  "the two regimes meet at P* = {:.4g}",
+                  slope, 100.0 * slope / lambda, std::exp(log_P)));
+}
+
 /// lambda of the same law on windows moved by one row.
 void shift_window(const LawEstimate& estimate, const LawPoints& all, const Window& window,
                   ConsolidationFit& fit) {
@@ -374,6 +399,7 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
   else
     add_parameters(reported, covariance, curve.phi[fit.used.back()], fit);
   if (!fit.errors_from_samples) check_independence(reported, fit);
+  check_plateau(reported, fit);
   shift_window(reported, all, window, fit);
   add_bootstrap(reported, samples, options, fit);
   return fit;

@@ -23,6 +23,7 @@ using test::published_pressures;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 ConsolidationOptions on(double low, double high, ConsolidationLaw law = ConsolidationLaw::full) {
   ConsolidationOptions options;
@@ -63,6 +64,24 @@ TEST(ConsolidationLaw, TendsToRegimeTwoAndRegimeThreeOverTwentyFourDecades) {
     // The next term of the expansion is u/12 relative; 1e-12 is the rounding of pow() at these arguments.
     EXPECT_NEAR(beyond / (A * std::pow(P, -law.alpha)), 1.0, u / 12 * 1.01 + 1e-12) << k;
   }
+}
+
+/// A natural clay of two lines, 0.035 and 0.22, that meet at 170.
+TEST(Consolidation, WarnsOfAPlateauThatFallsAndNamesWhereTheLinesMeet) {
+  const auto warnings_with = [](double slope) {
+    ConsolidationCurve curve;
+    for (int k = 0; k < 10; ++k) {
+      const double P = 6.0 * std::pow(2.0, k);
+      curve.P_star.push_back(P);
+      curve.phi.push_back(1.0 / (2.3 - (P < 170.0 ? slope : 0.22) * std::log(P / 170.0)));
+    }
+    return fit_consolidation(curve, {}).warnings;
+  };
+  EXPECT_THAT(
+      warnings_with(0.035),
+      Contains(HasSubstr("1/Phi falls by 0.035 for each unit of ln P* there, 16 % of lambda; the lines of "
+                         "the two regimes meet at P* = 170")));
+  EXPECT_THAT(warnings_with(0.01), Not(Contains(HasSubstr("not level"))));
 }
 
 TEST(ConsolidationLaw, IsSmoothWhereItsFormsMeet) {

@@ -348,17 +348,18 @@ class Test:
         for shown, row in zip(found.groups(), rows):
             self.number(shown, row["value"], "P_c of " + row["sample"])
 
-    def lammps(self):
-        shown = self.claim_block("lammps.h5: 60 grains in 2D")
-        command = self.docs.block("floc convert data/packings/lammps/disks.dump")
-        done = self.shell(command.replace("lammps.h5 \\", "lammps.h5 --overwrite \\"))
-        said = done.stderr + done.stdout
-        for line in shown.strip().split("\n"):
-            if line in said:
-                continue
-            close = [other for other in said.split("\n") if self.same_numbers(line, other, 1e-13)]
-            if not close:
-                self.fault(f"LAMMPS: no line {line!r} in\n{said}")
+    def conversions(self):
+        """What the tutorial on packings of other programs shows."""
+        for part, begin in (("lammps.h5: 60 grains in 2D", "floc convert data/packings/lammps/disks.dump"),
+                            ("yade.h5: 40 grains in 3D", "floc convert data/packings/yade/spheres.txt"),
+                            ("crystal.h5: 4 grains in 2D", "floc convert grains.csv")):
+            shown = self.claim_block(part)
+            done = self.shell(re.sub(r"(floc convert \S+ \S+)", r"\1 --overwrite", self.docs.block(begin)))
+            said = done.stderr + done.stdout
+            for line in shown.strip().split("\n"):
+                close = [other for other in said.split("\n") if self.same_numbers(line, other, 1e-13)]
+                if line not in said and not close:
+                    self.fault(f"{begin}: no line {line!r} in\n{said}")
 
     @staticmethod
     def same_numbers(a, b, tolerance):
@@ -759,7 +760,7 @@ class Test:
             else:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
-                              self.preconsolidation, self.lammps, self.python, self.python_package, self.spheres,
+                              self.preconsolidation, self.conversions, self.python, self.python_package, self.spheres,
                               self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants,
                               self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads,
                               self.lattice, self.tradeoff):

@@ -53,10 +53,10 @@ convert {state} out.data
 convert out.vtu from-vtu.h5 --law normal.stiffness=1000 --overwrite
 convert out.xyz from-xyz.h5 --law normal.stiffness=1000 --overwrite
 convert out.data from-data.h5 --law normal.stiffness=1000 --overwrite
-lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load compression --stress s.csv --forces f.csv
-lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load tension --moduli
-lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load shear --boundary uniform-strain --phases p.svg
-lattice {state} --matrix 0.05 --stiffness grain=100,matrix=1 --load tension --strength grain=10,matrix=1 --curve c.csv --cracks c.svg --yes
+lattice {state} --matrix 0.05 --per-diameter 5 --stiffness grain=100,matrix=1 --load compression --stress s.csv --forces f.csv
+lattice {state} --matrix 0.05 --per-diameter 5 --stiffness grain=100,matrix=1 --load tension --moduli
+lattice {state} --matrix 0.05 --per-diameter 5 --stiffness grain=100,matrix=1 --load shear --boundary uniform-strain --phases p.svg
+lattice {state} --matrix 0.05 --per-diameter 5 --stiffness grain=100,matrix=1 --load tension --strength grain=10,matrix=1 --curve c.csv --cracks c.svg --yes
 draw {state} -o forces.svg
 draw {state} -o forces.png --forces particle-pressure --width 200
 draw {state} -o forces.pdf --forces phases
@@ -118,7 +118,12 @@ class Sweep:
     def __init__(self, program, source, root, only):
         self.program, self.source, self.root, self.only = program, source, root, only
         self.done, self.refused = collections.Counter(), collections.Counter()
-        self.faults, self.names = [], []
+        self.n_faults, self.names = 0, []
+
+    def fault(self, words):
+        """Told at once: the sweep takes minutes."""
+        self.n_faults += 1
+        print(f"FAULT {words}", flush=True)
 
     def floc(self, what, command, directory):
         """@return whether it succeeded"""
@@ -126,19 +131,19 @@ class Sweep:
         try:
             done = subprocess.run([self.program, *arguments], capture_output=True, cwd=directory, timeout=TIMEOUT)
         except subprocess.TimeoutExpired:
-            self.faults.append(f"{what}: floc {command}: takes more than {TIMEOUT} s")
+            self.fault(f"{what}: floc {command}: takes more than {TIMEOUT} s")
             return False
         words = done.stderr.decode(errors="replace")
         if done.returncode not in EXIT_CODES or any(report in words for report in REPORTS):
-            self.faults.append(f"{what}: floc {command}: exit code {done.returncode}: {words[-3000:]}")
+            self.fault(f"{what}: floc {command}: exit code {done.returncode}: {words[-3000:]}")
         elif done.returncode and not words.strip():
-            self.faults.append(f"{what}: floc {command}: exit code {done.returncode} without a word")
+            self.fault(f"{what}: floc {command}: exit code {done.returncode} without a word")
         return done.returncode == 0
 
     def analyse(self, kind, directory, run):
         states = sorted((directory / run).glob("state-*.h5"))
         if not states:
-            self.faults.append(f"{kind}: no state")
+            self.fault(f"{kind}: no state")
             return
         for command in COMMANDS:
             if self.floc(kind, command.format(state=states[-1], first=states[0], run=run), directory):
@@ -159,14 +164,14 @@ class Sweep:
             self.floc(kind, "run scene.toml -o run", directory)
             self.analyse(kind, directory, "run")
             if not self.done[kind]:
-                self.faults.append(f"{kind}: no command succeeded")
+                self.fault(f"{kind}: no command succeeded")
             tracked = text.replace("[equilibrium]", '[equilibrium]\nfinish = "dynamic"')
             (directory / "tracked.toml").write_text(tracked)
             self.floc(kind, "run tracked.toml -o tracked --track-energy --until 1", directory)
             n += 1
         for command in COMMANDS:
             if n and not self.only and not self.done[command]:
-                self.faults.append(f"floc {command}: succeeded with no kind of state")
+                self.fault(f"floc {command}: succeeded with no kind of state")
         return n
 
     def shipped(self):
@@ -206,9 +211,7 @@ def main():
     print(f"kinds of states: {n_kinds} ({', '.join(sweep.names[:n_kinds])}); commands on each: {len(COMMANDS)}, "
           f"{sum(sweep.done[c] for c in COMMANDS)} done, {sum(sweep.refused.values())} refused in words")
     print(f"shipped scenes of few grains: {n_shipped} run; commands without a state: {n_alone} done")
-    for fault in sweep.faults:
-        print(f"FAULT {fault}")
-    if sweep.faults:
+    if sweep.n_faults:
         return 1
     return 0 if sweep.names else NOTHING_SELECTED
 

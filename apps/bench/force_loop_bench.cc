@@ -87,7 +87,8 @@ void force_loop(benchmark::State& state) {
 void passes(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
   const AnyContactLaw law = compose_law(packing.law);
-  const void* const composed = std::visit([](const auto& l) { return static_cast<const void*>(&l); }, law);
+  const AnyKernelLaw<2> in_kernel = kernel_law<2>(law, Partner::grain);
+  const void* const composed = address_of_alternative(in_kernel);
   GrainArrays<2> grains(packing.grains, space_order(packing.cell, packing.grains));
   const auto x_list = grains.x;
   Grains<2> ordered = Grains<2>::with_size(grains.size());
@@ -98,7 +99,7 @@ void passes(benchmark::State& state) {
   };
   PairArrays<2> pairs = new_pairs();
   const StepKernels<2>& kernels =
-      step_kernels<2>(widest_instruction_set(), LatticeShape::rectangular, law.index());
+      step_kernels<2>(widest_instruction_set(), LatticeShape::rectangular, in_kernel.index());
   const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
   const GrainView<2> g = grains.view(x_list, inverse_skin_squared);
   const int n_blocks = (grains.size() + kGrainBlock - 1) / kGrainBlock;

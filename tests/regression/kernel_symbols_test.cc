@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "support/places.h"
 #include "support/scratch_directory.h"
@@ -10,17 +11,24 @@
 namespace floc::test {
 namespace {
 
+/// Lines of nm for the library of the relaxation.
+std::vector<std::string> symbols(const std::string& options) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.file("symbols");
+  const std::string command = "nm " + options + " '" + relaxation_library() + "' >'" + file + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
 // A function that several translation units define inline is kept once by the linker, from any of them: were it
 // kept from one that was compiled for AVX-512, programs would end on processors without.
 TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
-  const ScratchDirectory scratch;
-  const std::string symbols = scratch.file("symbols");
-  const std::string command = "nm --defined-only '" + relaxation_library() + "' >'" + symbols + "'";
-  ASSERT_EQ(std::system(command.c_str()), 0);
-  std::ifstream lines(symbols);
   int n_own = 0;
   bool of_wide_kernels = false;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : symbols("--defined-only")) {
     if (line.ends_with(".o:")) of_wide_kernels = line.starts_with("step_kernels_avx");
     if (!of_wide_kernels || line.size() < 20) continue;
     const char kind = line[17];  // address, blank, kind, blank, name
@@ -29,6 +37,20 @@ TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
     ++n_own;
   }
   EXPECT_GT(n_own, 0);
+}
+
+// Pair kernels are most of the text of the force loop, and most of the time that it takes to compile.
+TEST(PairKernels, AreFewAndOfCompositionsThatRun) {
+  int n_kernels = 0;
+  for (const std::string& line : symbols("--defined-only --demangle")) {
+    const auto holds = [&](const char* word) { return line.find(word) != std::string::npos; };
+    if (!holds("floc::PairKernel<") || !holds("::compute(")) continue;
+    ++n_kernels;
+    EXPECT_FALSE(holds("floc::Walls") && holds("CapillaryAdhesion")) << line;
+    EXPECT_FALSE(holds(", 2, ") && holds("TwistingSpring")) << line;
+  }
+  EXPECT_GT(n_kernels, 0);
+  EXPECT_LE(n_kernels, 200);
 }
 
 }  // namespace

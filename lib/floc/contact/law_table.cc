@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "floc/contact/neutral.h"
+
 namespace floc {
 namespace {
 
@@ -19,7 +21,7 @@ LawParameters acting(LawParameters law) {
     law.rolling.reset();
     law.twisting.reset();
   }
-  if (law.twisting && !law.rolling) law.rolling = RollingSpring{0.0, 1.0};  // any stiffness: the cap is zero
+  if (law.twisting && !law.rolling) law.rolling = kNeutral<RollingSpring>;
   if (law.adhesion.holds<TailAdhesion>() && law.range() == 0.0)
     law.adhesion = ConstantAdhesion{law.pull_off_force()};
   return law;
@@ -46,9 +48,9 @@ AnyContactLaw compose_with_friction(const LawParameters& parameters) {
   LawParameters law = acting(parameters);
   if (!law.friction) {
     if (law.normal.holds<HertzRepulsion>())
-      law.friction = MindlinFriction{0.0};
+      law.friction = kNeutral<MindlinFriction>;
     else
-      law.friction = CoulombFriction{0.0, 1.0};  // any stiffness: the cap is zero
+      law.friction = kNeutral<CoulombFriction>;
   }
   return composed(law);
 }

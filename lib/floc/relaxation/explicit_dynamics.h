@@ -18,8 +18,8 @@ namespace floc {
 /// See Dynamics. What acts on grains is a list of interactions, each with pairs, a law and a kernel of its own;
 /// their rows are summed together. Grains are owned by blocks: a block computes the pairs whose first grain it
 /// owns, then, once all rows that it reads are written (SweepPlan), sums and integrates its grains. Sums over the packing are made block
-/// by block in order. The code that visits every grain or pair is in kernels/, compiled for each law and
-/// instruction set.
+/// by block in order. The code that visits every grain or pair is in kernels/, compiled for each kernel law
+/// and instruction set.
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:

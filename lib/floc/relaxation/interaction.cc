@@ -5,13 +5,6 @@
 #include <variant>
 
 namespace floc {
-namespace {
-
-bool rotates(const AnyContactLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return Law::kHasFriction; }, law);
-}
-
-}  // namespace
 
 template <int Dim>
 Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law,
@@ -21,8 +14,9 @@ Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, 
       rows_(rows),
       range_(parameters.range()),
       swap_parity_(swap_parity<Dim>(parameters)),
-      kernels_(step_kernels<Dim>(instructions, shape, law_.index())),
-      composed_law_(std::visit([](const auto& composed) { return static_cast<const void*>(&composed); }, law_)),
+      kernel_law_(kernel_law<Dim>(law, partner)),
+      kernels_(step_kernels<Dim>(instructions, shape, kernel_law_.index())),
+      law_of_kernel_(address_of_alternative(kernel_law_)),
       arrays_(pairs_.view()) {}
 
 template <int Dim>
@@ -38,7 +32,7 @@ template <int Dim>
 void Interaction<Dim>::compute(const PairView<Dim>& pairs, int first, int last, const GrainView<Dim>& grains,
                                const PairCell<Dim>& cell) const {
   const auto kernel = partner_ == Partner::wall ? kernels_.compute_wall_pairs : kernels_.compute_pairs;
-  kernel(composed_law_, grains, pairs, pairs_.first_of_block(first), pairs_.first_of_block(last), cell);
+  kernel(law_of_kernel_, grains, pairs, pairs_.first_of_block(first), pairs_.first_of_block(last), cell);
 }
 
 template <int Dim>
@@ -59,15 +53,16 @@ ContactMemory<Dim> Interaction<Dim>::memory(int pair, bool swapped) const {
 std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters) {
   std::vector<AnyContactLaw> laws;
   for (const LawParameters& p : parameters) laws.push_back(compose_law(p));
-  if (std::any_of(laws.begin(), laws.end(), rotates))
+  if (std::any_of(laws.begin(), laws.end(), kernel_rotates))
     for (std::size_t k = 0; k < laws.size(); ++k)
-      if (!rotates(laws[k])) laws[k] = compose_with_friction(parameters[k]);
+      if (!kernel_rotates(laws[k])) laws[k] = compose_with_friction(parameters[k]);
   return laws;
 }
 
 template <int Dim>
 RowKind row_kind(const AnyContactLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return kRowKind<Law, Dim>; }, law);
+  return std::visit([]<class Law>(const Law&) { return kRowKind<Law, Dim>; },
+                    kernel_law<Dim>(law, Partner::grain));
 }
 
 template class Interaction<2>;

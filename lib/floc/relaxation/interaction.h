@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "floc/relaxation/kernels/kernel_law.h"
 #include "floc/relaxation/pair_arrays.h"
 
 namespace floc {
@@ -15,7 +16,7 @@ class Interaction {
   /// @param rows  that all interactions of the packing write: those of the law between grains
   Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law, RowKind rows,
               InstructionSet instructions, LatticeShape shape);
-  Interaction(Interaction&&) = delete;  // the kernel is given the address of the law
+  Interaction(Interaction&&) = delete;  // the kernel is given the address of its law
 
   Partner partner() const { return partner_; }
   const AnyContactLaw& law() const { return law_; }
@@ -58,8 +59,9 @@ class Interaction {
   RowKind rows_;
   double range_;
   ContactMemory<Dim> swap_parity_;
+  AnyKernelLaw<Dim> kernel_law_;
   const StepKernels<Dim>& kernels_;
-  const void* composed_law_;  ///< the alternative in law_
+  const void* law_of_kernel_;  ///< the alternative in kernel_law_
   PairArrays<Dim> pairs_;
   PairView<Dim> arrays_;
 };

@@ -11,12 +11,10 @@
 #include "floc/contact/memory_layout.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/relaxation/grain_arrays.h"
+#include "floc/relaxation/kernels/kernel_law.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
 namespace floc {
-
-/// What a list pairs grains with.
-enum class Partner { grain, wall };
 
 /// Dashpot coefficient to use where the force lags by kDashpotLag steps. The lag makes a dashpot damp more than
 /// its coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this

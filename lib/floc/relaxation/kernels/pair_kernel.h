@@ -6,6 +6,7 @@
 
 #include "floc/contact/contact_law.h"
 #include "floc/geometry/frame_turn.h"
+#include "floc/relaxation/kernels/kernel_law.h"
 #include "floc/relaxation/kernels/pack.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
@@ -22,9 +23,9 @@ struct Walls {
   static constexpr bool kWall = true, kTriangular = false;
 };
 
-/// The pass over the pairs of a block. Like all code of the kernels a template on the instruction set, which calls
-/// no inline function that is not.
-template <class Isa, int Dim, class Partner, class Law>
+/// The pass over the pairs of a block, for a kernel law (kernel_law.h). Like all code of the kernels a template on
+/// the instruction set, which calls no inline function that is not.
+template <class Isa, int Dim, class Second, class Law>
 struct PairKernel {
   static constexpr bool kRotates = Law::kHasFriction;
   using P = Pack<Isa>;
@@ -37,7 +38,8 @@ struct PairKernel {
     // Copies that no store of the loop can alias.
     const Law law = *static_cast<const Law*>(any_law);
     const GrainView<Dim> grains = grains_given;
-    const PairView<Dim> pairs = pairs_given;
+    Unremembered unremembered;
+    const Pairs pairs(pairs_given, unremembered);
     const PairCell<Dim> cell = cell_given;
     // The geometry of the next pack is found beside the forces of the present one: each is a long chain of
     // operations, most of which wait for the one before, and the processor does not see far enough ahead.
@@ -55,6 +57,46 @@ struct PairKernel {
   struct NoTurn {};
   using Turn = std::conditional_t<kTurns, FrameTurn<P>, NoTurn>;
 
+  /// Whether the law of the scene may remember less than the kernel law, dashpot forces aside.
+  static constexpr bool kMayLackMemory = !kHasSpecialKernels<typename Law::NormalModel>;
+  static constexpr int kMemorySize = Law::template kMemorySize<Dim>;
+
+  /// A place for one pack of whatever the law of the scene does not remember. It is zero, and models that can do
+  /// nothing leave it so.
+  struct Unremembered {
+    alignas(64) double viscous[P::kWidth] = {};
+    alignas(64) double memory[kMayLackMemory ? MemoryLayout<Dim>::kSize : 1][P::kWidth] = {};
+  };
+
+  /// The pairs, with a place for everything that the kernel law remembers.
+  struct Pairs : PairView<Dim> {
+    /// -1 where every pair has a place of its own; 0 where all packs share one. They are as wide as addresses: with
+    /// an int, disks with friction took a tenth longer (GCC 12).
+    std::ptrdiff_t own_memory[kMayLackMemory ? MemoryLayout<Dim>::kSize : 1];
+    std::ptrdiff_t own_viscous = -1;
+
+    Pairs(const PairView<Dim>& view, Unremembered& unremembered) : PairView<Dim>(view) {
+      if (this->viscous == nullptr) {
+        this->viscous = unremembered.viscous;
+        own_viscous = 0;
+      }
+      if constexpr (kMayLackMemory) {
+        for (int k = 0; k < MemoryLayout<Dim>::kSize; ++k) {
+          own_memory[k] = this->memory[k] == nullptr ? 0 : -1;
+          if (own_memory[k] == 0) this->memory[k] = unremembered.memory[k];
+        }
+      }
+    }
+    double* viscous_of(int p) const { return this->viscous + (p & own_viscous); }
+    /// @param k  of the packed memory
+    template <int k>
+    double* memory_of(int p) const {
+      constexpr int place = memory_place<Law, Dim>(k);
+      if constexpr (kMayLackMemory) return this->memory[place] + (p & own_memory[place]);
+      return this->memory[place] + p;
+    }
+  };
+
   /// Geometry and relative motion of one pack of pairs.
   struct PairKinematics {
     V n;
@@ -71,7 +113,7 @@ struct PairKernel {
 
   static PairKinematics kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
                                    const PairCell<Dim>& cell) {
-    if constexpr (Partner::kWall)
+    if constexpr (Second::kWall)
       return wall_kinematics(grains, pairs, p, cell);
     else
       return pair_kinematics(grains, pairs, p, cell);
@@ -101,12 +143,12 @@ struct PairKernel {
     V r, affine;
     for (int a = 0; a < Dim; ++a) {
       r[a] = (j.x[a] - i.x[a]) + P::load(pairs.image[a] + p) * P(cell.lattice[a][a]);
-      if constexpr (Partner::kTriangular)
+      if constexpr (Second::kTriangular)
         for (int b = a + 1; b < Dim; ++b) r[a] += P::load(pairs.image[b] + p) * P(cell.lattice[a][b]);
     }
     for (int a = 0; a < Dim; ++a) {
       affine[a] = P(cell.strain_rate[a][a]) * r[a];
-      if constexpr (Partner::kTriangular)
+      if constexpr (Second::kTriangular)
         for (int b = a + 1; b < Dim; ++b) affine[a] += P(cell.strain_rate[a][b]) * r[b];
     }
     const P squared = r.squaredNorm();
@@ -195,21 +237,22 @@ struct PairKernel {
     }
   }
 
-  static void respond(const Law& law, const PairKinematics& a, const PairView<Dim>& pairs, int p) {
+  static void respond(const Law& law, const PairKinematics& a, const Pairs& pairs, int p) {
     ContactMotion<Dim, P> motion = a.motion;
     if constexpr (Law::kHasDamping) motion.damping = number(pairs.damping, pairs, p);
-    PackedMemory<Law::template kMemorySize<Dim>, P> memory;
-    load(pairs, p, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
-    if constexpr (kTurns)
-      turn(a.turn, memory, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
+    PackedMemory<kMemorySize, P> memory;
+    load(pairs, p, memory, std::make_integer_sequence<int, kMemorySize>());
+    if constexpr (kTurns) turn(a.turn, memory, std::make_integer_sequence<int, kMemorySize>());
     typename Law::template PairParameters<P> parameters;
     if constexpr (Law::kHoldsLiquid)
       parameters = {P::load(pairs.strength + p), P::load(pairs.decay + p), P::load(pairs.reach + p)};
     const ContactForces<Dim, P> f = law.respond(motion, memory, parameters);
-    store(memory, pairs, p, std::make_integer_sequence<int, Law::template kMemorySize<Dim>>());
+    store(memory, pairs, p, std::make_integer_sequence<int, kMemorySize>());
 
     V on_j = f.normal.force() * a.n;
-    if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous + p) * a.n;
+    // For a law without damping a force of zero is added. The sign of a component of zero, which may change by it, is
+    // lost in the sums of the rows.
+    if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous_of(p)) * a.n;
     Moments moments;
     if constexpr (kRotates) {
       const V shear = from_shear<P>(a.n, f.shear);
@@ -219,7 +262,7 @@ struct PairKernel {
       if constexpr (Law::kHasTwisting) moments.of_springs += f.twisting * a.n;
     }
     // Rows with a wall are of the kind that grains write between them.
-    if constexpr (Partner::kWall && kTurns) {
+    if constexpr (Second::kWall && kTurns) {
       if (pairs.rows == RowKind::levers)
         store_row<RowKind::levers>(a, on_j, moments, pairs, p);
       else
@@ -240,7 +283,7 @@ struct PairKernel {
     P row[Layout::kSize];
     for (P& number : row) number = P(0.0);
     for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
-    if constexpr (kKind == RowKind::levers && Partner::kWall) {
+    if constexpr (kKind == RowKind::levers && Second::kWall) {
       // The wall's moment is not summed: springs, too, are a moment of a unit arm.
       row[Layout::kArmI] = P(1.0);
       for (int b = 0; b < kRotations<Dim>; ++b)
@@ -273,14 +316,14 @@ struct PairKernel {
   }
 
   template <class Memory, int... k>
-  static void load(const PairView<Dim>& pairs, [[maybe_unused]] int p, Memory& memory,
+  static void load(const Pairs& pairs, [[maybe_unused]] int p, Memory& memory,
                    std::integer_sequence<int, k...>) {
-    ((memory.value[k] = P::load(pairs.memory[memory_place<Law, Dim>(k)] + p)), ...);
+    ((memory.value[k] = P::load(pairs.template memory_of<k>(p))), ...);
   }
   template <class Memory, int... k>
-  static void store(const Memory& memory, const PairView<Dim>& pairs, [[maybe_unused]] int p,
+  static void store(const Memory& memory, const Pairs& pairs, [[maybe_unused]] int p,
                     std::integer_sequence<int, k...>) {
-    (memory.value[k].store(pairs.memory[memory_place<Law, Dim>(k)] + p), ...);
+    (memory.value[k].store(pairs.template memory_of<k>(p)), ...);
   }
 
   /// Dashpot forces in this step, given their present values and those of the step before, which they replace.

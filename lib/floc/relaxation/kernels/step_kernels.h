@@ -189,7 +189,7 @@ struct PairCell {
   WallView<Dim> walls;           ///< null without walls
 };
 
-/// The passes of a time step, for one law and one instruction set.
+/// The passes of a time step, for one kernel law (kernel_law.h) and one instruction set.
 template <int Dim>
 struct StepKernels {
   /// @param stands  of the rotation: where it is in the middle of this step, it stays as it is
@@ -198,10 +198,10 @@ struct StepKernels {
   /// Square of the largest displacement since the list was built, in skins of the grain.
   /// @param list_stretch  deformation since then
   double (*motion_squared)(const GrainView<Dim>&, int first_grain, const double (&list_stretch)[Dim][Dim]);
-  /// Rows and springs of the pairs [first, last). @param law  the composed law, of the alternative chosen
+  /// Rows and springs of the pairs [first, last). @param law  the kernel law, of the alternative chosen
   void (*compute_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                         const PairCell<Dim>&);
-  /// The same for pairs of grains with walls.
+  /// The same for pairs of grains with walls; null under a kernel law of other pairs alone.
   void (*compute_wall_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                              const PairCell<Dim>&);
   /// @param to  where to leave the rotation; at the end of the step it leaves the torques, too
@@ -212,7 +212,7 @@ struct StepKernels {
 /// Which lattices a kernel is for; chosen once per run: the general one slows laws without friction by a tenth.
 enum class LatticeShape { rectangular, triangular };
 
-/// The kernels of alternative `law_index` of AnyContactLaw.
+/// The kernels of alternative `law_index` of AnyKernelLaw.
 /// @pre supported(set)
 template <int Dim>
 const StepKernels<Dim>& step_kernels(InstructionSet set, LatticeShape shape, std::size_t law_index);

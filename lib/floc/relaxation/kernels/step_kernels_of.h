@@ -8,25 +8,24 @@
 
 namespace floc {
 
-/// The kernels of every alternative of the law table, in its order.
-template <class Isa, int Dim, LatticeShape kShape, class Laws>
+/// The kernels of every kernel law, in the order of AnyKernelLaw.
+template <class Isa, int Dim, LatticeShape kShape, class KernelLaws>
 struct StepKernelTable;
 template <class Isa, int Dim, LatticeShape kShape, class... Law>
 struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
-  using Grains = std::conditional_t<kShape == LatticeShape::triangular, GrainsInTriangularLattice,
-                                    GrainsInRectangularLattice>;
-  /// No kernels of a law for another dimension.
+  static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   template <class L>
   static constexpr StepKernels<Dim> kernels_of() {
-    if constexpr (L::kDimension != 0 && L::kDimension != Dim) {
-      return {};
-    } else {
-      // What rows hold makes no difference to the drift.
-      using Drift = GrainKernels<Isa, Dim, kShape, L::kHasFriction ? RowKind::moments : RowKind::forces>;
-      using Sums = GrainKernels<Isa, Dim, kShape, kRowKind<L, Dim>>;
-      return {&Drift::kick_and_drift, &Drift::motion_squared, &PairKernel<Isa, Dim, Grains, L>::compute,
-              &PairKernel<Isa, Dim, Walls, L>::compute, &Sums::sum_and_kick};
-    }
+    // The kernel for triangular lattices serves rectangular ones, too.
+    using Grains = std::conditional_t<kTriangular || !kHasSpecialKernels<typename L::NormalModel>,
+                                      GrainsInTriangularLattice, GrainsInRectangularLattice>;
+    // What rows hold makes no difference to the drift.
+    using Drift = GrainKernels<Isa, Dim, kShape, L::kHasFriction ? RowKind::moments : RowKind::forces>;
+    using Sums = GrainKernels<Isa, Dim, kShape, kRowKind<L, Dim>>;
+    StepKernels<Dim> kernels{&Drift::kick_and_drift, &Drift::motion_squared,
+                             &PairKernel<Isa, Dim, Grains, L>::compute, nullptr, &Sums::sum_and_kick};
+    if constexpr (kServesWalls<L, Dim>) kernels.compute_wall_pairs = &PairKernel<Isa, Dim, Walls, L>::compute;
+    return kernels;
   }
   static constexpr StepKernels<Dim> kTable[] = {kernels_of<Law>()...};
 };
@@ -34,8 +33,8 @@ struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
 template <class Isa, int Dim>
 const StepKernels<Dim>* step_kernel_table(LatticeShape shape) {
   return shape == LatticeShape::rectangular
-             ? StepKernelTable<Isa, Dim, LatticeShape::rectangular, AnyContactLaw>::kTable
-             : StepKernelTable<Isa, Dim, LatticeShape::triangular, AnyContactLaw>::kTable;
+             ? StepKernelTable<Isa, Dim, LatticeShape::rectangular, AnyKernelLaw<Dim>>::kTable
+             : StepKernelTable<Isa, Dim, LatticeShape::triangular, AnyKernelLaw<Dim>>::kTable;
 }
 
 }  // namespace floc

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "floc/contact/damping/critical_damping.h"
+#include "floc/contact/damping/viscous_damping.h"
+#include "floc/contact/rolling/rolling_spring.h"
+#include "floc/contact/tangential/coulomb_friction.h"
+#include "floc/contact/tangential/mindlin_friction.h"
+#include "floc/contact/twisting/twisting_spring.h"
+
+namespace floc {
+
+/// A model that can do nothing, for laws that need one in a slot all the same. The cap of its spring is zero, so
+/// that any stiffness would do.
+template <class Model>
+inline constexpr Model kNeutral{};
+template <>
+inline constexpr ViscousDamping kNeutral<ViscousDamping>{1.0};
+template <>
+inline constexpr CriticalDamping kNeutral<CriticalDamping>{0.0};
+template <>
+inline constexpr CoulombFriction kNeutral<CoulombFriction>{0.0, 1.0};
+template <>
+inline constexpr MindlinFriction kNeutral<MindlinFriction>{0.0};
+template <>
+inline constexpr RollingSpring kNeutral<RollingSpring>{0.0, 1.0};
+template <>
+inline constexpr TwistingSpring kNeutral<TwistingSpring>{0.0, 1.0};
+
+}  // namespace floc

@@ -189,7 +189,7 @@ TEST_F(ConvertLists, WithStiffnessesOfAnotherLawAreSaidToHaveThemByConvertModuli
     const char* words;
   } const wrong[] = {{10, 10, "kn of 3 contacts is 10 times what the law gives (grains 0-0: "},
                      {1, 10, "kt of 3 contacts is 10 times what the law gives"},
-                     {2.0 / 3.0, 1, "is N/delta, but the stiffness of Hertz's law is 3/2 N/delta"}};
+                     {2.0 / 3.0, 1, "is N/delta, but the stiffness of the law is 1.5 N/delta"}};
   for (const auto& [kn_factor, kt_factor, words] : wrong) {
     std::filesystem::remove(scratch_.file("s.h5"));
     const Outcome strict = convert_bead(kn_factor, kt_factor, {"--strict"});

@@ -48,7 +48,7 @@ std::string contact_tables(LawParameters law) {
 
 /// A few grains of one size under a pressure at which the mean contact overlaps by some tenth of a radius.
 std::string soft_scene(const LawParameters& law, int dimension) {
-  const double pressure = law.contact_modulus(dimension, 1.0) / (law.stiffness_varies() ? 180.0 : 12.0);
+  const double pressure = law.contact_modulus(dimension, 1.0) / (law.force_exponent() != 1.0 ? 180.0 : 12.0);
   return fmt::format(
       "[scene]\ndimension = {}\nunits = \"reduced\"\n[grains]\ncount = 8\ndiameter = {{distribution = "
       "\"constant\", value = "

@@ -146,6 +146,12 @@ struct ContactLaw {
       return parameters;
   }
 
+  /// Whether the surfaces of a contact touch (NormalResponse::touches).
+  template <int Dim>
+  bool touches(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory) const {
+    return in_touch(pair, normal_memory(memory));
+  }
+
   /// Static normal response. @param memory  of the normal slot; null for a new contact
   /// @param parameters  as they act
   template <class T>
@@ -161,6 +167,7 @@ struct ContactLaw {
       response.elastic = repulsion.force(pair);
       response.stiffness = repulsion.stiffness(pair);
     }
+    response.touches = in_touch(pair, memory);
     if constexpr (requires { repulsion.shear_stiffness(pair); })
       response.shear_stiffness = repulsion.shear_stiffness(pair);
     if constexpr (kHoldsLiquid) {
@@ -203,7 +210,7 @@ struct ContactLaw {
     ContactForces<Dim, T> forces{normal(pair, normal_memory(memory), acting), T(0), Shear<Dim, T>::Zero(),
                                  RotationVector<Dim, T>::Zero()};
     if constexpr (kHasDamping)
-      forces.viscous = lanes::select(pair.gap < T(0),
+      forces.viscous = lanes::select(forces.normal.touches,
                                      T(damping.force(motion.damping, forces.normal, motion.gap_rate)), T(0));
     // A parted contact has no elastic force, so the caps also clear its springs.
     if constexpr (kHasFriction)
@@ -222,7 +229,7 @@ struct ContactLaw {
                              const PairParameters<>& parameters = {}) const {
     const NormalResponse<double> response =
         normal(pair, normal_memory(memory), acting<Dim>(parameters, memory));
-    return pair.gap < 0.0 ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
+    return response.touches ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
   }
 
   /// Stiffnesses of a touching contact of which only the elastic force is known.
@@ -265,6 +272,17 @@ struct ContactLaw {
   }
 
  private:
+  /// Whether the surfaces touch: a law whose surfaces hold together across a gap, or part while they still overlap,
+  /// says so itself.
+  template <class T>
+  typename NormalResponse<T>::Mask in_touch(const PairGeometry<T>& pair,
+                                            [[maybe_unused]] const T* memory) const {
+    if constexpr (requires { repulsion.touches(pair, memory); })
+      return repulsion.touches(pair, memory);
+    else
+      return pair.gap < T(0);
+  }
+
   /// Response when only the elastic force and K_N are known.
   NormalResponse<double> of_stiffness(double elastic, double k_n) const {
     NormalResponse<double> response{elastic, 0.0, k_n};

@@ -1,5 +1,9 @@
 #include "floc/contact/law_description.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "floc/contact/model_traits.h"
 
 namespace floc {
@@ -32,13 +36,7 @@ DeclaredSlot describe(const char* key, const LawSlot<Models...>&) {
   DeclaredSlot slot{key, (kIsAbsent<Models> || ...), {}};
   const auto add = [&]<class Model>(std::type_identity<Model>) {
     if constexpr (!kIsAbsent<Model>) {
-      DeclaredModel model{Model::kKeyword,
-                          kIsDefault<Model>,
-                          !kStiffnessVaries<Model> && !kFollowsNormalStiffness<Model> &&
-                              kDimensionOf<Model> == 0 && !kIsInItsOwnFilesOnly<Model>,
-                          {},
-                          {},
-                          &put<Model>};
+      DeclaredModel model{Model::kKeyword, kIsDefault<Model>, kIsInEveryFile<Model>, {}, {}, &put<Model>};
       describe_fields<Model>(model);
       slot.models.push_back(std::move(model));
     }
@@ -67,6 +65,14 @@ void for_each_model(Law& law, Visit&& visit) {
   });
 }
 
+/// Whether a model has a number that no other model of its slot has, and so is told by it.
+bool has_own_number(const DeclaredSlot& slot, const DeclaredModel& model) {
+  return std::any_of(model.numbers.begin(), model.numbers.end(), [&](const DeclaredNumber& n) {
+    return std::count_if(slot.models.begin(), slot.models.end(),
+                         [&](const DeclaredModel& other) { return other.number(n.key) != nullptr; }) == 1;
+  });
+}
+
 }  // namespace
 
 const DeclaredNumber* DeclaredModel::number(const std::string& number_key) const {
@@ -79,6 +85,19 @@ bool fits(const DeclaredModel& model, LawParameters law) {
   const std::size_t n_faults = law.faults_between_slots().size();
   model.choose(law);
   return law.faults_between_slots().size() <= n_faults;
+}
+
+bool names_its_model(const DeclaredSlot& slot) {
+  return std::none_of(slot.models.begin(), slot.models.end(),
+                      [](const DeclaredModel& m) { return m.is_default; });
+}
+
+std::string table_text(const DeclaredSlot& slot, const DeclaredModel& model) {
+  std::string keys;
+  if (names_its_model(slot) || (!model.is_default && !has_own_number(slot, model)))
+    keys = fmt::format("law = \"{}\"", model.keyword);
+  for (const DeclaredNumber& n : model.numbers) keys += (keys.empty() ? "" : ", ") + n.key;
+  return "{" + keys + "}";
 }
 
 int DeclaredSlot::present(const LawParameters& law) const {

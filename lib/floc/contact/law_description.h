@@ -50,6 +50,12 @@ struct DeclaredSlot {
   int present(const LawParameters& law) const;
 };
 
+/// Whether a scene has to name the model of a slot: where none is meant without a name.
+bool names_its_model(const DeclaredSlot& slot);
+
+/// A model as a scene gives it, with the keys that it needs: "{law = "tail", force, range}".
+std::string table_text(const DeclaredSlot& slot, const DeclaredModel& model);
+
 /// All slots, in the order of LawParameters.
 const std::vector<DeclaredSlot>& declared_slots();
 

@@ -1,8 +1,12 @@
 #include "floc/contact/law_parameters.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "floc/contact/law_description.h"
@@ -25,6 +29,53 @@ const char* requirement_text(Requirement requirement) {
       return "must be in [0, 90] degrees";
   }
   return "";
+}
+
+/// "contact.friction = {law = \"mindlin\", coefficient}", as a scene would give it.
+template <class Model>
+std::string table_of(const std::string& key) {
+  const auto slot = std::find_if(declared_slots().begin(), declared_slots().end(),
+                                 [&](const DeclaredSlot& s) { return s.key == key; });
+  const auto model = std::find_if(slot->models.begin(), slot->models.end(),
+                                  [](const DeclaredModel& m) { return m.keyword == Model::kKeyword; });
+  return fmt::format("contact.{} = {}", key, table_text(*slot, *model));
+}
+
+/// Tables of the models of a slot for which `takes` holds, ready for a list of alternatives.
+template <class... Models, class Takes>
+std::vector<std::string> tables_of(const std::string& key, const LawSlot<Models...>&, const Takes& takes) {
+  std::vector<std::string> tables;
+  const auto add = [&]<class Model>(std::type_identity<Model> type) {
+    if constexpr (!kIsAbsent<Model>)
+      if (takes(type)) tables.push_back(table_of<Model>(key));
+  };
+  (add(std::type_identity<Models>{}), ...);
+  return tables;
+}
+
+/// What is wrong, if anything, with the model of a slot beside the normal law, by their families.
+template <class Normals, class Slot>
+std::string family_fault(const Normals& normals, const std::string& key, const Slot& slot) {
+  return normals.visit([&]<class Normal>(const Normal&) {
+    return slot.visit([&]<class Model>(const Model&) -> std::string {
+      if constexpr (kIsAbsent<Model> || kGoesWith<Normal, Model>) {
+        return "";
+      } else {
+        std::vector<std::string> expected = tables_of(
+            key, slot, []<class Other>(std::type_identity<Other>) { return kGoesWith<Normal, Other>; });
+        expected.push_back("no such table");
+        for (std::string& table : tables_of("normal", normals, []<class Other>(std::type_identity<Other>) {
+               return kGoesWith<Other, Model>;
+             }))
+          expected.push_back(std::move(table));
+        const std::string_view rule = family_rule(family_of<Normal>(), key);
+        return fmt::format(
+            "contact.{}.law = \"{}\" does not go with contact.normal.law = \"{}\"{}{}; expected {}", key,
+            Model::kKeyword, Normal::kKeyword, rule.empty() ? "" : ", under which ", rule,
+            fmt::join(expected, " or "));
+      }
+    });
+  });
 }
 
 }  // namespace
@@ -58,8 +109,17 @@ double LawParameters::contact_modulus(int dim, double diameter) const {
   return normal.visit([&](const auto& model) { return model.modulus_of_packing(dim, diameter); });
 }
 
-bool LawParameters::stiffness_varies() const {
-  return normal.visit([]<class Model>(const Model&) { return kStiffnessVaries<Model>; });
+double LawParameters::force_exponent() const {
+  return normal.visit([]<class Model>(const Model&) { return floc::force_exponent<Model>(); });
+}
+
+bool LawParameters::is_for_small_overlaps() const {
+  return normal.visit([]<class Model>(const Model&) { return kIsForSmallOverlaps<Model>; });
+}
+
+bool LawParameters::friction_follows_load() const {
+  return resists_sliding() &&
+         friction.visit([]<class Model>(const Model&) { return kFollowsNormalStiffness<Model>; });
 }
 
 bool LawParameters::resists_sliding() const {
@@ -104,38 +164,23 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
   refuse(rolling && !friction, "rolling", ": needs contact.friction; grains that slide freely need not roll");
   refuse(twisting && !friction, "twisting",
          ": needs contact.friction; grains that slide freely need not turn against each other");
-  if (adhesion.holds<CapillaryAdhesion>() && !normal.holds<HertzRepulsion>()) {
-    constexpr const char* kDoNotResist =
-        ": grains with liquid bridges, contact.adhesion.law = \"capillary\", do not resist it; expected no "
-        "such "
-        "table";
-    refuse(bool(rolling), "rolling", kDoNotResist);
-    refuse(bool(twisting), "twisting", kDoNotResist);
-  }
-  if (normal.holds<HertzRepulsion>()) {
-    refuse(bool(adhesion) && !adhesion.holds<CapillaryAdhesion>(), "adhesion",
-           ": spheres under contact.normal.law = \"hertz\" adhere only by liquid; expected no such table, law "
-           "= \"capillary\", or contact.normal = {law = \"linear\", stiffness}");
-    refuse(damping.holds<ViscousDamping>(), "damping",
-           ".restitution: under contact.normal.law = \"hertz\" damping follows the stiffness; "
-           "expected contact.damping = {critical_fraction}");
-    refuse(friction.holds<CoulombFriction>(), "friction",
-           ".stiffness: under contact.normal.law = \"hertz\" it follows from Poisson's ratio; "
-           "expected contact.friction = {law = \"mindlin\", coefficient}");
-    refuse(bool(rolling), "rolling",
-           ": spheres under contact.normal.law = \"hertz\" do not resist rolling; expected no such "
-           "table, or contact.normal = {law = \"linear\", stiffness}");
-    refuse(bool(twisting), "twisting",
-           ": spheres under contact.normal.law = \"hertz\" do not resist twisting; expected no such "
-           "table, or contact.normal = {law = \"linear\", stiffness}");
-  } else {
-    refuse(damping.holds<CriticalDamping>(), "damping",
-           ".critical_fraction: under contact.normal.law = \"linear\" expected contact.damping = "
-           "{restitution}");
-    refuse(friction.holds<MindlinFriction>(), "friction",
-           ".law = \"mindlin\": its stiffness follows from contact.normal.law = \"hertz\"; "
-           "expected that, or contact.friction = {coefficient, stiffness}");
-  }
+  for_each_slot(*this, [&](const char* key, const auto& slot) {
+    if (std::string words = family_fault(normal, key, slot); !words.empty())
+      faults.push_back({key, std::move(words)});
+  });
+  adhesion.visit([&]<class Adhesion>(const Adhesion&) {
+    if constexpr (kRollsFreely<Adhesion>) {
+      const auto refuse_resistance = [&](const char* key, const auto& slot) {
+        if (!slot || !family_fault(normal, key, slot).empty()) return;
+        faults.push_back(
+            {key, fmt::format("contact.{}: grains under contact.adhesion.law = \"{}\" do not resist it; "
+                              "expected no such table",
+                              key, Adhesion::kKeyword)});
+      };
+      refuse_resistance("rolling", rolling);
+      refuse_resistance("twisting", twisting);
+    }
+  });
   return faults;
 }
 

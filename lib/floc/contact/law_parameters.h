@@ -64,11 +64,16 @@ struct LawParameters {
   /// grains of diameter a, E/(1 - nu^2) for Hertz contacts (force/length^(Dim-1)).
   double contact_modulus(int dim, double diameter) const;
 
-  /// Whether the stiffness of a contact grows with its overlap.
-  bool stiffness_varies() const;
+  /// Power of the overlap that the elastic force grows with. 1: the stiffness of a contact is a constant.
+  double force_exponent() const;
+  /// Whether the normal law holds for overlaps that are small beside the grains alone.
+  bool is_for_small_overlaps() const;
 
   /// Whether friction can carry any force.
   bool resists_sliding() const;
+  /// Whether the tangential stiffness follows the load: what friction carries depends on the way there then, also
+  /// where nothing slides.
+  bool friction_follows_load() const;
 
   /// Every fault as "key = value: requirement"; empty when the law can be used.
   std::vector<std::string> validate() const;

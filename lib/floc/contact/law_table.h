@@ -16,20 +16,15 @@
 ///      with a closed form.
 namespace floc {
 
-/// Which compositions are compiled. Grains that slide freely need not roll; a twisting spring goes with a
-/// rolling one, which may be one that carries nothing. Friction and damping that follow the normal stiffness go
-/// with a stiffness that varies, others with one that does not; elastic spheres of varying stiffness adhere by
-/// liquid alone and do not resist rolling; nor do other grains with liquid bridges.
+/// Which compositions are compiled: of models that go with the normal law (model_traits.h). Grains that slide freely
+/// need not roll, and some adhesions leave them free to; a twisting spring goes with a rolling one, which may be one
+/// that carries nothing.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
-inline constexpr bool kIsCompiled = (kIsAbsent<Twisting> || !kIsAbsent<Rolling>)&&(
-    kStiffnessVaries<Normal>
-        ? (kIsAbsent<Adhesion> || kHoldsLiquid<Adhesion>)&&kIsAbsent<Rolling> &&
-              (kIsAbsent<Damping> || kFollowsNormalStiffness<Damping>)&&(kIsAbsent<Tangential> ||
-                                                                         kFollowsNormalStiffness<Tangential>)
-        : (!kIsAbsent<Tangential> ||
-           kIsAbsent<Rolling>)&&(!kHoldsLiquid<Adhesion> ||
-                                 kIsAbsent<Rolling>)&&!kFollowsNormalStiffness<Damping> &&
-              !kFollowsNormalStiffness<Tangential>);
+inline constexpr bool kIsCompiled =
+    kGoesWith<Normal, Adhesion>&& kGoesWith<Normal, Damping>&& kGoesWith<Normal, Tangential>&&
+        kGoesWith<Normal, Rolling>&& kGoesWith<Normal, Twisting> &&
+    (kIsAbsent<Twisting> || !kIsAbsent<Rolling>)&&(kIsAbsent<Rolling> ||
+                                                   (!kIsAbsent<Tangential> && !kRollsFreely<Adhesion>));
 
 namespace detail {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 /// What models of a contact law declare where they depart from the rule.
 namespace floc {
 
@@ -18,10 +20,46 @@ inline constexpr bool kIsDefault = requires {
   requires Model::kIsDefault;
 };
 
-/// Whether the stiffness of a normal law varies with the overlap.
+/// Contacts that a model is made for. It goes with models of its own family, and with those of none.
+enum class Family {
+  none,             ///< any contact
+  springs,          ///< contacts of constant stiffnesses, each slot with its own
+  elastic_spheres,  ///< contacts whose stiffnesses all follow from the material and the overlap
+};
+
+template <class Model>
+constexpr Family family_of() {
+  if constexpr (requires { Model::kFamily; }) return Model::kFamily;
+  return Family::none;
+}
+
+/// Why models of a slot do not go with normal laws of a family that is not theirs, after "under which"; empty where
+/// there is no more to say.
+constexpr std::string_view family_rule(Family of_normal, std::string_view slot) {
+  if (of_normal != Family::elastic_spheres) return "";
+  if (slot == "adhesion") return "spheres adhere only by liquid";
+  if (slot == "damping") return "damping follows the stiffness";
+  if (slot == "friction") return "it follows from Poisson's ratio";
+  return "spheres do not resist it";
+}
+
+/// Whether a model of another slot goes with a normal law.
+template <class Normal, class Model>
+inline constexpr bool kGoesWith = family_of<Model>() == Family::none
+                                  || family_of<Model>() == family_of<Normal>();
+
+/// Power of the overlap that the elastic force of a normal law grows with. 1 unless the law says otherwise: the
+/// stiffness of its contacts does not depend on the load.
 template <class Normal>
-inline constexpr bool kStiffnessVaries = requires {
-  requires Normal::kStiffnessVaries;
+constexpr double force_exponent() {
+  if constexpr (requires { Normal::kForceExponent; }) return Normal::kForceExponent;
+  return 1.0;
+}
+
+/// Whether a normal law holds for overlaps that are small beside the grains alone.
+template <class Normal>
+inline constexpr bool kIsForSmallOverlaps = requires {
+  requires Normal::kIsForSmallOverlaps;
 };
 
 /// Whether a model takes its stiffness, or its damping, from the present stiffness along the normal.
@@ -36,10 +74,16 @@ inline constexpr bool kHoldsLiquid = requires {
   requires Model::kHoldsLiquid;
 };
 
-/// Whether the numbers of a model are only in the state files of laws that have it.
+/// Whether grains with this adhesion roll freely, under springs as under any other normal law.
 template <class Model>
-inline constexpr bool kIsInItsOwnFilesOnly = requires {
-  requires Model::kIsInItsOwnFilesOnly;
+inline constexpr bool kRollsFreely = requires {
+  requires Model::kRollsFreely;
+};
+
+/// Whether the numbers of a model are in the state files of all laws, as they have been since before there were others.
+template <class Model>
+inline constexpr bool kIsInEveryFile = requires {
+  requires Model::kIsInEveryFile;
 };
 
 }  // namespace floc

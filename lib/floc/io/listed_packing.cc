@@ -14,6 +14,7 @@
 #include "floc/io/listed_space.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/liquid.h"
+#include "floc/packing/locate.h"
 #include "floc/packing/stiffness_check.h"
 
 namespace floc {
@@ -216,9 +217,11 @@ class ListedContacts {
     c.j = identifiers_.index(row.place, "id2", row.id2);
     set_liquid(row, c);
     set_image(row, c);
-    const double gap = gap_of(c);
+    floc::place(locate(packing_, c), c);
+    const double gap = c.gap;
     const bool wet = bridge_volume(packing_, c) != 0.0;
-    if (gap >= 0.0 && gap >= range_of(packing_, c) && !wet && force_of(row) <= kNoForce * largest_force_) {
+    if (!touches(packing_, c) && gap >= range_of(packing_, c) && !wet &&
+        force_of(row) <= kNoForce * largest_force_) {
       if (!row.force && !row.normal_force)
         throw InputError(
             row.place.text(),
@@ -256,14 +259,14 @@ class ListedContacts {
 
   ListedContactCounts counts() const {
     ListedContactCounts counts = counts_;
-    counts.stiffness_differences = stiffnesses_.differences(packing_.law.stiffness_varies());
+    counts.stiffness_differences = stiffnesses_.differences(packing_.law.force_exponent());
     return counts;
   }
 
   /// @throws InputError if contacts pull under a law without adhesion: a network without them is another one.
   void require_no_tensile() const {
     if (counts_.n_tensile == 0) return;
-    const bool adhesive_law_exists = !packing_.law.stiffness_varies();
+    const bool adhesive_law_exists = packing_.law.force_exponent() == 1.0;
     throw InputError(
         first_tensile_.row->place.text(),
         fmt::format("the contact of grains {} and {} pulls with {:.6g}, as {} of the {} listed do, but the law "
@@ -287,7 +290,7 @@ class ListedContacts {
     Contact<Dim> touching = c;
     // A list need not say where the liquid is: there is some wherever surfaces touch.
     if (const CapillaryAdhesion* liquid = packing_.law.liquid();
-        liquid != nullptr && c.gap < 0.0 && bridge_volume(packing_, c) == 0.0)
+        liquid != nullptr && touches(packing_, c) && bridge_volume(packing_, c) == 0.0)
       touching.elastic_force = std::max(
           0.0, c.normal_force + liquid->strength(packing_.grains.radius[c.i], packing_.grains.radius[c.j]));
     const Stiffnesses by_law = law_stiffnesses(packing_, touching);
@@ -305,7 +308,7 @@ class ListedContacts {
   double radii(const Contact<Dim>& c) const {
     return packing_.grains.radius[c.i] + packing_.grains.radius[c.j];
   }
-  double gap_of(const Contact<Dim>& c) const { return branch(packing_, c).norm() - radii(c); }
+  double gap_of(const Contact<Dim>& c) const { return locate(packing_, c).gap; }
   bool can_touch(const Contact<Dim>& c) const {
     return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
   }

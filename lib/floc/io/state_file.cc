@@ -20,6 +20,7 @@
 #include "floc/io/state_archive.h"
 #include "floc/io/state_layout.h"
 #include "floc/io/state_walls.h"
+#include "floc/packing/locate.h"
 #include "floc/packing/overlaps.h"
 
 namespace floc {
@@ -397,6 +398,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   describe_contacts<Dim>(archive, packing.contacts);
   read_walls(file, archive, s);
   check_contacts(file, packing);
+  set_arms(packing);
   packing.law = read_law(file, Dim);
   if (packing.law.twisting) describe_twisting(archive, packing.contacts);
   // A packing that is stopped in its motion may be on the way out of what it cannot stay in.

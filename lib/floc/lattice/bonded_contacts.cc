@@ -6,6 +6,7 @@
 
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
+#include "floc/packing/locate.h"
 
 namespace floc {
 namespace {
@@ -66,9 +67,7 @@ void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing
   for (const BondedContact<Dim>& b : bonds) {
     Contact<Dim> c;
     c.i = b.i, c.j = b.j, c.image = b.image;
-    const Vec<Dim> r = branch(packing, c);
-    c.gap = r.norm() - packing.grains.radius[b.i] - packing.grains.radius[b.j];
-    c.normal = r.normalized();
+    place(locate(packing, c), c);
     c.normal_force = b.normal_force;
     c.shear_force = b.shear_force;
     set_moment(b.moment, c);

@@ -4,6 +4,7 @@
 
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/locate.h"
 
 namespace floc {
 
@@ -18,7 +19,7 @@ std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing) {
     for (const NeighborPair<Dim>& pair : find_pairs(cell, packing.grains, reach)) {
       Contact<Dim> c;
       c.i = pair.i, c.j = pair.j, c.image = pair.image;
-      const double gap = branch(packing, c).norm() - packing.grains.radius[c.i] - packing.grains.radius[c.j];
+      const double gap = locate(packing, c).gap;
       if (!nearest || gap < nearest->gap) nearest = {c.i, c.j, gap};
     }
     if (nearest) return nearest;

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "floc/geometry/separation.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/neighbors/unlisted_pairs.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/locate.h"
 
 namespace floc {
 namespace {
@@ -27,8 +27,7 @@ std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) 
   const std::vector<Contact<Dim>> others = unlisted_pairs(packing, find_pairs(cell, packing.grains, reach));
   found.insert(found.end(), others.begin(), others.end());
   std::sort(found.begin(), found.end(), precedes<Contact<Dim>>);
-  for (Contact<Dim>& c : found)
-    c.gap = surface_gap<Dim>(exact_branch(packing, c), packing.grains.radius[c.i], packing.grains.radius[c.j]);
+  for (Contact<Dim>& c : found) place(locate(packing, c), c);
   return found;
 }
 
@@ -75,6 +74,7 @@ LiquidChange spread_liquid(Packing<Dim>& packing) {
     change.n_broken += volume != 0.0 && shares.volume[k] == 0.0;
     if (volume != 0.0) change.largest = std::max(change.largest, std::abs(shares.volume[k] / volume - 1.0));
     volume = shares.volume[k];
+    c.distant = !touches(packing, c);
     if (interacts(packing, c)) contacts.push_back(c);
   }
   packing.contacts = std::move(contacts);

@@ -43,16 +43,14 @@ template <int Dim>
 NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<Dim>& c, int source) {
   const Vec<Dim> r = branch(packing, c);
   const bool on_wall = packing.is_wall(c.j);
-  const double radius_i = packing.grains.radius[c.i];
-  const double share_i = radius_i / (radius_i + packing.surface_radius(c.j));
   NetworkContact<Dim> out;
   out.i = c.i;
   out.j = on_wall ? c.i : c.j;
   if (on_wall) out.wall = c.j - packing.grains.size();
   out.image = c.image;
   out.branch = on_wall ? strained_branch<Dim>(packing, c, r) : r;
-  out.arm_i = share_i * r;
-  out.arm_j = (share_i - 1.0) * r;
+  out.arm_i = c.arm_i;
+  out.arm_j = c.arm_j;
   out.frame = contact_frame(Vec<Dim>(r.normalized()));
   out.kn = c.kn;
   out.kt = c.kt;

@@ -12,13 +12,10 @@ Balance<Dim> net_forces(const Packing<Dim>& packing) {
     const bool on_grain = !packing.is_wall(c.j);
     net.force[c.i] += on_i;
     if (on_grain) net.force[c.j] -= on_i;
-    // Lever arms l = R r/(Ri + Rj) along the normal on both sides (docs/physics.md, "Kinematics of a contact"):
-    // angular momentum is exact.
-    const double arm_per_radius = 1.0 + c.gap / (g.radius[c.i] + packing.surface_radius(c.j));
-    const RotationVector<Dim> unit_moment = moment<double>(c.normal, c.shear_force);
+    // Both forces act at the contact point: angular momentum is exact.
     const RotationVector<Dim> of_springs = spring_moment(c);
-    net.moment[c.i] += g.radius[c.i] * arm_per_radius * unit_moment + of_springs;
-    if (on_grain) net.moment[c.j] += g.radius[c.j] * arm_per_radius * unit_moment - of_springs;
+    net.moment[c.i] += moment<double>(c.arm_i, on_i) + of_springs;
+    if (on_grain) net.moment[c.j] -= moment<double>(c.arm_j, on_i) + of_springs;
   }
   return net;
 }

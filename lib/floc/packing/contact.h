@@ -16,6 +16,8 @@ struct Contact {
   int key = 0;                                  ///< tells several contacts of one pair and image apart
   double gap = 0.0;                             ///< distance between the surfaces (length), < 0: overlap
   Vec<Dim> normal = Vec<Dim>::Zero();           ///< unit vector from i to j
+  Vec<Dim> arm_i = Vec<Dim>::Zero();            ///< from the centre of i to the contact point (length)
+  Vec<Dim> arm_j = Vec<Dim>::Zero();            ///< from the end of the branch to the contact point (length)
   double normal_force = 0.0;                    ///< static: elastic plus adhesive (force)
   double elastic_force = 0.0;                   ///< elastic part, >= 0 (force)
   Vec<Dim> shear_force = Vec<Dim>::Zero();      ///< tangential force on i (force)

@@ -5,15 +5,14 @@
 
 #include "floc/packing/law_response.h"
 #include "floc/packing/liquid.h"
+#include "floc/packing/locate.h"
 
 namespace floc {
 namespace {
 
 template <class Law, int Dim>
 void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
-  const DoubleDoubleVec<Dim> r = exact_branch(packing, c);
-  c.gap = surface_gap<Dim>(r, packing.grains.radius[c.i], packing.surface_radius(c.j));
-  c.normal = rounded<Dim>(r).normalized();
+  place(locate(packing, c), c);
   respond_to_motion<Law, Dim>(law, packing.grains, SurfaceMotion<Dim>{}, c);
 }
 
@@ -41,7 +40,7 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
 template <class Law, int Dim>
 void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
                 std::optional<double> kt, double tolerance, Contact<Dim>& c) {
-  c.distant = c.gap >= 0.0 && interacts_at(law, c);
+  c.distant = !touches(law, grains, c) && interacts_at(law, c);
   if (c.distant) return;
   c.elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
   const ContactStiffness k = law.stiffness_at_force(pair_geometry(grains, c), c.elastic_force);
@@ -71,6 +70,12 @@ void refresh_contacts(Packing<Dim>& packing) {
 }
 
 template <int Dim>
+bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  return std::visit([&](const auto& law) { return touches(law, packing.grains, contact); },
+                    compose_law(packing.is_wall(contact.j) ? packing.wall_law : packing.law));
+}
+
+template <int Dim>
 Mobilised mobilised(const LawParameters& parameters, const Contact<Dim>& contact, double tolerance) {
   if (contact.distant) return {};
   return std::visit(
@@ -94,6 +99,7 @@ void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std
 #define FLOC_INSTANTIATE(Dim)                                                                               \
   template void refresh_contact(const Packing<Dim>&, Contact<Dim>&);                                        \
   template void refresh_contacts(Packing<Dim>&);                                                            \
+  template bool touches(const Packing<Dim>&, const Contact<Dim>&);                                          \
   template Mobilised mobilised(const LawParameters&, const Contact<Dim>&, double tolerance);                \
   template void set_given_forces(const Packing<Dim>&, std::optional<double>, std::optional<double>, double, \
                                  Contact<Dim>&);

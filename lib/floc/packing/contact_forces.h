@@ -18,6 +18,10 @@ void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact);
 template <int Dim>
 void refresh_contacts(Packing<Dim>& packing);
 
+/// Whether the surfaces of a contact touch at its gap, by the law and by what the contact remembers.
+template <int Dim>
+bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact);
+
 /// Which springs of a contact are at their caps, by its elastic force and its memory; none for a distant
 /// attraction.
 /// @param tolerance  relative distance below the cap that still counts as being at it

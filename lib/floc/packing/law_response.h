@@ -34,6 +34,12 @@ typename Law::template PairParameters<> acting_parameters(const Law& law, const 
   return law.template acting<Dim>(pair_parameters(law, grains, c, memory), memory);
 }
 
+/// Whether the surfaces of a contact touch, at its gap and by what it remembers.
+template <class Law, int Dim>
+bool touches(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c) {
+  return law.template touches<Dim>(pair_geometry(grains, c), packed_memory<Law, Dim>(c.memory));
+}
+
 /// Flags of the springs that are at their caps; none for a distant attraction.
 template <class Law, int Dim>
 void set_mobilised(const Law& law, const PackedMemory<Law::template kMemorySize<Dim>>& memory, double tolerance,
@@ -65,7 +71,7 @@ void respond_to_motion(const Law& law, const Grains<Dim>& grains, const SurfaceM
   c.kt = k.tangential;
   c.kr = k.rolling;
   c.ktw = k.twisting;
-  c.distant = c.gap >= 0.0;
+  c.distant = !f.normal.touches;
   set_mobilised(law, memory, kCapTolerance, c);
   c.memory = unpacked_memory<Law, Dim>(memory);
 }

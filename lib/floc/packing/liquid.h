@@ -102,10 +102,11 @@ double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return holds_liquid(packing) ? contact.memory[MemoryLayout<Dim>::kAdhesion] : 0.0;
 }
 
-/// Whether a contact, or a pair that might be one, acts or holds liquid at its gap.
+/// Whether a contact, or a pair that might be one, acts or holds liquid at its gap. Its flag `distant` has to say
+/// already whether the surfaces touch.
 template <int Dim>
 bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
-  return contact.gap < 0.0 || contact.gap < packing.law.range() || bridge_volume(packing, contact) != 0.0;
+  return !contact.distant || contact.gap < packing.law.range() || bridge_volume(packing, contact) != 0.0;
 }
 
 /// Gap at which a contact ceases to act: the range of the law, or the reach of its bridge (length).

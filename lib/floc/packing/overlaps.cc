@@ -61,7 +61,7 @@ std::string overlap_warning(const Packing<Dim>& packing) {
     text += (text.empty() ? "" : "; ") + dense;
   if (text.empty()) return {};
   return fmt::format("{}: {}{}", text,
-                     packing.law.stiffness_varies() ? "Hertz's law is for small overlaps; " : "",
+                     packing.law.is_for_small_overlaps() ? "Hertz's law is for small overlaps; " : "",
                      question_of_units(packing.law));
 }
 
@@ -75,7 +75,7 @@ std::string question_of_units(const LawParameters& law) {
 
 template <int Dim>
 void require_small_overlaps(const std::string& place, const Packing<Dim>& packing) {
-  if (!packing.law.stiffness_varies()) return;
+  if (!packing.law.is_for_small_overlaps()) return;
   const Overlaps found = measure_overlaps(packing);
   if (found.mean > kDeepestMean)
     throw InputError(place, fmt::format("contacts overlap by {:.3g} of a radius in the mean, expected at most "

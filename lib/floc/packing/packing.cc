@@ -1,7 +1,6 @@
 #include "floc/packing/packing.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace floc {
 
@@ -26,8 +25,7 @@ void Grains<Dim>::set_names(std::vector<std::int64_t> names) {
 template <int Dim>
 double solid_fraction(const Packing<Dim>& packing) {
   double volume = 0.0;
-  for (const double r : packing.grains.radius)
-    volume += std::numbers::pi * r * r * (Dim == 2 ? 1.0 : 4.0 / 3.0 * r);
+  for (int i = 0; i < packing.grains.size(); ++i) volume += packing.grains.shape(i).volume();
   return volume / packing.cell.volume();
 }
 

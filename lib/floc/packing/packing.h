@@ -10,6 +10,7 @@
 #include "floc/contact/law_parameters.h"
 #include "floc/geometry/cell.h"
 #include "floc/geometry/separation.h"
+#include "floc/packing/ball.h"
 #include "floc/packing/contact.h"
 #include "floc/packing/wall.h"
 
@@ -66,8 +67,8 @@ struct Grains {
   /// Keeps the low parts only if at least one of them is not zero.
   void set_centres(const std::vector<DoubleDoubleVec<Dim>>& centres);
 
-  /// Moment of inertia: m d^2/8 of a disk, m d^2/10 of a sphere.
-  double inertia(int i) const { return mass[i] * radius[i] * radius[i] * (Dim == 2 ? 0.5 : 0.4); }
+  Ball<Dim> shape(int i) const { return {radius[i]}; }
+  double inertia(int i) const { return shape(i).inertia(mass[i]); }
 };
 
 /// Cell, walls, grains, laws and contacts: everything mechanical about one state.

@@ -63,7 +63,7 @@ void StiffnessComparison::add(const Stiffnesses& found, const Stiffnesses& by_la
   }
 }
 
-std::vector<std::string> StiffnessComparison::differences(bool stiffness_varies) const {
+std::vector<std::string> StiffnessComparison::differences(double force_exponent) const {
   std::vector<std::string> texts;
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     const Kind& kind = kinds_[k];
@@ -73,9 +73,9 @@ std::vector<std::string> StiffnessComparison::differences(bool stiffness_varies)
                 ? fmt::format("is {} times what the law gives", factor_text(kind.least, kind.largest))
                 : "is not zero, but the law gives none";
     text += fmt::format(" (grains {}: {:.6g}, the law {:.6g})", kind.names, kind.found, kind.by_law);
-    constexpr double kSecant = 2.0 / 3.0;
-    if (k == 0 && stiffness_varies && same_factor(kind.least, kSecant) && same_factor(kind.largest, kSecant))
-      text += ": it is N/delta, but the stiffness of Hertz's law is 3/2 N/delta";
+    const double secant = 1.0 / force_exponent;
+    if (k == 0 && secant != 1.0 && same_factor(kind.least, secant) && same_factor(kind.largest, secant))
+      text += fmt::format(": it is N/delta, but the stiffness of the law is {:g} N/delta", force_exponent);
     texts.push_back(std::move(text));
   }
   return texts;
@@ -87,7 +87,7 @@ std::string stiffness_differences(const Packing<Dim>& packing) {
   for (const Contact<Dim>& c : packing.contacts)
     comparison.add(stiffnesses(c), law_stiffnesses(packing, c),
                    fmt::format("{}-{}", packing.grains.name(c.i), packing.grains.name(c.j)));
-  return fmt::format("{}", fmt::join(comparison.differences(packing.law.stiffness_varies()), "; "));
+  return fmt::format("{}", fmt::join(comparison.differences(packing.law.force_exponent()), "; "));
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                     \

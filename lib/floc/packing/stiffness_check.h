@@ -38,8 +38,8 @@ class StiffnessComparison {
 
   /// For each of the four whose values differ: of how many contacts, by which factor, and the worst of them.
   /// "kn of 24 contacts is 10 times what the law gives (grains 0-4: 1.2e+07, the law gives 1.2e+06)".
-  /// @param stiffness_varies  see LawParameters: kn = N/delta, two thirds of Hertz's, is then named
-  std::vector<std::string> differences(bool stiffness_varies) const;
+  /// @param force_exponent  of the law: kn = N/delta, two thirds of Hertz's, is named where it is not 1
+  std::vector<std::string> differences(double force_exponent) const;
 
  private:
   struct Kind {

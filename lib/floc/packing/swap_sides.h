@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "floc/contact/memory_layout.h"
 #include "floc/packing/contact.h"
 #include "floc/packing/contact_order.h"
@@ -11,6 +13,7 @@ template <int Dim>
 void swap_sides(const ContactMemory<Dim>& parity, Contact<Dim>& c) {
   c = swapped(c);
   c.normal = -c.normal;
+  std::swap(c.arm_i, c.arm_j);
   c.shear_force = -c.shear_force;
   c.rolling_moment = -c.rolling_moment;
   c.memory = c.memory.cwiseProduct(parity);

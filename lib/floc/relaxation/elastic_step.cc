@@ -33,8 +33,9 @@ bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to) {
   for (std::size_t k = 0; k < to.contacts.size(); ++k) {
     const Contact<Dim>&p = from.contacts[k], &q = to.contacts[k];
     if (p.i != q.i || p.j != q.j || p.image != q.image || p.distant != q.distant) return false;
-    const double gap = extrapolated(p.gap, q.gap);
-    if ((gap >= 0.0) != q.distant || (q.distant && gap >= range_of(from, p))) return false;
+    Contact<Dim> beyond = q;
+    beyond.gap = extrapolated(p.gap, q.gap);
+    if (touches(from, beyond) == q.distant || (q.distant && beyond.gap >= range_of(from, p))) return false;
     if (!q.distant && !sticks(from.law, p, q)) return false;
   }
   return true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "floc/packing/ball.h"
 #include "floc/packing/contact_order.h"
 
 namespace floc {
@@ -72,7 +73,7 @@ void PairArrays<Dim>::add(const NeighborPair<Dim>& key) {
 template <int Dim>
 void PairArrays<Dim>::add_numbers(double radius_i, double radius_j, double damping) {
   radii_.push_back(radius_i + radius_j);
-  share_i_.push_back(radius_i / (radius_i + radius_j));
+  share_i_.push_back(lever_share(radius_i, radius_j));
   damping_.push_back(damping);
 }
 

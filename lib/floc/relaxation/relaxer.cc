@@ -402,7 +402,7 @@ template <int Dim>
 bool Relaxer<Dim>::solve_without_motion() {
   const bool any = options_.finish == Finish::statics;
   // Where stiffness follows the load, what friction carries depends on the way there, and not on its end alone.
-  if (!any && packing_.law.stiffness_varies() && packing_.law.resists_sliding()) return false;
+  if (!any && packing_.law.friction_follows_load()) return false;
   if (!any && !newton_pays()) return false;
   StaticSolverOptions trial;
   trial.max_iterations = kTrialIterations;

@@ -20,6 +20,7 @@
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_response.h"
 #include "floc/packing/liquid.h"
+#include "floc/packing/locate.h"
 #include "floc/packing/require_periodic.h"
 
 namespace floc {
@@ -224,7 +225,9 @@ class StaticProblem {
   int n_strains() const { return static_cast<int>(strains_.size()); }
   int order() const { return kDofs<Dim> * n_grains() + n_strains(); }
   double radii(const Contact<Dim>& c) const { return start_.grains.radius[c.i] + start_.grains.radius[c.j]; }
-  double share_i(const Contact<Dim>& c) const { return start_.grains.radius[c.i] / radii(c); }
+  double share_i(const Contact<Dim>& c) const {
+    return lever_share(start_.grains.radius[c.i], start_.grains.radius[c.j]);
+  }
   bool interacts(const Contact<Dim>& c) const { return floc::interacts(start_, c); }
 
   Configuration<Dim> start_from(double margin) const {
@@ -264,14 +267,18 @@ class StaticProblem {
     return all;
   }
 
-  /// Branch and gap of a candidate. @return its normal
+  /// Branch, gap and arms of a candidate. @return its normal
   Vec<Dim> locate(Configuration<Dim>& at, std::size_t k) const {
     Contact<Dim>& c = at.remembered[k];
     const DoubleDoubleVec<Dim> r =
         difference<Dim>(displaced<Dim>(at.centre[c.j], at.cell, c.image), at.centre[c.i]);
-    at.branch[k] = rounded<Dim>(r);
-    c.gap = surface_gap<Dim>(r, start_.grains.radius[c.i], start_.grains.radius[c.j]);
-    return at.branch[k].normalized();
+    const ContactGeometry<Dim> found =
+        locate_balls<Dim>(r, start_.grains.radius[c.i], start_.grains.radius[c.j]);
+    at.branch[k] = found.branch;
+    c.gap = found.gap;
+    c.arm_i = found.arm_i;
+    c.arm_j = found.arm_j;
+    return found.normal;
   }
 
   /// Image that brings a grain into the cell.
@@ -329,7 +336,7 @@ class StaticProblem {
       at.residual.template segment<kRotationDofs>(first_j + Dim) += shear_moment - of_springs / radius[c.j];
       for (int s = 0; s < n_strains(); ++s)
         stress_balance[s] -= on_i[strains_[s][0]] * at.branch[k][strains_[s][1]] / scale_.length;
-      at.n_contacts += c.gap < 0.0;
+      at.n_contacts += !c.distant;
       at.n_yielding += c.yields();
     }
     measure(at);
@@ -359,8 +366,8 @@ class StaticProblem {
     out.i = c.i;
     out.j = c.j;
     out.branch = at.branch[k];
-    out.arm_i = share_i(c) * out.branch;
-    out.arm_j = (share_i(c) - 1.0) * out.branch;
+    out.arm_i = c.arm_i;
+    out.arm_j = c.arm_j;
     out.frame = frame;
     out.normal_force = c.normal_force;
     out.shear_force = c.shear_force;

@@ -29,8 +29,8 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
 /// was read as touching pulls across a gap.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  if (!c.distant && !law_of(packing, c).stiffness_varies())
-    return -c.kn * c.gap - (c.gap < 0.0 ? pull_off_force(packing, c) : 0.0);
+  if (!c.distant && law_of(packing, c).force_exponent() == 1.0)
+    return -c.kn * c.gap - (touches(packing, c) ? pull_off_force(packing, c) : 0.0);
   Contact<Dim> by_law = c;
   refresh_contact(packing, by_law);
   return by_law.normal_force;
@@ -77,7 +77,7 @@ ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance) {
   double largest = 0.0;
   for (const Contact<Dim>& c : packing.contacts) largest = std::max(largest, std::abs(c.normal_force));
   for (const Contact<Dim>& c : packing.contacts) {
-    check.n_with_gap += !c.distant && c.gap >= 0.0;
+    check.n_with_gap += !c.distant && !touches(packing, c);
     check.n_distant += c.distant;
     check.n_pulling += c.normal_force < -kNoForce * largest;
     check.n_at_cap += c.yields();

@@ -160,7 +160,7 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
   for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
     const Contact<Dim>& c = stored.contacts[k];
     const Contact<Dim>& r = recomputed.contacts[k];
-    const double arm = stored.grains.radius[c.i] + stored.surface_radius(c.j);
+    const double arm = (r.arm_i - r.arm_j).norm();
     const double error =
         std::max({std::abs(c.normal_force - r.normal_force), std::abs(c.elastic_force - r.elastic_force),
                   (c.shear_force - r.shear_force).norm(), (c.rolling_moment - r.rolling_moment).norm() / arm,

@@ -67,7 +67,7 @@ void check_stiffness(TableReader& root, const Scene& scene) {
   TableReader contact = root.table("contact", "", Need::optional);
   if (!contact || !(a > 0) || !(F1 > 0)) return;
   const double stiffness = area * scene.law.contact_modulus(scene.dimension, a);
-  const bool varies = scene.law.stiffness_varies();
+  const bool varies = scene.law.force_exponent() != 1.0;
   const double kappa = varies ? std::pow(stiffness / F1, 2.0 / 3.0) : stiffness / F1;
   // Sides of the cell are one double each: see solve_statics().
   if (4 * kHalfUnit * kappa >= scene.relaxation.tolerance.stress)
@@ -91,7 +91,7 @@ void check_stiffness(TableReader& root, const Scene& scene) {
 /// Overlaps of spheres go as 1/kappa: beyond, Hertz' law is not theirs.
 void check_overlaps(TableReader& root, const Scene& scene) {
   constexpr double kLeastKappa = 30.0;
-  if (!scene.law.stiffness_varies()) return;
+  if (!scene.law.is_for_small_overlaps()) return;
   const auto check = [&](TableReader& t, const char* key, double pressure) {
     const double kappa = hertz_kappa(scene, pressure);
     if (pressure > 0 && kappa < kLeastKappa)
@@ -105,7 +105,7 @@ void check_overlaps(TableReader& root, const Scene& scene) {
 /// A pair pulled together by its adhesion alone overlaps by F0/K_N.
 void check_cohesive_overlap(TableReader& root, const Scene& scene) {
   constexpr double kLargest = 0.1;
-  if (!scene.assembly.box || !scene.law.adhesion || scene.law.stiffness_varies()) return;
+  if (!scene.assembly.box || !scene.law.adhesion || scene.law.force_exponent() != 1.0) return;
   const double a = scene.grains.diameter.max;
   const double stiffness = a * scene.law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
   const double overlap = scene.law.pull_off_force() / stiffness;

@@ -225,7 +225,7 @@ double steps_of_compaction(const Scene& scene) {
 /// K_N; where it varies, that of the mean force under the first pressure, 0.665 kappa P a (z Phi = 4).
 double typical_stiffness(const Scene& scene) {
   const double a = scene.grains.diameter.max, modulus = scene.law.contact_modulus(scene.dimension, a);
-  if (!scene.law.stiffness_varies()) return modulus * std::pow(a, scene.dimension - 2);
+  if (scene.law.force_exponent() == 1.0) return modulus * std::pow(a, scene.dimension - 2);
   return 0.665 * hertz_kappa(scene, scene.assembly.pressure) * scene.assembly.pressure * a;
 }
 
@@ -271,7 +271,7 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
     add_cohesion(scene, a, groups);
     add_slot("adhesion", scene, a, groups);
     if (const CapillaryAdhesion* law = scene.law.liquid()) add_liquid(*law, a, groups);
-  } else if (scene.law.stiffness_varies()) {
+  } else if (scene.law.force_exponent() != 1.0) {
     add_spheres(scene, groups);
   } else {
     const double K_N = scene.law.contact_modulus(scene.dimension, a);

@@ -23,32 +23,11 @@ NumberRule rule_of(const DeclaredNumber& n) {
   return {kHolds[static_cast<int>(n.at_first)], n.expectation.c_str()};
 }
 
-/// Slots of which a scene has to name the model: those where none is meant without a name.
-bool names_its_model(const DeclaredSlot& slot) {
-  return std::none_of(slot.models.begin(), slot.models.end(),
-                      [](const DeclaredModel& m) { return m.is_default; });
-}
-
-/// Whether a model has a number that no other model of its slot has, and so is told by it.
-bool has_own_number(const DeclaredSlot& slot, const DeclaredModel& model) {
-  return std::any_of(model.numbers.begin(), model.numbers.end(), [&](const DeclaredNumber& n) {
-    return std::count_if(slot.models.begin(), slot.models.end(),
-                         [&](const DeclaredModel& other) { return other.number(n.key) != nullptr; }) == 1;
-  });
-}
-
 /// "a table {law = "tail", force, range} or {law = "constant", force}"
 std::string expected_table(const DeclaredSlot& slot) {
   std::string text = "a table ";
-  for (const DeclaredModel& model : slot.models) {
-    if (&model != &slot.models.front()) text += " or ";
-    std::string keys;
-    if (names_its_model(slot) || (!model.is_default && !has_own_number(slot, model)))
-      keys = fmt::format("law = \"{}\"", model.keyword);
-    for (const DeclaredNumber& n : model.numbers) keys += (keys.empty() ? "" : ", ") + n.key;
-    for (const DeclaredChoice& c : model.choices) keys += (keys.empty() ? "" : ", ") + c.key;
-    text += "{" + keys + "}";
-  }
+  for (const DeclaredModel& model : slot.models)
+    text += (&model == &slot.models.front() ? "" : " or ") + table_text(slot, model);
   return text;
 }
 

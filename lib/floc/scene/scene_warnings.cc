@@ -217,7 +217,7 @@ void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
 /// on the way and are not found by Newton steps at once.
 void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
   constexpr double kMany = 3000.0;  // twice the most of the shipped scenes
-  if (!scene.law.stiffness_varies()) return;
+  if (scene.law.force_exponent() == 1.0) return;
   const double pressure = scene.assembly.pressure;
   const double unit = time_unit(scene, pressure);
   const double step = time_step_of_scene(scene);

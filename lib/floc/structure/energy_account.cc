@@ -194,7 +194,7 @@ class Step {
     for (const int k : changes_.gained) add_contact(Contact<Dim>(), after_.contacts[k], terms);
     for (const int k : changes_.lost) {
       const Contact<Dim>& c = before_.contacts[k];
-      (after_.law.stiffness_varies() ? terms.scaling : terms.sliding) +=
+      (after_.law.friction_follows_load() ? terms.scaling : terms.sliding) +=
           spring_energy(c.shear_force.squaredNorm(), c.kt);
       terms.sliding += spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
                        spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);

@@ -12,10 +12,8 @@ std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing) {
   std::vector<Mat<Dim>> stress(g.size(), Mat<Dim>::Zero());
   for (const Contact<Dim>& c : packing.contacts) {
     const Vec<Dim> on_j = c.normal_force * c.normal - c.shear_force;
-    const Mat<Dim> whole = on_j * branch(packing, c).transpose();
-    const double share_i = g.radius[c.i] / (g.radius[c.i] + packing.surface_radius(c.j));
-    stress[c.i] += share_i * whole;
-    if (!packing.is_wall(c.j)) stress[c.j] += (1.0 - share_i) * whole;
+    stress[c.i] += on_j * c.arm_i.transpose();
+    if (!packing.is_wall(c.j)) stress[c.j] -= on_j * c.arm_j.transpose();
   }
   // V_i = V R_i^Dim / sum R^Dim: the volumes of the grains over Phi.
   double sum = 0.0;

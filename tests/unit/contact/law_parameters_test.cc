@@ -91,7 +91,9 @@ TEST(LawParameters, TwistingNeedsFrictionAndSpheresOfConstantStiffness) {
   hertz.normal = HertzRepulsion{1e3, 0.3};
   hertz.friction = MindlinFriction{0.3};
   hertz.twisting = TwistingSpring{0.004, 8.0};
-  EXPECT_THAT(hertz.validate(), ElementsAre(HasSubstr("contact.twisting: spheres under")));
+  EXPECT_THAT(hertz.validate(),
+              ElementsAre(HasSubstr(
+                  "contact.twisting.law = \"spring\" does not go with contact.normal.law = \"hertz\"")));
 }
 
 }  // namespace

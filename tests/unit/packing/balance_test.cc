@@ -18,6 +18,8 @@ Packing<2> two_disks() {
   c.j = 1;
   c.gap = -0.1;
   c.normal = {1.0, 0.0};
+  c.arm_i = {14.0 / 15.0, 0.0};
+  c.arm_j = {-7.0 / 15.0, 0.0};
   c.normal_force = 3.0;
   c.shear_force = {0.0, 0.5};
   c.rolling_moment[0] = 0.25;
@@ -87,6 +89,8 @@ TEST(NetForces, AGrainTouchingItsOwnImageIsInBalanceAndCarriesStress) {
   c.image = {1, 0};
   c.gap = -0.1;
   c.normal = {1.0, 0.0};
+  c.arm_i = {0.95, 0.0};
+  c.arm_j = {-0.95, 0.0};
   c.normal_force = 2.0;
   packing.contacts = {c};
   EXPECT_EQ(net_forces(packing).force[0].norm(), 0.0);

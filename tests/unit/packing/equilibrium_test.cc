@@ -55,6 +55,8 @@ Residuals with_sizes(double smallest, const Change& change) {
   Contact<2> c;
   c.i = 1, c.j = 2;
   c.normal = {0.0, 1.0};
+  c.arm_i = {0.0, 1.0};
+  c.arm_j = {0.0, -smallest};
   c.normal_force = 0.5;
   c.shear_force = {0.1, 0.0};
   packing.contacts.push_back(c);
@@ -107,6 +109,8 @@ TEST(Residuals, AreInUnitsOfTheForceScaleAndNameTheWorstGrain) {
   c.i = 1;
   c.j = 2;
   c.normal = {0.0, 1.0};
+  c.arm_i = {0.0, 1.0};
+  c.arm_j = {0.0, -0.5};
   c.normal_force = 0.5;
   c.shear_force = {0.1, 0.0};
   packing.contacts.push_back(c);

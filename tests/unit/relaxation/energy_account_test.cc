@@ -59,7 +59,7 @@ void expect_to_close(const LawParameters& law) {
     EXPECT_GT(t.viscous, 0.0);
     EXPECT_GT(t.sliding, 0.0);
     EXPECT_EQ(t.removed, 0.0);
-    EXPECT_EQ(t.scaling > 0.0, law.stiffness_varies());
+    EXPECT_EQ(t.scaling > 0.0, law.friction_follows_load());
     EXPECT_LT(std::abs(t.error()), 0.003 * t.work);
     EXPECT_NEAR(coarse.error() / t.error(), 2.0, 0.1);
   }

@@ -47,7 +47,7 @@ struct CapillaryAdhesion {
 
   static constexpr const char* kKeyword = "capillary";
   static constexpr bool kHoldsLiquid = true;
-  static constexpr bool kIsInItsOwnFilesOnly = true;
+  static constexpr bool kRollsFreely = true;
   static constexpr Number<CapillaryAdhesion> kNumbers[] = {
       {"surface_tension", &CapillaryAdhesion::surface_tension, Unit::stiffness, "gamma", Requirement::positive,
        "a positive number (surface tension, force per length)", "surface tension"},

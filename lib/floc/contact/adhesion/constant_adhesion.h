@@ -2,6 +2,7 @@
 
 #include "floc/base/lanes.h"
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/pair_geometry.h"
 
 namespace floc {
@@ -11,6 +12,8 @@ struct ConstantAdhesion {
   double pull_off_force;  ///< F0 (force), > 0
 
   static constexpr const char* kKeyword = "constant";
+  static constexpr Family kFamily = Family::springs;
+  static constexpr bool kIsInEveryFile = true;
   static constexpr Number<ConstantAdhesion> kNumbers[] = {
       {"force", &ConstantAdhesion::pull_off_force, Unit::force, "F0", Requirement::not_negative,
        "a positive number (F0, the pull-off force); leave the table out for grains without adhesion",

@@ -2,6 +2,7 @@
 
 #include "floc/base/lanes.h"
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/pair_geometry.h"
 
 namespace floc {
@@ -13,6 +14,8 @@ struct TailAdhesion {
   double tail_range;      ///< D0 (length), > 0
 
   static constexpr const char* kKeyword = "tail";
+  static constexpr Family kFamily = Family::springs;
+  static constexpr bool kIsInEveryFile = true;
   static constexpr Number<TailAdhesion> kNumbers[] = {
       {"force", &TailAdhesion::pull_off_force, Unit::force, "F0", Requirement::not_negative,
        "a positive number (F0, the pull-off force); leave the table out for grains without adhesion",

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/normal_response.h"
 #include "floc/contact/pair_geometry.h"
 
@@ -15,6 +16,7 @@ struct CriticalDamping {
   double critical_fraction;  ///< zeta
 
   static constexpr const char* kKeyword = "critical";
+  static constexpr Family kFamily = Family::elastic_spheres;
   static constexpr bool kFollowsNormalStiffness = true;
   static constexpr Number<CriticalDamping> kNumbers[] = {
       {"critical_fraction", &CriticalDamping::critical_fraction, Unit::ratio, "zeta", Requirement::at_most_one,

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/normal_response.h"
 #include "floc/contact/pair_geometry.h"
 
@@ -31,6 +32,8 @@ struct ViscousDamping {
   DampingMass mass_rule = DampingMass::effective;
 
   static constexpr const char* kKeyword = "viscous";
+  static constexpr Family kFamily = Family::springs;
+  static constexpr bool kIsInEveryFile = true;
   static constexpr bool kIsDefault = true;
   static constexpr Number<ViscousDamping> kNumbers[] = {
       {"restitution", &ViscousDamping::restitution, Unit::ratio, "e_N", Requirement::at_most_one,

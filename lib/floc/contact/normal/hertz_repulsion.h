@@ -6,6 +6,7 @@
 #include "floc/base/lanes.h"
 #include "floc/contact/contact_load.h"
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/pair_geometry.h"
 
 namespace floc {
@@ -18,9 +19,11 @@ struct HertzRepulsion {
   double poisson;  ///< nu, in (-1, 1/2)
 
   static constexpr const char* kKeyword = "hertz";
+  static constexpr Family kFamily = Family::elastic_spheres;
   static constexpr int kDimension = 3;
   static constexpr bool kNeedsReducedRadius = true;
-  static constexpr bool kStiffnessVaries = true;
+  static constexpr double kForceExponent = 1.5;
+  static constexpr bool kIsForSmallOverlaps = true;
   static constexpr Number<HertzRepulsion> kNumbers[] = {
       {"modulus", &HertzRepulsion::modulus, Unit::pressure, "E", Requirement::positive,
        "a positive number (E, Young's modulus, force per area)", "Young's modulus"},

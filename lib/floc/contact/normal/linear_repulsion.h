@@ -5,6 +5,7 @@
 #include "floc/base/lanes.h"
 #include "floc/contact/contact_load.h"
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/pair_geometry.h"
 
 namespace floc {
@@ -14,6 +15,8 @@ struct LinearRepulsion {
   double normal_stiffness;  ///< K_N (force/length)
 
   static constexpr const char* kKeyword = "linear";
+  static constexpr Family kFamily = Family::springs;
+  static constexpr bool kIsInEveryFile = true;
   static constexpr Number<LinearRepulsion> kNumbers[] = {
       {"stiffness", &LinearRepulsion::normal_stiffness, Unit::stiffness, "K_N", Requirement::positive,
        "a positive number (K_N, force per length)", "normal stiffness"}};

@@ -2,6 +2,7 @@
 
 #include "floc/contact/capped_spring.h"
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/normal_response.h"
 #include "floc/contact/pair_geometry.h"
 
@@ -14,6 +15,8 @@ struct RollingSpring {
   double rolling_stiffness;  ///< K_R (force * length)
 
   static constexpr const char* kKeyword = "spring";
+  static constexpr Family kFamily = Family::springs;
+  static constexpr bool kIsInEveryFile = true;
   static constexpr bool kIsDefault = true;
   static constexpr Number<RollingSpring> kNumbers[] = {
       {"coefficient", &RollingSpring::coefficient, Unit::length, "mu_R", Requirement::not_negative,

@@ -2,6 +2,7 @@
 
 #include "floc/contact/capped_spring.h"
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/normal_response.h"
 #include "floc/contact/pair_geometry.h"
 
@@ -15,6 +16,8 @@ struct CoulombFriction {
   double tangential_stiffness;  ///< K_T (force/length)
 
   static constexpr const char* kKeyword = "coulomb";
+  static constexpr Family kFamily = Family::springs;
+  static constexpr bool kIsInEveryFile = true;
   static constexpr bool kIsDefault = true;
   static constexpr Number<CoulombFriction> kNumbers[] = {
       {"coefficient", &CoulombFriction::coefficient, Unit::ratio, "mu", Requirement::not_negative,

@@ -3,6 +3,7 @@
 #include "floc/base/lanes.h"
 #include "floc/contact/capped_spring.h"
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/normal_response.h"
 #include "floc/contact/pair_geometry.h"
 
@@ -15,6 +16,7 @@ struct MindlinFriction {
   double coefficient;  ///< mu
 
   static constexpr const char* kKeyword = "mindlin";
+  static constexpr Family kFamily = Family::elastic_spheres;
   static constexpr int kDimension = 3;
   static constexpr bool kFollowsNormalStiffness = true;
   static constexpr Number<MindlinFriction> kNumbers[] = {{"coefficient", &MindlinFriction::coefficient,

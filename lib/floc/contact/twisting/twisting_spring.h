@@ -2,6 +2,7 @@
 
 #include "floc/contact/capped_spring.h"
 #include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
 #include "floc/contact/normal_response.h"
 #include "floc/contact/pair_geometry.h"
 
@@ -15,6 +16,7 @@ struct TwistingSpring {
   double twisting_stiffness;  ///< K_tw (force * length)
 
   static constexpr const char* kKeyword = "spring";
+  static constexpr Family kFamily = Family::springs;
   static constexpr bool kIsDefault = true;
   static constexpr int kDimension = 3;
   static constexpr Number<TwistingSpring> kNumbers[] = {

@@ -71,7 +71,7 @@ struct KernelLawOf;
 template <class Normal, class Adhesion, class Damping, class Friction, class Rolling, class Twisting, int Dim,
           Partner partner>
 struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twisting>, Dim, partner> {
-  static constexpr bool kVaries = kStiffnessVaries<Normal>;
+  static constexpr bool kElasticSpheres = family_of<Normal>() == Family::elastic_spheres;
   static constexpr bool kWet = kHoldsLiquid<Adhesion> && partner == Partner::grain;
   static constexpr bool kNoAttraction =
       kIsAbsent<Adhesion> && partner == Partner::grain && (Dim == 2 || kIsAbsent<Friction>);
@@ -79,16 +79,16 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
       kIsAbsent<Adhesion> && kIsAbsent<Friction> && kIsAbsent<Damping> && partner == Partner::grain;
   static constexpr bool kIsDryAttraction =
       kHoldsLiquid<Adhesion> || std::is_constructible_v<DryAttraction, Adhesion>;
-  // Which models go together is told by kIsCompiled: grains of varying stiffness adhere by liquid alone; neither
+  // Which models go together is told by kIsCompiled: elastic spheres adhere by liquid alone; neither
   // they nor grains with liquid resist rolling.
-  using Dry =
-      std::conditional_t<kVaries, NoAdhesion, std::conditional_t<kIsDryAttraction, DryAttraction, Adhesion>>;
+  using Dry = std::conditional_t<kElasticSpheres, NoAdhesion,
+                                 std::conditional_t<kIsDryAttraction, DryAttraction, Adhesion>>;
   using SomeAdhesion = std::conditional_t<kWet, Adhesion, Dry>;
-  using SomeDamping = Present<Damping, std::conditional_t<kVaries, CriticalDamping, ViscousDamping>>;
-  using SomeFriction = Present<Friction, std::conditional_t<kVaries, MindlinFriction, CoulombFriction>>;
-  using SomeRolling = std::conditional_t<kVaries || kWet, NoRolling, Present<Rolling, RollingSpring>>;
+  using SomeDamping = Present<Damping, std::conditional_t<kElasticSpheres, CriticalDamping, ViscousDamping>>;
+  using SomeFriction = Present<Friction, std::conditional_t<kElasticSpheres, MindlinFriction, CoulombFriction>>;
+  using SomeRolling = std::conditional_t<kElasticSpheres || kWet, NoRolling, Present<Rolling, RollingSpring>>;
   using SomeTwisting =
-      std::conditional_t<kVaries || kWet || Dim == 2, NoTwisting, Present<Twisting, TwistingSpring>>;
+      std::conditional_t<kElasticSpheres || kWet || Dim == 2, NoTwisting, Present<Twisting, TwistingSpring>>;
 
   using General = ContactLaw<Normal, SomeAdhesion, SomeDamping, SomeFriction, SomeRolling, SomeTwisting>;
   using Special =

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "floc/base/lanes.h"
+#include "floc/contact/contact_load.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/pair_geometry.h"
+
+namespace floc::testing {
+
+/// A normal law with one stiffness while the overlap grows beyond what it ever was and another one below that
+/// [Walton and Braun, J. Rheol. 30, 949 (1986)], for tests of laws that remember: the contact loses energy where
+/// the second is the larger one, and would gain it where it is smaller. The surfaces part as soon as they no longer
+/// press, at an overlap that the larger stiffness leaves.
+struct HystereticRepulsion {
+  double normal_stiffness;  ///< while the overlap grows (force/length)
+  double unloading;         ///< below the largest overlap (force/length)
+
+  static constexpr Memory kMemory[] = {{"largest_overlap", MemoryKind::scalar, Unit::length, ""}};
+
+  template <class T>
+  void remember(const PairGeometry<T>& pair, T* memory) const {
+    memory[0] = lanes::max(memory[0], T(-pair.gap));
+  }
+  template <class T>
+  T force(const PairGeometry<T>& pair, const T* memory) const {
+    const T unloaded = T(normal_stiffness) * memory[0] - T(unloading) * (memory[0] + pair.gap);
+    return lanes::select(pair.gap < T(0), lanes::max(unloaded, T(0)), T(0));
+  }
+  template <class T>
+  T stiffness(const PairGeometry<T>& pair, const T* memory) const {
+    return lanes::select(touches(pair, memory), T(unloading), T(0));
+  }
+  template <class T>
+  auto touches(const PairGeometry<T>& pair, const T* memory) const {
+    return T(0) < force(pair, memory);
+  }
+  double stiffness_at_force(const PairGeometry<>&, double) const { return unloading; }
+  double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return unloading; }
+};
+
+}  // namespace floc::testing

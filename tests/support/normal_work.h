@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/laws.h"
+
+namespace floc::testing {
+
+/// Work done on a contact along its normal while its gap is moved by hand: minus the integral of the static normal
+/// force over the gap, by the trapezoidal rule, which is exact where the force is linear. Where the surfaces meet or
+/// part, and forces may jump, the step is cut in two at the last digit.
+template <class Law, int Dim>
+class NormalWork {
+ public:
+  NormalWork(const Law& law, double gap) : law_(law), gap_(gap) {
+    const auto response = law_.respond(at_gap<Dim>(gap), memory_).normal;
+    force_ = response.force();
+    touches_ = response.touches;
+  }
+
+  void move_to(double gap) {
+    if (touches_at(gap) == touches_) return integrate_to(gap);
+    double before = gap_, after = gap;
+    for (double middle = 0.5 * (before + after); middle != before && middle != after;
+         middle = 0.5 * (before + after))
+      (touches_at(middle) == touches_ ? before : after) = middle;
+    integrate_to(before);
+    const double until_here = work_;
+    integrate_to(after);
+    work_ = until_here;  // a step of one rounding, across which the mean force means nothing
+    integrate_to(gap);
+  }
+
+  double work() const { return work_; }
+  double largest() const { return largest_; }  ///< absolute value that the work has had
+  bool touches() const { return touches_; }
+
+ private:
+  bool touches_at(double gap) const {
+    auto memory = memory_;
+    return law_.respond(at_gap<Dim>(gap), memory).normal.touches;
+  }
+
+  void integrate_to(double gap) {
+    const auto response = law_.respond(at_gap<Dim>(gap), memory_).normal;
+    work_ -= 0.5 * (force_ + response.force()) * (gap - gap_);
+    largest_ = std::max(largest_, std::abs(work_));
+    gap_ = gap;
+    force_ = response.force();
+    touches_ = response.touches;
+  }
+
+  Law law_;
+  Remembered<Law, Dim> memory_;
+  double gap_, force_;
+  bool touches_;
+  double work_ = 0.0, largest_ = 0.0;
+};
+
+}  // namespace floc::testing

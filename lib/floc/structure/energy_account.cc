@@ -4,7 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include "floc/geometry/separation.h"
 #include "floc/neighbors/interacting_pairs.h"
 #include "floc/neighbors/spread_liquid.h"
 #include "floc/neighbors/unlisted_pairs.h"
@@ -12,6 +11,7 @@
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/law_response.h"
+#include "floc/packing/locate.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/structure/contact_changes.h"
 
@@ -66,18 +66,17 @@ struct StepMotion {
   double twisting = 0.0;
   double twist = 0.0;  ///< mean rotation of the grains about the normal
 
-  StepMotion(const Packing<Dim>& packing, const Contact<Dim>& c, const Vec<Dim>& before, const Vec<Dim>& after,
+  StepMotion(const ContactGeometry<Dim>& before, const ContactGeometry<Dim>& after,
              const RotationVector<Dim>& rotation_i, const RotationVector<Dim>& rotation_j)
-      : branch(after),
-        normal_before(before.normalized()),
-        normal(after.normalized()),
-        middle((before + after).normalized()),
-        opening(after.norm() - before.norm()) {
-    const std::vector<double>& radius = packing.grains.radius;
-    const double arm = 0.5 * (before + after).norm() / (radius[c.i] + radius[c.j]);
-    const RotationVector<Dim> surfaces = arm * (radius[c.i] * rotation_i + radius[c.j] * rotation_j);
+      : branch(after.branch),
+        normal_before(before.normal),
+        normal(after.normal),
+        middle((before.branch + after.branch).normalized()),
+        opening(after.branch.norm() - before.branch.norm()) {
+    const Vec<Dim> arm_i = 0.5 * (before.arm_i + after.arm_i), arm_j = 0.5 * (before.arm_j + after.arm_j);
     const RotationVector<Dim> against = rotation_i - rotation_j;
-    const Vec<Dim> moved = after - before - cross<double>(surfaces, middle);
+    const Vec<Dim> moved =
+        after.branch - before.branch - cross<double>(rotation_i, arm_i) + cross<double>(rotation_j, arm_j);
     rolling = rolling_part<double>(middle, against);
     if constexpr (Dim == 2) {
       slip = to_shear<double>(middle, moved);
@@ -168,7 +167,7 @@ double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
         for (std::size_t k = 0; k < old.size(); ++k) {
           if (is_kept[k]) continue;
           Contact<Dim> c = old[k];
-          c.gap = surface_gap<Dim>(exact_branch(after, c), after.grains.radius[c.i], after.grains.radius[c.j]);
+          place(locate(after, c), c);
           sum -= normal_energy(law, after, c);
         }
         return sum;
@@ -205,20 +204,19 @@ class Step {
 
  private:
   void add_contact(const Contact<Dim>& before, const Contact<Dim>& after, EnergyTerms& terms) {
-    const StepMotion<Dim> motion(after_, after, branch_before(after), branch(after_, after), rotation(after.i),
-                                 rotation(after.j));
+    const StepMotion<Dim> motion(locate(before_, named_as_before(after)), locate(after_, after),
+                                 rotation(after.i), rotation(after.j));
     add_spring_losses(before, after, motion, terms);
     const double force = viscous_force(law_, after_.grains, after, motion.opening / time_step_);
     terms.viscous -= force * motion.opening;
     viscous_virial_ += force * motion.normal * motion.branch.transpose();
   }
 
-  /// Branch of a contact at the beginning, given as it is at the end, where grains may have been moved back into
-  /// the cell.
-  Vec<Dim> branch_before(const Contact<Dim>& after) const {
-    const Vec<Dim, int> image = after.image + changes_.wrapped[after.j] - changes_.wrapped[after.i];
-    const Grains<Dim>& g = before_.grains;
-    return g.position[after.j] + before_.cell.shift(image) - g.position[after.i];
+  /// A contact of the end by the image that it had at the beginning: grains may have been moved back into the cell
+  /// since.
+  Contact<Dim> named_as_before(Contact<Dim> after) const {
+    after.image += changes_.wrapped[after.j] - changes_.wrapped[after.i];
+    return after;
   }
 
   RotationVector<Dim> rotation(int i) const {

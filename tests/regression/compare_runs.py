@@ -1,14 +1,16 @@
 """Compares runs of floc: two of them bit for bit, or the means of two ensembles. Uses nothing of
 floc.
 
-  compare_runs.py RUN_A RUN_B
+  compare_runs.py RUN_A RUN_B [--residuals T]
 
 Bit for bit: every dataset of every state-NNNN.h5 (cell, grains, contacts with their memory,
 equilibrium), and path.csv without the column `seconds`. One line for each state that differs: the
 first dataset that does, and by how much. Exit code 0 if nothing differs, 1 if anything does, 2 if
 a directory holds no run. Attributes (version, law, provenance) and the texts `scene` and
 `progress` are not compared. Version 1 and version 2 of the state file count as the same where
-they hold the same numbers.
+they hold the same numbers. With --residuals, residuals (which are in units of F1) that differ by no
+more than T count as the same: sums of forces that cancel are rounding, which another order of
+operations changes. How many did is said.
 
   compare_runs.py --means A/seed-* --against B/seed-*
 
@@ -65,6 +67,20 @@ def may_be_absent(name):
     return name.startswith("contacts/memory/") or name == "grains/position_low"
 
 
+class Residuals:
+    """Residuals that may differ by rounding, and how many did."""
+
+    def __init__(self, tolerance):
+        self.tolerance = tolerance
+        self.n_moved = 0
+
+    def same(self, a, b):
+        """Whether two of them count as the same."""
+        within = bool(np.all(np.abs(np.asarray(a, float) - np.asarray(b, float)) <= self.tolerance))
+        self.n_moved += within and bool(np.any(np.asarray(a, float) != np.asarray(b, float)))
+        return within
+
+
 def how_numbers_differ(a, b):
     """In words, or None where two arrays are the same bits."""
     if a is None or b is None:
@@ -86,13 +102,15 @@ def how_numbers_differ(a, b):
             f"(entry {entry}: {a[place]:.17g} against {b[place]:.17g})")
 
 
-def how_states_differ(path_a, path_b):
+def how_states_differ(path_a, path_b, residuals):
     """The first array that differs, in words, or None."""
     a, b = datasets(path_a), datasets(path_b)
     differing = []
     for name in in_order(a.keys() | b.keys()):
         x, y = a.get(name), b.get(name)
         if (x is None or y is None) and may_be_absent(name) and not np.any(y if x is None else x):
+            continue
+        if name == "equilibrium/residuals" and x is not None and y is not None and residuals.same(x, y):
             continue
         words = how_numbers_differ(x, y)
         if words is not None:
@@ -108,13 +126,15 @@ def read_table(path):
         return list(csv.DictReader(f))
 
 
-def how_paths_differ(path_a, path_b):
+def how_paths_differ(path_a, path_b, residuals):
     """The first row of path.csv that differs in another column than `seconds`, in words, or None."""
     a, b = read_table(path_a), read_table(path_b)
     for k, (row_a, row_b) in enumerate(zip(a, b)):
         if list(row_a) != list(row_b):
             return f"has columns {','.join(row_a)} against {','.join(row_b)}"
         for name, value in row_a.items():
+            if name.startswith("residual_") and residuals.same(value, row_b[name]):
+                continue
             if name != "seconds" and value != row_b[name]:
                 return f"row {k}, {name}: {value} against {row_b[name]}"
     if len(a) != len(b):
@@ -129,7 +149,7 @@ def states_of(directory):
     return {name for name in os.listdir(directory) if name.startswith("state-") and name.endswith(".h5")}
 
 
-def compare_bits(directory_a, directory_b):
+def compare_bits(directory_a, directory_b, residuals):
     """Prints what differs. Returns whether anything does."""
     states_a, states_b = states_of(directory_a), states_of(directory_b)
     if not states_a and not states_b:
@@ -138,16 +158,18 @@ def compare_bits(directory_a, directory_b):
     for name in sorted(states_a | states_b) + ["path.csv"]:
         path_a, path_b = os.path.join(directory_a, name), os.path.join(directory_b, name)
         if name == "path.csv":
-            words = how_paths_differ(path_a, path_b)
+            words = how_paths_differ(path_a, path_b, residuals)
         elif name not in states_a or name not in states_b:
             words = f"is missing in {directory_b if name in states_a else directory_a}"
         else:
-            words = how_states_differ(path_a, path_b)
+            words = how_states_differ(path_a, path_b, residuals)
         if words is not None:
             differing += 1
             print(f"{name}: {words}")
     n_states = len(states_a | states_b)
     verdict = f"{differing} differ" if differing else "the same, bit for bit"
+    if residuals.n_moved:
+        verdict += f", but for {residuals.n_moved} differences of residuals by at most {residuals.tolerance:g}"
     print(f"{n_states} states and path.csv: {verdict}")
     return differing > 0
 
@@ -225,6 +247,8 @@ def compare_means(directories_a, directories_b, steps):
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("runs", nargs="*", metavar="RUN", help="two run directories, compared bit for bit")
+    parser.add_argument("--residuals", type=float, default=0.0, metavar="T",
+                        help="residuals that differ by no more are the same (in F1; default: 0)")
     parser.add_argument("--means", nargs="+", metavar="DIR", help="samples A")
     parser.add_argument("--against", nargs="+", metavar="DIR", help="samples B, of the same seeds")
     parser.add_argument("--steps", nargs="+", type=int, default=[6, 8, 12, 16, 25], metavar="K",
@@ -243,7 +267,7 @@ def main():
         if arguments.means:
             compare_means(arguments.means, arguments.against, arguments.steps)
             return 0
-        return 1 if compare_bits(*arguments.runs) else 0
+        return 1 if compare_bits(*arguments.runs, Residuals(arguments.residuals)) else 0
     except (BadInput, OSError) as e:
         print(f"compare_runs.py: {e}", file=sys.stderr)
         return 2

@@ -60,6 +60,20 @@ TEST_F(TwoRuns, DifferWhereOneNumberDoes) {
   EXPECT_THAT(result.out, HasSubstr("\n3 states and path.csv: 1 differ\n"));
 }
 
+TEST_F(TwoRuns, AreTheSameButForRoundingOfResidualsWhereThatIsAllowed) {
+  const std::string changed = b() + "/state-0001.h5";
+  auto state = std::get<State<2>>(read_state(changed));
+  state.residuals.moment += 1e-15;
+  write_state(changed, state);
+  EXPECT_EQ(compared().code, 1);
+  EXPECT_EQ(compare_runs({a(), b(), "--residuals", "1e-16"}).code, 1);
+  const Outcome result = compare_runs({a(), b(), "--residuals", "2e-15"});
+  EXPECT_EQ(result.code, 0) << result.out << result.err;
+  EXPECT_EQ(
+      result.out,
+      "3 states and path.csv: the same, bit for bit, but for 1 differences of residuals by at most 2e-15\n");
+}
+
 TEST_F(TwoRuns, DifferWhereAStateIsMissing) {
   std::filesystem::remove(b() + "/state-0002.h5");
   const Outcome result = compared();

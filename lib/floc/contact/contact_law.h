@@ -158,8 +158,8 @@ struct ContactLaw {
   NormalResponse<T> normal(const PairGeometry<T>& pair, const T* memory = nullptr,
                            [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
     NormalResponse<T> response{T(0), T(0), T(0), T(0)};
+    [[maybe_unused]] const PackedMemory<memory_size<Normal>(2), T> fresh{};
     if constexpr (kRemembersOverlap) {
-      const PackedMemory<memory_size<Normal>(2), T> fresh;
       if (memory == nullptr) memory = fresh.value;
       response.elastic = repulsion.force(pair, memory);
       response.stiffness = repulsion.stiffness(pair, memory);

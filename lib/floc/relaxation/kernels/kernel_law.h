@@ -13,8 +13,8 @@
 /// it the bits that a kernel of its own would. KernelLawOf decides:
 ///   - Kernels have damping. A law without it has coefficients of zero, and its dashpot forces are not kept.
 ///   - Constant adhesion and adhesion with a tail are one model, DryAttraction, which also stands for none.
-///   - Where an attraction of zero takes up to a tenth of the pass, kernels without adhesion remain: for disks, and
-///     for spheres without friction. Those without friction remain without damping, too, which takes half of them.
+///   - Where an attraction of zero takes up to a tenth of the pass, between grains without adhesion, kernels without
+///     it remain; and where a dashpot takes half of it, without friction as well, kernels without damping.
 ///   - Grains have kernels without friction, with it, and with rolling and twisting.
 ///   - Walls are dry, and their kernels have damping and DryAttraction.
 /// All of this is for normal laws that have special kernels (kHasSpecialKernels). Any other has general kernels
@@ -73,8 +73,7 @@ template <class Normal, class Adhesion, class Damping, class Friction, class Rol
 struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twisting>, Dim, partner> {
   static constexpr bool kElasticSpheres = family_of<Normal>() == Family::elastic_spheres;
   static constexpr bool kWet = kHoldsLiquid<Adhesion> && partner == Partner::grain;
-  static constexpr bool kNoAttraction =
-      kIsAbsent<Adhesion> && partner == Partner::grain && (Dim == 2 || kIsAbsent<Friction>);
+  static constexpr bool kNoAttraction = kIsAbsent<Adhesion> && partner == Partner::grain;
   static constexpr bool kNoDashpot =
       kIsAbsent<Adhesion> && kIsAbsent<Friction> && kIsAbsent<Damping> && partner == Partner::grain;
   static constexpr bool kIsDryAttraction =

@@ -82,7 +82,7 @@ fit force-distribution {state} --draws 20
 fit force-distribution {state} --form tails --draws 5
 """.strip().splitlines()
 
-# Without a state.
+# Without a state: each has to succeed.
 ALONE = """
 chain --n 20 --R 0.5 --kn 1 --kt 1 --kr 1e-4
 chain --n 20 --R 0.5 --kn 1 --kt 1 --kr 1e-4 --bend 2
@@ -97,7 +97,7 @@ fit preconsolidation {source}/data/tables/reload
 fit consolidation {source}/data/tables/oedometer/oedometer.csv --columns P_star=Effective_Vertical_Stress,void_ratio=Void_Ratio
 plot {source}/data/tables/demo -o tables.svg
 convert {source}/data/packings/jambashbulk/N16~P1e-3~0001.txt disks.h5
-tradeoff {scene} --budget 5 --samples 1 --observables phi
+tradeoff small.toml --budget 60 --samples 1 --observables phi
 """.strip().splitlines()
 
 # Cycles and a track of energy, beside the scenes of loads.py.
@@ -193,11 +193,16 @@ class Sweep:
     def alone(self):
         directory = self.root / "alone"
         directory.mkdir()
+        (directory / "small.toml").write_text(loads.powder(2) + loads.stage("to = 1.0", "steps = 1"))
         n = 0
         for command in ALONE:
-            if self.only in command:
-                self.names.append(command)
-                n += self.floc("alone", command.format(source=self.source, scene=self.source / "data/scenes/demo.toml"), directory)
+            if self.only not in command:
+                continue
+            self.names.append(command)
+            if self.floc("alone", command.format(source=self.source), directory):
+                n += 1
+            else:
+                self.fault(f"floc {command}: does not succeed")
         return n
 
 

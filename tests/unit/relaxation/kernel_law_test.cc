@@ -169,8 +169,10 @@ struct Computed {
 template <int Dim>
 void expect_forces_alone() {
   constexpr int kGrains = 30;
-  const LawParameters law{.normal = LinearRepulsion{100.0}};
-  const ContactLaw<LinearRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting> special{{100.0}};
+  LawParameters law;
+  law.normal = LinearRepulsion{100.0};
+  const ContactLaw<LinearRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting> special{
+      {100.0}, {}, {}, {}, {}, {}};
   using General = KernelLawOf<PlainLaw<NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>, Dim>;
   General general{{{100.0}}, {}, kNeutral<ViscousDamping>, kNeutral<CoulombFriction>, kNeutral<RollingSpring>,
                   {}};

@@ -46,7 +46,7 @@ struct PathTable {
   CsvTable table;
   std::string stress = {};  ///< that of oedometric rows, "driven" or "mean"; empty without such rows
   std::vector<std::string> notes = {};   ///< what was done to the pressures, for stderr
-  std::vector<std::string> doubts = {};  ///< of values that may be meant otherwise
+  std::vector<std::string> doubts = {};  ///< warnings of values that may be meant otherwise
 
   /// `stress` as a table has it.
   TableValue stress_of_rows() const { return or_undefined(stress); }

@@ -84,7 +84,7 @@ int run_scene(const RunArguments& arguments) {
 int run_seeds(const RunArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
-  // What no sample can do is reported once, before any of them starts.
+  // Faults that all samples would have are reported once, before any of them starts.
   const RunOptions options = checked_options(scene, arguments);
   if (!scene.is_random())
     throw InputError("--seeds " + arguments.seeds,

@@ -10,7 +10,7 @@ namespace floc {
 /// Bulk moduli of a saved state, and the elastic line through it: ln Phi = ln phi + (P - pressure)/B.
 struct StateModuli {
   std::string file;
-  std::string unit;  ///< of the moduli and the pressure; empty in reduced units
+  std::string unit;  ///< unit of the moduli and the pressure; empty in reduced units
   double B, B_S, pressure, phi;
   /// Of one axis, where one is asked for: the modulus of its strain alone, and how the mean stress answers it, over
   /// that strain (stress).
@@ -21,7 +21,7 @@ struct StateModuli {
 /// @throws InputError if the file is no state, or has no such axis
 StateModuli moduli_of(const std::string& file, int axis = -1);
 
-/// The same in the unit of a path's pressures; a path that names none has that of the state.
+/// Moduli converted to the unit of a path's pressures; a path that names none has that of the state.
 /// @throws InputError if the units cannot be converted, or the path has one and the state is in reduced units
 StateModuli in_unit_of(const PathTable& path, StateModuli moduli);
 

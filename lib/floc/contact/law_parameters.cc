@@ -53,7 +53,7 @@ std::vector<std::string> tables_of(const std::string& key, const LawSlot<Models.
   return tables;
 }
 
-/// What is wrong, if anything, with the model of a slot beside the normal law, by their families.
+/// Fault of a model beside the normal law, in words, where their families do not go together; else nothing.
 template <class Normals, class Slot>
 std::string family_fault(const Normals& normals, const std::string& key, const Slot& slot) {
   return normals.visit([&]<class Normal>(const Normal&) {

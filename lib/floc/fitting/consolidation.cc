@@ -239,7 +239,7 @@ void check_independence(const LawEstimate& estimate, ConsolidationFit& fit) {
 /// A plateau that falls is the recompression of a soil: the pressure sought is then where its line meets that of
 /// regime II, while P0* is where its mean does.
 void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit) {
-  constexpr double kLevel = 0.1;  // of lambda
+  constexpr double kLevel = 0.1;  // share of lambda
   constexpr double kSignificant = 3.0;
   const LawPoints& plateau = estimate.plateau;
   if (estimate.law == Law::power || plateau.size() < 3) return;

@@ -20,7 +20,7 @@
 /// All of this is for normal laws that have special kernels (kHasSpecialKernels). Any other has general kernels
 /// alone: everything is in them that can be there beside this normal law, and they serve lattices of any shape.
 /// So a new normal law adds the fewest kernels; where its speed matters, give it special ones.
-/// What the kernel law remembers and the law of the scene does not is kept for no pair (PairKernel).
+/// Memory that the kernel law has and the law of the scene has not is kept for no pair (PairKernel).
 namespace floc {
 
 /// The second body of the pairs of a list.
@@ -140,7 +140,7 @@ inline constexpr bool kServesWalls = std::is_same_v<KernelLaw, KernelLawOf<Kerne
 template <int Dim>
 AnyKernelLaw<Dim> kernel_law(const AnyContactLaw& law, Partner partner);
 
-/// What a kernel is given of its law.
+/// Address of the alternative that a variant of laws holds: kernels are given it.
 template <class AnyLaw>
 const void* address_of_alternative(const AnyLaw& any_law) {
   return std::visit([](const auto& law) { return static_cast<const void*>(&law); }, any_law);

@@ -400,7 +400,9 @@ class Test:
                             ("yade.h5: 40 grains in 3D", "floc convert data/packings/yade/spheres.txt"),
                             ("crystal.h5: 4 grains in 2D", "floc convert grains.csv")):
             shown = self.claim_block(part)
-            done = self.shell(re.sub(r"(floc convert \S+ \S+)", r"\1 --overwrite", self.docs.block(begin)))
+            command = re.sub(r"(floc convert \S+ \S+)", r"\1 --overwrite", self.docs.block(begin))
+            self.prepare(command)
+            done = self.shell(command)
             said = done.stderr + done.stdout
             for line in shown.strip().split("\n"):
                 close = [other for other in said.split("\n") if self.same_numbers(line, other, 1e-13)]

@@ -7,6 +7,7 @@
 #include "floc/network/stiffness_matrix.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_response.h"
+#include "floc/packing/locate.h"
 #include "support/consistent_tangent.h"
 #include "support/network_packings.h"
 #include "support/springs.h"
@@ -93,6 +94,7 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
     motion[k].relative_rotation = rolling_part<double>(normal, RotationVector<Dim>(rotation_i - rotation_j));
     motion[k].twist = twist_about(normal, RotationVector<Dim>(rotation_i - rotation_j));
   }
+  set_arms(out);
   respond<Dim>(out, motion, out.contacts);
   return out;
 }

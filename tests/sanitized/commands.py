@@ -58,7 +58,7 @@ lattice {state} --matrix 0.05 --per-diameter 5 --stiffness grain=100,matrix=1 --
 lattice {state} --matrix 0.05 --per-diameter 5 --stiffness grain=100,matrix=1 --load strain:0,0.01,0 --boundary uniform-strain --phases p.svg
 lattice {state} --matrix 0.05 --per-diameter 5 --load strain:0,0,0.01,0,0,0.02 --boundary uniform-strain --map m.png --cut x,0.3
 lattice {state} --matrix 0.05 --per-diameter 5 --load compression --boundary plates --pdf pdf.csv
-lattice {state} --matrix 0.05 --per-diameter 5 --stiffness grain=100,matrix=1 --load tension --strength grain=10,matrix=1 --curve c.csv --cracks c.svg --yes
+lattice {state} --matrix 0.05 --per-diameter 5 --stiffness grain=100,matrix=1 --load tension --strength grain=10,matrix=1 --end-at 0.99 --curve c.csv --cracks c.svg --yes
 draw {state} -o forces.svg
 draw {state} -o forces.png --forces particle-pressure --width 20
 draw {state} -o forces.pdf --forces phases

@@ -30,9 +30,11 @@ namespace {
 Packing<2> unit_packing() {
   if (const char* file = std::getenv("FLOC_BENCH_STATE")) return std::get<State<2>>(read_state(file)).packing;
   Packing<2> packing;
-  packing.law.normal = LinearRepulsion{1.0};
-  packing.law.friction = CoulombFriction{0.5, 1.0};
-  packing.law.rolling = RollingSpring{0.005, 1e-4};
+  LawParameters law;
+  law.normal = LinearRepulsion{1.0};
+  law.friction = CoulombFriction{0.5, 1.0};
+  law.rolling = RollingSpring{0.005, 1e-4};
+  packing.law = law;
   packing.cell.matrix << 1.0, 0.0, 0.5, std::sqrt(0.75);
   packing.grains = Grains<2>::with_size(1);
   packing.grains.radius[0] = 0.505;

@@ -47,7 +47,7 @@ Table grain_table(const Packing<Dim>& packing) {
 /// Moments are listed of laws that roll alone: others have none, and are refused any.
 template <int Dim>
 Table contact_table(const Packing<Dim>& packing) {
-  const bool rolls = static_cast<bool>(packing.law.rolling), twists = static_cast<bool>(packing.law.twisting);
+  const bool rolls = packing.law.has_rolling(), twists = packing.law.has_twisting();
   Table table{{"id1", "id2"}, {}};
   const auto numbered = [&table](const char* name, int n) {
     for (int a = 1; a <= n; ++a) table.columns.push_back(fmt::format("{}{}", name, a));

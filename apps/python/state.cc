@@ -23,7 +23,7 @@ struct ContactField {
 };
 
 template <int Dim>
-std::vector<ContactField> contact_fields(const LawParameters& law) {
+std::vector<ContactField> contact_fields(const Law& law) {
   const Contact<Dim> c;
   const auto offset = [&c](const void* member) {
     return static_cast<const char*>(member) - reinterpret_cast<const char*>(&c);
@@ -54,7 +54,7 @@ std::vector<ContactField> contact_fields(const LawParameters& law) {
 }
 
 template <int Dim>
-py::dtype contact_type(const LawParameters& law) {
+py::dtype contact_type(const Law& law) {
   py::list names, formats, offsets;
   for (const ContactField& field : contact_fields<Dim>(law)) {
     names.append(field.name);

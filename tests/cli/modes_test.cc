@@ -7,6 +7,7 @@
 
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
+#include "support/contact_laws.h"
 #include "support/lattices.h"
 #include "support/run_arguments.h"
 
@@ -22,8 +23,8 @@ class ModesCommand : public testing::Test {
  protected:
   void SetUp() override {
     // Adhesive: without adhesion a disk held by one contact would be a rattler too.
-    LawParameters law = elastic_law(1.0, 0.5, 0.0);
-    law.adhesion = ConstantAdhesion{1e-3};
+    Law law = elastic_law(1.0, 0.5, 0.0);
+    law += test::constant_adhesion(1e-3);
     State<2> state;
     state.packing = square_frames(5, 1.0, law);
     Grains<2>& g = state.packing.grains;

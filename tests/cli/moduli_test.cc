@@ -7,6 +7,7 @@
 
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
+#include "support/contact_laws.h"
 #include "support/places.h"
 #include "support/run_arguments.h"
 
@@ -139,8 +140,8 @@ TEST_F(ModuliCommand, GiveARowForEachRollingStiffness) {
 /// Two grains in contact and nothing around them: the cell can be strained at no cost.
 TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   State<2> pair;
-  pair.packing.law.normal = LinearRepulsion{1.0};
-  pair.packing.law.adhesion = ConstantAdhesion{0x1p-10};
+  pair.packing.law += test::linear(1.0);
+  pair.packing.law += test::constant_adhesion(0x1p-10);
   pair.packing.cell.matrix *= 4.0;
   pair.packing.grains = Grains<2>::with_size(2);
   for (int i = 0; i < 2; ++i) {

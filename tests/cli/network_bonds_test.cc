@@ -7,6 +7,7 @@
 #include "floc/io/csv.h"
 #include "floc/io/state_file.h"
 #include "floc/packing/tile.h"
+#include "support/contact_laws.h"
 #include "support/crystals.h"
 #include "support/lattices.h"
 #include "support/run_program.h"
@@ -35,8 +36,8 @@ void load_in_two_layers(double f, Packing<Dim>& packing) {
 class Bonds : public testing::Test {
  protected:
   void SetUp() override {
-    LawParameters law = elastic_law(100.0, 50.0, 0.0);
-    law.adhesion = ConstantAdhesion{1.0};
+    Law law = elastic_law(100.0, 50.0, 0.0);
+    law += test::constant_adhesion(1.0);
     State<2> layers;
     layers.packing = tiled<2>(square_frames(2, 1.0, law), {6, 4});
     load_in_two_layers(0.5, layers.packing);

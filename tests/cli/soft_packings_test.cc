@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/io/law_text.h"
 #include "support/law_list.h"
 #include "support/places.h"
@@ -47,7 +48,7 @@ std::string contact_tables(LawParameters law) {
 }
 
 /// A few grains of one size under a pressure at which the mean contact overlaps by some tenth of a radius.
-std::string soft_scene(const LawParameters& law, int dimension) {
+std::string soft_scene(const Law& law, int dimension) {
   const double pressure = law.contact_modulus(dimension, 1.0) / (law.force_exponent() != 1.0 ? 180.0 : 12.0);
   return fmt::format(
       "[scene]\ndimension = {}\nunits = \"reduced\"\n[grains]\ncount = 8\ndiameter = {{distribution = "
@@ -79,7 +80,7 @@ class SoftPackings : public testing::Test {
     ++n_said_;
   }
 
-  void meet(const LawParameters& law, int dimension) {
+  void meet(const Law& law, int dimension) {
     SCOPED_TRACE(fmt::format("{} in {}D", law_text(law), dimension));
     const std::string overlap = "% of the contacts overlap by more than a tenth of a radius";
     write_text(scratch_.file("g.csv"), lattice_rows(dimension));
@@ -90,7 +91,7 @@ class SoftPackings : public testing::Test {
     expect_said({"moduli", scratch_.file("s.h5"), "--force"}, overlap);
     write_text(scratch_.file("s.toml"), soft_scene(law, dimension));
     expect_said({"scene", "check", scratch_.file("s.toml")}, "contacts would overlap by about 0.");
-    if (!law.damping) return;  // a gas that nothing damps takes long to come to rest
+    if (!law.has_damping()) return;  // a gas that nothing damps takes long to come to rest
     std::filesystem::remove_all(scratch_.file("run"));
     expect_said({"run", scratch_.file("s.toml"), "-o", scratch_.file("run")}, "  warning: ");
     ++n_run_;
@@ -103,7 +104,7 @@ class SoftPackings : public testing::Test {
 TEST_F(SoftPackings, OfEveryLawAreSaidToBeByEveryCommand) {
   int n_laws = 0;
   for (const int dimension : {2, 3})
-    for (const LawParameters& law : all_laws(dimension, kNumbers)) {
+    for (const Law& law : all_laws(dimension, kNumbers)) {
       meet(law, dimension);
       ++n_laws;
     }

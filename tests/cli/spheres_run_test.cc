@@ -6,6 +6,7 @@
 
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
+#include "support/contact_laws.h"
 #include "support/kill_and_resume.h"
 #include "support/threaded_run.h"
 
@@ -126,7 +127,7 @@ TEST_F(SpheresRun, StartsFromAShakenState) {
 TEST(SpheresState, IsReadWithAWarningOfDeepOverlapsAndRefusedWhereTheirMeanIsDeep) {
   const ScratchDirectory scratch;
   State<3> state;
-  state.packing.law.normal = HertzRepulsion{70.0, 0.3};
+  state.packing.law += test::hertz(70.0, 0.3);
   state.packing.cell.matrix *= 5.0;
   state.packing.grains = Grains<3>::with_size(3);
   state.packing.grains.radius.assign(3, 0.5);

@@ -9,6 +9,7 @@
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/contact_forces.h"
+#include "support/contact_laws.h"
 #include "support/places.h"
 #include "support/run_arguments.h"
 #include "support/states.h"
@@ -172,8 +173,8 @@ TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
 TEST(Verify, NamesAnUnstableState) {
   const ScratchDirectory scratch;
   State<2> s;
-  s.packing.law.normal = LinearRepulsion{1e5};
-  s.packing.law.adhesion = TailAdhesion{1.0, 1e-3};
+  s.packing.law += test::linear(1e5);
+  s.packing.law += test::tail_adhesion(1.0, 1e-3);
   s.packing.cell.matrix << 4.002, 0.0, 0.0, 3.0;
   s.packing.grains = Grains<2>::with_size(4);
   for (int i = 0; i < 4; ++i) {

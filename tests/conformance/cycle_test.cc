@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-using testing::for_each_law_and_dimension;
+using testing::for_each_kind_of_law_and_dimension;
 using testing::pair_at;
 
 /// A closed curve: a random sum of the first few harmonics.
@@ -126,7 +126,7 @@ testing::NormalWork<Law, Dim> normal_work_around(const Law& law, const Gap& gap)
 }
 
 TEST(NormalForce, TakesNoWorkFromAClosedLoop) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     RandomStream random(9, Dim);
     for (int k = 0; k < kLoops; ++k) {
@@ -178,7 +178,7 @@ TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
 }
 
 TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     RandomStream random(7, Dim);
@@ -208,7 +208,7 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
 }
 
 TEST(Dissipation, IsZeroWhereNothingSlidesOrParts) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     // Where the shear force falls with its stiffness, a change of the normal force alone dissipates.
     if (kFollowsNormalStiffness<typename std::decay_t<decltype(law)>::TangentialModel>) return;

@@ -9,7 +9,7 @@ namespace floc {
 namespace {
 
 using testing::at_gap;
-using testing::for_each_law_and_dimension;
+using testing::for_each_kind_of_law_and_dimension;
 using testing::pull_off_force;
 using testing::slip_by;
 using testing::stiffness_at;
@@ -39,7 +39,7 @@ ContactMotion<Dim> twisted(double gap, double twist) {
 }
 
 TEST(TangentialStiffness, IsTheSlopeOfTheShearForceInTheTangentPlane) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     constexpr int n = kShearComponents<Dim>;
@@ -60,7 +60,7 @@ TEST(TangentialStiffness, IsTheSlopeOfTheShearForceInTheTangentPlane) {
 }
 
 TEST(TangentialStiffness, IsTheDifferenceQuotientOfTheShearForce) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     const double step = 1e-8;
@@ -73,7 +73,7 @@ TEST(TangentialStiffness, IsTheDifferenceQuotientOfTheShearForce) {
 }
 
 TEST(RollingStiffness, IsTheSlopeOfTheMoment) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     constexpr int n = kRotations<Dim>;
@@ -92,7 +92,7 @@ TEST(RollingStiffness, IsTheSlopeOfTheMoment) {
 }
 
 TEST(TwistingStiffness, IsTheSlopeOfTheMoment) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     using Dual = ceres::Jet<double, 1>;
@@ -106,7 +106,7 @@ TEST(TwistingStiffness, IsTheSlopeOfTheMoment) {
 }
 
 TEST(FrictionCap, IsMuTimesTheElasticPart) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     testing::Remembered<Law, Dim> history;
@@ -120,7 +120,7 @@ TEST(FrictionCap, IsMuTimesTheElasticPart) {
 }
 
 TEST(FrictionCap, IsMuF0WhereTheNetNormalForceIsZero) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     if constexpr (Law::kHasFriction && testing::kAdheres<Law>) {
@@ -135,7 +135,7 @@ TEST(FrictionCap, IsMuF0WhereTheNetNormalForceIsZero) {
 }
 
 TEST(FrictionCap, KeepsTheDirectionOfTheSpring) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     if constexpr (Law::kHasFriction && Dim == 3) {
@@ -150,7 +150,7 @@ TEST(FrictionCap, KeepsTheDirectionOfTheSpring) {
 }
 
 TEST(RollingCap, IsMuRTimesTheElasticPart) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     testing::Remembered<Law, Dim> history;
@@ -164,7 +164,7 @@ TEST(RollingCap, IsMuRTimesTheElasticPart) {
 }
 
 TEST(TwistingCap, IsMuTwTimesTheElasticPart) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     testing::Remembered<Law, Dim> history;
@@ -179,7 +179,7 @@ TEST(TwistingCap, IsMuTwTimesTheElasticPart) {
 }
 
 TEST(Springs, AreCutBackWithTheCapAndDoNotComeBack) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     testing::Remembered<Law, Dim> history;
@@ -200,7 +200,7 @@ TEST(Springs, AreCutBackWithTheCapAndDoNotComeBack) {
 }
 
 TEST(Springs, BelowTheirCapsFeelNoChangeOfTheNormalForce) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     testing::Remembered<Law, Dim> history;
@@ -216,10 +216,12 @@ TEST(Springs, BelowTheirCapsFeelNoChangeOfTheNormalForce) {
 }
 
 TEST(Springs, AreClearedWhenTheSurfacesPart) {
-  for_each_law_and_dimension([](const auto& law, auto dimension) {
+  for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    for (const double parted : {0.0, 1e-9, 0.5 * law.range(), 2 * law.range() + 1e-3}) {
+    const double holding = law.holding_range(testing::pair_at(0.0).reduced_radius);
+    for (const double beyond : {0.0, 1e-9, 0.5 * law.range(), 2 * law.range() + 1e-3}) {
+      const double parted = holding + beyond;
       SCOPED_TRACE(parted);
       testing::Remembered<Law, Dim> history;
       ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1e-6);

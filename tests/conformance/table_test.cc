@@ -112,7 +112,7 @@ TEST(Table, AdhesionOfNoForceIsNoAdhesion) {
 }
 
 TEST(Table, RangeOfALawIsTheOneOfItsParameters) {
-  for_each_law([](const auto& law) { EXPECT_EQ(law.range(), parameters_of(law).range()); });
+  for_each_law([](const auto& law) { EXPECT_EQ(law.range(), Law(parameters_of(law)).range()); });
 }
 
 TEST(EmptySlots, CostNoByteOfTheContactRecord) {

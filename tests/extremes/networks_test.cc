@@ -56,7 +56,7 @@ TEST(Stiffness, OfContactsFromHundredToABillionF0OverA) {
 TEST(Stiffness, AcrossContactsFromAMillionthToAThousandTimesThatAlong) {
   for (const double kt : {1e-6, 1e-3, 1.0, 1e3}) {
     const std::string what = "K_T = " + std::to_string(kt);
-    const LawParameters law = test::elastic_law(1.0, kt, 1e-4);
+    const Law law = test::elastic_law(1.0, kt, 1e-4);
     expect_right(full_moduli(test::triangular(kSpacing, law)),
                  isotropic(std::sqrt(0.75), std::sqrt(3.0) / 4.0 * (1.0 + kt)), 1e-11, what + ", triangular");
     expect_right(full_moduli(test::honeycomb(kSpacing, law)),

@@ -10,6 +10,7 @@
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/tile.h"
 #include "floc/relaxation/static_solver.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/lattices.h"
 #include "support/run_program.h"
@@ -28,9 +29,9 @@ struct StiffCrystal {
   Vec<2> target = Vec<2>::Constant(1.0);
 
   StiffCrystal() {
-    LawParameters law;
-    law.normal = LinearRepulsion{kStiff};
-    law.friction = CoulombFriction{0.5, kStiff};
+    Law law;
+    law += test::linear(kStiff);
+    law += test::coulomb(0.5, kStiff);
     Packing<2> start = tiled<2>(cell_of_two(law), {28, 25});
     RandomStream random(1, 1);
     for (double& radius : start.grains.radius) radius += 2e-11 * random.normal();
@@ -40,7 +41,7 @@ struct StiffCrystal {
   }
 
   /// Two disks of a triangular lattice of unit spacing in a rectangular cell, overlapping as P = 1 wants it.
-  static Packing<2> cell_of_two(const LawParameters& law) {
+  static Packing<2> cell_of_two(const Law& law) {
     Packing<2> two;
     two.law = law;
     two.cell.matrix << 1.0, 0.0, 0.0, std::sqrt(3.0);
@@ -100,7 +101,7 @@ std::string displaced_text(const DoubleDouble& x, std::int64_t by) {
 TEST(Positions, ABillionDiametersAwayAreReadWithTheDigitsTheyAreWrittenWith) {
   const StiffCrystal crystal;
   Packing<2> smooth = crystal.packing;
-  smooth.law.friction.reset();
+  smooth.law += test::without("friction");
   refresh_contacts(smooth);
   const test::ScratchDirectory scratch;
   for (const std::int64_t far : {std::int64_t{0}, std::int64_t{1'000'000'000}}) {
@@ -132,8 +133,8 @@ TEST(Positions, FartherThanImagesCanCountAreRefused) {
   const test::ScratchDirectory scratch;
   test::write_text(scratch.file("far.csv"), "x,y,radius\n0,0,0.5\n1e20,0,0.5\n");
   ImportOptions options;
-  options.law = LawParameters{};
-  options.law->normal = LinearRepulsion{1.0};
+  options.law = Law{};
+  *options.law += test::linear(1.0);
   options.cell = {{4.0, 0.0}, {0.0, 4.0}};
   try {
     read_csv_packing(scratch.file("far.csv"), options);

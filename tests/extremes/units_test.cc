@@ -5,6 +5,7 @@
 
 #include "floc/elasticity/moduli.h"
 #include "floc/loading/run.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/law_units.h"
 #include "support/network_packings.h"
@@ -24,7 +25,7 @@ struct Units {
   double time() const { return std::sqrt(mass * length / force); }
 };
 
-LawParameters rescaled(const LawParameters& law, const Units& u) {
+Law rescaled(const Law& law, const Units& u) {
   return test::in_units(law, u.length, u.force);
 }
 

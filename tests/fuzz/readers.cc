@@ -86,7 +86,7 @@ std::string content_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-LawParameters law() {
+Law law() {
   return parse_law("fuzz",
                    "normal.stiffness=1e3,adhesion.force=1,adhesion.range=1e-3,friction.coefficient=0.5,"
                    "friction.stiffness=1e3,rolling.coefficient=0.01,rolling.stiffness=1");

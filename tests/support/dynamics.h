@@ -11,23 +11,24 @@
 #include "floc/packing/tile.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/relaxation_options.h"
+#include "support/contact_laws.h"
 
 namespace floc::test {
 
 /// The contact law of [GRC2008] in units F0 = a = m = 1, with small rolling resistance.
-inline LawParameters cohesive_law() {
-  LawParameters law;
-  law.normal = LinearRepulsion{1e5};
-  law.adhesion = TailAdhesion{1.0, 1e-3};
-  law.damping = ViscousDamping{0.015, DampingMass::effective};
-  law.friction = CoulombFriction{0.5, 1e5};
-  law.rolling = RollingSpring{0.005, 10.0};
+inline Law cohesive_law() {
+  Law law;
+  law += test::linear(1e5);
+  law += test::tail_adhesion(1.0, 1e-3);
+  law += test::viscous_damping(0.015);
+  law += test::coulomb(0.5, 1e5);
+  law += test::rolling_spring(0.005, 10.0);
   return law;
 }
 
 /// A gas of grains with diameters uniform in [1/2, 1].
 template <int Dim = 2>
-Packing<Dim> gas_of(int n, const LawParameters& law, double solid_fraction, std::uint64_t seed = 1) {
+Packing<Dim> gas_of(int n, const Law& law, double solid_fraction, std::uint64_t seed = 1) {
   GrainOptions grains;
   grains.count = n;
   grains.diameter.min = 0.5;
@@ -38,7 +39,7 @@ Packing<Dim> gas_of(int n, const LawParameters& law, double solid_fraction, std:
 
 /// An agitated gas of cohesive grains, dense enough that many touch within a few hundred steps.
 template <int Dim = 2>
-Packing<Dim> agitated_gas(int n, const LawParameters& law) {
+Packing<Dim> agitated_gas(int n, const Law& law) {
   Packing<Dim> gas = gas_of<Dim>(n, law, Dim == 2 ? 0.6 : 0.45);
   RandomStream random(7, 2);
   agitate(gas, 1.0, random);
@@ -48,7 +49,7 @@ Packing<Dim> agitated_gas(int n, const LawParameters& law) {
 /// The same with so many grains that the rows of many blocks have been summed before those of the last are written, and
 /// so long that threads share few blocks.
 template <int Dim>
-Packing<Dim> large_agitated_gas(const LawParameters& law) {
+Packing<Dim> large_agitated_gas(const Law& law) {
   Vec<Dim, int> copies = Vec<Dim, int>::Ones();
   copies[Dim - 1] = 36;
   Packing<Dim> gas = tiled<Dim>(agitated_gas<Dim>(300, law), copies);
@@ -127,12 +128,12 @@ void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
 /// The laws of every slot the force loop reads. @param n_contacts  more than these at the end
 template <int Dim>
 void expect_no_trace_of_instructions(std::size_t n_contacts) {
-  LawParameters frictionless = cohesive_law();
-  frictionless.friction.reset();
-  frictionless.rolling.reset();
-  LawParameters sliding = cohesive_law();
-  sliding.rolling.reset();
-  for (const LawParameters& law : {cohesive_law(), sliding, frictionless}) {
+  Law frictionless = cohesive_law();
+  frictionless += test::without("friction");
+  frictionless += test::without("rolling");
+  Law sliding = cohesive_law();
+  sliding += test::without("rolling");
+  for (const Law& law : {cohesive_law(), sliding, frictionless}) {
     const Packing<Dim> gas = agitated_gas<Dim>(150, law);
     const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
     const Packing<Dim> portable = after(gas, {dt, 0.05, 1, InstructionSet::portable}, {600});

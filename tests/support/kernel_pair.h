@@ -15,7 +15,7 @@ class KernelPair {
  public:
   KernelPair(const LawParameters& law, double overlap, InstructionSet instructions)
       : grains_(start(overlap), {0, 1}),
-        interaction_(Partner::grain, law, compose_law(law), row_kind<3>(compose_law(law)), instructions,
+        interaction_(Partner::grain, law, compose_law(law), row_kind<3>(compose_law(law)), 0.5, instructions,
                      LatticeShape::rectangular) {
     interaction_.set_pairs({{{0, 1, {0, 0, 0}}}, Partner::grain, grains_, interaction_.law(), 1e-9, 1});
     rows_ = {{&interaction_.pairs()}, interaction_.rows(), 2, SweepPlan(interaction_.pairs(), 1, 1, 1)};

@@ -9,6 +9,7 @@
 
 #include "floc/base/random.h"
 #include "floc/lattice/lattice_solution.h"
+#include "support/contact_laws.h"
 
 /// Samples on a lattice for tests: phases by hand or at random, without a packing.
 namespace floc::test {
@@ -44,7 +45,7 @@ LatticeNetwork<Dim> uniform_network(const Lattice<Dim>& lattice, double k, doubl
 template <int Dim>
 Packing<Dim> grid_of_grains(int across, double gap) {
   Packing<Dim> packing;
-  packing.law.normal = LinearRepulsion{1.0};
+  packing.law += test::linear(1.0);
   packing.cell.matrix = Mat<Dim>::Identity() * (across * (1.0 + gap));
   const int n = static_cast<int>(std::pow(across, Dim) + 0.5);
   packing.grains = Grains<Dim>::with_size(n);

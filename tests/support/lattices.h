@@ -7,8 +7,7 @@
 namespace floc::test {
 
 /// Equal disks at the given places of a cell, touching their neighbours at `spacing` with an overlap of 2 %.
-inline Packing<2> disks(const Mat<2>& cell, const std::vector<Vec<2>>& places, double spacing,
-                        const LawParameters& law) {
+inline Packing<2> disks(const Mat<2>& cell, const std::vector<Vec<2>>& places, double spacing, const Law& law) {
   Packing<2> packing;
   packing.law = law;
   packing.cell.matrix = cell;
@@ -22,7 +21,7 @@ inline Packing<2> disks(const Mat<2>& cell, const std::vector<Vec<2>>& places, d
 
 /// Square lattice of frames: nodes joined by straight chains of n disks, both nodes counted. n = 2 is the plain
 /// lattice.
-inline Packing<2> square_frames(int n, double spacing, const LawParameters& law) {
+inline Packing<2> square_frames(int n, double spacing, const Law& law) {
   std::vector<Vec<2>> places{Vec<2>::Zero()};
   for (int k = 1; k < n - 1; ++k) {
     places.emplace_back(k * spacing, 0.0);
@@ -32,14 +31,14 @@ inline Packing<2> square_frames(int n, double spacing, const LawParameters& law)
 }
 
 /// Triangular lattice, one disk a cell.
-inline Packing<2> triangular(double spacing, const LawParameters& law) {
+inline Packing<2> triangular(double spacing, const Law& law) {
   Mat<2> cell;
   cell << spacing, 0.0, 0.5 * spacing, std::sqrt(0.75) * spacing;
   return disks(cell, {Vec<2>::Zero()}, spacing, law);
 }
 
 /// Triangular lattice in a rectangular cell of n columns and n rows, n even.
-inline Packing<2> triangular_crystal(int n, double spacing, const LawParameters& law) {
+inline Packing<2> triangular_crystal(int n, double spacing, const Law& law) {
   const double row = std::sqrt(0.75) * spacing;
   std::vector<Vec<2>> places;
   for (int j = 0; j < n; ++j)
@@ -48,14 +47,14 @@ inline Packing<2> triangular_crystal(int n, double spacing, const LawParameters&
 }
 
 /// Honeycomb, two disks a cell.
-inline Packing<2> honeycomb(double spacing, const LawParameters& law) {
+inline Packing<2> honeycomb(double spacing, const Law& law) {
   Mat<2> cell;
   cell << std::sqrt(3.0) * spacing, 0.0, std::sqrt(0.75) * spacing, 1.5 * spacing;
   return disks(cell, {Vec<2>::Zero(), Vec<2>(0.0, spacing)}, spacing, law);
 }
 
 /// Straight chain of n disks along x that meets its own image; `height` is the other side of the cell.
-inline Packing<2> chain_across(int n, double spacing, double height, const LawParameters& law) {
+inline Packing<2> chain_across(int n, double spacing, double height, const Law& law) {
   std::vector<Vec<2>> places;
   for (int k = 0; k < n; ++k) places.emplace_back(k * spacing, 0.0);
   Mat<2> cell;

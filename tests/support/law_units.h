@@ -1,6 +1,7 @@
 #pragma once
 
 #include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
 
 namespace floc::test {
 

@@ -10,6 +10,8 @@
 #include <variant>
 
 #include "floc/contact/law_table.h"
+#include "support/hysteretic_repulsion.h"
+#include "support/sticky_spring.h"
 
 /// Enumerates the law table for the conformance suite: every row, in every dimension, with sample parameters.
 namespace floc::testing {
@@ -83,6 +85,17 @@ struct Sample<TwistingSpring> {
   static std::string name() { return " twisting"; }
 };
 
+template <>
+struct Sample<HystereticRepulsion> {
+  static constexpr HystereticRepulsion value{1e5, 2.5e5};
+  static std::string name() { return "hysteretic"; }
+};
+template <>
+struct Sample<StickySpring> {
+  static constexpr StickySpring value{1e5, 2e-5};
+  static std::string name() { return "sticky"; }
+};
+
 template <class... Models>
 constexpr auto sample_law(std::type_identity<ContactLaw<Models...>>) {
   return ContactLaw<Models...>{Sample<Models>::value...};
@@ -93,38 +106,79 @@ std::string law_name(std::type_identity<ContactLaw<Models...>>) {
   return (Sample<Models>::name() + ...);
 }
 
-/// Calls check(law) for every row of the table, naming the row in whatever fails.
-template <class Check>
-void for_each_law(Check&& check) {
-  [&]<std::size_t... Row>(std::index_sequence<Row...>) {
+template <class Laws>
+struct ListOfLaws;
+template <class... Laws>
+struct ListOfLaws<std::variant<Laws...>> {
+  template <class Check>
+  static void visit(Check&& check) {
     const auto one = [&]<class Law>(std::type_identity<Law> row) {
       SCOPED_TRACE(law_name(row));
       check(sample_law(row));
     };
-    (one(std::type_identity<std::variant_alternative_t<Row, AnyContactLaw>>{}), ...);
+    (one(std::type_identity<Laws>{}), ...);
   }
-  (std::make_index_sequence<std::variant_size_v<AnyContactLaw>>{});
+};
+
+/// Calls check(law) for every row of the table, naming the row in whatever fails.
+template <class Check>
+void for_each_law(Check&& check) {
+  ListOfLaws<AnyContactLaw>::visit(check);
 }
 
-/// Calls check(law, dimension) for every row and dimension; `decltype(dimension)::value` is the dimension.
+/// Kinds of laws that the table has none of yet: they lose energy along the normal, part while they overlap, or hold
+/// together across a gap.
+using LawsOfOtherKinds = std::variant<
+    ContactLaw<HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>,
+    ContactLaw<HystereticRepulsion, TailAdhesion, ViscousDamping, CoulombFriction, RollingSpring,
+               TwistingSpring>,
+    ContactLaw<StickySpring, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>,
+    ContactLaw<StickySpring, NoAdhesion, ViscousDamping, CoulombFriction, RollingSpring, TwistingSpring>>;
+
+/// The same for the rows of the table and for laws of other kinds.
+template <class Check>
+void for_each_kind_of_law(Check&& check) {
+  for_each_law(check);
+  ListOfLaws<LawsOfOtherKinds>::visit(check);
+}
+
+template <class Law, class Check>
+void in_each_dimension(const Law& law, Check& check) {
+  if constexpr (Law::kDimension != 3) {
+    SCOPED_TRACE("in 2D");
+    check(law, std::integral_constant<int, 2>{});
+  }
+  SCOPED_TRACE("in 3D");
+  check(law, std::integral_constant<int, 3>{});
+}
+
+/// Calls check(law, dimension) for each of them in each of its dimensions; `decltype(dimension)::value` is the
+/// dimension.
+template <class Check>
+void for_each_kind_of_law_and_dimension(Check&& check) {
+  for_each_kind_of_law([&](const auto& law) { in_each_dimension(law, check); });
+}
 template <class Check>
 void for_each_law_and_dimension(Check&& check) {
-  for_each_law([&](const auto& law) {
-    if constexpr (std::decay_t<decltype(law)>::kDimension != 3) {
-      SCOPED_TRACE("in 2D");
-      check(law, std::integral_constant<int, 2>{});
-    }
-    {
-      SCOPED_TRACE("in 3D");
-      check(law, std::integral_constant<int, 3>{});
-    }
-  });
+  for_each_law([&](const auto& law) { in_each_dimension(law, check); });
+}
+
+/// What a contact remembers under a law, and a pair of the suite's grains at a gap.
+template <class Law, int Dim, class T = double>
+using Remembered = PackedMemory<std::decay_t<Law>::template kMemorySize<Dim>, T>;
+
+template <class T = double>
+PairGeometry<T> pair_at(const T& gap) {
+  return {gap, T(0.1875), T(1.0 / 3.0)};  // of radii 0.5 and 0.3, masses 1 and 0.5
 }
 
 /// F0 of a composed law, 0 without adhesion, and of contacts without a bridge under a law that holds liquid.
 template <class Law>
 double pull_off_force(const Law& law) {
-  if constexpr (requires { law.adhesion.pull_off_force; }) return law.adhesion.pull_off_force;
+  if constexpr (kAdheresByItself<typename Law::NormalModel>)
+    return law.repulsion.pull_off_force(pair_at(0.0));
+  else if constexpr (requires { law.adhesion.pull_off_force; })
+    return law.adhesion.pull_off_force;
   return 0.0;
 }
 
@@ -143,15 +197,6 @@ LawParameters parameters_of(const Law& law) {
   p.rolling = law.rolling;
   p.twisting = law.twisting;
   return p;
-}
-
-/// What a contact remembers under a law, and a pair of the suite's grains at a gap.
-template <class Law, int Dim, class T = double>
-using Remembered = PackedMemory<std::decay_t<Law>::template kMemorySize<Dim>, T>;
-
-template <class T = double>
-PairGeometry<T> pair_at(const T& gap) {
-  return {gap, T(0.1875), T(1.0 / 3.0)};  // of radii 0.5 and 0.3, masses 1 and 0.5
 }
 
 /// Elastic normal force of a new contact.
@@ -183,6 +228,41 @@ double free_overlap(const Law& law) {
 /// Whether a law forgets the overlaps it has had, as an elastic repulsion does.
 template <class Law>
 inline constexpr bool kForgetsOverlap = memory_size<typename std::decay_t<Law>::NormalModel>(2) == 0;
+
+/// The memory of a contact that has been pressed deeper than anything else in the suite presses it: of laws that
+/// remember overlaps; of others that of a new contact.
+template <int Dim, class T = double, class Law>
+Remembered<Law, Dim, T> pressed(const Law& law) {
+  Remembered<Law, Dim, T> memory;
+  if constexpr (!kForgetsOverlap<Law>) {
+    ContactMotion<Dim, T> motion{pair_at(T(-4e-4)), T(0), T(0), Shear<Dim, T>::Zero(),
+                                 RotationVector<Dim, T>::Zero()};
+    law.respond(motion, memory);
+  }
+  return memory;
+}
+/// Static normal response of such a contact at a gap, and the energy along its normal.
+template <class T, class Law>
+NormalResponse<T> pressed_response(const Law& law, const T& gap) {
+  const auto memory = pressed<2, T>(law);
+  if constexpr (kForgetsOverlap<Law>)
+    return law.normal(pair_at(gap));
+  else
+    return law.normal(pair_at(gap), memory.value);
+}
+template <class T, class Law>
+T pressed_energy(const Law& law, const T& gap) {
+  const auto memory = pressed<2, T>(law);
+  if constexpr (kForgetsOverlap<Law>)
+    return law.energy(pair_at(gap));
+  else
+    return law.energy(pair_at(gap), memory.value);
+}
+/// Its stiffness in the network.
+template <class Law>
+ContactStiffness pressed_stiffness(const Law& law, double gap) {
+  return law.template stiffness<2>(pair_at(gap), pressed<2>(law));
+}
 
 /// Stiffness of a new contact.
 template <int Dim = 2, class Law>

@@ -4,23 +4,23 @@
 
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/packing.h"
+#include "support/contact_laws.h"
 
 namespace floc::test {
 
 /// Linear law with every stiffness; caps far beyond any motion of a test.
-inline LawParameters elastic_law(double kn, double kt, double kr) {
-  LawParameters law;
-  law.normal = LinearRepulsion{kn};
-  if (kt > 0.0) law.friction = CoulombFriction{1e6, kt};
-  if (kr > 0.0) law.rolling = RollingSpring{1e6, kr};
+inline Law elastic_law(double kn, double kt, double kr) {
+  Law law;
+  law += test::linear(kn);
+  if (kt > 0.0) law += test::coulomb(1e6, kt);
+  if (kr > 0.0) law += test::rolling_spring(1e6, kr);
   return law;
 }
 
 /// Grains of radius 0.35 to 0.65 at random in a skewed cell, so dense that they hold each other; not in
 /// equilibrium. With few grains the cell is smaller than a grain's reach, and grains touch their own images.
 template <int Dim>
-Packing<Dim> random_packing(int n_grains, unsigned seed, const LawParameters& law,
-                            double grains_per_volume = 1.6) {
+Packing<Dim> random_packing(int n_grains, unsigned seed, const Law& law, double grains_per_volume = 1.6) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   Packing<Dim> packing;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "floc/contact/history.h"
 #include "floc/packing/contact.h"
 
 namespace floc::test {

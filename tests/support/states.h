@@ -8,6 +8,7 @@
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/state.h"
+#include "support/contact_laws.h"
 #include "support/springs.h"
 
 namespace floc::test {
@@ -19,12 +20,12 @@ template <int Dim>
 State<Dim> busy_state() {
   State<Dim> s;
   Packing<Dim>& p = s.packing;
-  p.law.normal = LinearRepulsion{1e5};
-  p.law.adhesion = TailAdhesion{1.0, 1e-3};
-  p.law.damping = ViscousDamping{0.015, DampingMass::effective};
-  p.law.friction = CoulombFriction{0.5, 1e5};
-  p.law.rolling = RollingSpring{0.005, 10.0};
-  if (Dim == 3) p.law.twisting = TwistingSpring{0.004, 8.0};
+  p.law += test::linear(1e5);
+  p.law += test::tail_adhesion(1.0, 1e-3);
+  p.law += test::viscous_damping(0.015);
+  p.law += test::coulomb(0.5, 1e5);
+  p.law += test::rolling_spring(0.005, 10.0);
+  if (Dim == 3) p.law += test::twisting_spring(0.004, 8.0);
   p.cell.matrix *= 7.3;
   p.cell.matrix(0, 0) = 1.0 - 1e-5 / 3.0;
   p.cell.matrix(1, 0) = 0.1;
@@ -78,8 +79,8 @@ State<Dim> boxed_state() {
   p.cell.matrix(0, 0) = 1.0 - 1e-5 / 1.1;
   p.cell.velocity.setZero();
   p.wall_law = p.law;
-  p.wall_law.adhesion.reset();
-  p.wall_law.friction = CoulombFriction{0.3, 1e5};
+  p.wall_law += test::without("adhesion");
+  p.wall_law += test::coulomb(0.3, 1e5);
   const double lowest = 0.1 / 3.0 - 0.5 + 4e-6;
   p.walls = {{0, -1, lowest, 0.0, std::numeric_limits<double>::infinity()},
              {0, +1, lowest + p.cell.matrix(0, 0), -1e-3 / 7.0, 96.0},
@@ -103,9 +104,9 @@ template <int Dim>
 State<Dim> wet_state() {
   State<Dim> s = busy_state<Dim>();
   Packing<Dim>& p = s.packing;
-  p.law.rolling.reset();
-  p.law.twisting.reset();
-  p.law.adhesion = CapillaryAdhesion{0.3, 20.0, 0.01, 2.6, BridgeForm::rational, BridgeFormation::contact};
+  p.law += test::without("rolling");
+  p.law += test::without("twisting");
+  p.law += test::liquid(0.3, 20.0, 0.01, 2.6, "rational", "contact");
   find_contacts(p);
   s.n_bridges_unsettled = 3;
   return s;

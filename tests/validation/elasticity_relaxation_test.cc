@@ -8,13 +8,14 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/relaxation/relaxer.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 
 namespace floc {
 namespace {
 
 /// Equilibrium under a pressure, solved to rounding.
-Packing<2> equilibrium(int n, const LawParameters& law, double pressure, std::uint64_t seed) {
+Packing<2> equilibrium(int n, const Law& law, double pressure, std::uint64_t seed) {
   const Vec<2> target = Vec<2>::Constant(pressure);
   RelaxationOptions options;
   options.strain_rate_cap = law.pull_off_force() > 0.0 ? std::optional<double>(0.05) : std::nullopt;
@@ -71,9 +72,9 @@ TEST(ModuliAndRelaxation, AgreeOnACohesivePacking) {
 }
 
 TEST(ModuliAndRelaxation, AgreeOnAFrictionlessPackingWherePrestressCounts) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1e3};
-  law.damping = ViscousDamping{0.1, DampingMass::effective};
+  Law law;
+  law += test::linear(1e3);
+  law += test::viscous_damping(0.1);
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Packing<2> packing = solved(equilibrium(40, law, 1.0, seed), Vec<2>::Constant(1.0));
     // Without tangential forces nothing is left but the square of the step; prestress is worth 5 to 40 %.
@@ -83,8 +84,8 @@ TEST(ModuliAndRelaxation, AgreeOnAFrictionlessPackingWherePrestressCounts) {
 }
 
 TEST(Bounds, AreInOrderOnEquilibria) {
-  LawParameters law = test::cohesive_law();
-  law.adhesion = ConstantAdhesion{1.0};  // in contact only: a distant attraction has no place in the theorem
+  Law law = test::cohesive_law();
+  law += test::constant_adhesion(1.0);  // in contact only: a distant attraction has no place in the theorem
   for (const std::uint64_t seed : {1, 2})
     for (const double pressure : {0.1, 1.0, 10.0}) {
       const Packing<2> packing = solved(equilibrium(40, law, pressure, seed), Vec<2>::Constant(pressure));

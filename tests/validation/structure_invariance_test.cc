@@ -16,6 +16,7 @@
 #include "floc/structure/pressure_phases.h"
 #include "floc/structure/pushed_rattlers.h"
 #include "floc/structure/scattering.h"
+#include "support/contact_laws.h"
 #include "support/network_packings.h"
 
 namespace floc::test {
@@ -34,7 +35,7 @@ void append(std::vector<double>& list, std::vector<double> more, bool sorted = f
 /// Disks of which some touch, with room for rattlers: random places, radii shrunk until they hardly overlap.
 Packing<2> loose_packing() {
   Packing<2> packing = random_packing<2>(80, 3, elastic_law(1.0, 0.5, 0.1), 0.85);
-  packing.law.friction.get<CoulombFriction>().coefficient = 0.5;
+  packing.law += test::changed("friction.coefficient", 0.5);
   for (int pass = 0; pass < 200; ++pass) {
     find_contacts(packing);
     for (const Contact<2>& c : packing.contacts) {

@@ -12,6 +12,7 @@
 #include "floc/io/yade_text.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "support/contact_laws.h"
 #include "support/places.h"
 
 /// Packings made by LAMMPS and YADE (data/packings), read back and held against what those programs printed of
@@ -140,9 +141,9 @@ TEST(Yade, StiffnessesAreThoseOfEachContactAndTheLawHasTheirMeans) {
     kn += c.kn / 92.0;
     kt += c.kt / 92.0;
   }
-  EXPECT_NEAR(state.packing.law.normal.get<LinearRepulsion>().normal_stiffness, kn, 1e-9 * kn);
-  EXPECT_NEAR(state.packing.law.friction.get<CoulombFriction>().tangential_stiffness, kt, 1e-9 * kt);
-  EXPECT_NEAR(state.packing.law.friction.get<CoulombFriction>().coefficient, std::tan(0.4), 1e-15);
+  EXPECT_NEAR(test::law_number(state.packing.law, "normal.stiffness"), kn, 1e-9 * kn);
+  EXPECT_NEAR(test::law_number(state.packing.law, "friction.stiffness"), kt, 1e-9 * kt);
+  EXPECT_NEAR(test::law_number(state.packing.law, "friction.coefficient"), std::tan(0.4), 1e-15);
 }
 
 /// What lever arms of another convention leave: LAMMPS takes whole radii, 1 + overlap/branch times ours.

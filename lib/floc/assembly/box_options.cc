@@ -3,11 +3,12 @@
 #include <limits>
 
 #include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/packing/grain_sizes.h"
 
 namespace floc {
 
-LawParameters wall_law(const LawParameters& grains, const BoxOptions& box) {
+Law wall_law(const Law& grains, const BoxOptions& box) {
   LawParameters law = grains;
   if (box.adhesion == 0.0)
     law.adhesion.reset();

@@ -27,7 +27,7 @@ struct BoxOptions {
 /// The law between grains and walls: that of the grains, with the friction and the adhesion of the walls. Walls
 /// without friction do not resist rolling or twisting either.
 /// @pre the grains have friction if the walls have some
-LawParameters wall_law(const LawParameters& grains, const BoxOptions& box);
+Law wall_law(const Law& grains, const BoxOptions& box);
 
 /// Walls around a packing, at the sides of its cell, at rest.
 /// @param lowest  position of the lower wall of each axis (length)

@@ -311,8 +311,7 @@ std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector
 
 /// Grains at rest of these diameters, without places.
 template <int Dim>
-Packing<Dim> grains_of(const GrainOptions& options, const LawParameters& law,
-                       const std::vector<double>& diameter) {
+Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::vector<double>& diameter) {
   Packing<Dim> gas;
   gas.law = law;
   gas.grains = Grains<Dim>::with_size(static_cast<int>(diameter.size()));
@@ -352,8 +351,8 @@ void send_off(Packing<Dim>& packing, double kinetic_pressure, RandomStream& rand
 }  // namespace
 
 template <int Dim>
-Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, double solid_fraction,
-                      RandomStream& random, GasKind kind) {
+Packing<Dim> make_gas(const GrainOptions& options, const Law& law, double solid_fraction, RandomStream& random,
+                      GasKind kind) {
   const std::vector<double> diameter = draw_diameters(options, random);
   const double side = std::pow(solid_volume<Dim>(diameter) / solid_fraction, 1.0 / Dim);
   Packing<Dim> gas = grains_of<Dim>(options, law, diameter);
@@ -364,7 +363,7 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
 }
 
 template <int Dim>
-Packing<Dim> make_boxed_gas(const GrainOptions& options, const LawParameters& law, const BoxOptions& box,
+Packing<Dim> make_boxed_gas(const GrainOptions& options, const Law& law, const BoxOptions& box,
                             double solid_fraction, RandomStream& random, GasKind kind) {
   const std::vector<double> diameter = draw_diameters(options, random);
   const double solid = solid_volume<Dim>(diameter);
@@ -411,12 +410,12 @@ void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   for (Vec<Dim>& v : g.velocity) v *= factor;
 }
 
-template Packing<2> make_gas(const GrainOptions&, const LawParameters&, double, RandomStream&, GasKind);
-template Packing<3> make_gas(const GrainOptions&, const LawParameters&, double, RandomStream&, GasKind);
-template Packing<2> make_boxed_gas(const GrainOptions&, const LawParameters&, const BoxOptions&, double,
-                                   RandomStream&, GasKind);
-template Packing<3> make_boxed_gas(const GrainOptions&, const LawParameters&, const BoxOptions&, double,
-                                   RandomStream&, GasKind);
+template Packing<2> make_gas(const GrainOptions&, const Law&, double, RandomStream&, GasKind);
+template Packing<3> make_gas(const GrainOptions&, const Law&, double, RandomStream&, GasKind);
+template Packing<2> make_boxed_gas(const GrainOptions&, const Law&, const BoxOptions&, double, RandomStream&,
+                                   GasKind);
+template Packing<3> make_boxed_gas(const GrainOptions&, const Law&, const BoxOptions&, double, RandomStream&,
+                                   GasKind);
 template void agitate(Packing<2>&, double, RandomStream&);
 template void agitate(Packing<3>&, double, RandomStream&);
 

@@ -20,8 +20,8 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
 ///
 /// @throws InputError if the grains do not reach their size without overlap: the solid fraction is too high.
 template <int Dim>
-Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, double solid_fraction,
-                      RandomStream& random, GasKind kind = GasKind::equilibrated);
+Packing<Dim> make_gas(const GrainOptions& options, const Law& law, double solid_fraction, RandomStream& random,
+                      GasKind kind = GasKind::equilibrated);
 
 /// The same in a box with walls, centres a radius or more from them. Velocities have one magnitude, random
 /// directions and no total momentum; density times mean squared speed is the kinetic pressure of the box,
@@ -29,7 +29,7 @@ Packing<Dim> make_gas(const GrainOptions& options, const LawParameters& law, dou
 /// @param solid_fraction  of the box; 0: its sides are lengths
 /// @throws InputError if the box is too small for a grain, or as make_gas()
 template <int Dim>
-Packing<Dim> make_boxed_gas(const GrainOptions& options, const LawParameters& law, const BoxOptions& box,
+Packing<Dim> make_boxed_gas(const GrainOptions& options, const Law& law, const BoxOptions& box,
                             double solid_fraction, RandomStream& random, GasKind kind = GasKind::equilibrated);
 
 /// Gives the grains Maxwell velocities: total momentum zero, root mean square of the translational speed

@@ -1,8 +1,10 @@
 #include "floc/assembly/saved_start.h"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
+#include "floc/contact/history.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
@@ -14,7 +16,7 @@ namespace {
 
 /// 1 for each number that contacts remember under both laws, else 0.
 template <int Dim>
-ContactMemory<Dim> common_memory(const LawParameters& before, const LawParameters& after) {
+ContactMemory<Dim> common_memory(const Law& before, const Law& after) {
   ContactMemory<Dim> common = ContactMemory<Dim>::Zero();
   for (const RememberedQuantity& p : remembered_quantities(before, Dim))
     for (const RememberedQuantity& q : remembered_quantities(after, Dim))
@@ -26,7 +28,7 @@ ContactMemory<Dim> common_memory(const LawParameters& before, const LawParameter
 }  // namespace
 
 template <int Dim>
-Packing<Dim> start_from(Packing<Dim> saved, const LawParameters& law, const Vec<Dim, int>& copies) {
+Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>& copies) {
   Grains<Dim>& g = saved.grains;
   for (Vec<Dim>& v : g.velocity) v.setZero();
   for (RotationVector<Dim>& w : g.angular_velocity) w.setZero();
@@ -35,17 +37,26 @@ Packing<Dim> start_from(Packing<Dim> saved, const LawParameters& law, const Vec<
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
   find_contacts(saved);
-  auto old = before.begin();
-  for (Contact<Dim>& c : saved.contacts) {
-    while (old != before.end() && precedes(*old, c)) ++old;
-    if (old == before.end() || precedes(c, *old)) continue;
-    c.memory = old->memory.cwiseProduct(kept);
+  // Surfaces that have met may hold together across a gap at which others would not meet.
+  std::vector<Contact<Dim>> held;
+  auto found = saved.contacts.begin();
+  for (const Contact<Dim>& old : before) {
+    while (found != saved.contacts.end() && precedes(*found, old)) ++found;
+    if (found != saved.contacts.end() && !precedes(old, *found)) {
+      found->memory = old.memory.cwiseProduct(kept);
+      continue;
+    }
+    Contact<Dim> c = old;
+    c.memory = old.memory.cwiseProduct(kept);
+    if (touches(saved, c)) held.push_back(c);
   }
+  saved.contacts.insert(saved.contacts.end(), held.begin(), held.end());
+  std::sort(saved.contacts.begin(), saved.contacts.end(), precedes<Contact<Dim>>);
   refresh_contacts(saved);
   return copies.prod() == 1 ? saved : tiled(saved, copies);
 }
 
-template Packing<2> start_from(Packing<2>, const LawParameters&, const Vec<2, int>&);
-template Packing<3> start_from(Packing<3>, const LawParameters&, const Vec<3, int>&);
+template Packing<2> start_from(Packing<2>, const Law&, const Vec<2, int>&);
+template Packing<3> start_from(Packing<3>, const Law&, const Vec<3, int>&);
 
 }  // namespace floc

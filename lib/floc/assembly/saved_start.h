@@ -34,6 +34,6 @@ struct SavedStart {
 /// @param copies  along each lattice vector, >= 1
 /// @throws InputError as find_contacts()
 template <int Dim>
-Packing<Dim> start_from(Packing<Dim> saved, const LawParameters& law, const Vec<Dim, int>& copies);
+Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>& copies);
 
 }  // namespace floc

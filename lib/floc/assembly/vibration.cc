@@ -10,6 +10,7 @@
 
 #include "floc/assembly/gas.h"
 #include "floc/base/error.h"
+#include "floc/contact/pair_geometry.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/grain_sizes.h"
 

@@ -44,7 +44,7 @@ struct ContactForces {
 /// Stiffnesses of one contact for the network: along the normal, across it, and against rolling and
 /// twisting.
 struct ContactStiffness {
-  double normal;          ///< K_N, or -F0/D0 of a distant attraction (force/length)
+  double normal;          ///< K_N of small reversible motions, or -F0/D0 of a distant attraction (force/length)
   double tangential;      ///< K_T (force/length), 0 when the surfaces do not touch
   double rolling;         ///< K_R (force * length), 0 when they do not touch
   double twisting = 0.0;  ///< K_tw (force * length), 0 when they do not touch
@@ -111,20 +111,25 @@ struct ContactLaw {
   [[no_unique_address]] Rolling rolling;
   [[no_unique_address]] Twisting twisting;
 
-  /// Largest gap at which the law still acts (length); the neighbour cutoff derives from it.
+  /// Largest gap at which surfaces that have not met act on each other (length).
   double range() const {
     if constexpr (kHasAdhesion) return adhesion.range();
     return 0.0;
   }
+  /// Largest gap at which surfaces that have met may still touch: 0 unless the normal law holds them together.
+  double holding_range([[maybe_unused]] double reduced_radius) const {
+    if constexpr (requires { repulsion.holding_range(reduced_radius); })
+      return repulsion.holding_range(reduced_radius);
+    return 0.0;
+  }
 
-  /// Whether surfaces at this gap belong to the contact list.
-  bool interacts(double gap) const { return gap < 0.0 || gap < range(); }
-  /// The same for a contact, which stays as long as it holds liquid.
+  /// Whether surfaces with this memory belong to the contact list: they touch, overlap, attract each other across
+  /// the gap or hold liquid.
   template <int Dim>
-  bool interacts(double gap, [[maybe_unused]] const PackedMemory<kMemorySize<Dim>>& memory) const {
+  bool interacts(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory) const {
     if constexpr (kHoldsLiquid)
       if (memory.value[kAdhesionBegin<Dim>] != 0.0) return true;
-    return interacts(gap);
+    return pair.gap < 0.0 || pair.gap < range() || touches<Dim>(pair, memory);
   }
 
   /// The parameters of a pair of grains with these radii.
@@ -157,38 +162,89 @@ struct ContactLaw {
   template <class T>
   NormalResponse<T> normal(const PairGeometry<T>& pair, const T* memory = nullptr,
                            [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
-    NormalResponse<T> response{T(0), T(0), T(0), T(0)};
-    [[maybe_unused]] const PackedMemory<memory_size<Normal>(2), T> fresh{};
+    NormalResponse<T> response{T(0), T(0), T(0), T(0), T(0)};
+    [[maybe_unused]] PackedMemory<memory_size<Normal>(2), T> fresh{};
     if constexpr (kRemembersOverlap) {
-      if (memory == nullptr) memory = fresh.value;
+      if (memory == nullptr) {
+        repulsion.remember(pair, fresh.value);
+        memory = fresh.value;
+      }
       response.elastic = repulsion.force(pair, memory);
       response.stiffness = repulsion.stiffness(pair, memory);
     } else {
       response.elastic = repulsion.force(pair);
       response.stiffness = repulsion.stiffness(pair);
     }
+    response.elastic_stiffness = response.stiffness;
+    if constexpr (requires { repulsion.elastic_stiffness(pair, memory); })
+      response.elastic_stiffness = repulsion.elastic_stiffness(pair, memory);
     response.touches = in_touch(pair, memory);
     if constexpr (requires { repulsion.shear_stiffness(pair); })
       response.shear_stiffness = repulsion.shear_stiffness(pair);
+    if constexpr (requires { repulsion.attraction(pair, memory); })
+      response.adhesive = repulsion.attraction(pair, memory);
     if constexpr (kHoldsLiquid) {
       response.adhesive = adhesion.force(pair, parameters);
-      response.stiffness += adhesion.stiffness(pair, parameters);
+      add_stiffness(adhesion.stiffness(pair, parameters), response);
     } else if constexpr (kHasAdhesion) {
       response.adhesive = adhesion.force(pair);
-      response.stiffness += adhesion.stiffness(pair);
+      add_stiffness(adhesion.stiffness(pair), response);
     }
     return response;
   }
+  /// The same of a contact.
+  template <int Dim>
+  NormalResponse<double> normal_of(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory,
+                                   const PairParameters<>& parameters = {}) const {
+    return normal(pair, normal_memory(memory), parameters);
+  }
 
-  /// Potential energy of the static normal force, zero beyond the range. @param parameters  as they act
+  /// Energy that the normal law stores in a contact, given its elastic force and its K_N. Where the force is a power
+  /// of the overlap, as Hertz's is, the two say all: N^2 h/(N + K_N h), which is N h/2 of linear contacts and
+  /// (2/5) N h of Hertz's. Other laws have the energy as a function of the gap and the memory.
   template <class T>
-  T energy(const PairGeometry<T>& pair, [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
-    T u = repulsion.energy(pair);
+  T elastic_energy(const PairGeometry<T>& pair, const T& elastic, const T& k_n,
+                   [[maybe_unused]] const T* memory = nullptr) const {
+    if constexpr (requires { repulsion.energy(pair, memory); }) {
+      [[maybe_unused]] PackedMemory<memory_size<Normal>(2), T> fresh{};
+      if constexpr (kRemembersOverlap)
+        if (memory == nullptr) {
+          repulsion.remember(pair, fresh.value);
+          memory = fresh.value;
+        }
+      return repulsion.energy(pair, memory);
+    } else {
+      if (!(T(0) < elastic) || !(pair.gap < T(0))) return T(0);
+      return elastic * elastic * -pair.gap / (elastic - k_n * pair.gap);
+    }
+  }
+  /// The same of a contact.
+  template <int Dim>
+  double elastic_energy_of(const PairGeometry<>& pair, double elastic, double k_n,
+                           const PackedMemory<kMemorySize<Dim>>& memory) const {
+    return elastic_energy(pair, elastic, k_n, normal_memory(memory));
+  }
+  /// Energy of the adhesion slot, zero beyond its range. @param parameters  as they act
+  template <class T>
+  T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair,
+                      [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
     if constexpr (kHoldsLiquid)
-      u += adhesion.energy(pair, parameters);
+      return adhesion.energy(pair, parameters);
     else if constexpr (kHasAdhesion)
-      u += adhesion.energy(pair);
-    return u;
+      return adhesion.energy(pair);
+    return T(0);
+  }
+  /// All of the energy that a contact along its normal holds at a gap: of a new one where no memory is given.
+  template <class T>
+  T energy(const PairGeometry<T>& pair, const T* memory = nullptr,
+           const PairParameters<T>& parameters = {}) const {
+    const NormalResponse<T> response = normal(pair, memory, parameters);
+    T k_n = response.elastic_stiffness;
+    if constexpr (kHoldsLiquid)
+      k_n -= adhesion.stiffness(pair, parameters);
+    else if constexpr (kHasAdhesion)
+      k_n -= adhesion.stiffness(pair);
+    return elastic_energy(pair, response.elastic, k_n, memory) + attraction_energy(pair, parameters);
   }
 
   /// Damping coefficient of a pair of grains, 0 without damping: (force * time/length), or that over the root
@@ -212,7 +268,7 @@ struct ContactLaw {
     if constexpr (kHasDamping)
       forces.viscous = lanes::select(forces.normal.touches,
                                      T(damping.force(motion.damping, forces.normal, motion.gap_rate)), T(0));
-    // A parted contact has no elastic force, so the caps also clear its springs.
+    // Surfaces that do not touch have no elastic force, so that the caps also clear the springs.
     if constexpr (kHasFriction)
       forces.shear = friction.respond(pair, forces.normal, motion.slip, memory.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
@@ -258,6 +314,12 @@ struct ContactLaw {
     return m;
   }
 
+  /// Sets what the normal law remembers to what gives a contact this elastic force at its gap.
+  template <int Dim>
+  void set_elastic_force([[maybe_unused]] const PairGeometry<>& pair, [[maybe_unused]] double elastic,
+                         [[maybe_unused]] PackedMemory<kMemorySize<Dim>>& memory) const {
+    if constexpr (kRemembersOverlap) repulsion.set_force(pair, elastic, memory.value);
+  }
   /// Sets the springs to those that carry given forces (signs of ContactForces) at given stiffnesses.
   template <int Dim>
   void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& rolling_moment,
@@ -271,7 +333,16 @@ struct ContactLaw {
       if (k.twisting > 0.0) twisting.set_force(twisting_moment, k.twisting, memory.value + kTwistingBegin<Dim>);
   }
 
+  /// Whether the normal law remembers anything: what it stores and gives back depends on the way there then.
+  static constexpr bool kRemembersOverlap = memory_size<Normal>(2) > 0;
+
  private:
+  template <class T>
+  static void add_stiffness(const T& of_adhesion, NormalResponse<T>& response) {
+    response.stiffness += of_adhesion;
+    response.elastic_stiffness += of_adhesion;
+  }
+
   /// Whether the surfaces touch: a law whose surfaces hold together across a gap, or part while they still overlap,
   /// says so itself.
   template <class T>
@@ -285,13 +356,12 @@ struct ContactLaw {
 
   /// Response when only the elastic force and K_N are known.
   NormalResponse<double> of_stiffness(double elastic, double k_n) const {
-    NormalResponse<double> response{elastic, 0.0, k_n};
+    NormalResponse<double> response{elastic, 0.0, k_n, k_n};
     if constexpr (requires { repulsion.shear_ratio(); })
       response.shear_stiffness = repulsion.shear_ratio() * k_n;
     return response;
   }
 
-  static constexpr bool kRemembersOverlap = memory_size<Normal>(2) > 0;
   template <int Dim>
   static constexpr int kTangentialBegin = memory_size<Normal>(Dim);
   template <int Dim>
@@ -309,7 +379,7 @@ struct ContactLaw {
 
   /// Stiffnesses when the surfaces touch.
   ContactStiffness touching(const NormalResponse<double>& response) const {
-    ContactStiffness k{response.stiffness, 0.0, 0.0};
+    ContactStiffness k{response.elastic_stiffness, 0.0, 0.0};
     if constexpr (kHasFriction) k.tangential = friction.stiffness(response);
     if constexpr (kHasRolling) k.rolling = rolling.stiffness(response);
     if constexpr (kHasTwisting) k.twisting = twisting.stiffness(response);

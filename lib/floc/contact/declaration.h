@@ -59,6 +59,13 @@ struct Number {
   Requirement at_first = requirement;
 };
 
+/// A requirement on two numbers of a model, besides those on each: the first is at least as large as the second.
+template <class Model>
+struct AtLeast {
+  double Model::*larger;
+  double Model::*smaller;
+};
+
 /// One choice among keywords, optional in a scene: the first one where nothing is said.
 template <class Model>
 struct Choice {

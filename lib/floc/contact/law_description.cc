@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "floc/contact/law_parameters.h"
 #include "floc/contact/model_traits.h"
 
 namespace floc {

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "floc/contact/law_parameters.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/law.h"
 
 /// The declarations of all slots without their types, for code that reads or writes laws by name.
 namespace floc {

@@ -68,7 +68,9 @@ std::string family_fault(const Normals& normals, const std::string& key, const S
                return kGoesWith<Other, Model>;
              }))
           expected.push_back(std::move(table));
-        const std::string_view rule = family_rule(family_of<Normal>(), key);
+        const std::string_view rule = kAdheresByItself<Normal> && kIsAdhesion<Model>
+                                          ? std::string_view("grains adhere without it")
+                                          : family_rule(family_of<Normal>(), key);
         return fmt::format(
             "contact.{}.law = \"{}\" does not go with contact.normal.law = \"{}\"{}{}; expected {}", key,
             Model::kKeyword, Normal::kKeyword, rule.empty() ? "" : ", under which ", rule,
@@ -79,55 +81,6 @@ std::string family_fault(const Normals& normals, const std::string& key, const S
 }
 
 }  // namespace
-
-double LawParameters::pull_off_force() const {
-  return adhesion.visit([](const auto& model) {
-    if constexpr (requires { model.pull_off_force; }) return model.pull_off_force;
-    return 0.0;
-  });
-}
-
-double LawParameters::pull_off_force(double radius) const {
-  if (const CapillaryAdhesion* bridges = liquid()) return bridges->strength(radius, radius);
-  return pull_off_force();
-}
-
-const CapillaryAdhesion* LawParameters::liquid() const {
-  if (!adhesion.holds<CapillaryAdhesion>()) return nullptr;
-  const CapillaryAdhesion& bridges = adhesion.get<CapillaryAdhesion>();
-  return bridges.acts() ? &bridges : nullptr;
-}
-
-double LawParameters::range() const {
-  return adhesion.visit([](const auto& model) {
-    if constexpr (requires { model.range(); }) return model.acts() ? model.range() : 0.0;
-    return 0.0;
-  });
-}
-
-double LawParameters::contact_modulus(int dim, double diameter) const {
-  return normal.visit([&](const auto& model) { return model.modulus_of_packing(dim, diameter); });
-}
-
-double LawParameters::force_exponent() const {
-  return normal.visit([]<class Model>(const Model&) { return floc::force_exponent<Model>(); });
-}
-
-bool LawParameters::is_for_small_overlaps() const {
-  return normal.visit([]<class Model>(const Model&) { return kIsForSmallOverlaps<Model>; });
-}
-
-bool LawParameters::friction_follows_load() const {
-  return resists_sliding() &&
-         friction.visit([]<class Model>(const Model&) { return kFollowsNormalStiffness<Model>; });
-}
-
-bool LawParameters::resists_sliding() const {
-  return friction.visit([](const auto& model) {
-    if constexpr (requires { model.acts(); }) return model.acts();
-    return false;
-  });
-}
 
 std::vector<LawFault> LawParameters::faults_in_dimension(int dimension) const {
   std::vector<LawFault> faults;
@@ -153,6 +106,30 @@ std::vector<std::string> LawParameters::validate() const {
         fmt::format("contact.{} = {}: {}", n.key, *n.value, requirement_text(n.declared->requirement)));
   }
   for (LawFault& fault : faults_between_slots()) faults.push_back(std::move(fault.words));
+  for (LawFault& fault : faults_between_numbers()) faults.push_back(std::move(fault.words));
+  return faults;
+}
+
+std::vector<LawFault> LawParameters::faults_between_numbers() const {
+  std::vector<LawFault> faults;
+  for_each_slot(*this, [&](const std::string& slot_key, const auto& slot) {
+    slot.visit([&]<class Model>(const Model& model) {
+      if constexpr (requires { Model::kRelations; }) {
+        const auto key_of = [](double Model::*member) {
+          return std::find_if(std::begin(Model::kNumbers), std::end(Model::kNumbers),
+                              [&](const Number<Model>& n) { return n.member == member; })
+              ->key;
+        };
+        for (const AtLeast<Model>& relation : Model::kRelations)
+          if (!(model.*relation.larger >= model.*relation.smaller))
+            faults.push_back({slot_key,
+                              fmt::format("contact.{0}.{1} = {2}: expected at least contact.{0}.{3} = {4}",
+                                          slot_key, key_of(relation.larger), model.*relation.larger,
+                                          key_of(relation.smaller), model.*relation.smaller),
+                              key_of(relation.larger)});
+      }
+    });
+  });
   return faults;
 }
 

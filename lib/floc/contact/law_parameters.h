@@ -19,10 +19,12 @@
 
 namespace floc {
 
-/// Why the models of a law cannot be used together, or not in this dimension.
+/// Why a law cannot be used: its models do not go together, or not in this dimension, or two numbers contradict each
+/// other.
 struct LawFault {
-  std::string slot;   ///< that is to blame
-  std::string words;  ///< "contact.SLOT...: requirement"
+  std::string slot;      ///< that is to blame
+  std::string words;     ///< "contact.SLOT...: requirement"
+  std::string key = {};  ///< of the number to blame, where it is a number
 };
 
 /// A contact law as a scene or a saved state names it: a model with its numbers in each slot, absent where
@@ -49,36 +51,12 @@ struct LawParameters {
 
   bool operator==(const LawParameters&) const = default;
 
-  /// F0 of laws with one value for all pairs; 0 without adhesion and for liquid bridges.
-  double pull_off_force() const;
-  /// F0 of two grains of this radius, 0 without adhesion.
-  double pull_off_force(double radius) const;
-  /// Whether anything attracts.
-  bool adheres() const { return pull_off_force(1.0) > 0.0; }
-  /// Largest gap at which the law acts; adhesion of zero force acts nowhere. 0 for liquid bridges, whose reach
-  /// depends on their volumes (packing/liquid.h).
-  double range() const;
-  /// The adhesion of liquid bridges, null where there is none or it has no liquid.
-  const CapillaryAdhesion* liquid() const;
-  /// Modulus that a pressure is compared with where nothing adheres: K_N/a^(Dim-2) for linear contacts of
-  /// grains of diameter a, E/(1 - nu^2) for Hertz contacts (force/length^(Dim-1)).
-  double contact_modulus(int dim, double diameter) const;
-
-  /// Power of the overlap that the elastic force grows with. 1: the stiffness of a contact is a constant.
-  double force_exponent() const;
-  /// Whether the normal law holds for overlaps that are small beside the grains alone.
-  bool is_for_small_overlaps() const;
-
-  /// Whether friction can carry any force.
-  bool resists_sliding() const;
-  /// Whether the tangential stiffness follows the load: what friction carries depends on the way there then, also
-  /// where nothing slides.
-  bool friction_follows_load() const;
-
   /// Every fault as "key = value: requirement"; empty when the law can be used.
   std::vector<std::string> validate() const;
   /// Faults of models that do not go together: those that remain when every number is right.
   std::vector<LawFault> faults_between_slots() const;
+  /// Faults of numbers that are right by themselves, but not beside another one (AtLeast).
+  std::vector<LawFault> faults_between_numbers() const;
   /// Faults of models that are for another dimension.
   std::vector<LawFault> faults_in_dimension(int dimension) const;
 };

@@ -22,8 +22,9 @@ LawParameters acting(LawParameters law) {
     law.twisting.reset();
   }
   if (law.twisting && !law.rolling) law.rolling = kNeutral<RollingSpring>;
-  if (law.adhesion.holds<TailAdhesion>() && law.range() == 0.0)
-    law.adhesion = ConstantAdhesion{law.pull_off_force()};
+  if (law.adhesion.holds<TailAdhesion>())
+    if (const TailAdhesion tail = law.adhesion.get<TailAdhesion>(); tail.tail_range == 0.0)
+      law.adhesion = ConstantAdhesion{tail.pull_off_force};
   return law;
 }
 

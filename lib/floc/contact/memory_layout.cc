@@ -27,19 +27,19 @@ std::vector<RememberedQuantity> quantities_of(const LawParameters& law) {
 
 }  // namespace
 
-std::vector<RememberedQuantity> remembered_quantities(const LawParameters& law, int dim) {
+std::vector<RememberedQuantity> remembered_quantities(const Law& law, int dim) {
   return dim == 2 ? quantities_of<2>(law) : quantities_of<3>(law);
 }
 
 template <int Dim>
-ContactMemory<Dim> swap_parity(const LawParameters& law) {
+ContactMemory<Dim> swap_parity(const Law& law) {
   ContactMemory<Dim> factor = ContactMemory<Dim>::Ones();
   for (const RememberedQuantity& q : quantities_of<Dim>(law))
     factor.segment(q.begin, q.size).setConstant(parity(q.declared.kind, Dim));
   return factor;
 }
 
-template ContactMemory<2> swap_parity<2>(const LawParameters&);
-template ContactMemory<3> swap_parity<3>(const LawParameters&);
+template ContactMemory<2> swap_parity<2>(const Law&);
+template ContactMemory<3> swap_parity<3>(const Law&);
 
 }  // namespace floc

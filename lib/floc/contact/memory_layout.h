@@ -2,16 +2,15 @@
 
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "floc/base/vec.h"
 #include "floc/contact/contact_memory.h"
+#include "floc/contact/history.h"
 #include "floc/contact/law_parameters.h"
 #include "floc/contact/model_traits.h"
 
-/// Where remembered quantities are kept in a contact, and in the arrays of pairs in motion: each slot has a
-/// place of its own, wide enough for any of its models, so that a change of the law moves nothing. A law
-/// evaluates, loads and stores only the numbers of its own models.
+/// Where a law's own numbers are among those that contacts have room to remember (history.h), checked here for all
+/// models that there are. A law evaluates, loads and stores only the numbers of its own models.
 namespace floc {
 
 /// The most numbers that any model of a slot remembers, among those for this dimension.
@@ -26,23 +25,19 @@ constexpr int widest_memory(const LawSlot<Models...>*, int dim) {
 }
 
 template <int Dim>
-struct MemoryLayout {
-  static constexpr int kNormal = 0;
-  static constexpr int kFriction =
-      kNormal + widest_memory(static_cast<const decltype(LawParameters::normal)*>(nullptr), Dim);
-  static constexpr int kRolling =
-      kFriction + widest_memory(static_cast<const decltype(LawParameters::friction)*>(nullptr), Dim);
-  static constexpr int kTwisting =
-      kRolling + widest_memory(static_cast<const decltype(LawParameters::rolling)*>(nullptr), Dim);
-  static constexpr int kAdhesion =
-      kTwisting + widest_memory(static_cast<const decltype(LawParameters::twisting)*>(nullptr), Dim);
-  static constexpr int kSize =
-      kAdhesion + widest_memory(static_cast<const decltype(LawParameters::adhesion)*>(nullptr), Dim);
-};
-
-/// Everything a contact remembers, at the places of the layout; zero where its law remembers nothing.
-template <int Dim>
-using ContactMemory = Eigen::Matrix<double, MemoryLayout<Dim>::kSize, 1>;
+inline constexpr bool kHasRoom = widest_memory(static_cast<const decltype(LawParameters::normal)*>(nullptr),
+                                               Dim) <=
+                                 MemoryLayout<Dim>::kNormalRoom&& widest_memory(
+                                     static_cast<const decltype(LawParameters::friction)*>(nullptr), Dim) <=
+                                 MemoryLayout<Dim>::kFrictionRoom&& widest_memory(
+                                     static_cast<const decltype(LawParameters::rolling)*>(nullptr), Dim) <=
+                                 MemoryLayout<Dim>::kRollingRoom&& widest_memory(
+                                     static_cast<const decltype(LawParameters::twisting)*>(nullptr), Dim) <=
+                                 MemoryLayout<Dim>::kTwistingRoom&& widest_memory(
+                                     static_cast<const decltype(LawParameters::adhesion)*>(nullptr),
+                                     Dim) <= MemoryLayout<Dim>::kAdhesionRoom;
+static_assert(kHasRoom<2> && kHasRoom<3>,
+              "some model remembers more than contacts have room for: raise the room of its slot in history.h");
 
 /// Place in the layout of number k of a law's packed memory.
 template <class Law, int Dim>
@@ -106,19 +101,5 @@ ContactMemory<Dim> unpacked_memory(const PackedMemory<Law::template kMemorySize<
     for_each_memory<Law, Dim>([&](auto k, auto place) { all[place] = packed.value[k]; });
   return all;
 }
-
-/// One quantity of a law's memory.
-struct RememberedQuantity {
-  Memory declared;
-  int begin;  ///< place of its first number
-  int size;   ///< numbers
-};
-
-/// What contacts remember under a law, in the order of the layout.
-std::vector<RememberedQuantity> remembered_quantities(const LawParameters& law, int dim);
-
-/// Factor of each number of the layout when the two grains of a contact are exchanged.
-template <int Dim>
-ContactMemory<Dim> swap_parity(const LawParameters& law);
 
 }  // namespace floc

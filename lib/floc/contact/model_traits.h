@@ -39,14 +39,27 @@ constexpr std::string_view family_rule(Family of_normal, std::string_view slot) 
   if (of_normal != Family::elastic_spheres) return "";
   if (slot == "adhesion") return "spheres adhere only by liquid";
   if (slot == "damping") return "damping follows the stiffness";
-  if (slot == "friction") return "it follows from Poisson's ratio";
+  if (slot == "friction") return "its stiffness follows from Poisson's ratio";
   return "spheres do not resist it";
 }
 
+/// Whether surfaces adhere under a normal law alone, so that no adhesion goes with it.
+template <class Normal>
+inline constexpr bool kAdheresByItself = requires {
+  requires Normal::kAdheres;
+};
+
+/// Whether a model is one of adhesion: these alone have a range.
+template <class Model>
+inline constexpr bool kIsAdhesion = requires(const Model& model) {
+  model.range();
+};
+
 /// Whether a model of another slot goes with a normal law.
 template <class Normal, class Model>
-inline constexpr bool kGoesWith = family_of<Model>() == Family::none
-                                  || family_of<Model>() == family_of<Normal>();
+inline constexpr bool kGoesWith = (family_of<Model>() == Family::none ||
+                                   family_of<Model>() == family_of<Normal>()) &&
+                                  !(kAdheresByItself<Normal> && kIsAdhesion<Model>);
 
 /// Power of the overlap that the elastic force of a normal law grows with. 1 unless the law says otherwise: the
 /// stiffness of its contacts does not depend on the load.

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "floc/contact/law_parameters.h"
+#include "floc/contact/law.h"
 #include "floc/io/state_file.h"
 
 namespace floc {
 
 /// What a file of another program may leave out, and the user supplies.
 struct ImportOptions {
-  std::optional<LawParameters> law;
+  std::optional<Law> law;
   /// Lattice vectors, one per row (length); their number is the dimension.
   std::vector<std::vector<double>> cell;
   /// Column of the grains for each of our names ("x" -> "X"); a name left out is its own column.

@@ -10,6 +10,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
+#include "floc/contact/law_parameters.h"
 
 namespace floc {
 namespace {
@@ -167,7 +168,9 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   const auto l2 = header_numbers(place, header, "L2", 2);
   state.packing.cell.matrix << l1[0], l1[1], l2[0], l2[1];
   if (!(state.packing.cell.volume() > 0.0)) throw InputError(place, "L1 and L2 span no area");
-  state.packing.law.normal = LinearRepulsion{kNormalStiffness};
+  LawParameters law;
+  law.normal = LinearRepulsion{kNormalStiffness};
+  state.packing.law = law;
   state.target_stress.setConstant(header_numbers(place, header, "P0", 1)[0]);
   state.packing.grains = read_grains(path, lines, state.packing.cell, static_cast<int>(n));
   state.path.branch = "imported";

@@ -7,6 +7,7 @@
 
 #include "floc/base/error.h"
 #include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
 
 namespace floc {
 namespace {
@@ -113,13 +114,13 @@ void read_slot(const Hdf5Reader& file, const std::string& group, const DeclaredS
 
 }  // namespace
 
-void write_law(Hdf5Writer& file, const LawParameters& law, const std::string& group) {
+void write_law(Hdf5Writer& file, const Law& law, const std::string& group) {
   file.group(group);
   LawParameters parameters = law;
   for (const DeclaredSlot& slot : declared_slots()) write_slot(file, group, slot, parameters);
 }
 
-LawParameters read_law(const Hdf5Reader& file, int dimension, const std::string& group) {
+Law read_law(const Hdf5Reader& file, int dimension, const std::string& group) {
   LawParameters law;
   for (const DeclaredSlot& slot : declared_slots()) read_slot(file, group, slot, law);
   std::vector<std::string> faults = law.validate();

@@ -11,6 +11,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
 
 namespace floc {
 namespace {
@@ -144,7 +145,7 @@ void read_slot(const std::string& place, const LawText& given, const DeclaredSlo
 
 }  // namespace
 
-LawParameters parse_law(const std::string& place, const std::string& text) {
+Law parse_law(const std::string& place, const std::string& text) {
   const LawText given(place, text);
   LawParameters law;
   for (const DeclaredSlot& slot : declared_slots()) read_slot(place, given, slot, law);
@@ -153,7 +154,7 @@ LawParameters parse_law(const std::string& place, const std::string& text) {
   return law;
 }
 
-std::string law_text(const LawParameters& law) {
+std::string law_text(const Law& law) {
   LawParameters parameters = law, before;
   std::vector<std::string> said;
   for (const DeclaredSlot& slot : declared_slots()) {

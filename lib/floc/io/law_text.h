@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "floc/contact/law_parameters.h"
+#include "floc/contact/law.h"
 
 namespace floc {
 
@@ -11,9 +11,9 @@ namespace floc {
 /// @param place  name of the text in messages
 /// @throws InputError for an unknown key, a value that is not a number, a parameter without its companions, or
 /// a value that no law can have.
-LawParameters parse_law(const std::string& place, const std::string& text);
+Law parse_law(const std::string& place, const std::string& text);
 
 /// The same line for a law, with all digits of every number.
-std::string law_text(const LawParameters& law);
+std::string law_text(const Law& law);
 
 }  // namespace floc

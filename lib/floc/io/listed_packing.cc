@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "floc/base/error.h"
+#include "floc/contact/adhesion/capillary_adhesion.h"
 #include "floc/io/listed_ids.h"
 #include "floc/io/listed_space.h"
 #include "floc/packing/contact_forces.h"
@@ -161,27 +162,27 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
 template <int Dim>
 void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const GivenForces<Dim>& given,
                 Contact<Dim>& c) {
-  const LawParameters& law = packing.law;
+  const Law& law = packing.law;
   if (given.normal) c.normal_force = *given.normal;
-  if (given.shear && law.friction) c.shear_force = *given.shear;
-  if (given.shear && !law.friction && given.shear->norm() > kNoShear * std::abs(c.normal_force))
+  if (given.shear && law.has_friction()) c.shear_force = *given.shear;
+  if (given.shear && !law.has_friction() && given.shear->norm() > kNoShear * std::abs(c.normal_force))
     throw InputError(
         listed.place.text(),
         fmt::format("the tangential force is {:.6g}, but the law has no friction", given.shear->norm()));
-  if (given.rolling && !law.rolling)
+  if (given.rolling && !law.has_rolling())
     throw InputError(listed.place.text(), "a rolling moment is given, but the law has no rolling");
   if (given.rolling) c.rolling_moment = *given.rolling;
-  if (given.twisting && !law.twisting)
+  if (given.twisting && !law.has_twisting())
     throw InputError(listed.place.text(), "a twisting moment is given, but the law has no twisting");
   if (given.twisting) c.twisting_moment = *given.twisting;
   if (given.normal || given.shear || given.rolling || given.twisting)
     set_given_forces(packing, listed.kn, listed.kt, kCapTolerance, c);
-  if (listed.kr && *listed.kr != 0.0 && !law.rolling)
+  if (listed.kr && *listed.kr != 0.0 && !law.has_rolling())
     throw InputError(listed.place.text(), "a rolling stiffness is given, but the law has no rolling");
-  if (listed.kr && law.rolling && !c.distant) c.kr = *listed.kr;
-  if (listed.ktw && *listed.ktw != 0.0 && !law.twisting)
+  if (listed.kr && law.has_rolling() && !c.distant) c.kr = *listed.kr;
+  if (listed.ktw && *listed.ktw != 0.0 && !law.has_twisting())
     throw InputError(listed.place.text(), "a twisting stiffness is given, but the law has no twisting");
-  if (listed.ktw && law.twisting && !c.distant) c.ktw = *listed.ktw;
+  if (listed.ktw && law.has_twisting() && !c.distant) c.ktw = *listed.ktw;
 }
 
 /// @throws InputError for a stiffness that no spring of surfaces that touch has
@@ -321,7 +322,7 @@ class ListedContacts {
           row.place.text(),
           fmt::format("bridge_volume = {:.6g}, but the law has no liquid: give adhesion.law=capillary",
                       *row.bridge_volume));
-    if (holds_liquid(packing_)) c.memory[MemoryLayout<Dim>::kAdhesion] = *row.bridge_volume;
+    if (holds_liquid(packing_)) set_bridge_volume(*row.bridge_volume, c);
   }
 
   /// The image listed, or the nearest one, also where the one listed cannot be: programs list images that go
@@ -471,7 +472,7 @@ Imported assemble_in(const ListedPacking& listed) {
 
 }  // namespace
 
-const LawParameters& required_law(const std::string& path, const ImportOptions& options) {
+const Law& required_law(const std::string& path, const ImportOptions& options) {
   if (!options.law) throw InputError(path, "it holds no contact law: give --law");
   return *options.law;
 }

@@ -49,7 +49,7 @@ struct ListedPacking {
   std::string cell_place;  ///< where its cell was given, for messages
   /// Lattice vectors, one per row (length); their number is the dimension.
   std::vector<std::vector<double>> cell;
-  LawParameters law;
+  Law law;
   std::string units;
   std::vector<ListedGrain> grains;
   std::optional<std::vector<ListedContact>> contacts;
@@ -59,7 +59,7 @@ struct ListedPacking {
 };
 
 /// The law of `--law`. @throws InputError naming `path`, whose file does not say the law, if there is none.
-const LawParameters& required_law(const std::string& path, const ImportOptions& options);
+const Law& required_law(const std::string& path, const ImportOptions& options);
 
 /// Puts a packing together: identifiers become indices, grains are brought into the cell, contacts are
 /// completed by the law and sorted, springs are stretched to the forces that were given. Forces are kept to the

@@ -286,7 +286,7 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
   archive.put(kId, {id.size()}, id);
   describe_grains<Dim>(archive, s.packing.grains);
   describe_contacts<Dim>(archive, s.packing.contacts);
-  if (s.packing.law.twisting) describe_twisting(archive, s.packing.contacts);
+  if (s.packing.law.has_twisting()) describe_twisting(archive, s.packing.contacts);
   write_memory(archive, s.packing);
   write_version_1_names(file, archive, s.packing);
   write_law(file, s.packing.law);
@@ -400,7 +400,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   check_contacts(file, packing);
   set_arms(packing);
   packing.law = read_law(file, Dim);
-  if (packing.law.twisting) describe_twisting(archive, packing.contacts);
+  if (packing.law.has_twisting()) describe_twisting(archive, packing.contacts);
   // A packing that is stopped in its motion may be on the way out of what it cannot stay in.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);
   read_memory(archive, version, packing);

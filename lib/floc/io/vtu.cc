@@ -207,7 +207,7 @@ void append(pugi::xml_node section, const ArrayText& array) {
 class Drawing {
  public:
   template <int Dim>
-  explicit Drawing(const Packing<Dim>& packing) : has_twisting_(packing.law.twisting) {
+  explicit Drawing(const Packing<Dim>& packing) : has_twisting_(packing.law.has_twisting()) {
     const Grains<Dim>& grains = packing.grains;
     if (!grains.id.empty()) id_.type = "Int64";
     for (int i = 0; i < grains.size(); ++i) {

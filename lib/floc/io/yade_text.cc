@@ -8,6 +8,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/io/contact_file.h"
 #include "floc/io/law_text.h"
 #include "floc/io/listed_columns.h"
@@ -104,7 +105,7 @@ std::vector<ListedContact> read_interactions(const CsvTable& table, int dimensio
 }
 
 /// The one law that the interactions share, as far as it is one.
-LawParameters law_of(const CsvTable& table, const std::string& path) {
+Law law_of(const CsvTable& table, const std::string& path) {
   if (!table.has("kn") || !table.has("ks") || !table.has("tan_phi") || table.n_rows() == 0)
     throw InputError(path, "its interactions lack kn, ks and tan_phi: give --law");
   const auto mean = [&](const std::string& name) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "floc/contact/law_parameters.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/locate.h"
@@ -72,8 +73,8 @@ void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing
     c.shear_force = b.shear_force;
     set_moment(b.moment, c);
     set_given_forces(packing, b.kn, b.kt, kCapTolerance, c);
-    if (packing.law.rolling) c.kr = b.kr;
-    if (packing.law.twisting) c.ktw = b.kr;
+    if (packing.law.has_rolling()) c.kr = b.kr;
+    if (packing.law.has_twisting()) c.ktw = b.kr;
     packing.contacts.push_back(c);
   }
   std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);

@@ -27,7 +27,7 @@ constexpr std::uint64_t kVibrationStream = 2;
 /// Gives the walls of a saved packing the mass and the law that a scene asks for; they stay where they are.
 /// @throws InputError if they are across other axes
 template <int Dim>
-void take_walls(const BoxOptions& box, const LawParameters& law, Packing<Dim>& packing) {
+void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   Vec<Dim> lowest = Vec<Dim>::Zero();
   for (const Wall<Dim>& wall : packing.walls)
     if (wall.side < 0) lowest[wall.axis] = wall.position;

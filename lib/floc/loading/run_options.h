@@ -6,7 +6,7 @@
 
 #include "floc/assembly/assembly_options.h"
 #include "floc/base/range.h"
-#include "floc/contact/law_parameters.h"
+#include "floc/contact/law.h"
 #include "floc/loading/load_path.h"
 #include "floc/relaxation/relaxation_options.h"
 
@@ -17,7 +17,7 @@ struct RunOptions {
   int dimension = 2;
   std::string units = "reduced";  ///< "reduced" or "SI"
   GrainOptions grains;
-  LawParameters law;
+  Law law;
   AssemblyOptions assembly;
   std::vector<LoadStage> load;
   RelaxationOptions relaxation;

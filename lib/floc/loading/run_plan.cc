@@ -7,6 +7,7 @@
 
 #include "floc/base/error.h"
 #include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
 
 namespace floc {
 namespace {
@@ -57,20 +58,22 @@ double* law_number(LawParameters& law, const std::string& key) {
   return nullptr;
 }
 
-void change_law(LawParameters& law, const std::string& key, double value) {
-  double* const target = law_number(law, key);
+void change_law(Law& law, const std::string& key, double value) {
+  LawParameters parameters = law;
+  double* const target = law_number(parameters, key);
   if (target == nullptr)
     throw InputError("load.set",
                      fmt::format("{} = {}: the scene's contact law has no such parameter", key, value));
   *target = value;
-  const std::vector<std::string> faults = law.validate();
+  const std::vector<std::string> faults = parameters.validate();
   if (!faults.empty()) throw InputError("load.set", faults.front());
+  law = parameters;
 }
 
-std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
+std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const Law& law,
                                          const std::vector<LoadStage>& load, int dimension) {
   std::vector<PlannedEquilibrium> plan;
-  LawParameters assembling = law;
+  Law assembling = law;
   if (assembly.friction) change_law(assembling, "friction.coefficient", *assembly.friction);
   if (assembly.protocol == AssemblyOptions::Protocol::aggregation)
     plan.push_back({"assembly", 0.0, assembling, assembly.cell, {}});
@@ -81,7 +84,7 @@ std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const 
       plan.push_back({"assembly", assembly.pressure, law, assembly.cell, {}});
     plan.back().vibration = assembly.vibration;
   }
-  LawParameters present = law;
+  Law present = law;
   KnownStress stress(static_cast<std::size_t>(dimension), plan.back().pressure);
   for (int s = 0; s < static_cast<int>(load.size()); ++s) {
     const LoadStage& stage = load[static_cast<std::size_t>(s)];

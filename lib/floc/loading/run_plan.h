@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "floc/assembly/assembly_options.h"
-#include "floc/contact/law_parameters.h"
+#include "floc/contact/law.h"
 #include "floc/loading/load_path.h"
 
 namespace floc {
@@ -14,7 +14,7 @@ namespace floc {
 struct PlannedEquilibrium {
   std::string branch;  ///< "assembly" or the name of the stage
   double pressure;     ///< on every axis (unit of stress of the scene); unused where `axes` are given
-  LawParameters law;   ///< with the changes made so far
+  Law law;             ///< with the changes made so far
   CellResponse cell;   ///< where it differs from that of the run
   std::optional<Vibration> vibration;  ///< before it
   int stage = -1;                      ///< of the load path, from 0; -1: of the assembly
@@ -36,7 +36,7 @@ struct PlannedEquilibrium {
 /// @param dimension  number of axes, 2 or 3
 /// @throws InputError if a stage loads another number of axes or changes something that the law does not have, or
 /// if the assembly is to give friction to a law without any
-std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const LawParameters& law,
+std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const Law& law,
                                          const std::vector<LoadStage>& load, int dimension);
 
 /// The number of a contact law that a key names, or null when its slot is absent or there is no such key.
@@ -46,6 +46,6 @@ double* law_number(LawParameters& law, const std::string& key);
 /// Makes one change of a contact law: "adhesion.force" = 0, "friction.coefficient" = 0.3, ...
 /// @param key  path below [contact]
 /// @throws InputError if the key is unknown, its slot absent, or the law would be invalid
-void change_law(LawParameters& law, const std::string& key, double value);
+void change_law(Law& law, const std::string& key, double value);
 
 }  // namespace floc

@@ -6,12 +6,13 @@
 
 namespace floc {
 
-/// Two grains whose surfaces, or those of their images, are close.
+/// Two grains whose surfaces, or those of their images, are close: a contact of theirs, or a place for one.
 template <int Dim>
 struct NeighborPair {
   int i;
   int j;                ///< >= i; equal for a grain and its own image
   Vec<Dim, int> image;  ///< branch = x[j] + image * cell.matrix - x[i]
+  int key = 0;          ///< tells several contacts of one pair and image apart
 
   bool operator==(const NeighborPair&) const = default;
 };

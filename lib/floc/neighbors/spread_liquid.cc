@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "floc/contact/adhesion/capillary_adhesion.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/neighbors/unlisted_pairs.h"
 #include "floc/packing/contact_forces.h"
@@ -69,11 +70,11 @@ LiquidChange spread_liquid(Packing<Dim>& packing) {
     if (packing.is_wall(c.j)) contacts.push_back(c);
   for (std::size_t k = 0; k < found.size(); ++k) {
     Contact<Dim>& c = found[k];
-    double& volume = c.memory[MemoryLayout<Dim>::kAdhesion];
-    change.n_formed += volume == 0.0 && shares.volume[k] > 0.0;
-    change.n_broken += volume != 0.0 && shares.volume[k] == 0.0;
-    if (volume != 0.0) change.largest = std::max(change.largest, std::abs(shares.volume[k] / volume - 1.0));
-    volume = shares.volume[k];
+    const double before = bridge_volume(packing, c), volume = shares.volume[k];
+    change.n_formed += before == 0.0 && volume > 0.0;
+    change.n_broken += before != 0.0 && volume == 0.0;
+    if (before != 0.0) change.largest = std::max(change.largest, std::abs(volume / before - 1.0));
+    set_bridge_volume(volume, c);
     c.distant = !touches(packing, c);
     if (interacts(packing, c)) contacts.push_back(c);
   }

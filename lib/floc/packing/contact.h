@@ -1,12 +1,13 @@
 #pragma once
 
 #include "floc/base/vec.h"
-#include "floc/contact/memory_layout.h"
+#include "floc/contact/history.h"
 #include "floc/geometry/frame.h"
 
 namespace floc {
 
-/// One interaction of an equilibrated state: two surfaces that overlap, or a distant attraction across a gap.
+/// One interaction of an equilibrated state: two surfaces that touch, as the law sees it, or are in its range: a distant
+/// attraction across a gap.
 /// Signs: normal force positive in compression; shear force and rolling moment are those on grain i.
 template <int Dim>
 struct Contact {
@@ -25,14 +26,14 @@ struct Contact {
   RotationVector<Dim> rolling_moment = RotationVector<Dim>::Zero();
   /// For spheres, moment of the twisting spring on i about the normal (force * length).
   double twisting_moment = 0.0;
-  double kn = 0.0;              ///< normal stiffness, -F0/D0 for a distant attraction
+  double kn = 0.0;              ///< elastic normal stiffness, -F0/D0 for a distant attraction
   double kt = 0.0;              ///< tangential stiffness (force/length)
   double kr = 0.0;              ///< rolling stiffness (force * length)
   double ktw = 0.0;             ///< twisting stiffness (force * length)
   bool sliding = false;         ///< the tangential spring is at its cap
   bool rolling_yield = false;   ///< the rolling spring is at its cap
   bool twisting_yield = false;  ///< the twisting spring is at its cap
-  bool distant = false;         ///< acts across a gap, gap >= 0
+  bool distant = false;         ///< in range of the law, but the surfaces do not touch
   ContactMemory<Dim> memory = ContactMemory<Dim>::Zero();  ///< history, at the places of the layout
 
   /// Whether any of its springs is at its cap.

@@ -4,14 +4,24 @@
 
 namespace floc {
 
-/// Elastic energy of one contact (energy):
-///
-///   N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R),   N elastic normal force, h overlap
-///
-/// The first term is the integral of N over h wherever N follows a power of h: N h/2 for linear contacts, (2/5)
-/// N h for Hertz contacts. Adhesion is left out; a distant attraction has no such energy.
+/// Energy that a contact stores and gives back (energy).
+struct ContactEnergy {
+  /// N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R) of the elastic normal force N, the overlap h and the springs. The
+  /// first term is the integral of N over h wherever N follows a power of h: N h/2 for linear contacts, (2/5) N h for
+  /// Hertz contacts. Under other laws it is what the law says of the gap and the memory. A distant attraction has none.
+  double elastic = 0.0;
+  /// Of the adhesion, below zero where it acts; 0 where the normal law adheres by itself, whose energy is all elastic.
+  double attraction = 0.0;
+
+  double all() const { return elastic + attraction; }
+};
+
 template <int Dim>
-double elastic_energy(const Contact<Dim>& contact);
+ContactEnergy contact_energy(const Packing<Dim>& packing, const Contact<Dim>& contact);
+
+/// Of all contacts together.
+template <int Dim>
+ContactEnergy contact_energy(const Packing<Dim>& packing);
 
 /// Kinetic energy of the translations of the grains over the elastic energy of all contacts; infinite where
 /// grains move and no contact is loaded, zero where nothing moves.

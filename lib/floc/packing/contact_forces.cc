@@ -17,8 +17,8 @@ void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
 }
 
 template <class Law, int Dim>
-bool interacts_at(const Law& law, const Contact<Dim>& c) {
-  return law.template interacts<Dim>(c.gap, packed_memory<Law, Dim>(c.memory));
+bool interacts_at(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c) {
+  return law.template interacts<Dim>(pair_geometry(grains, c), packed_memory<Law, Dim>(c.memory));
 }
 
 /// Of the contacts with walls, or of those between grains alone.
@@ -29,7 +29,7 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
         for (Contact<Dim>& c : packing.contacts)
           if (packing.is_wall(c.j) == with_walls) refresh(law, packing, c);
         std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {
-          return packing.is_wall(c.j) == with_walls && !interacts_at(law, c);
+          return packing.is_wall(c.j) == with_walls && !interacts_at(law, packing.grains, c);
         });
       },
       compose_law(with_walls ? packing.wall_law : packing.law));
@@ -40,7 +40,7 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
 template <class Law, int Dim>
 void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
                 std::optional<double> kt, double tolerance, Contact<Dim>& c) {
-  c.distant = !touches(law, grains, c) && interacts_at(law, c);
+  c.distant = !touches(law, grains, c) && interacts_at(law, grains, c);
   if (c.distant) return;
   c.elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
   const ContactStiffness k = law.stiffness_at_force(pair_geometry(grains, c), c.elastic_force);
@@ -49,6 +49,7 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
   c.kr = k.rolling;
   c.ktw = k.twisting;
   auto memory = packed_memory<Law, Dim>(c.memory);
+  law.template set_elastic_force<Dim>(pair_geometry(grains, c), c.elastic_force, memory);
   law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, -c.twisting_moment,
                               {c.kn, c.kt, c.kr, c.ktw}, memory);
   set_mobilised(law, memory, tolerance, c);
@@ -76,7 +77,7 @@ bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact) {
 }
 
 template <int Dim>
-Mobilised mobilised(const LawParameters& parameters, const Contact<Dim>& contact, double tolerance) {
+Mobilised mobilised(const Law& parameters, const Contact<Dim>& contact, double tolerance) {
   if (contact.distant) return {};
   return std::visit(
       [&]<class Law>(const Law& law) {
@@ -100,7 +101,7 @@ void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std
   template void refresh_contact(const Packing<Dim>&, Contact<Dim>&);                                        \
   template void refresh_contacts(Packing<Dim>&);                                                            \
   template bool touches(const Packing<Dim>&, const Contact<Dim>&);                                          \
-  template Mobilised mobilised(const LawParameters&, const Contact<Dim>&, double tolerance);                \
+  template Mobilised mobilised(const Law&, const Contact<Dim>&, double tolerance);                          \
   template void set_given_forces(const Packing<Dim>&, std::optional<double>, std::optional<double>, double, \
                                  Contact<Dim>&);
 FLOC_INSTANTIATE(2)

@@ -26,7 +26,7 @@ bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact);
 /// attraction.
 /// @param tolerance  relative distance below the cap that still counts as being at it
 template <int Dim>
-Mobilised mobilised(const LawParameters& law, const Contact<Dim>& contact, double tolerance);
+Mobilised mobilised(const Law& law, const Contact<Dim>& contact, double tolerance);
 
 /// Gives a contact of a packing forces that were measured or read: the elastic part, the memory and any
 /// stiffness not given follow from the law. Shear force and moments are taken as they are, capped or not.

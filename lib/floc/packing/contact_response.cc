@@ -17,7 +17,7 @@ constexpr double kTinyMotion = 1e-150;
 
 /// Factor of each number that contacts remember: springs are made longer, anything else is left as it is.
 template <int Dim>
-ContactMemory<Dim> spring_factors(const LawParameters& law) {
+ContactMemory<Dim> spring_factors(const Law& law) {
   ContactMemory<Dim> factor = ContactMemory<Dim>::Ones();
   for (const RememberedQuantity& q : remembered_quantities(law, Dim))
     if (q.declared.kind != MemoryKind::scalar) factor.segment(q.begin, q.size).setConstant(kBeyondCap);

@@ -60,7 +60,7 @@ class GrainScales {
  private:
   const std::vector<double>& radius_;
   ForceScale packing_;
-  const LawParameters& law_;
+  Law law_;
   double pressure_;
   bool shared_;
 };

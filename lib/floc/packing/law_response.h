@@ -1,6 +1,7 @@
 #pragma once
 
 #include "floc/contact/law_table.h"
+#include "floc/contact/memory_layout.h"
 #include "floc/packing/contact_response.h"
 #include "floc/packing/packing.h"
 

@@ -6,10 +6,11 @@
 #include <numbers>
 #include <numeric>
 
+#include "floc/contact/adhesion/capillary_adhesion.h"
+#include "floc/contact/history.h"
 #include "floc/packing/grain_sizes.h"
 
 namespace floc {
-namespace {}  // namespace
 
 LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
                           std::span<const BridgeablePair> pairs) {
@@ -34,6 +35,10 @@ LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
   for (int k = 0; k < shares.n_bonds; ++k)
     shares.volume[order[k]] = liquid * (pairs[order[k]].radius / shares.radius_sum);
   return shares;
+}
+
+bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume) {
+  return bridges.formation == BridgeFormation::gap || gap <= 0.0 || volume > 0.0;
 }
 
 double volume_of_spheres(std::span<const double> radius) {
@@ -64,14 +69,36 @@ double BridgeSearch::wider(double reach, const LiquidShares& shares) const {
 }
 
 template <int Dim>
+double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  return holds_liquid(packing) ? contact.memory[MemoryLayout<Dim>::kAdhesion] : 0.0;
+}
+
+template <int Dim>
+void set_bridge_volume(double volume, Contact<Dim>& contact) {
+  contact.memory[MemoryLayout<Dim>::kAdhesion] = volume;
+}
+
+namespace {
+
+/// Of the two bodies of a contact that are grains.
+template <int Dim>
+double largest_radius(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  return std::max(packing.grains.radius[c.i], packing.surface_radius(c.j));
+}
+
+}  // namespace
+
+template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact) {
-  const CapillaryAdhesion* bridges = packing.law.liquid();
-  return bridges ? bridges->reach(std::max(bridge_volume(packing, contact), 0.0)) : packing.law.range();
+  if (const CapillaryAdhesion* bridges = packing.law.liquid())
+    return bridges->reach(std::max(bridge_volume(packing, contact), 0.0));
+  const Law& law = packing.is_wall(contact.j) ? packing.wall_law : packing.law;
+  return law.reach(largest_radius(packing, contact));
 }
 
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing) {
-  double range = packing.law.range();
+  double range = packing.law.reach(0.5 * largest_diameter(packing.grains));
   if (holds_liquid(packing))
     for (const Contact<Dim>& c : packing.contacts)
       if (bridge_volume(packing, c) != 0.0) range = std::max({range, range_of(packing, c), c.gap});
@@ -85,17 +112,21 @@ double pull_off_force(const Packing<Dim>& packing) {
 
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing, const Contact<Dim>& contact) {
-  if (packing.is_wall(contact.j)) return packing.wall_law.pull_off_force();
+  const double radius = packing.grains.radius[contact.i];
+  if (packing.is_wall(contact.j)) return packing.wall_law.pull_off_force(PairGeometry<>(0.0, radius));
   const CapillaryAdhesion* bridges = packing.law.liquid();
-  if (!bridges) return packing.law.pull_off_force();
+  if (!bridges)
+    return packing.law.pull_off_force(PairGeometry<>(0.0, reduced(radius, packing.grains.radius[contact.j])));
   if (!(bridge_volume(packing, contact) > 0.0)) return 0.0;
-  return bridges->strength(packing.grains.radius[contact.i], packing.grains.radius[contact.j]);
+  return bridges->strength(radius, packing.grains.radius[contact.j]);
 }
 
-#define FLOC_INSTANTIATE(Dim)                                         \
-  template double range_of(const Packing<Dim>&, const Contact<Dim>&); \
-  template double interaction_range(const Packing<Dim>&);             \
-  template double pull_off_force(const Packing<Dim>&);                \
+#define FLOC_INSTANTIATE(Dim)                                              \
+  template double bridge_volume(const Packing<Dim>&, const Contact<Dim>&); \
+  template void set_bridge_volume(double, Contact<Dim>&);                  \
+  template double range_of(const Packing<Dim>&, const Contact<Dim>&);      \
+  template double interaction_range(const Packing<Dim>&);                  \
+  template double pull_off_force(const Packing<Dim>&);                     \
   template double pull_off_force(const Packing<Dim>&, const Contact<Dim>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

@@ -43,9 +43,7 @@ LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
 
 /// Whether liquid may flow to a pair with this gap (length) that holds this volume (length^3): where bridges
 /// form on contact alone, the pair has to touch or to have a bridge.
-inline bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume) {
-  return bridges.formation == BridgeFormation::gap || gap <= 0.0 || volume > 0.0;
-}
+bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume);
 
 /// Shares liquid out over those of n pairs that may take part.
 ///
@@ -98,9 +96,10 @@ bool holds_liquid(const Packing<Dim>& packing) {
 /// Volume of the liquid at a contact, with the sign that it has in memory: negative for a bridge that has
 /// broken. 0 under a law that holds none.
 template <int Dim>
-double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact) {
-  return holds_liquid(packing) ? contact.memory[MemoryLayout<Dim>::kAdhesion] : 0.0;
-}
+double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);
+/// Sets it. @pre the law holds liquid
+template <int Dim>
+void set_bridge_volume(double volume, Contact<Dim>& contact);
 
 /// Whether a contact, or a pair that might be one, acts or holds liquid at its gap. Its flag `distant` has to say
 /// already whether the surfaces touch.
@@ -109,11 +108,11 @@ bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return !contact.distant || contact.gap < packing.law.range() || bridge_volume(packing, contact) != 0.0;
 }
 
-/// Gap at which a contact ceases to act: the range of the law, or the reach of its bridge (length).
+/// Gap at which a contact ceases to act: the reach of the law, or that of its bridge (length).
 template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Largest gap at which any contact of a packing acts: the range of its law, or with liquid the reach of any
+/// Largest gap at which any contact of a packing acts: the reach of its law, or with liquid the reach of any
 /// bridge and the gap of any contact that holds liquid (length).
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);

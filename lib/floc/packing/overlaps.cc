@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "floc/base/error.h"
+#include "floc/contact/law_parameters.h"
 
 namespace floc {
 namespace {
@@ -13,6 +14,10 @@ namespace {
 constexpr double kCompressedCrystal = 1.01;
 /// Radii that differ by rounding alone are equal.
 constexpr double kEqual = 1e-9;
+
+std::string small_overlaps_rule(const Law& law) {
+  return fmt::format("normal.law = \"{}\" is for small overlaps", law.normal_keyword());
+}
 
 /// What is said of the solid fraction; nothing where grains differ or it is possible.
 template <int Dim>
@@ -61,12 +66,12 @@ std::string overlap_warning(const Packing<Dim>& packing) {
     text += (text.empty() ? "" : "; ") + dense;
   if (text.empty()) return {};
   return fmt::format("{}: {}{}", text,
-                     packing.law.is_for_small_overlaps() ? "Hertz's law is for small overlaps; " : "",
+                     packing.law.is_for_small_overlaps() ? small_overlaps_rule(packing.law) + "; " : "",
                      question_of_units(packing.law));
 }
 
-std::string question_of_units(const LawParameters& law) {
-  return law.normal.visit([]<class Model>(const Model& model) {
+std::string question_of_units(const Law& law) {
+  return law.parameters().normal.visit([]<class Model>(const Model& model) {
     const Number<Model>& stiffness = Model::kNumbers[0];
     return fmt::format("is {} = {:.6g} in the units of lengths and forces?", stiffness.symbol,
                        model.*stiffness.member);
@@ -79,8 +84,8 @@ void require_small_overlaps(const std::string& place, const Packing<Dim>& packin
   const Overlaps found = measure_overlaps(packing);
   if (found.mean > kDeepestMean)
     throw InputError(place, fmt::format("contacts overlap by {:.3g} of a radius in the mean, expected at most "
-                                        "{}: Hertz's law is for small overlaps",
-                                        found.mean, kDeepestMean));
+                                        "{}: {}",
+                                        found.mean, kDeepestMean, small_overlaps_rule(packing.law)));
 }
 
 #define FLOC_INSTANTIATE(Dim)                                \

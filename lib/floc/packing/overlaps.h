@@ -36,7 +36,7 @@ template <int Dim>
 std::string overlap_warning(const Packing<Dim>& packing);
 
 /// "is K_N = 10 in the units of lengths and forces?": the question to ask where grains overlap too far.
-std::string question_of_units(const LawParameters& law);
+std::string question_of_units(const Law& law);
 
 /// @throws InputError at `place` if the law is for small overlaps and the mean of all is beyond kDeepestMean
 template <int Dim>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "floc/base/vec.h"
-#include "floc/contact/law_parameters.h"
+#include "floc/contact/law.h"
 #include "floc/geometry/cell.h"
 #include "floc/geometry/separation.h"
 #include "floc/packing/ball.h"
@@ -77,10 +77,10 @@ struct Packing {
   /// Along an axis between walls nothing is periodic: the side of the cell is their distance, normal to them.
   Cell<Dim> cell;
   Grains<Dim> grains;
-  LawParameters law;                   ///< between grains
+  Law law;                             ///< between grains
   std::vector<Contact<Dim>> contacts;  ///< sorted by (i, j, image, key), i <= j
   std::vector<Wall<Dim>> walls;        ///< none, or both of an axis, the lower one first, axes ascending
-  LawParameters wall_law;              ///< between grains and walls
+  Law wall_law;                        ///< between grains and walls
 
   /// Whether body j of a contact is a wall: their numbers follow those of the grains.
   bool is_wall(int body) const { return body >= grains.size(); }

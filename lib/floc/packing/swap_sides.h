@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "floc/contact/memory_layout.h"
+#include "floc/contact/history.h"
 #include "floc/packing/contact.h"
 #include "floc/packing/contact_order.h"
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "floc/packing/contact_order.h"
 #include "floc/relaxation/explicit_dynamics.h"
 
 /// Part of ExplicitDynamics: the lists of pairs that may interact, how wide they reach and how long they serve.
@@ -39,6 +40,18 @@ double stretch_bound(const double (&matrix)[Dim][Dim]) {
     for (int b = a + 1; b < Dim; ++b) others += std::abs(matrix[a][b]);
   }
   return diagonal + others;
+}
+
+/// Adds to the pairs of a list, one for each two bodies, their further contacts.
+template <int Dim>
+void add_further(std::vector<NeighborPair<Dim>> further, std::vector<NeighborPair<Dim>>& pairs) {
+  if (further.empty()) return;
+  std::erase_if(further, [&](NeighborPair<Dim> first) {
+    first.key = 0;
+    return !std::binary_search(pairs.begin(), pairs.end(), first, precedes<NeighborPair<Dim>>);
+  });
+  pairs.insert(pairs.end(), further.begin(), further.end());
+  std::sort(pairs.begin(), pairs.end(), precedes<NeighborPair<Dim>>);
 }
 
 }  // namespace
@@ -175,12 +188,21 @@ template <int Dim>
 void ExplicitDynamics<Dim>::rebuild_list() {
   if (!finite()) return;  // the caller will ask; there are no neighbours to find
   if (bridges_) interactions_[0].set_range(std::max(interactions_[0].range(), reach_of_liquid()));
-  build_lists();
+  build_lists(further_contacts());
   if (shares_liquid()) spread_liquid();
 }
 
+/// Contacts stay apart by their keys for as long as their bodies are close.
 template <int Dim>
-void ExplicitDynamics<Dim>::build_lists() {
+auto ExplicitDynamics<Dim>::further_contacts() const -> std::vector<Pairs> {
+  std::vector<Pairs> further;
+  for (const Interaction<Dim>& interaction : interactions_)
+    further.push_back(interaction.pairs().further_contacts());
+  return further;
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::build_lists(const std::vector<Pairs>& further) {
   if (!finite()) return;
   adapt_skin();
   sums_of_rows_ = RowSums<Dim>();  // of the lists that end here
@@ -189,6 +211,7 @@ void ExplicitDynamics<Dim>::build_lists() {
   std::vector<const PairArrays<Dim>*> lists;
   for (std::size_t k = 0; k < interactions_.size(); ++k) {
     Interaction<Dim>& interaction = interactions_[k];
+    add_further(further[k], close[k]);
     interaction.set_pairs(
         {close[k], interaction.partner(), grains_, interaction.law(), dt_, blocks_of_group()});
     close[k] = Pairs();
@@ -240,15 +263,16 @@ std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(const Interact
   return find_pairs(search_cell(cell(), walls_.walls(), largest_diameter_ + range + skin_), now, range);
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                             \
-  template double ExplicitDynamics<Dim>::skin() const;                                    \
-  template Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const; \
-  template bool ExplicitDynamics<Dim>::list_is_stale() const;                             \
-  template void ExplicitDynamics<Dim>::bound_motion();                                    \
-  template void ExplicitDynamics<Dim>::take_measured_motion();                            \
-  template void ExplicitDynamics<Dim>::renew_list();                                      \
-  template void ExplicitDynamics<Dim>::rebuild_list();                                    \
-  template void ExplicitDynamics<Dim>::build_lists();
+#define FLOC_INSTANTIATE(Dim)                                                                           \
+  template double ExplicitDynamics<Dim>::skin() const;                                                  \
+  template Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const;               \
+  template bool ExplicitDynamics<Dim>::list_is_stale() const;                                           \
+  template void ExplicitDynamics<Dim>::bound_motion();                                                  \
+  template void ExplicitDynamics<Dim>::take_measured_motion();                                          \
+  template void ExplicitDynamics<Dim>::renew_list();                                                    \
+  template void ExplicitDynamics<Dim>::rebuild_list();                                                  \
+  template std::vector<std::vector<NeighborPair<Dim>>> ExplicitDynamics<Dim>::further_contacts() const; \
+  template void ExplicitDynamics<Dim>::build_lists(const std::vector<Pairs>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

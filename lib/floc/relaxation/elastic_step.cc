@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "floc/contact/history.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/liquid.h"
 
@@ -18,11 +19,19 @@ T extrapolated(const T& start, const T& end) {
 
 /// Whether a contact that touches stays below its caps.
 template <int Dim>
-bool sticks(const LawParameters& law, const Contact<Dim>& from, const Contact<Dim>& to) {
+bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   Contact<Dim> beyond = to;
   beyond.elastic_force = extrapolated(from.elastic_force, to.elastic_force);
   beyond.memory = extrapolated(from.memory, to.memory);
   return !mobilised(law, beyond, 0.0).any() && !to.yields();
+}
+
+/// Whether the normal law of a contact remembers the same as before: it has taken up no energy for good.
+template <int Dim>
+bool remembers_same_overlap(const Contact<Dim>& from, const Contact<Dim>& to) {
+  constexpr int n = MemoryLayout<Dim>::kNormalRoom;
+  return from.memory.template segment<n>(MemoryLayout<Dim>::kNormal) ==
+         to.memory.template segment<n>(MemoryLayout<Dim>::kNormal);
 }
 
 }  // namespace
@@ -32,6 +41,7 @@ bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to) {
   if (from.contacts.size() != to.contacts.size()) return false;
   for (std::size_t k = 0; k < to.contacts.size(); ++k) {
     const Contact<Dim>&p = from.contacts[k], &q = to.contacts[k];
+    if (!remembers_same_overlap(p, q)) return false;
     if (p.i != q.i || p.j != q.j || p.image != q.image || p.distant != q.distant) return false;
     Contact<Dim> beyond = q;
     beyond.gap = extrapolated(p.gap, q.gap);

@@ -65,7 +65,7 @@ ExplicitDynamics<Dim>::ExplicitDynamics(Packing<Dim>& packing, const BoundaryCon
   motion_of_block_.resize(n_blocks());
   if (law_.liquid()) set_first_reach(packing);
   const std::vector<History> histories = take_histories(packing);
-  build_lists();
+  build_lists(further_contacts(histories));
   load_memory(histories);
   if (shares_liquid()) spread_liquid();
   refresh_forces();
@@ -74,35 +74,65 @@ ExplicitDynamics<Dim>::ExplicitDynamics(Packing<Dim>& packing, const BoundaryCon
 template <int Dim>
 void ExplicitDynamics<Dim>::add_interactions(const Packing<Dim>& packing, InstructionSet instructions,
                                              LatticeShape shape) {
-  std::vector<LawParameters> parameters = {packing.law};
+  std::vector<Law> parameters = {packing.law};
   if (!walls_.empty()) parameters.push_back(packing.wall_law);
   const std::vector<AnyContactLaw> laws = laws_of_same_rows(parameters);
   for (std::size_t k = 0; k < laws.size(); ++k)
     interactions_.emplace_back(k == 0 ? Partner::grain : Partner::wall, parameters[k], laws[k],
-                               row_kind<Dim>(laws[0]), instructions, shape);
+                               row_kind<Dim>(laws[0]), 0.5 * largest_diameter_, instructions, shape);
 }
 
 template <int Dim>
 auto ExplicitDynamics<Dim>::take_histories(Packing<Dim>& packing) -> std::vector<History> {
   std::vector<History> histories;
   histories.reserve(packing.contacts.size());
-  for (const Contact<Dim>& c : packing.contacts) histories.push_back({{c.i, c.j, c.image}, c.memory});
+  for (const Contact<Dim>& c : packing.contacts) histories.push_back({{c.i, c.j, c.image, c.key}, c.memory});
   packing.contacts = std::vector<Contact<Dim>>();  // = {} would keep the room that they took
   return histories;
 }
 
 template <int Dim>
-void ExplicitDynamics<Dim>::load_memory(const std::vector<History>& histories) {
+std::vector<int> ExplicitDynamics<Dim>::places_of_grains() const {
   std::vector<int> place(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) place[grains_.index[k]] = k;
+  return place;
+}
+
+template <int Dim>
+auto ExplicitDynamics<Dim>::place_of(const NeighborPair<Dim>& contact,
+                                     const std::vector<int>& place_of_grain) const -> PlaceOfContact {
+  NeighborPair<Dim> pair = contact;
+  pair.i = place_of_grain[contact.i];
+  if (contact.j >= grains_.size()) {
+    pair.j = contact.j - grains_.size();
+    return {1, pair, false};
+  }
+  pair.j = place_of_grain[contact.j];
+  if (pair.j < pair.i) return {0, swapped(pair), true};
+  return {0, pair, false};
+}
+
+template <int Dim>
+auto ExplicitDynamics<Dim>::further_contacts(const std::vector<History>& histories) const
+    -> std::vector<Pairs> {
+  std::vector<Pairs> further(interactions_.size());
+  const std::vector<int> place_of_grain = places_of_grains();
+  for (const History& history : histories) {
+    if (history.key.key == 0) continue;
+    const PlaceOfContact place = place_of(history.key, place_of_grain);
+    further[place.interaction].push_back(place.pair);
+  }
+  return further;
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::load_memory(const std::vector<History>& histories) {
+  const std::vector<int> place_of_grain = places_of_grains();
   for (const auto& [contact, memory] : histories) {
-    const bool on_wall = contact.j >= grains_.size();
-    const NeighborPair<Dim> key{place[contact.i], on_wall ? contact.j - grains_.size() : place[contact.j],
-                                contact.image};
-    const bool swap = !on_wall && key.j < key.i;
-    Interaction<Dim>& interaction = interactions_[on_wall ? 1 : 0];
-    const int p = interaction.pairs().find(swap ? swapped(key) : key);
-    if (p >= 0) interaction.load_memory(p, memory, swap);
+    const PlaceOfContact place = place_of(contact, place_of_grain);
+    Interaction<Dim>& interaction = interactions_[place.interaction];
+    const int p = interaction.pairs().find(place.pair);
+    if (p >= 0) interaction.load_memory(p, memory, place.swapped);
   }
   if (bridges_) interactions_[0].refresh_bridges();
 }
@@ -366,13 +396,13 @@ void ExplicitDynamics<Dim>::append_contacts(const Interaction<Dim>& interaction,
     if (with_walls) {
       const Wall<Dim>& wall = walls_.walls()[key.j];
       if (wall.side * (wall.position - grains_.x[wall.axis][key.i]) >= reach) continue;
-      key = {grains_.index[key.i], grains_.size() + key.j, key.image};
+      key = {grains_.index[key.i], grains_.size() + key.j, key.image, key.key};
     } else {
       const Vec<Dim> shift = image_shift(key.image);
       Vec<Dim> r;
       for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][key.j] - grains_.x[a][key.i] + shift[a];
       if (r.squaredNorm() >= reach * reach && !wet) continue;
-      key = {grains_.index[key.i], grains_.index[key.j], key.image + wrap[key.i] - wrap[key.j]};
+      key = {grains_.index[key.i], grains_.index[key.j], key.image + wrap[key.i] - wrap[key.j], key.key};
     }
     const bool swap = key.j < key.i;
     if (swap) key = swapped(key);
@@ -380,6 +410,7 @@ void ExplicitDynamics<Dim>::append_contacts(const Interaction<Dim>& interaction,
     c.i = key.i;
     c.j = key.j;
     c.image = key.image;
+    c.key = key.key;
     c.memory = interaction.memory(p, swap);
     out.contacts.push_back(c);
   }

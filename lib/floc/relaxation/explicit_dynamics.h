@@ -44,6 +44,16 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   int n_blocks() const { return (grains_.size() + kGrainBlock - 1) / kGrainBlock; }
 
   static std::vector<History> take_histories(Packing<Dim>& packing);
+  /// The interaction that a contact of a packing belongs to, and its pair among the grains of the blocks.
+  struct PlaceOfContact {
+    int interaction;
+    NeighborPair<Dim> pair;
+    bool swapped;  ///< the pair is the contact seen from its other grain
+  };
+  PlaceOfContact place_of(const NeighborPair<Dim>& contact, const std::vector<int>& place_of_grain) const;
+  std::vector<int> places_of_grains() const;
+  std::vector<Pairs> further_contacts(const std::vector<History>& histories) const;
+  std::vector<Pairs> further_contacts() const;
   void add_interactions(const Packing<Dim>& packing, InstructionSet instructions, LatticeShape shape);
   void load_memory(const std::vector<History>& histories);
   Vec<Dim> sides() const;
@@ -85,7 +95,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double out_of_range_share(const std::vector<NeighborPair<Dim>>& pairs) const;
   void renew_list();
   void rebuild_list();
-  void build_lists();
+  /// @param further  contacts of each interaction beside the first one of their pair
+  void build_lists(const std::vector<Pairs>& further);
   bool shares_liquid() const { return bridges_.has_value() && !holds_liquid_; }
   void set_first_reach(const Packing<Dim>& packing);
   double reach_of_liquid() const;
@@ -98,7 +109,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
                        Packing<Dim>& out) const;
   void adapt_skin();
 
-  LawParameters law_, wall_law_;
+  Law law_, wall_law_;
   bool holds_liquid_;
   std::deque<Interaction<Dim>> interactions_;  ///< between grains first, then with walls
   BoundaryControl<Dim> control_;

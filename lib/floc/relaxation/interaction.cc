@@ -7,12 +7,12 @@
 namespace floc {
 
 template <int Dim>
-Interaction<Dim>::Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law,
-                              RowKind rows, InstructionSet instructions, LatticeShape shape)
+Interaction<Dim>::Interaction(Partner partner, const Law& parameters, const AnyContactLaw& law, RowKind rows,
+                              double largest_radius, InstructionSet instructions, LatticeShape shape)
     : partner_(partner),
       law_(law),
       rows_(rows),
-      range_(parameters.range()),
+      range_(parameters.reach(largest_radius)),
       swap_parity_(swap_parity<Dim>(parameters)),
       kernel_law_(kernel_law<Dim>(law, partner)),
       kernels_(step_kernels<Dim>(instructions, shape, kernel_law_.index())),
@@ -50,9 +50,9 @@ ContactMemory<Dim> Interaction<Dim>::memory(int pair, bool swapped) const {
   return memory;
 }
 
-std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters) {
+std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<Law>& parameters) {
   std::vector<AnyContactLaw> laws;
-  for (const LawParameters& p : parameters) laws.push_back(compose_law(p));
+  for (const Law& p : parameters) laws.push_back(compose_law(p));
   if (std::any_of(laws.begin(), laws.end(), kernel_rotates))
     for (std::size_t k = 0; k < laws.size(); ++k)
       if (!kernel_rotates(laws[k])) laws[k] = compose_with_friction(parameters[k]);

@@ -14,8 +14,9 @@ class Interaction {
  public:
   /// @param law   as composed for the kernels (laws_of_same_rows())
   /// @param rows  that all interactions of the packing write: those of the law between grains
-  Interaction(Partner partner, const LawParameters& parameters, const AnyContactLaw& law, RowKind rows,
-              InstructionSet instructions, LatticeShape shape);
+  /// @param largest_radius  of the grains
+  Interaction(Partner partner, const Law& parameters, const AnyContactLaw& law, RowKind rows,
+              double largest_radius, InstructionSet instructions, LatticeShape shape);
   Interaction(Interaction&&) = delete;  // the kernel is given the address of its law
 
   Partner partner() const { return partner_; }
@@ -69,7 +70,7 @@ class Interaction {
 /// The laws of the interactions of a packing, composed so that all rows can be of one kind: where some have
 /// friction, the others have a spring that can carry nothing.
 /// @param parameters  those of grains, then perhaps those of walls
-std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<LawParameters>& parameters);
+std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<Law>& parameters);
 
 /// What the rows of pairs of grains hold under this law.
 template <int Dim>

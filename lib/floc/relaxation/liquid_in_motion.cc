@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "floc/contact/adhesion/capillary_adhesion.h"
 #include "floc/relaxation/explicit_dynamics.h"
 
 namespace floc {
@@ -67,7 +68,7 @@ void ExplicitDynamics<Dim>::spread_liquid() {
     for (double wider = bridges_->wider(grains.range(), shares); wider > grains.range();
          wider = bridges_->wider(grains.range(), shares)) {
       grains.set_range(wider);
-      build_lists();
+      build_lists(further_contacts());
       shares = share_liquid();
     }
     grains.set_range(std::min(grains.range(), kReachMargin * bridges_->reach_bound(shares)));

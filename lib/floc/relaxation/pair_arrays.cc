@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "floc/contact/law_table.h"
+#include "floc/contact/memory_layout.h"
 #include "floc/packing/ball.h"
 #include "floc/packing/contact_order.h"
 
@@ -68,6 +70,8 @@ void PairArrays<Dim>::add(const NeighborPair<Dim>& key) {
   i_.push_back(key.i);
   j_.push_back(key.j);
   for (int a = 0; a < Dim; ++a) image_[a].push_back(static_cast<float>(key.image[a]));
+  if (key.key != 0 && key_.empty()) key_.assign(i_.size() - 1, 0);
+  if (key.key != 0 || !key_.empty()) key_.push_back(key.key);
 }
 
 template <int Dim>
@@ -118,6 +122,16 @@ void PairArrays<Dim>::refresh_bridges(const AnyContactLaw& any_law) {
       any_law);
 }
 
+template <int Dim>
+typename PairArrays<Dim>::Component& PairArrays<Dim>::bridge_volume() {
+  return memory[MemoryLayout<Dim>::kAdhesion];
+}
+
+template <int Dim>
+const typename PairArrays<Dim>::Component& PairArrays<Dim>::bridge_volume() const {
+  return memory[MemoryLayout<Dim>::kAdhesion];
+}
+
 /// Completes the pack that was begun, if any.
 template <int Dim>
 void PairArrays<Dim>::fill_pack() {
@@ -126,6 +140,7 @@ void PairArrays<Dim>::fill_pack() {
     i_.push_back(grain);
     j_.push_back(partner_ == Partner::wall ? j_.back() : grain);
     for (int a = 0; a < Dim; ++a) image_[a].push_back(kPaddingImage);
+    if (!key_.empty()) key_.push_back(0);
     if (own_numbers_ == 0) continue;
     for (Component* component : {&radii_, &share_i_, &damping_}) component->push_back(0.0);
   }
@@ -141,7 +156,16 @@ template <int Dim>
 NeighborPair<Dim> PairArrays<Dim>::key(int p) const {
   NeighborPair<Dim> key{i(p), j(p), {}};
   for (int a = 0; a < Dim; ++a) key.image[a] = static_cast<int>(image_[a][p]);
+  if (!key_.empty()) key.key = key_[p];
   return key;
+}
+
+template <int Dim>
+std::vector<NeighborPair<Dim>> PairArrays<Dim>::further_contacts() const {
+  std::vector<NeighborPair<Dim>> further;
+  for (int p = 0; p < static_cast<int>(key_.size()); ++p)
+    if (key_[p] != 0) further.push_back(key(p));
+  return further;
 }
 
 template <int Dim>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "floc/base/aligned_vector.h"
+#include "floc/contact/history.h"
 #include "floc/contact/law_table.h"
-#include "floc/contact/memory_layout.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/kernels/kernel_law.h"
@@ -35,7 +35,7 @@ class PairArrays {
   using Component = AlignedVector<double>;
 
   Component viscous;  ///< dashpot forces of the step before (force); empty where the law has none
-  /// What the law remembers, at the places of MemoryLayout; empty at places of which it remembers nothing.
+  /// What the law remembers, at the places of the layout; empty at places of which it remembers nothing.
   std::array<Component, MemoryLayout<Dim>::kSize> memory;
 
   PairArrays() = default;
@@ -51,6 +51,8 @@ class PairArrays {
   int i(int p) const { return i_[p]; }
   int j(int p) const { return j_[p]; }
   NeighborPair<Dim> key(int p) const;
+  /// The pairs that are further contacts of the two bodies of another pair: those whose key is not 0.
+  std::vector<NeighborPair<Dim>> further_contacts() const;
   double radii(int p) const { return radii_[p & own_numbers_]; }
   /// Index of a pair, -1 where it is not in the list.
   int find(const NeighborPair<Dim>& key) const;
@@ -62,8 +64,8 @@ class PairArrays {
   /// for other laws.
   void refresh_bridges(const AnyContactLaw& law);
   /// Volumes of the liquid bridges, signed as the memory is; empty where the law holds no liquid.
-  Component& bridge_volume() { return memory[MemoryLayout<Dim>::kAdhesion]; }
-  const Component& bridge_volume() const { return memory[MemoryLayout<Dim>::kAdhesion]; }
+  Component& bridge_volume();
+  const Component& bridge_volume() const;
 
   /// Without rows, which belong to all lists together (row_sums.h).
   PairView<Dim> view();
@@ -84,6 +86,7 @@ class PairArrays {
   int blocks_of_group_ = 1;
   AlignedVector<int> i_, j_;
   std::array<AlignedVector<float>, Dim> image_;  ///< whole numbers
+  std::vector<int> key_;                         ///< of each pair; empty where all are 0
   Component radii_, share_i_, damping_;
   Component reduced_radius_, reduced_mass_;                   ///< empty where the law does not need them
   Component radius_i_, radius_j_, strength_, decay_, reach_;  ///< empty where the law holds no liquid

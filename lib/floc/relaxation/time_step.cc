@@ -56,8 +56,7 @@ PairGeometry<> stiffest_pair(const Grains<Dim>& grains, int i, int largest, bool
 
 /// The stiffest that a contact among grains, or of a grain and a wall, gets (force/length).
 template <int Dim>
-double stiffest_contact(const Grains<Dim>& g, const LawParameters& parameters, const ContactLoad& load,
-                        bool with_wall) {
+double stiffest_contact(const Grains<Dim>& g, const Law& parameters, const ContactLoad& load, bool with_wall) {
   const int largest = largest_grain(g);
   return std::visit(
       [&](const auto& law) {
@@ -79,7 +78,7 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
   const ContactLoad load = load_on(packing, pressure);
   const int largest = largest_grain(g);
   double shortest = std::numeric_limits<double>::infinity();
-  const auto shorten = [&](const LawParameters& parameters, bool with_wall) {
+  const auto shorten = [&](const Law& parameters, bool with_wall) {
     std::visit(
         [&](const auto& law) {
           for (int i = 0; i < g.size(); ++i) {

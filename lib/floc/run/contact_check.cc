@@ -29,7 +29,8 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
 /// was read as touching pulls across a gap.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  if (!c.distant && law_of(packing, c).force_exponent() == 1.0)
+  const Law& law = law_of(packing, c);
+  if (!c.distant && law.force_exponent() == 1.0 && !law.remembers_overlap())
     return -c.kn * c.gap - (touches(packing, c) ? pull_off_force(packing, c) : 0.0);
   Contact<Dim> by_law = c;
   refresh_contact(packing, by_law);

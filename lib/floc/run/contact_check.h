@@ -9,7 +9,7 @@ namespace floc {
 
 /// The law of a contact: that between grains, or that of the walls.
 template <int Dim>
-const LawParameters& law_of(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+const Law& law_of(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return packing.is_wall(contact.j) ? packing.wall_law : packing.law;
 }
 

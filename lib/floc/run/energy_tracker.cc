@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kEnergyHeader =
     "step,branch,P,time,phi,work,elastic,kinetic,viscous,sliding,scaling,removed,initial,error,"
-    "liquid,law";
+    "liquid,law,hysteresis";
 /// Columns before the terms of the account.
 constexpr int kLeading = 5;
 
@@ -26,7 +26,7 @@ EnergyTerms terms_of(const std::string& row) {
   EnergyTerms t;
   double error = 0.0;  // which follows from the others
   for (double* term : {&t.work, &t.elastic, &t.kinetic, &t.viscous, &t.sliding, &t.scaling, &t.removed,
-                       &t.initial, &error, &t.liquid, &t.law}) {
+                       &t.initial, &error, &t.liquid, &t.law, &t.hysteresis}) {
     std::getline(fields, field, ',');
     *term = std::strtod(field.c_str(), nullptr);
   }
@@ -47,9 +47,9 @@ EnergyTracker<Dim>::EnergyTracker(const std::string& file, const Run<Dim>& run, 
 template <int Dim>
 void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
   const EnergyTerms& t = account_.terms();
-  this->add_row(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", this->place_of(run), time,
+  this->add_row(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", this->place_of(run), time,
                             solid_fraction(packing), t.work, t.elastic, t.kinetic, t.viscous, t.sliding,
-                            t.scaling, t.removed, t.initial, t.error(), t.liquid, t.law));
+                            t.scaling, t.removed, t.initial, t.error(), t.liquid, t.law, t.hysteresis));
 }
 
 template <int Dim>

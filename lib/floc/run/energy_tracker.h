@@ -14,7 +14,7 @@ namespace floc {
 ///
 /// Columns: step, branch, P (that the step goes to), time (since the beginning of the run), phi, then the terms
 /// of EnergyTerms (energy): work, elastic, kinetic, viscous, sliding, scaling, removed, initial, error, what the
-/// account leaves open, liquid and law.
+/// account leaves open, liquid, law and hysteresis.
 template <int Dim>
 class EnergyTracker final : public MotionTable<Dim> {
  public:

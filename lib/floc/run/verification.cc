@@ -86,7 +86,7 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
   for (const Contact<Dim>& c : recomputed.contacts) {
     if (!listed.insert({identity(c), c.key}).second) wrong(name_of(recomputed, c) + " listed twice");
-    if (c.gap >= law_of(recomputed, c).range() + open && bridge_volume(recomputed, c) == 0.0)
+    if (c.distant && c.gap >= law_of(recomputed, c).range() + open && bridge_volume(recomputed, c) == 0.0)
       wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(recomputed, c), c.gap));
   }
   // Several contacts of a pair have the keys 0, 1, ...
@@ -350,7 +350,7 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
       record.wrong(fmt::format("{} recorded as {}{}", name_of(stored, c), recorded ? "" : "not ", flag));
   };
   for (const Contact<Dim>& c : stored.contacts) {
-    const LawParameters& law = law_of(stored, c);
+    const Law& law = law_of(stored, c);
     const Mobilised near = mobilised(law, c, kFlagTolerance), at = mobilised(law, c, kAtCap);
     compare(c, "sliding", c.sliding, near.sliding, at.sliding);
     compare(c, "yielding in rolling", c.rolling_yield, near.rolling, at.rolling);

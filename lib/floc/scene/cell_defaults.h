@@ -1,6 +1,6 @@
 #pragma once
 
-#include "floc/contact/law_parameters.h"
+#include "floc/contact/law.h"
 #include "floc/relaxation/cell_response.h"
 
 namespace floc {
@@ -17,7 +17,7 @@ inline constexpr double kStrainRateCap = 0.05;
 inline constexpr double kLargestInertialNumber = 1e-3;
 
 /// The cap on the strain rate, of the kind for which the contact law has a scale.
-inline CellResponse default_cap(const LawParameters& law) {
+inline CellResponse default_cap(const Law& law) {
   CellResponse response;
   if (law.adheres())
     response.strain_rate_cap = kStrainRateCap;
@@ -27,7 +27,7 @@ inline CellResponse default_cap(const LawParameters& law) {
 }
 
 /// Cell response in stages of a load path where neither they nor the scene give one.
-inline CellResponse default_load_response(const LawParameters& law) {
+inline CellResponse default_load_response(const Law& law) {
   CellResponse response = default_cap(law);
   response.cell_mass = kLoadCellMass;
   return response;

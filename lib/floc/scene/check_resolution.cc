@@ -105,7 +105,7 @@ void check_overlaps(TableReader& root, const Scene& scene) {
 /// A pair pulled together by its adhesion alone overlaps by F0/K_N.
 void check_cohesive_overlap(TableReader& root, const Scene& scene) {
   constexpr double kLargest = 0.1;
-  if (!scene.assembly.box || !scene.law.adhesion || scene.law.force_exponent() != 1.0) return;
+  if (!scene.assembly.box || !scene.law.has_adhesion() || scene.law.force_exponent() != 1.0) return;
   const double a = scene.grains.diameter.max;
   const double stiffness = a * scene.law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
   const double overlap = scene.law.pull_off_force() / stiffness;

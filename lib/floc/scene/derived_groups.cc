@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/packing/liquid.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/scene/scene_scales.h"
@@ -136,7 +137,7 @@ std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
 /// The numbers of one slot.
 void add_slot(const std::string& slot, const Scene& scene, double a, Groups& groups) {
   LawParameters law = scene.law;
-  const double K_N = law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
+  const double K_N = scene.law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
   for (const LawNumber& n : numbers_of(law))
     if (n.key.starts_with(slot + "."))
       if (auto group = group_of(n, K_N, a)) groups.push_back(std::move(*group));
@@ -144,9 +145,10 @@ void add_slot(const std::string& slot, const Scene& scene, double a, Groups& gro
 
 void add_law(const Scene& scene, double a, Groups& groups) {
   for (const char* slot : {"friction", "rolling", "twisting", "damping"}) add_slot(slot, scene, a, groups);
-  if (scene.law.damping.holds<ViscousDamping>())
-    groups.push_back({"zeta", damping_ratio(scene.law.damping.get<ViscousDamping>().restitution),
-                      "fraction of critical damping"});
+  const auto& damping = scene.law.parameters().damping;
+  if (damping.holds<ViscousDamping>())
+    groups.push_back(
+        {"zeta", damping_ratio(damping.get<ViscousDamping>().restitution), "fraction of critical damping"});
 }
 
 /// How the cell answers in a part of a run, in what it differs from another part.

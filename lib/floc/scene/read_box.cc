@@ -54,7 +54,7 @@ void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
       not_negative, "the pull-off force of grains from walls, >= 0 (no default: it decides the result)"};
   box.friction = t.number("friction", friction).value_or(0);
   box.adhesion = t.number("adhesion", adhesion).value_or(0);
-  if (box.friction > 0 && !scene.law.friction)
+  if (box.friction > 0 && !scene.law.has_friction())
     t.fault("friction",
             fmt::format("box.friction = {}: the grains have no friction whose stiffness the walls could share; "
                         "expected contact.friction, or 0",

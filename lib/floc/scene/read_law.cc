@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
 
 namespace floc {
 namespace {
@@ -61,12 +62,17 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
   // Of a model that does not go together with the slots before, that is all there is to say.
   const bool goes_together = fits(model, law);
   model.choose(law);
+  bool all_right = true;
   for (const LawNumber& n : numbers_of(law)) {
     if (!n.key.starts_with(slot.key + ".")) continue;
-    *n.value = kPlaceholder;
-    if (goes_together) *n.value = t.number(n.declared->key, rule_of(*n.declared)).value_or(kPlaceholder);
+    std::optional<double> value;
+    if (goes_together) value = t.number(n.declared->key, rule_of(*n.declared));
+    *n.value = value.value_or(kPlaceholder);
+    all_right = all_right && value;
   }
   if (!goes_together) return;
+  for (const LawFault& fault : law.faults_between_numbers())
+    if (fault.slot == slot.key && all_right) t.fault(fault.key, fault.words);
   for (const DeclaredChoice& c : model.choices)
     if (const auto index = t.choice(c.key, c.keywords, Need::optional))
       choose(law, slot.key, c.key, static_cast<int>(*index));
@@ -76,7 +82,7 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
 
 }  // namespace
 
-LawParameters read_law(TableReader& root, int dimension) {
+Law read_law(TableReader& root, int dimension) {
   TableReader t = root.table("contact", "a table [contact]");
   LawParameters law;
   for (const DeclaredSlot& slot : declared_slots())

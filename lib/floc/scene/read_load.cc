@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/loading/run_plan.h"
 
 namespace floc {
@@ -39,19 +40,22 @@ std::vector<std::string> law_keys(LawParameters law) {
 }
 
 /// Applies the changes of a stage to the law in force, with the faults they make.
-void apply_changes(TableReader& t, const LoadStage& stage, LawParameters& law) {
+void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
+  LawParameters law = present;
   for (const auto& [key, value] : stage.set) {
     double* number = law_number(law, key);
     if (!number) {
       t.fault("set",
               fmt::format("{}.set.{}: the scene's contact law has no such parameter; the nearest it has is {}",
                           t.path(), key, nearest_key(key, law_keys(law))));
+      present = law;
       return;
     }
     *number = value;
   }
   for (const std::string& fault : stage.set.empty() ? std::vector<std::string>{} : law.validate())
     t.fault("set", fmt::format("{}.set: {}", t.path(), fault));
+  present = law;
 }
 
 /// Reads a stress or a strain that one axis is brought to.
@@ -230,8 +234,7 @@ void check_volume(TableReader& t, const LoadStage& stage) {
 }
 
 /// An axis cannot keep a stress of zero, known from the stage before, once there is no adhesion.
-void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage,
-                       const LawParameters& law) {
+void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage, const Law& law) {
   if (law.adheres()) return;
   for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a)
     if (stage.axes[a].kind == AxisLoad::kept_stress && from[a] == 0.0)
@@ -242,8 +245,7 @@ void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage&
 }
 
 /// @param cell_cap  whether the scene caps rates by the inertial number, which is zero without a pressure
-void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const LawParameters& law,
-                       bool cell_cap) {
+void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const Law& law, bool cell_cap) {
   const bool zero = stage.is_isotropic()
                         ? has_end && stage.to == 0.0
                         : std::any_of(stage.axes.begin(), stage.axes.end(), [](const AxisLoad& a) {
@@ -284,7 +286,7 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
 
 /// @param scene  all but its stages
 /// @param from   stresses before the stage
-LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from, LawParameters& law) {
+LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from, Law& law) {
   const std::optional<BoxOptions>& box = scene.assembly.box;
   LoadStage stage;
   const int dimension = static_cast<int>(from.size());
@@ -367,7 +369,7 @@ CellResponse read_rate_caps(TableReader& t) {
 }
 
 void read_load(TableReader& root, const CellResponse& unsaid, Scene& scene) {
-  LawParameters law = scene.law;
+  Law law = scene.law;
   KnownStress from(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
   for (TableReader& t : root.tables("load", "tables [[load]]")) {
     scene.load.push_back(read_stage(t, scene, from, law));

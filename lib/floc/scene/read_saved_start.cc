@@ -82,7 +82,7 @@ GrainOptions grains_of(const Grains<Dim>& grains, int n_tiles) {
 
 template <int Dim>
 std::string start_description(const State<Dim>& state, const std::string& file, const Scene& scene) {
-  const LawParameters& law = state.packing.law;
+  const Law& law = state.packing.law;
   const Vec<Dim, int> copies = scene.assembly.saved.copies_along<Dim>();
   return fmt::format("{}, {} grains at phi = {:.6g} under P = {:.4g}, {} copies; contact law {}", file,
                      state.packing.grains.size(), scene.assembly.solid_fraction, state.target_stress.mean(),

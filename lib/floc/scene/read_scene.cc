@@ -151,14 +151,14 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   if (boxed)
     t.refuse("agitation",
              "assembly.agitation: the gas of a [box] has a kinetic_pressure; expected no such key");
-  else if (protocol && scene.assembly.protocol == Protocol::direct && scene.law.adhesion)
+  else if (protocol && scene.assembly.protocol == Protocol::direct && scene.law.has_adhesion())
     t.refuse("agitation",
              "assembly.agitation: grains start at rest with protocol = \"direct\"; expected "
              "\"aggregation\", or no agitation");
   else
     scene.assembly.agitation =
         t.number("agitation", agitation, aggregates || !protocol ? Need::required : Need::optional).value_or(0);
-  if (scene.law.friction)
+  if (scene.law.has_friction())
     scene.assembly.friction =
         t.number("friction", {not_negative, "a friction coefficient >= 0"}, Need::optional);
   else
@@ -229,7 +229,7 @@ void read_run(TableReader& root, Scene& scene) {
 
 /// What tables must agree on.
 void check_consistency(TableReader& root, SceneSource& source, const Scene& scene) {
-  const bool cohesive = scene.law.adhesion || source.is_faulty("contact.adhesion.law");
+  const bool cohesive = scene.law.has_adhesion() || source.is_faulty("contact.adhesion.law");
   TableReader contact = root.table("contact", "", Need::optional);
   TableReader cell = root.table("cell", "", Need::optional);
   TableReader assembly = root.table("assembly", "", Need::optional);
@@ -240,7 +240,7 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
                                               "no adhesion; expected inertial_number_cap",
                                               t->path_of("strain_rate_cap")));
   if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation) return;
-  if (!cohesive || (scene.law.adhesion && scene.law.range() == 0))
+  if (!cohesive || (scene.law.has_adhesion() && scene.law.range() == 0))
     assembly.fault("protocol",
                    "assembly.protocol = \"aggregation\": grains stick by an adhesion with a tail; expected "
                    "contact.adhesion = {law = \"tail\", force, range}, or protocol = \"direct\"");

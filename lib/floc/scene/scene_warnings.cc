@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/contact/law_parameters.h"
 #include "floc/loading/run_plan.h"
 #include "floc/packing/liquid.h"
 #include "floc/packing/overlaps.h"
@@ -56,12 +57,12 @@ double largest_stress(const LoadStage& stage) {
 
 /// Overlap, over their radius, of two of the largest grains under so many times the mean force of a pressure and
 /// their adhesion: P = z Phi F/(pi a^(d-1)) of equal grains, of which z Phi = 4 bear it.
-double overlap_under(const Scene& scene, const LawParameters& law, double pressure, double times_mean) {
+double overlap_under(const Scene& scene, const Law& law, double pressure, double times_mean) {
   const double a = scene.grains.diameter.max;
   const double mean = 0.25 * std::numbers::pi * pressure * std::pow(a, scene.dimension - 1);
   const double elastic = times_mean * mean + law.pull_off_force(0.5 * a);
   const PairGeometry<> pair(0.0, 0.25 * a);
-  const double overlap = law.normal.visit([&](const auto& model) {
+  const double overlap = law.parameters().normal.visit([&](const auto& model) {
     if constexpr (requires { model.overlap_at_force(pair, elastic); })
       return model.overlap_at_force(pair, elastic);
     else
@@ -74,7 +75,7 @@ double overlap_under(const Scene& scene, const LawParameters& law, double pressu
 void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
   constexpr double kLoaded = 3.0;  // times the mean force, which some contacts in a hundred bear
   if (!(scene.grains.diameter.max > 0.0)) return;
-  LawParameters law = scene.law, softest = law;
+  Law law = scene.law, softest = law;
   double deepest = overlap_under(scene, law, scene.assembly.pressure, kLoaded), at = scene.assembly.pressure;
   for (const LoadStage& stage : scene.load) {
     for (const auto& [key, value] : stage.set) change_law(law, key, value);
@@ -108,8 +109,9 @@ double most_water(const Scene& scene, double at_first) {
 
 /// What liquid bridges do that the scene does not say.
 void warn_of_liquid(const Scene& scene, Warnings& warnings) {
-  if (!scene.law.adhesion.holds<CapillaryAdhesion>()) return;
-  CapillaryAdhesion law = scene.law.adhesion.get<CapillaryAdhesion>();
+  const auto& adhesion = scene.law.parameters().adhesion;
+  if (!adhesion.holds<CapillaryAdhesion>()) return;
+  CapillaryAdhesion law = adhesion.get<CapillaryAdhesion>();
   law.water_content = most_water(scene, law.water_content);
   if (law.water_content == 0.0)
     warnings.push_back(
@@ -232,7 +234,7 @@ void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
 }
 
 void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
-  const bool sticks = scene.law.damping || scene.law.friction;
+  const bool sticks = scene.law.has_damping() || scene.law.has_friction();
   if (scene.assembly.protocol == AssemblyOptions::Protocol::aggregation && !sticks)
     warnings.push_back(
         "assembly.protocol = \"aggregation\": without contact.damping and contact.friction collisions "

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/contact/pair_geometry.h"
+
 namespace floc {
 namespace {
 
@@ -15,9 +17,7 @@ constexpr double kHertzian = 1e-6;
 
 template <int Dim>
 double elastic_energy_per_grain(const Packing<Dim>& packing) {
-  double sum = 0.0;
-  for (const Contact<Dim>& c : packing.contacts) sum += elastic_energy(c);
-  return packing.grains.size() > 0 ? sum / packing.grains.size() : 0.0;
+  return packing.grains.size() > 0 ? contact_energy(packing).elastic / packing.grains.size() : 0.0;
 }
 
 double hertz_contact_pressure(double N, double h, double R) {

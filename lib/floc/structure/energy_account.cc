@@ -8,6 +8,7 @@
 #include "floc/neighbors/spread_liquid.h"
 #include "floc/neighbors/unlisted_pairs.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/contact_energy.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/law_response.h"
@@ -22,24 +23,10 @@ double spring_energy(double squared_force, double stiffness) {
   return stiffness > 0.0 ? 0.5 * squared_force / stiffness : 0.0;
 }
 
-/// Of the normal force, the attraction included.
-template <class Law, int Dim>
-double normal_energy(const Law& law, const Packing<Dim>& packing, const Contact<Dim>& c) {
-  return law.energy(pair_geometry(packing.grains, c), acting_parameters(law, packing.grains, c));
-}
-
+/// Attractions included.
 template <int Dim>
 double elastic_energy_of(const Packing<Dim>& packing) {
-  return std::visit(
-      [&](const auto& law) {
-        double sum = 0.0;
-        for (const Contact<Dim>& c : packing.contacts)
-          sum += normal_energy(law, packing, c) + spring_energy(c.shear_force.squaredNorm(), c.kt) +
-                 spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
-                 spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
-        return sum;
-      },
-      compose_law(packing.law));
+  return contact_energy(packing).all();
 }
 
 template <int Dim>
@@ -129,11 +116,18 @@ double viscous_force(const AnyContactLaw& any, const Grains<Dim>& grains, const 
         if constexpr (Law::kHasDamping) {
           const double coefficient =
               law.damping_coefficient(CollisionMass::between(grains.mass[c.i], grains.mass[c.j]));
-          return law.damping.force(coefficient, law.normal(pair_geometry(grains, c)), gap_rate);
+          const PairGeometry<> pair = pair_geometry(grains, c);
+          const auto memory = packed_memory<Law, Dim>(c.memory);
+          return law.damping.force(coefficient, law.template normal_of<Dim>(pair, memory), gap_rate);
         }
         return 0.0;
       },
       any);
+}
+
+template <class Law, int Dim>
+double attraction_energy(const Law& law, const Packing<Dim>& packing, const Contact<Dim>& c) {
+  return law.attraction_energy(pair_geometry(packing.grains, c), acting_parameters(law, packing.grains, c));
 }
 
 /// Change of the elastic energy, at the places that grains have at the end of a step, by what happened to the liquid in
@@ -160,15 +154,15 @@ double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
           if (found) is_kept[static_cast<std::size_t>(place - old.begin())] = true;
           const double volume_before = found ? bridge_volume(before, *place) : 0.0;
           if (volume == volume_before) continue;
-          sum += normal_energy(law, after, c);
-          c.memory[MemoryLayout<Dim>::kAdhesion] = volume_before;
-          sum -= normal_energy(law, after, c);
+          sum += attraction_energy(law, after, c);
+          set_bridge_volume(volume_before, c);
+          sum -= attraction_energy(law, after, c);
         }
         for (std::size_t k = 0; k < old.size(); ++k) {
           if (is_kept[k]) continue;
           Contact<Dim> c = old[k];
           place(locate(after, c), c);
-          sum -= normal_energy(law, after, c);
+          sum -= attraction_energy(law, after, c);
         }
         return sum;
       },
@@ -193,6 +187,7 @@ class Step {
     for (const int k : changes_.gained) add_contact(Contact<Dim>(), after_.contacts[k], terms);
     for (const int k : changes_.lost) {
       const Contact<Dim>& c = before_.contacts[k];
+      if (after_.law.remembers_overlap()) terms.hysteresis += normal_energy(before_, c);
       (after_.law.friction_follows_load() ? terms.scaling : terms.sliding) +=
           spring_energy(c.shear_force.squaredNorm(), c.kt);
       terms.sliding += spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
@@ -207,9 +202,24 @@ class Step {
     const StepMotion<Dim> motion(locate(before_, named_as_before(after)), locate(after_, after),
                                  rotation(after.i), rotation(after.j));
     add_spring_losses(before, after, motion, terms);
+    if (after_.law.remembers_overlap())
+      terms.hysteresis += normal_energy(before_, before) - normal_energy(after_, after) -
+                          0.5 * (force_of_normal_law(before) + force_of_normal_law(after)) * motion.opening;
     const double force = viscous_force(law_, after_.grains, after, motion.opening / time_step_);
     terms.viscous -= force * motion.opening;
     viscous_virial_ += force * motion.normal * motion.branch.transpose();
+  }
+
+  /// Energy that the normal law alone stores in a contact; a new contact stores none before.
+  static double normal_energy(const Packing<Dim>& packing, const Contact<Dim>& c) {
+    if (c.normal.isZero(0.0)) return 0.0;
+    Contact<Dim> without_springs = c;
+    without_springs.kt = without_springs.kr = without_springs.ktw = 0.0;
+    return contact_energy(packing, without_springs).elastic;
+  }
+  /// The force that goes with it.
+  double force_of_normal_law(const Contact<Dim>& c) const {
+    return after_.law.adheres_by_itself() ? c.normal_force : c.elastic_force;
   }
 
   /// A contact of the end by the image that it had at the beginning: grains may have been moved back into the cell
@@ -263,7 +273,7 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
 }
 
 template <int Dim>
-void EnergyAccount<Dim>::change_law(const LawParameters& law) {
+void EnergyAccount<Dim>::change_law(const Law& law) {
   previous_.law = law;
   // Springs are kept; pairs that the new law reaches and the one before did not have join the list.
   const std::vector<Contact<Dim>> added = unlisted_pairs(previous_, interacting_pairs(previous_));

@@ -18,15 +18,17 @@ struct EnergyTerms {
   /// Put in by sharing liquid out, and by bridges that form: change of the elastic energy with their volumes.
   double liquid = 0.0;
   double law = 0.0;  ///< put in by changes of the contact law: change of the elastic energy where grains are
+  double hysteresis = 0.0;  ///< lost along the normal, under laws that give back less than they took
 
   /// What the account leaves open: what was put in less everything else.
   double error() const {
-    return work + initial - elastic - kinetic - viscous - sliding - scaling - removed + liquid + law;
+    return work + initial - elastic - kinetic - viscous - sliding - scaling - hysteresis - removed + liquid +
+           law;
   }
 };
 
 /// Keeps the energy account of a moving packing, from its state after each time step alone: work + liquid + law =
-/// change of elastic + change of kinetic + viscous + sliding + scaling + removed, up to an error that vanishes with the
+/// change of elastic + change of kinetic + viscous + sliding + scaling + hysteresis + removed, up to an error that vanishes with the
 /// time step to first order (dashpots, caps and liquid) or second (without them).
 template <int Dim>
 class EnergyAccount {
@@ -39,8 +41,8 @@ class EnergyAccount {
 
   /// Exchanges the law of the present packing, as a step of a load path does that begins with another one: springs are
   /// kept, forces are those of the new law, and liquid is shared out anew.
-  void change_law(const LawParameters& law);
-  const LawParameters& law() const { return previous_.law; }
+  void change_law(const Law& law);
+  const Law& law() const { return previous_.law; }
 
   /// Goes on from an account that was kept up to the present packing.
   void continue_from(const EnergyTerms& terms) { terms_ = terms; }

@@ -8,6 +8,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/relaxation/relaxation_options.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/springs.h"
 
@@ -117,7 +118,7 @@ TEST(ClusterFlight, MovesSpheresThatWindAroundTheCellWithoutTurningThem) {
 TEST(ClusterFlight, TurnsWhatContactsOfSpheresRemember) {
   Packing<3> packing;
   packing.law = test::cohesive_law();
-  packing.law.twisting = TwistingSpring{0.005, 10.0};
+  packing.law += test::twisting_spring(0.005, 10.0);
   packing.cell.matrix *= 10.0;
   packing.grains = Grains<3>::with_size(3);
   const double side = 1.0 - kOverlap;

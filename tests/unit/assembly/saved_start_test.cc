@@ -7,6 +7,7 @@
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/springs.h"
 
@@ -68,19 +69,19 @@ TEST(SavedStart, CopiesEveryContactWithItsSprings) {
 
 TEST(SavedStart, LosesTheSpringsOfSlotsThatTheLawHasNot) {
   const Packing<2> saved = pressed_disks();
-  LawParameters law = saved.law;
-  law.rolling.reset();
+  Law law = saved.law;
+  law += test::without("rolling");
   for (const Contact<2>& c : start_from<2>(saved, law, kAlone).contacts)
     EXPECT_EQ(test::rolling_spring(c)[0], 0.0);
-  law.friction.reset();
+  law += test::without("friction");
   for (const Contact<2>& c : start_from<2>(saved, law, kAlone).contacts) EXPECT_FALSE(remembers(c));
 }
 
 TEST(SavedStart, KeepsSpringsAndNotForcesUpToTheNewCaps) {
   const Packing<2> saved = pressed_disks();
-  LawParameters law = saved.law;
-  law.friction.get<CoulombFriction>().tangential_stiffness *= 0.5;
-  law.rolling.get<RollingSpring>().coefficient = 0.0;  // no rolling resistance
+  Law law = saved.law;
+  law += test::changed("friction.stiffness", 0.5 * test::law_number(law, "friction.stiffness"));
+  law += test::changed("rolling.coefficient", 0.0);  // no rolling resistance
   const Packing<2> start = start_from<2>(saved, law, kAlone);
   ASSERT_EQ(start.contacts.size(), saved.contacts.size());
   for (std::size_t k = 0; k < saved.contacts.size(); ++k) {
@@ -92,8 +93,8 @@ TEST(SavedStart, KeepsSpringsAndNotForcesUpToTheNewCaps) {
 
 TEST(SavedStart, FindsTheContactsOfALongerRange) {
   const Packing<2> saved = pressed_disks();
-  LawParameters law = saved.law;
-  law.adhesion.get<TailAdhesion>().tail_range = 0.2;
+  Law law = saved.law;
+  law += test::changed("adhesion.range", 0.2);
   Packing<2> found = saved;
   found.law = law;
   find_contacts(found);

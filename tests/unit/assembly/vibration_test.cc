@@ -4,14 +4,15 @@
 
 #include "floc/base/error.h"
 #include "floc/neighbors/pairs.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 
 namespace floc {
 namespace {
 
-LawParameters hard() {
-  LawParameters law;
-  law.normal = LinearRepulsion{1.0};
+Law hard() {
+  Law law;
+  law += test::linear(1.0);
   return law;
 }
 

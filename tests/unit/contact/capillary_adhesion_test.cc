@@ -155,7 +155,8 @@ TEST(Doublet, RestsPullsOffAndPartsAsTheClosedFormsSay) {
   EXPECT_EQ(pair.force(0.0), -b.strength);
   const double separation =
       b.strength * b.strength / 2e3 + b.strength / b.decay * (1.0 - std::exp(-b.reach * b.decay));
-  expect_relative(pair.law.energy(PairGeometry<>(2.0 * b.reach), b) - pair.law.energy(PairGeometry<>(-h0), b),
+  expect_relative(pair.law.energy<double>(PairGeometry<>(2.0 * b.reach), nullptr, b) -
+                      pair.law.energy<double>(PairGeometry<>(-h0), nullptr, b),
                   separation, 1e-14);
   // One step of the rule spans the jump at the reach.
   expect_relative(-pair.work(-h0, 1.1 * b.reach), separation, 2e-5);

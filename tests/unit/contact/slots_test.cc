@@ -14,7 +14,6 @@ namespace {
 TEST(LinearRepulsion, IsKNTimesTheOverlap) {
   const LinearRepulsion repulsion{200.0};
   EXPECT_DOUBLE_EQ(repulsion.force(PairGeometry<>(-0.25)), 50.0);
-  EXPECT_DOUBLE_EQ(repulsion.energy(PairGeometry<>(-0.25)), 6.25);
   EXPECT_EQ(repulsion.force(PairGeometry<>(0.25)), 0.0);
 }
 
@@ -41,23 +40,23 @@ TEST(ConstantAdhesion, ActsInContactOnly) {
 TEST(CoulombFriction, LongestSpringTimesStiffnessIsTheCap) {
   const CoulombFriction friction{0.5, 40.0};
   double spring = 0.0;
-  EXPECT_DOUBLE_EQ(
-      friction.respond(PairGeometry<>(-0.1), NormalResponse<double>{6.0, 0.0, 1.0}, Vec<1>(9.0), &spring)[0],
-      3.0);
+  EXPECT_DOUBLE_EQ(friction.respond(PairGeometry<>(-0.1), NormalResponse<double>{6.0, 0.0, 1.0, 1.0},
+                                    Vec<1>(9.0), &spring)[0],
+                   3.0);
   EXPECT_DOUBLE_EQ(40.0 * spring, 3.0);
   EXPECT_TRUE(friction.is_mobilised<Vec<1>>(6.0, &spring, 0.0));
   EXPECT_FALSE(friction.is_mobilised<Vec<1>>(6.1, &spring, 0.0));
-  EXPECT_EQ(
-      friction.respond(PairGeometry<>(0.1), NormalResponse<double>{0.0, 0.0, 0.0}, Vec<1>(9.0), &spring)[0],
-      0.0);
+  EXPECT_EQ(friction.respond(PairGeometry<>(0.1), NormalResponse<double>{0.0, 0.0, 0.0, 0.0}, Vec<1>(9.0),
+                             &spring)[0],
+            0.0);
 }
 
 TEST(RollingSpring, LargestTurnTimesStiffnessIsTheCap) {
   const RollingSpring rolling{0.05, 10.0};
   double spring = 0.0;
-  EXPECT_DOUBLE_EQ(
-      rolling.respond(PairGeometry<>(-0.1), NormalResponse<double>{6.0, 0.0, 1.0}, Vec<1>(-9.0), &spring)[0],
-      -0.3);
+  EXPECT_DOUBLE_EQ(rolling.respond(PairGeometry<>(-0.1), NormalResponse<double>{6.0, 0.0, 1.0, 1.0},
+                                   Vec<1>(-9.0), &spring)[0],
+                   -0.3);
 }
 
 TEST(CappedSpring, OfOneComponentIsClamped) {

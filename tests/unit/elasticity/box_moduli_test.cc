@@ -10,6 +10,7 @@
 #include "floc/neighbors/find_contacts.h"
 #include "floc/network/rigidity_matrix.h"
 #include "floc/packing/wall_forces.h"
+#include "support/contact_laws.h"
 
 namespace floc {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 /// Spheres (disks) of diameter 1 in a cubic (square) crystal of n along each axis between walls, all contacts
 /// `overlap` deep.
 template <int Dim>
-Packing<Dim> crystal(int n, const LawParameters& law, const LawParameters& wall_law, double overlap) {
+Packing<Dim> crystal(int n, const Law& law, const Law& wall_law, double overlap) {
   Packing<Dim> packing;
   packing.law = law;
   packing.wall_law = wall_law;
@@ -40,10 +41,10 @@ Packing<Dim> crystal(int n, const LawParameters& law, const LawParameters& wall_
   return packing;
 }
 
-LawParameters linear(double kn, double kt) {
-  LawParameters law;
-  law.normal = LinearRepulsion{kn};
-  if (kt > 0.0) law.friction = CoulombFriction{0.5, kt};
+Law linear(double kn, double kt) {
+  Law law;
+  law += test::linear(kn);
+  if (kt > 0.0) law += test::coulomb(0.5, kt);
   return law;
 }
 
@@ -79,7 +80,7 @@ TEST(BoxModuli, OfACrystalAreThoseOfItsChains) {
 /// A straight chain of n grains between two walls across the last axis; the others are periodic, twice as long
 /// as a grain.
 template <int Dim>
-Packing<Dim> chain_betweekWalls(int n, const LawParameters& law, const LawParameters& wall_law) {
+Packing<Dim> chain_betweekWalls(int n, const Law& law, const Law& wall_law) {
   const double overlap = 1e-3;
   Packing<Dim> packing;
   packing.law = law;
@@ -204,10 +205,10 @@ TEST(BoxModuli, AreTheInverseOfWhatPressuresOnFreeWallsDo) {
 TEST(BoxModuli, AttractionsAcrossGapsDestabiliseInAsManyWaysAsTheMatrixOfAllBodiesSays) {
   int n_stable = 0, n_unstable = 0;
   for (const double force : {1.0, 30.0, 100.0, 300.0}) {
-    LawParameters law = linear(1e4, 8e3), wall_law = linear(1.3e4, 5e3);
-    law.adhesion = TailAdhesion{force, 0.05};
-    wall_law.adhesion = TailAdhesion{0.5 * force, 0.05};
-    law.rolling = RollingSpring{0.1, 100.0};
+    Law law = linear(1e4, 8e3), wall_law = linear(1.3e4, 5e3);
+    law += test::tail_adhesion(force, 0.05);
+    wall_law += test::tail_adhesion(0.5 * force, 0.05);
+    law += test::rolling_spring(0.1, 100.0);
     Packing<2> packing = crystal<2>(5, law, wall_law, 3e-3);
     for (int i = 0; i < packing.grains.size(); ++i)
       packing.grains.position[i] += 5e-3 * Vec<2>(std::sin(3.0 * i), std::cos(7.0 * i));
@@ -277,7 +278,8 @@ TEST(BoxModuli, DiskOnAWallAloneIsADeadEnd) {
   packing.grains.mass.push_back(1.0);
   packing.grains.orientation.push_back(0.0);
   packing.grains.angular_velocity.push_back(RotationVector<2>::Zero());
-  packing.law.adhesion = packing.wall_law.adhesion = ConstantAdhesion{1.0};  // rattlers are then those alone
+  packing.law += test::constant_adhesion(1.0);  // rattlers are then those alone
+  packing.wall_law += test::constant_adhesion(1.0);
   find_contacts(packing);
   const ContactNetwork<2> network = contact_network(packing);
   const FreeMotions free = find_free_motions(network);

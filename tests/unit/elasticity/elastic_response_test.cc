@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "floc/elasticity/force_increments.h"
+#include "support/contact_laws.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -157,8 +158,8 @@ TEST(ElasticResponse, CountsTheMechanismsOfLongChainsWithoutRollingStiffness) {
 }
 
 TEST(ElasticResponse, CountsNegativeEigenvaluesOfDistantBonds) {
-  LawParameters law = test::elastic_law(1.0, 0.6, 0.1);
-  law.adhesion = TailAdhesion{0.05, 0.1};
+  Law law = test::elastic_law(1.0, 0.6, 0.1);
+  law += test::tail_adhesion(0.05, 0.1);
   int n_negative = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
     const auto network = contact_network(test::random_packing<2>(20, seed, law, 1.0));

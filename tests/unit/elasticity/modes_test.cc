@@ -11,6 +11,7 @@
 
 #include "floc/elasticity/elastic_response.h"
 #include "floc/elasticity/isotropic_moduli.h"
+#include "support/contact_laws.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -62,8 +63,8 @@ TEST(SoftModes, OfALatticeLackNoCopy) {
 }
 
 TEST(SoftModes, IncludeUnstableOnes) {
-  LawParameters law = test::elastic_law(1.0, 0.6, 0.1);
-  law.adhesion = TailAdhesion{0.05, 0.1};
+  Law law = test::elastic_law(1.0, 0.6, 0.1);
+  law += test::tail_adhesion(0.05, 0.1);
   int n_unstable = 0;
   for (unsigned seed = 0; seed < 5; ++seed) {
     const auto network = contact_network(test::random_packing<2>(80, seed, law, 1.2));
@@ -180,12 +181,11 @@ Packing<Dim> between_walls(Packing<Dim> packing) {
 
 template <int Dim>
 void count_in_all_kinds_of_packings(Met& met) {
-  LawParameters sticky = test::elastic_law(1.0, 0.7, 0.05), wet = test::elastic_law(1.0, 0.7, 0.0);
-  sticky.adhesion = TailAdhesion{0.02, 0.08};
-  wet.adhesion = CapillaryAdhesion{0.01, 0.0, 2e-3, 2.5};
-  for (const LawParameters& law :
-       {test::elastic_law(1.0, 0.6, 0.1), test::elastic_law(1.0, 0.6, 0.0), test::elastic_law(1.0, 0.0, 0.0),
-        test::elastic_law(1.0, 0.0, 0.1), sticky, wet})
+  Law sticky = test::elastic_law(1.0, 0.7, 0.05), wet = test::elastic_law(1.0, 0.7, 0.0);
+  sticky += test::tail_adhesion(0.02, 0.08);
+  wet += test::liquid(0.01, 0.0, 2e-3, 2.5);
+  for (const Law& law : {test::elastic_law(1.0, 0.6, 0.1), test::elastic_law(1.0, 0.6, 0.0),
+                         test::elastic_law(1.0, 0.0, 0.0), test::elastic_law(1.0, 0.0, 0.1), sticky, wet})
     for (const double grains_per_volume : {0.8, 1.3, 2.0})
       for (unsigned seed = 0; seed < 3; ++seed)
         for (const int n_grains : {4, 14}) {

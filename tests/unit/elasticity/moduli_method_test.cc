@@ -60,7 +60,7 @@ TEST(ModuliMethod, IterationFromTheLastStateKeepsItsFactorAndTellsItsError) {
 }
 
 TEST(ModuliMethod, IterationFactorizesAPackingThatIsAnother) {
-  const LawParameters law = test::elastic_law(1.0, 0.8, 0.01);
+  const Law law = test::elastic_law(1.0, 0.8, 0.01);
   ModuliOptions options;
   options.method = ModuliMethod::iterative;
   ModuliSequence<2> sequence(options);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "floc/elasticity/stability.h"
+#include "support/contact_laws.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -110,8 +111,8 @@ TEST(Bounds, ReussVanishesWhereForcesCancelInThePressure) {
 
 TEST(Stability, OfALineOfDistantBondsIsLost) {
   // Two rows of a square lattice held apart by contacts along x alone would slide; along y a tail pulls.
-  LawParameters law = test::elastic_law(1.0, 0.7, 0.1);
-  law.adhesion = TailAdhesion{0.02, 0.1};
+  Law law = test::elastic_law(1.0, 0.7, 0.1);
+  law += test::tail_adhesion(0.02, 0.1);
   Packing<2> packing = test::chain_across(3, 1.0, 1.05, law);
   const auto distant = [](const Contact<2>& c) { return c.distant; };
   ASSERT_EQ(std::count_if(packing.contacts.begin(), packing.contacts.end(), distant), 3);

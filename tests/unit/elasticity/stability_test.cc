@@ -5,15 +5,16 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/network/free_motions.h"
 #include "floc/packing/balance.h"
+#include "support/contact_laws.h"
 #include "support/lattices.h"
 
 namespace floc {
 namespace {
 
 /// Strong tails over a wide range: some of these packings are unstable, some in many ways.
-LawParameters tail_law(double force) {
-  LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
-  law.adhesion = TailAdhesion{force, 0.08};
+Law tail_law(double force) {
+  Law law = test::elastic_law(1.0, 0.7, 0.05);
+  law += test::tail_adhesion(force, 0.08);
   return law;
 }
 
@@ -85,7 +86,7 @@ TEST(Stability, ThatIsTooDearToTestIsSaidToBeUnknownAndRefusesNothing) {
 
 TEST(Stability, DoesNotCountMechanisms) {
   // Without tangential springs a square lattice shears at no cost, and a chain has nothing across it.
-  const LawParameters bare = test::elastic_law(1.0, 0.0, 0.0);
+  const Law bare = test::elastic_law(1.0, 0.0, 0.0);
   EXPECT_EQ(stability(test::square_frames(4, 1.0, bare)).n_negative, 0);
   EXPECT_EQ(stability(test::chain_across(5, 1.0, 2.0, bare)).n_negative, 0);
 }

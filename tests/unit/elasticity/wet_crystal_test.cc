@@ -7,15 +7,16 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/elasticity/stability.h"
 #include "floc/packing/balance.h"
+#include "support/contact_laws.h"
 #include "support/crystals.h"
 
 namespace floc {
 namespace {
 
 /// Gamma R = 1 between spheres of diameter one.
-LawParameters wet_law(double water) {
-  LawParameters law = test::elastic_law(1e4, 0.7e4, 0.0);
-  law.adhesion = CapillaryAdhesion{1.0 / std::numbers::pi, 0.0, water, 2.5};
+Law wet_law(double water) {
+  Law law = test::elastic_law(1e4, 0.7e4, 0.0);
+  law += test::liquid(1.0 / std::numbers::pi, 0.0, water, 2.5);
   return law;
 }
 

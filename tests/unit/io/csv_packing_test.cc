@@ -7,6 +7,7 @@
 
 #include "floc/base/error.h"
 #include "floc/io/law_text.h"
+#include "support/contact_laws.h"
 #include "support/scratch_directory.h"
 #include "support/springs.h"
 
@@ -108,11 +109,11 @@ TEST_F(CsvPacking, StretchesTheTwistingSpringToTheMomentOfTheList) {
   grains("id,x,y,z,radius\n3,3.5,1,1,0.5\n5,2.6,1,1,0.5\n");
   contacts("id1,id2,normal_force,twisting_moment\n5,3,2.5,0.04\n");
   options_.cell = {{8, 0, 0}, {0, 8, 0}, {0, 0, 8}};
-  options_.law->twisting = TwistingSpring{0.5, 4.0};
+  *options_.law += test::twisting_spring(0.5, 4.0);
   const Contact<3> c = read<3>().contacts[0];
   EXPECT_EQ(std::tie(c.i, c.j, c.twisting_moment, c.ktw), std::make_tuple(0, 1, 0.04, 4.0));
   EXPECT_DOUBLE_EQ(c.memory[MemoryLayout<3>::kTwisting], -0.01);
-  options_.law->twisting.reset();
+  *options_.law += test::without("twisting");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the law has no twisting")));
 }
 

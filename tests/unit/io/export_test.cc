@@ -11,6 +11,7 @@
 #include "floc/io/lammps_data.h"
 #include "floc/io/vtk_arrays.h"
 #include "floc/io/vtu.h"
+#include "support/contact_laws.h"
 #include "support/run_program.h"
 #include "support/states.h"
 
@@ -152,7 +153,7 @@ class VtuEncodings : public testing::Test {
   void expect_read(const std::string& text) {
     test::write_text(scratch_.file("p.vtu"), text);
     ImportOptions options;
-    options.law.emplace().normal = LinearRepulsion{1.0};
+    options.law.emplace() += test::linear(1.0);
     options.cell = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
     const Imported read = read_vtu(scratch_.file("p.vtu"), options);
     const Packing<3>& p = std::get<State<3>>(read.state).packing;
@@ -162,7 +163,7 @@ class VtuEncodings : public testing::Test {
   void expect_refusal(const std::string& text, const std::string& message) {
     test::write_text(scratch_.file("p.vtu"), text);
     ImportOptions options;
-    options.law.emplace().normal = LinearRepulsion{1.0};
+    options.law.emplace() += test::linear(1.0);
     options.cell = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
     EXPECT_THAT([&] { read_vtu(scratch_.file("p.vtu"), options); },
                 ThrowsMessage<InputError>(HasSubstr(message)));
@@ -226,7 +227,7 @@ void expect_refusal(Imported (*read)(const std::string&, const ImportOptions&), 
   const test::ScratchDirectory scratch;
   test::write_text(scratch.file("p"), text);
   ImportOptions options;
-  options.law.emplace().normal = LinearRepulsion{1.0};
+  options.law.emplace() += test::linear(1.0);
   EXPECT_THAT([&] { read(scratch.file("p"), options); }, ThrowsMessage<InputError>(HasSubstr(message)));
 }
 

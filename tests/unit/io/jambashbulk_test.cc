@@ -103,7 +103,7 @@ TEST(Jambashbulk, NamesFileAndLineOfWhatIsMalformed) {
 
 TEST(Jambashbulk, RefusesALawOfAnotherMind) {
   ImportOptions options;
-  options.law = LawParameters{};
+  options.law = Law{};
   EXPECT_THROW(read_jambashbulk(kPacking, options), InputError);
 }
 

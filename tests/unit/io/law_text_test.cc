@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "floc/base/error.h"
+#include "support/contact_laws.h"
 
 namespace floc {
 namespace {
@@ -12,24 +13,25 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 TEST(LawText, GivesBackEveryLawItWrites) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1e5 / 3.0};
+  Law law;
+  law += test::linear(1e5 / 3.0);
   EXPECT_EQ(parse_law("", law_text(law)), law);
-  law.adhesion = ConstantAdhesion{1.0};
-  law.friction = CoulombFriction{0.5, 1e5};
+  law += test::constant_adhesion(1.0);
+  law += test::coulomb(0.5, 1e5);
   EXPECT_EQ(parse_law("", law_text(law)), law);
-  law.adhesion = TailAdhesion{1.0, 1e-3};
-  law.damping = ViscousDamping{0.015, DampingMass::grain};
-  law.rolling = RollingSpring{0.005, 10.0};
+  law += test::tail_adhesion(1.0, 1e-3);
+  law += test::viscous_damping(0.015);
+  law += test::chosen("damping.mass", "grain");
+  law += test::rolling_spring(0.005, 10.0);
   EXPECT_EQ(parse_law("", law_text(law)), law);
 }
 
 /// A coefficient is all that friction of elastic spheres has, and lacks a stiffness where contacts are linear.
 TEST(LawText, KnowsAModelByItsNumbersAndByWhatItGoesWith) {
-  LawParameters law;
-  law.normal = HertzRepulsion{70.0, 0.3};
-  law.friction = MindlinFriction{0.3};
-  law.damping = CriticalDamping{0.5};
+  Law law;
+  law += test::hertz(70.0, 0.3);
+  law += test::mindlin(0.3);
+  law += test::critical_damping(0.5);
   EXPECT_EQ(law_text(law),
             "normal.modulus=70, normal.poisson=0.3, damping.critical_fraction=0.5, friction.coefficient=0.3");
   EXPECT_EQ(parse_law("", law_text(law)), law);
@@ -37,13 +39,13 @@ TEST(LawText, KnowsAModelByItsNumbersAndByWhatItGoesWith) {
 }
 
 TEST(LawText, GivesBackLiquidBridgesWithTheirChoices) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1e5};
-  law.adhesion = CapillaryAdhesion{0.072, 10.0, 0.007, 2.6};
+  Law law;
+  law += test::linear(1e5);
+  law += test::liquid(0.072, 10.0, 0.007, 2.6);
   EXPECT_EQ(parse_law("", law_text(law)), law);
-  law.adhesion = CapillaryAdhesion{0.072, 10.0, 0.007, 2.6, BridgeForm::rational, BridgeFormation::contact};
+  law += test::liquid(0.072, 10.0, 0.007, 2.6, "rational", "contact");
   EXPECT_EQ(parse_law("", law_text(law)), law);
-  law.normal = HertzRepulsion{7e10, 0.3};
+  law += test::hertz(7e10, 0.3);
   EXPECT_EQ(parse_law("", law_text(law)), law);
 }
 

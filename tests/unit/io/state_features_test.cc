@@ -4,6 +4,7 @@
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
 #include "floc/io/state_file.h"
+#include "support/contact_laws.h"
 #include "support/scratch_directory.h"
 #include "support/sealed.h"
 #include "support/springs.h"
@@ -28,8 +29,8 @@ TEST(StateFeatures, ThatAReaderDoesNotKnowAreRefusedByName) {
 TEST(StateFeatures, NameTheMemoryOfLawsThatHaveOne) {
   const ScratchDirectory scratch;
   State<2> bare = busy_state<2>();
-  bare.packing.law = LawParameters{};
-  bare.packing.law.normal = LinearRepulsion{1e5};
+  bare.packing.law = Law{};
+  bare.packing.law += test::linear(1e5);
   refresh_contacts(bare.packing);
   write_state(scratch.file("bare.h5"), bare);
   EXPECT_EQ(read_file(scratch.file("bare.h5")).find("contacts/memory"), std::string::npos);

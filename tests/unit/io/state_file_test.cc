@@ -15,6 +15,7 @@
 #include "floc/base/read_file.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/liquid.h"
+#include "support/contact_laws.h"
 #include "support/scratch_directory.h"
 #include "support/sealed.h"
 #include "support/springs.h"
@@ -124,8 +125,8 @@ TYPED_TEST(StateFile, HoldsAPackingWithoutContactsOrPhysicsInItsSlots) {
   const ScratchDirectory scratch;
   State<kDim> s = busy_state<kDim>();
   s.packing.contacts.clear();
-  s.packing.law = LawParameters{};
-  s.packing.law.normal = LinearRepulsion{2.0};
+  s.packing.law = Law{};
+  s.packing.law += test::linear(2.0);
   s.residuals.force = std::numeric_limits<double>::infinity();
   write_state(scratch.file("s.h5"), s);
   const auto back = std::get<State<kDim>>(read_state(scratch.file("s.h5")));
@@ -137,8 +138,8 @@ TYPED_TEST(StateFile, HoldsAPackingWithoutContactsOrPhysicsInItsSlots) {
 /// Two glass beads that overlap by this share of their radius.
 State<3> pressed_beads(double overlap) {
   State<3> s = busy_state<3>();
-  s.packing.law = LawParameters{};
-  s.packing.law.normal = HertzRepulsion{70.0, 0.3};
+  s.packing.law = Law{};
+  s.packing.law += test::hertz(70.0, 0.3);
   s.packing.contacts.resize(1);
   s.packing.contacts[0] = Contact<3>{};
   s.packing.contacts[0].j = 1;
@@ -164,8 +165,8 @@ TEST(StateFile, OfBeadsThatOverlapTooMuchIsRefusedUnlessTheyMove) {
 TEST(StateFile, OfDisksUnderALawOfSpheresIsRefused) {
   State<2> s = busy_state<2>();
   s.packing.contacts.clear();
-  s.packing.law = LawParameters{};
-  s.packing.law.normal = HertzRepulsion{70.0, 0.3};
+  s.packing.law = Law{};
+  s.packing.law += test::hertz(70.0, 0.3);
   EXPECT_THAT(refusal_of(s), HasSubstr("contact.normal.law = \"hertz\": is for spheres"));
 }
 
@@ -317,7 +318,7 @@ TEST(StateFileRefuses, NumbersThatNoStateHolds) {
     EXPECT_THAT(refusal_of_spoiled([&](State<2>& s) { s.packing.contacts[1].image[1] = image; }),
                 AllOf(HasSubstr("s.h5:/contacts/image"), HasSubstr("entry 1 is " + std::to_string(image)),
                       HasSubstr("a number of cells up to 1e9")));
-  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.law.normal = LinearRepulsion{-1.0}; }),
+  EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.packing.law += test::linear(-1.0); }),
               AllOf(HasSubstr("/law"), HasSubstr("contact.normal.stiffness = -1"), HasSubstr("positive")));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) {
                 s.packing.grains = Grains<2>::with_size(0);

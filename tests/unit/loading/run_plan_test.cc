@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "floc/base/error.h"
+#include "floc/contact/law_parameters.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 
 namespace floc {
@@ -54,8 +56,8 @@ TEST(PlanRun, ChangesOfATurnHoldFromThereOn) {
 
 TEST(PlanRun, RefusesChangesThatTheLawHasNoPlaceFor) {
   const AssemblyOptions direct = assembly(AssemblyOptions::Protocol::direct);
-  LawParameters law = test::cohesive_law();
-  law.rolling.reset();
+  Law law = test::cohesive_law();
+  law += test::without("rolling");
   EXPECT_THAT(
       [&] { (void)plan_run(direct, law, {hold(0.01, "rolling.coefficient", 0.1)}, 2); },
       testing::ThrowsMessage<InputError>(HasSubstr("rolling.coefficient = 0.1: the scene's contact law")));
@@ -78,7 +80,7 @@ LoadStage oedometric(int n_axes) {
 
 TEST(PlanRun, TakesAsManyAxesAsTheSceneHasAndRefusesOthers) {
   const AssemblyOptions direct = assembly(AssemblyOptions::Protocol::direct);
-  const LawParameters law = test::cohesive_law();
+  const Law law = test::cohesive_law();
   for (const int dimension : {2, 3})
     for (const int n_axes : {1, 2, 3, 4}) {
       if (n_axes == dimension) {
@@ -118,7 +120,7 @@ TEST(LawNumber, IsFoundForEveryKeyOfAFullLaw) {
     EXPECT_NE(law, before) << key;
   }
   EXPECT_EQ(law_number(law, "friction"), nullptr);
-  EXPECT_EQ(law.rolling.get<RollingSpring>().rolling_stiffness, 5.0);
+  EXPECT_EQ(test::law_number(law, "rolling.stiffness"), 5.0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "floc/elasticity/stability.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 
 namespace floc {
@@ -85,7 +86,7 @@ TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
 }
 
 /// Root mean square of the speeds that a run from a saved packing of disks up to a = m = 1 begins with.
-double starting_speed(const LawParameters& law, double agitation, double pressure) {
+double starting_speed(const Law& law, double agitation, double pressure) {
   RunOptions options;
   options.law = law;
   options.assembly.protocol = AssemblyOptions::Protocol::state;
@@ -100,12 +101,12 @@ double starting_speed(const LawParameters& law, double agitation, double pressur
 }
 
 TEST(Run, AgitatesASavedPackingByItsAdhesionOrElseByItsLoad) {
-  LawParameters law = test::cohesive_law();
+  Law law = test::cohesive_law();
   EXPECT_EQ(starting_speed(law, 0.0, 0.5), 0.0);
   EXPECT_NEAR(starting_speed(law, 0.3, 0.5), 0.3 * std::sqrt(1.0 * 1e-3), 1e-14);  // sqrt(F0 D0/m)
-  law.adhesion.get<TailAdhesion>().tail_range = 0.0;
+  law += test::changed("adhesion.range", 0.0);
   EXPECT_NEAR(starting_speed(law, 0.3, 0.5), 0.3 * std::sqrt(0.5), 1e-14);  // sqrt(P a^2/m)
-  law.adhesion.reset();
+  law += test::without("adhesion");
   EXPECT_NEAR(starting_speed(law, 0.3, 0.5), 0.3 * std::sqrt(0.5), 1e-14);
 }
 

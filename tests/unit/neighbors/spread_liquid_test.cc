@@ -7,14 +7,15 @@
 
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/contact_forces.h"
+#include "support/contact_laws.h"
 #include "support/network_packings.h"
 
 namespace floc {
 namespace {
 
-LawParameters wet_law(double water, BridgeFormation formation = BridgeFormation::gap) {
-  LawParameters law = test::elastic_law(1.0, 0.7, 0.0);
-  law.adhesion = CapillaryAdhesion{0.01, 0.0, water, 2.5, BridgeForm::exponential, formation};
+Law wet_law(double water, const std::string& formation = "gap") {
+  Law law = test::elastic_law(1.0, 0.7, 0.0);
+  law += test::liquid(0.01, 0.0, water, 2.5, "exponential", formation);
   return law;
 }
 
@@ -112,7 +113,7 @@ TEST(SpreadLiquid, CountsWhatFormsAndBreaksWhenGrainsHaveMoved) {
 
 TEST(SpreadLiquid, BridgesThatFormOnContactNeedOne) {
   const auto across = test::random_packing<3>(30, 2, wet_law(5e-3), 0.8);
-  auto packing = test::random_packing<3>(30, 2, wet_law(5e-3, BridgeFormation::contact), 0.8);
+  auto packing = test::random_packing<3>(30, 2, wet_law(5e-3, "contact"), 0.8);
   int n_distant = 0;
   for (const Contact<3>& c : packing.contacts) n_distant += c.distant;
   EXPECT_EQ(n_distant, 0);

@@ -5,6 +5,7 @@
 
 #include "floc/network/contact_network.h"
 #include "floc/network/rigidity_matrix.h"
+#include "support/contact_laws.h"
 #include "support/network_packings.h"
 
 namespace floc {
@@ -17,7 +18,7 @@ constexpr double kN = 3.0, kT = 2.0, kRolling = 0.7, kTwisting = 0.3;
 Packing<3> straight_chain(int n) {
   Packing<3> packing;
   packing.law = test::elastic_law(kN, kT, kRolling);
-  packing.law.twisting = TwistingSpring{1e6, kTwisting};
+  packing.law += test::twisting_spring(1e6, kTwisting);
   packing.cell.matrix *= 4.0 * n;
   packing.grains = Grains<3>::with_size(n);
   for (int i = 0; i < n; ++i) {

@@ -7,6 +7,7 @@
 
 #include "floc/network/rattlers.h"
 #include "floc/network/stiffness_matrix.h"
+#include "support/contact_laws.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -160,7 +161,7 @@ TEST(FreeMotions, SphereBetweenTwoContactsSpinsAboutTheLineThroughThem) {
 
 TEST(Rattlers, OfACohesivePackingAreAlone) {
   Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
-  packing.law.adhesion = TailAdhesion{0.02, 0.1};  // F_N = 0 at the overlap of 0.02
+  packing.law += test::tail_adhesion(0.02, 0.1);  // F_N = 0 at the overlap of 0.02
   packing.grains.position.emplace_back(1.0, 2.0);
   packing.grains.radius.push_back(0.51);
   packing.grains.mass.push_back(1.0);

@@ -9,6 +9,7 @@
 #include "floc/packing/contact_response.h"
 #include "floc/packing/locate.h"
 #include "support/consistent_tangent.h"
+#include "support/contact_laws.h"
 #include "support/network_packings.h"
 #include "support/springs.h"
 
@@ -17,12 +18,12 @@ namespace {
 
 /// Tangential forces and rolling moments up to half as large again as their caps, so that a third of the
 /// contacts slide.
-LawParameters sliding_law(int dimension) {
-  LawParameters law = test::elastic_law(1.0, 0.7, 0.05);
-  law.adhesion = TailAdhesion{0.02, 0.08};
-  law.friction.get<CoulombFriction>().coefficient = 0.4;
-  law.rolling.get<RollingSpring>().coefficient = 0.2;
-  if (dimension == 3) law.twisting = TwistingSpring{0.1, 0.08};
+Law sliding_law(int dimension) {
+  Law law = test::elastic_law(1.0, 0.7, 0.05);
+  law += test::tail_adhesion(0.02, 0.08);
+  law += test::changed("friction.coefficient", 0.4);
+  law += test::changed("rolling.coefficient", 0.2);
+  if (dimension == 3) law += test::twisting_spring(0.1, 0.08);
   return law;
 }
 
@@ -31,23 +32,23 @@ template <int Dim>
 void stretch(Packing<Dim>& packing, double reach, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const auto& friction = packing.law.friction.template get<CoulombFriction>();
-  const auto& rolling = packing.law.rolling.template get<RollingSpring>();
+  const auto longest = [&](const std::string& slot) {
+    return test::law_number(packing.law, slot + ".coefficient") /
+           test::law_number(packing.law, slot + ".stiffness");
+  };
   for (Contact<Dim>& c : packing.contacts) {
     if (c.distant) continue;
     Vec<Dim> direction;
     for (int a = 0; a < Dim; ++a) direction[a] = uniform(engine);
-    const double shear_cap = friction.coefficient * c.elastic_force / friction.tangential_stiffness;
-    const double rotation_cap = rolling.coefficient * c.elastic_force / rolling.rolling_stiffness;
+    const double shear_cap = longest("friction") * c.elastic_force;
+    const double rotation_cap = longest("rolling") * c.elastic_force;
     test::shear_spring(c) =
         reach * uniform(engine) * shear_cap * to_shear<double>(c.normal, direction).normalized();
     RotationVector<Dim> rotation;
     for (int a = 0; a < kRotations<Dim>; ++a) rotation[a] = reach * uniform(engine) * rotation_cap;
     test::rolling_spring(c) = rolling_part<double>(c.normal, rotation);
     if constexpr (Dim == 3) {
-      const auto& twisting = packing.law.twisting.template get<TwistingSpring>();
-      test::twisting_spring(c) =
-          reach * uniform(engine) * twisting.coefficient * c.elastic_force / twisting.twisting_stiffness;
+      test::twisting_spring(c) = reach * uniform(engine) * longest("twisting") * c.elastic_force;
     }
   }
 }

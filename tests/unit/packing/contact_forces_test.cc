@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/contact_laws.h"
 #include "support/springs.h"
 
 namespace floc {
@@ -12,11 +13,11 @@ namespace {
 Packing<2> pair_at(double distance) {
   Packing<2> packing;
   packing.cell.matrix *= 10.0;
-  packing.law.normal = LinearRepulsion{100.0};
-  packing.law.adhesion = TailAdhesion{2.0, 0.05};
-  packing.law.damping = ViscousDamping{0.1, DampingMass::effective};
-  packing.law.friction = CoulombFriction{0.5, 80.0};
-  packing.law.rolling = RollingSpring{0.1, 3.0};
+  packing.law += test::linear(100.0);
+  packing.law += test::tail_adhesion(2.0, 0.05);
+  packing.law += test::viscous_damping(0.1);
+  packing.law += test::coulomb(0.5, 80.0);
+  packing.law += test::rolling_spring(0.1, 3.0);
   packing.grains = Grains<2>::with_size(2);
   packing.grains.radius = {1.0, 0.5};
   packing.grains.mass = {1.0, 0.25};

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "floc/packing/contact_forces.h"
+#include "support/contact_laws.h"
 #include "support/springs.h"
 
 namespace floc {
@@ -14,18 +15,18 @@ namespace {
 constexpr double kOverlap = 0.1;
 
 template <int Dim>
-LawParameters full_law() {
-  LawParameters law;
-  law.normal = LinearRepulsion{100.0};
-  law.adhesion = TailAdhesion{2.0, 0.05};
-  law.friction = CoulombFriction{0.5, 80.0};
-  law.rolling = RollingSpring{0.1, 3.0};
-  if (Dim == 3) law.twisting = TwistingSpring{0.2, 5.0};
+Law full_law() {
+  Law law;
+  law += test::linear(100.0);
+  law += test::tail_adhesion(2.0, 0.05);
+  law += test::coulomb(0.5, 80.0);
+  law += test::rolling_spring(0.1, 3.0);
+  if (Dim == 3) law += test::twisting_spring(0.2, 5.0);
   return law;
 }
 
 template <int Dim>
-Packing<Dim> two_grains(const LawParameters& law) {
+Packing<Dim> two_grains(const Law& law) {
   Packing<Dim> packing;
   packing.cell.matrix *= 10.0;
   packing.law = law;
@@ -87,7 +88,7 @@ Contact<Dim> after(const Touching<Dim>& t) {
 }
 
 template <int Dim>
-ContactTangent<Dim> tangent_at(const Touching<Dim>& t, const LawParameters& law = full_law<Dim>()) {
+ContactTangent<Dim> tangent_at(const Touching<Dim>& t, const Law& law = full_law<Dim>()) {
   ContactTangent<Dim> k;
   contact_tangents<Dim>(two_grains<Dim>(law), {&t.contact, 1}, {&t.motion, 1}, {&t.frame, 1}, {&k, 1});
   return k;

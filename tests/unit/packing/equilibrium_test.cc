@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "support/contact_laws.h"
+
 namespace floc {
 namespace {
 
@@ -12,7 +14,7 @@ namespace {
 Packing<2> squeezed() {
   Packing<2> packing;
   packing.cell.matrix *= 1.9;
-  packing.law.normal = LinearRepulsion{20.0};
+  packing.law += test::linear(20.0);
   packing.grains = Grains<2>::with_size(1);
   packing.grains.radius = {1.0};
   packing.grains.mass = {3.0};
@@ -33,7 +35,7 @@ TEST(ForceScale, IsTheLargerOfPullOffForceAndPressureOnAGrain) {
   Packing<2> packing = squeezed();
   EXPECT_DOUBLE_EQ(force_scale(packing, Vec<2>(1.0, 3.0)).force, 2.0 * 2.0);
   EXPECT_EQ(force_scale(packing, Vec<2>(1.0, 3.0)).length, 2.0);
-  packing.law.adhesion = ConstantAdhesion{5.0};
+  packing.law += test::constant_adhesion(5.0);
   EXPECT_EQ(force_scale(packing, Vec<2>(1.0, 3.0)).force, 5.0);
   EXPECT_DOUBLE_EQ(force_scale(packing, Vec<2>(10.0, 10.0)).force, 20.0);
 }
@@ -85,7 +87,7 @@ TEST(Residuals, OfGrainsMoreDifferentThanThatAreByTheirOwn) {
 }
 
 TEST(Residuals, WithAdhesionNoGrainIsHeldToLessThanThePullOffForce) {
-  const Residuals r = with_sizes(0.1, [](Packing<2>& p) { p.law.adhesion = ConstantAdhesion{1.5}; });
+  const Residuals r = with_sizes(0.1, [](Packing<2>& p) { p.law += test::constant_adhesion(1.5); });
   EXPECT_DOUBLE_EQ(r.force, std::hypot(0.5, 0.1) / 1.5);
   EXPECT_EQ(r.worst_force_grain, 2);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "floc/base/random.h"
+#include "floc/contact/adhesion/capillary_adhesion.h"
 
 namespace floc {
 namespace {

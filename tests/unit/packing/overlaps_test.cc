@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "floc/base/error.h"
+#include "support/contact_laws.h"
 
 namespace floc {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 /// A large sphere that touches small ones of radius 1, with these overlaps.
 Packing<3> spheres_with(const std::vector<double>& overlaps) {
   Packing<3> packing;
-  packing.law.normal = HertzRepulsion{1.0, 0.3};
+  packing.law += test::hertz(1.0, 0.3);
   packing.grains = Grains<3>::with_size(static_cast<int>(overlaps.size()) + 1);
   packing.grains.radius.assign(overlaps.size() + 1, 1.0);
   packing.grains.radius[0] = 5.0;
@@ -50,7 +51,7 @@ TEST(Overlaps, AreRefusedWhereTheirMeanIsBeyondThatOfTheLargestPressure) {
 
 TEST(Overlaps, OfALinearLawAreWarnedOfAndNeverRefused) {
   Packing<3> packing = spheres_with({0.5});
-  packing.law.normal = LinearRepulsion{1.0};
+  packing.law += test::linear(1.0);
   EXPECT_THAT(overlap_warning(packing),
               testing::AllOf(testing::StartsWith("100 % of the contacts overlap by more than a tenth"),
                              testing::HasSubstr("is K_N = 1 in the units of lengths and forces?")));

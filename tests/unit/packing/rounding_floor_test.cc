@@ -7,6 +7,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/tile.h"
+#include "support/contact_laws.h"
 
 namespace floc {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 /// A square crystal of 30 x 30 disks in which every net force vanishes but for rounding.
 Packing<2> crystal(double stiffness) {
   Packing<2> packing;
-  packing.law.normal = LinearRepulsion{stiffness};
+  packing.law += test::linear(stiffness);
   packing.grains = Grains<2>::with_size(1);
   packing.grains.position[0] = {0.123, 0.456};
   packing.grains.radius[0] = 0.5 * (1.0 + 1.0 / stiffness);

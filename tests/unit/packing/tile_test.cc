@@ -4,6 +4,7 @@
 
 #include "floc/packing/balance.h"
 #include "floc/packing/contact_forces.h"
+#include "support/contact_laws.h"
 #include "support/network_packings.h"
 #include "support/springs.h"
 
@@ -13,8 +14,8 @@ namespace {
 /// A random packing whose springs carry forces.
 template <int Dim>
 Packing<Dim> loaded_packing() {
-  LawParameters law = test::elastic_law(1.0, 0.7, 0.01);
-  if (Dim == 3) law.twisting = TwistingSpring{1e6, 0.02};
+  Law law = test::elastic_law(1.0, 0.7, 0.01);
+  if (Dim == 3) law += test::twisting_spring(1e6, 0.02);
   Packing<Dim> packing = test::random_packing<Dim>(Dim == 2 ? 7 : 5, 3, law);
   std::mt19937 engine(4);
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);

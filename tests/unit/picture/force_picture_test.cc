@@ -7,6 +7,7 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/tile.h"
+#include "support/contact_laws.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -18,7 +19,7 @@ using test::elastic_law;
 Packing<2> four_contacts() {
   Packing<2> packing;
   packing.law = elastic_law(100.0, 50.0, 0.0);
-  packing.law.adhesion = TailAdhesion{2.0, 0.1};
+  packing.law += test::tail_adhesion(2.0, 0.1);
   packing.cell.matrix *= 4.0;
   packing.grains = Grains<2>::with_size(3);
   packing.grains.position = {{0.5, 0.5}, {1.5, 0.5}, {3.5, 0.5}};
@@ -59,7 +60,7 @@ TEST(EquilibriumForces, KindsGoBySignAndSizesHoldBothComponents) {
 
 TEST(EquilibriumForces, WithoutAdhesionAreMeasuredInTheirMean) {
   Packing<2> packing = four_contacts();
-  packing.law.adhesion.reset();
+  packing.law += test::without("adhesion");
   packing.contacts.resize(1);
   const PackingPicture<2> picture = equilibrium_forces(packing, 1e-6);
   EXPECT_DOUBLE_EQ(picture.lines[0].force, 10.0 / 6.0);
@@ -69,8 +70,8 @@ TEST(EquilibriumForces, WithoutAdhesionAreMeasuredInTheirMean) {
 TEST(PressurePhases, BondsWithinThemAreDrawnAndTheLargestPartsAreDark) {
   // Six columns and four rows of a square lattice with forces along the rows: two rows under pressure, one under
   // tension, one with a grain under tension among grains that carry nothing.
-  LawParameters law = elastic_law(100.0, 50.0, 0.0);
-  law.adhesion = ConstantAdhesion{2.0};
+  Law law = elastic_law(100.0, 50.0, 0.0);
+  law += test::constant_adhesion(2.0);
   Packing<2> packing = tiled<2>(test::square_frames(2, 1.0, law), {6, 4});
   const auto row = [&](int i) { return static_cast<int>(std::lround(packing.grains.position[i][1])); };
   const auto column = [&](int i) { return static_cast<int>(std::lround(packing.grains.position[i][0])); };

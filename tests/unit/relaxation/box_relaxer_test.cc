@@ -12,17 +12,18 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/least_mechanisms.h"
 #include "floc/packing/wall_forces.h"
+#include "support/contact_laws.h"
 
 namespace floc {
 namespace {
 
 /// Contacts of the published study in units of diameter, mass and pressure: sc = f_c, se = k_n.
-LawParameters sticky(double sc, double se, double friction = 0.4) {
-  LawParameters law;
-  law.normal = LinearRepulsion{se};
-  law.adhesion = ConstantAdhesion{sc};
-  law.damping = ViscousDamping{std::sqrt(0.2), DampingMass::effective};
-  if (friction > 0.0) law.friction = CoulombFriction{friction, 1.5 * se};
+Law sticky(double sc, double se, double friction = 0.4) {
+  Law law;
+  law += test::linear(se);
+  law += test::constant_adhesion(sc);
+  law += test::viscous_damping(std::sqrt(0.2));
+  if (friction > 0.0) law += test::coulomb(friction, 1.5 * se);
   return law;
 }
 
@@ -36,7 +37,7 @@ BoxOptions box_of(double friction, double adhesion, double kinetic_pressure = 0.
 }
 
 template <int Dim>
-Packing<Dim> boxed_gas(int n, const LawParameters& law, const BoxOptions& box, double solid_fraction) {
+Packing<Dim> boxed_gas(int n, const Law& law, const BoxOptions& box, double solid_fraction) {
   GrainOptions grains;
   grains.count = n;
   grains.diameter.kind = DiameterDistribution::Kind::uniform;
@@ -59,7 +60,7 @@ End run_to_end(BoxRelaxer<Dim>& relaxer) {
 }
 
 /// n^3 spheres in a simple cubic crystal that just touches itself and its walls, without friction.
-Packing<3> cubic_crystal(int n, const LawParameters& law, const BoxOptions& box) {
+Packing<3> cubic_crystal(int n, const Law& law, const BoxOptions& box) {
   Packing<3> packing;
   packing.law = law;
   packing.grains = Grains<3>::with_size(n * n * n);
@@ -163,7 +164,7 @@ TYPED_TEST(SettledGasOf, BearsThePressureAndObeysTheSumRule) {
   constexpr int Dim = TypeParam::value;
   const double p = 0.1, se = 1e3;
   const BoxOptions box = box_of(0.4, 0.0, 0.02);
-  const LawParameters law = sticky(0.2, se);
+  const Law law = sticky(0.2, se);
   const Packing<Dim> gas = boxed_gas<Dim>(80, law, box, 0.35);
   RelaxationOptions options;
   options.tolerance.stress = CompactionEnd::kSettledPressure;

@@ -10,6 +10,7 @@
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/static_solver.h"
 #include "support/consistent_tangent.h"
+#include "support/contact_laws.h"
 #include "support/crystals.h"
 #include "support/dynamics.h"
 #include "support/lattices.h"
@@ -18,11 +19,11 @@ namespace floc {
 namespace {
 
 /// Linear contacts without adhesion, K_T = 0.8 K_N, in units of K_N and a.
-LawParameters linear_law(double friction) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1.0};
-  law.friction = CoulombFriction{friction, 0.8};
-  law.damping = ViscousDamping{0.1, DampingMass::effective};
+Law linear_law(double friction) {
+  Law law;
+  law += test::linear(1.0);
+  law += test::coulomb(friction, 0.8);
+  law += test::viscous_damping(0.1);
   return law;
 }
 
@@ -65,8 +66,8 @@ Packing<Dim> solved(const Packing<Dim>& from, const LoadTarget<Dim>& load) {
 /// A gas pressed without friction, which then is there, with no force yet.
 template <int Dim>
 Packing<Dim> dense_packing(int n, double pressure, std::uint64_t seed) {
-  LawParameters smooth = linear_law(0.5);
-  smooth.friction.reset();
+  Law smooth = linear_law(0.5);
+  smooth += test::without("friction");
   RelaxationOptions options;
   options.inertial_number_cap = 1e-2;
   const auto relaxer = make_equilibrator<Dim>(

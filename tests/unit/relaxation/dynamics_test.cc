@@ -5,6 +5,7 @@
 #include "floc/contact/law_table.h"
 #include "floc/packing/balance.h"
 #include "floc/relaxation/relaxation_options.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/lattices.h"
 #include "support/laws.h"
@@ -35,7 +36,7 @@ TEST(Dynamics, VectorInstructionsLeaveNoTraceInTheBits) {
 
 /// Total energy of a packing in a cell of inertia M under a pressure (docs/physics.md, "Boundary control").
 double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control) {
-  const double kn = packing.law.normal.get<LinearRepulsion>().normal_stiffness;
+  const double kn = test::law_number(packing.law, "normal.stiffness");
   double energy =
       0.5 * control.mass * packing.cell.velocity.squaredNorm() + control.target[0] * packing.cell.volume();
   for (int i = 0; i < packing.grains.size(); ++i)
@@ -46,8 +47,8 @@ double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control
 
 /// Largest relative change of the energy over the same time, in steps of dt.
 double energy_drift(double dt, int n_steps) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1.0};
+  Law law;
+  law += test::linear(1.0);
   Packing<2> gas = test::gas_of(100, law, 0.7, 3);
   RandomStream random(4, 2);
   agitate(gas, 0.02, random);
@@ -77,8 +78,8 @@ BoundaryControl<2> all_under_stress(const Packing<2>& packing, double pressure) 
 
 /// As energy_drift() of a lattice that also shears, under no shear stress.
 double energy_drift_of_sheared(double dt, int n_steps) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1.0};
+  Law law;
+  law += test::linear(1.0);
   Packing<2> gas = test::gas_of(100, law, 0.7, 3);
   // Some overlap along the edge: energy that sets it in motion.
   gas.cell.matrix(1, 0) = 0.3 * gas.cell.matrix(0, 0);
@@ -150,10 +151,10 @@ TEST(Dynamics, FrictionlessUndampedCellConservesEnergyToSecondOrder) {
 /// Restitution of two disks, among others with diameters in [1/2, 1], that meet head on without adhesion, the
 /// first overlap of which falls at `phase` of a step.
 double measured_restitution(double diameter_i, double diameter_j, double phase) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1e5};
-  law.damping = ViscousDamping{0.015, DampingMass::effective};
-  law.friction = CoulombFriction{0.5, 1e5};
+  Law law;
+  law += test::linear(1e5);
+  law += test::viscous_damping(0.015);
+  law += test::coulomb(0.5, 1e5);
   Packing<2> pair;
   pair.law = law;
   pair.cell.matrix *= 10.0;
@@ -191,7 +192,7 @@ TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
 
 /// A large disk from the left and one half as large from the right meet head on, both of them spinning; or the
 /// mirror image of that, with the numbers of the grains exchanged as well.
-Packing<2> unequal_pair(const LawParameters& law, bool mirrored) {
+Packing<2> unequal_pair(const Law& law, bool mirrored) {
   const int large = mirrored ? 1 : 0, small = 1 - large;
   const double sign = mirrored ? -1.0 : 1.0;
   Packing<2> pair;
@@ -221,7 +222,7 @@ Grains<2> parted(const Packing<2>& pair) {
   return end.grains;
 }
 
-void expect_mirror_images(const LawParameters& law) {
+void expect_mirror_images(const Law& law) {
   const Grains<2> g = parted(unequal_pair(law, false));
   const Grains<2> m = parted(unequal_pair(law, true));
   const double restitution = (g.velocity[1][0] - g.velocity[0][0]) / 2.0;
@@ -242,11 +243,11 @@ void expect_mirror_images(const LawParameters& law) {
 TEST(Dynamics, MirrorImagesOfUnequalGrainsCollideAlike) {
   testing::for_each_law([](const auto& law) {
     if (law.kDimension == 3) return;
-    LawParameters parameters = testing::parameters_of(law);
+    Law parameters = testing::parameters_of(law);
     expect_mirror_images(parameters);
-    if (!parameters.damping) return;
+    if (!parameters.has_damping()) return;
     SCOPED_TRACE("critical damping by the mass of a grain");
-    parameters.damping.get<ViscousDamping>().mass_rule = DampingMass::grain;
+    parameters += test::chosen("damping.mass", "grain");
     expect_mirror_images(parameters);
   });
 }
@@ -270,7 +271,7 @@ TEST(Dynamics, CohesivePairRestsAtThePullOffOverlap) {
 
 TEST(Dynamics, GrainTouchesItsOwnImage) {
   Packing<2> one;
-  one.law.normal = LinearRepulsion{1.0};
+  one.law += test::linear(1.0);
   one.cell.matrix *= 0.99;
   one.grains = Grains<2>::with_size(1);
   one.grains.radius = {0.5};
@@ -287,11 +288,11 @@ TEST(Dynamics, GrainTouchesItsOwnImage) {
 
 /// How many times its initial kinetic energy a crystal has that was moved by very little, so many steps later.
 double growth_in_crystal(int n_steps, double time_step, double restitution, double rolling_stiffness) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1.0};
-  law.damping = ViscousDamping{restitution, DampingMass::effective};
-  law.friction = CoulombFriction{10.0, 1.0};
-  if (rolling_stiffness > 0.0) law.rolling = RollingSpring{10.0, rolling_stiffness};
+  Law law;
+  law += test::linear(1.0);
+  law += test::viscous_damping(restitution);
+  law += test::coulomb(10.0, 1.0);
+  if (rolling_stiffness > 0.0) law += test::rolling_spring(10.0, rolling_stiffness);
   Packing<2> crystal = test::triangular_crystal(8, 1.0, law);
   RandomStream random(1, 1);
   agitate(crystal, 1e-8, random);
@@ -317,7 +318,7 @@ TEST(TimeStep, IsShortenedWhereRollingIsFast) {
   Packing<2> packing = test::gas_of(10, cohesive_law(), 0.3);
   const double vibration = time_step_of(packing, 0.2);
   EXPECT_NEAR(vibration, 0.2 * std::sqrt(0.25 / 1e5), 1e-15);
-  packing.law.rolling.get<RollingSpring>().rolling_stiffness = 1e5;
+  packing.law += test::changed("rolling.stiffness", 1e5);
   EXPECT_LT(time_step_of(packing, 0.2), 0.5 * vibration);
 }
 

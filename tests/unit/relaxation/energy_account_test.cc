@@ -6,33 +6,34 @@
 #include <iostream>
 
 #include "floc/packing/contact_forces.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 
 namespace floc {
 namespace {
 
-LawParameters beads_law() {
-  LawParameters law;
-  law.normal = HertzRepulsion{1e5, 0.3};
-  law.friction = MindlinFriction{0.3};
-  law.damping = CriticalDamping{0.3};
+Law beads_law() {
+  Law law;
+  law += test::hertz(1e5, 0.3);
+  law += test::mindlin(0.3);
+  law += test::critical_damping(0.3);
   return law;
 }
 
 template <int Dim>
-LawParameters full_law() {
-  LawParameters law = test::cohesive_law();
-  law.normal = LinearRepulsion{1e3};
-  law.friction = CoulombFriction{0.3, 800.0};
-  law.rolling = RollingSpring{0.02, 10.0};
-  law.damping = ViscousDamping{0.5, DampingMass::effective};
-  if (Dim == 3) law.twisting = TwistingSpring{0.01, 8.0};
+Law full_law() {
+  Law law = test::cohesive_law();
+  law += test::linear(1e3);
+  law += test::coulomb(0.3, 800.0);
+  law += test::rolling_spring(0.02, 10.0);
+  law += test::viscous_damping(0.5);
+  if (Dim == 3) law += test::twisting_spring(0.01, 8.0);
   return law;
 }
 
 /// The account of a dense gas that is deformed at random rates, all components of the strain at once.
 template <int Dim>
-EnergyTerms deformed(const LawParameters& law, std::uint64_t seed, double step_share) {
+EnergyTerms deformed(const Law& law, std::uint64_t seed, double step_share) {
   RandomStream random(seed, 3);
   Packing<Dim> start = test::gas_of<Dim>(Dim == 2 ? 40 : 30, law, Dim == 2 ? 0.6 : 0.45, seed);
   agitate(start, 0.3, random);
@@ -52,7 +53,7 @@ EnergyTerms deformed(const LawParameters& law, std::uint64_t seed, double step_s
 
 /// Ten random loadings. Dashpots act half a step late, so that the account closes to first order in the step.
 template <int Dim>
-void expect_to_close(const LawParameters& law) {
+void expect_to_close(const Law& law) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const EnergyTerms coarse = deformed<Dim>(law, seed, 0.2), t = deformed<Dim>(law, seed, 0.1);
     EXPECT_GT(t.work, 0.0);
@@ -77,12 +78,12 @@ TEST(EnergyAccount, ClosesForHertzAndMindlinToFirstOrder) {
   expect_to_close<3>(beads_law());
 }
 
-LawParameters wet_law(BridgeFormation formation, BridgeForm form) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1e3};
-  law.friction = CoulombFriction{0.3, 800.0};
-  law.damping = ViscousDamping{0.5, DampingMass::effective};
-  law.adhesion = CapillaryAdhesion{1.0, 20.0, 0.02, 2.6, form, formation};
+Law wet_law(const std::string& formation, const std::string& form) {
+  Law law;
+  law += test::linear(1e3);
+  law += test::coulomb(0.3, 800.0);
+  law += test::viscous_damping(0.5);
+  law += test::liquid(1.0, 20.0, 0.02, 2.6, form, formation);
   return law;
 }
 
@@ -90,12 +91,12 @@ LawParameters wet_law(BridgeFormation formation, BridgeForm form) {
 /// order.
 TEST(EnergyAccount, ClosesForWetGrainsToFirstOrder) {
   std::cout << "formation form: error at a step, at half of it, order; work, liquid\n";
-  for (const BridgeFormation formation : {BridgeFormation::gap, BridgeFormation::contact})
-    for (const BridgeForm form : {BridgeForm::exponential, BridgeForm::rational}) {
+  for (const char* const formation : {"gap", "contact"})
+    for (const char* const form : {"exponential", "rational"}) {
       double coarse = 0.0, fine = 0.0;
       EnergyTerms t;
       for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        const LawParameters law = wet_law(formation, form);
+        const Law law = wet_law(formation, form);
         coarse += std::abs(deformed<3>(law, seed, 0.1).error());
         t = deformed<3>(law, seed, 0.05);
         fine += std::abs(t.error());
@@ -103,14 +104,14 @@ TEST(EnergyAccount, ClosesForWetGrainsToFirstOrder) {
         EXPECT_NE(t.liquid, 0.0);
       }
       const double order = std::log2(coarse / fine);
-      std::cout << static_cast<int>(formation) << " " << static_cast<int>(form) << ": " << coarse / 5 << " "
-                << fine / 5 << " " << order << "; " << t.work << " " << t.liquid << "\n";
+      std::cout << formation << " " << form << ": " << coarse / 5 << " " << fine / 5 << " " << order << "; "
+                << t.work << " " << t.liquid << "\n";
       EXPECT_GT(order, 0.7);
     }
 }
 
 /// Contacts that carry shear forces and rolling moments.
-Packing<2> strained_packing(const LawParameters& law) {
+Packing<2> strained_packing(const Law& law) {
   const Packing<2> start = test::gas_of<2>(40, law, 0.6, 1);
   BoundaryControl<2> control = BoundaryControl<2>::fixed();
   control.target = {0.8, 0.6, 0.3};
@@ -123,10 +124,10 @@ Packing<2> strained_packing(const LawParameters& law) {
 /// As in a run, where what a contact remembers stays when a stage sets a number of the law.
 TEST(EnergyAccount, KeepsSpringsWhereTheLawChanges) {
   const Packing<2> packing = strained_packing(full_law<2>());
-  LawParameters rougher = packing.law, stiffer = packing.law;
-  rougher.friction = CoulombFriction{0.6, 800.0};
-  stiffer.friction = CoulombFriction{0.3, 1600.0};
-  for (const LawParameters& law : {rougher, stiffer}) {
+  Law rougher = packing.law, stiffer = packing.law;
+  rougher += test::coulomb(0.6, 800.0);
+  stiffer += test::coulomb(0.3, 1600.0);
+  for (const Law& law : {rougher, stiffer}) {
     EnergyAccount<2> account(packing);
     account.change_law(law);
     Packing<2> refreshed = packing;

@@ -5,6 +5,7 @@
 #include "floc/packing/contact_forces.h"
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/relaxation_options.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/kernel_pair.h"
 
@@ -14,10 +15,10 @@ namespace {
 using test::KernelPair;
 
 /// Glass beads in units of their diameter a, of E~ = E/(1 - nu^2) and, for motion, of their mass.
-LawParameters glass(double friction = 0.3) {
-  LawParameters law;
-  law.normal = HertzRepulsion{1.0 - 0.09, 0.3};
-  law.friction = MindlinFriction{friction};
+Law glass(double friction = 0.3) {
+  Law law;
+  law += test::hertz(1.0 - 0.09, 0.3);
+  law += test::mindlin(friction);
   return law;
 }
 
@@ -64,7 +65,6 @@ TEST(Hertz, ForceStiffnessAndEnergyOfAPair) {
   EXPECT_NEAR(si.force(beads), 0.02564103, 1e-8);
   EXPECT_NEAR(si.stiffness(beads), 384615.4, 0.1);
   EXPECT_NEAR(si.shear_stiffness(beads), 316742.1, 0.1);
-  EXPECT_NEAR(si.energy(beads), 1.025641e-9, 1e-15);
 }
 
 TEST(Hertz, UnloadingAtFixedSlipScalesTheShearForceThenSlides) {
@@ -154,7 +154,7 @@ TEST(Hertz, ARigidTurnKeepsTheShearForce) {
 Packing<3> collided(double zeta, double speed, double step) {
   Packing<3> pair;
   pair.law = glass(0.0);
-  pair.law.damping = CriticalDamping{zeta};
+  pair.law += test::critical_damping(zeta);
   pair.cell.matrix *= 10.0;
   pair.grains = Grains<3>::with_size(2);
   pair.grains.position = {Vec<3>(4.0, 5.0, 5.0), Vec<3>(5.0 + 1e-9, 5.0, 5.0)};
@@ -188,8 +188,8 @@ TEST(Hertz, AHeavilyDampedPairNeverParts) {
 }
 
 TEST(Hertz, ABeadPileOfFrictionRelaxesToEquilibriumAndContinuesToTheSameBits) {
-  LawParameters law = glass();
-  law.damping = CriticalDamping{0.98};
+  Law law = glass();
+  law += test::critical_damping(0.98);
   const Packing<3> gas = test::gas_of<3>(100, law, 0.45);
   const Vec<3> target = Vec<3>::Constant(std::pow(8395.0, -1.5));
   RelaxationOptions options;

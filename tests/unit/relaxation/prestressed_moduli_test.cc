@@ -8,17 +8,18 @@
 #include "floc/packing/contact_forces.h"
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/static_solver.h"
+#include "support/contact_laws.h"
 #include "support/crystals.h"
 #include "support/dynamics.h"
 
 namespace floc {
 namespace {
 
-LawParameters glass(double friction) {
-  LawParameters law;
-  law.normal = HertzRepulsion{0.91, 0.3};
-  law.friction = MindlinFriction{friction};
-  law.damping = CriticalDamping{0.98};
+Law glass(double friction) {
+  Law law;
+  law += test::hertz(0.91, 0.3);
+  law += test::mindlin(friction);
+  law += test::critical_damping(0.98);
   return law;
 }
 

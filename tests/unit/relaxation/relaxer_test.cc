@@ -11,6 +11,7 @@
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/balance.h"
 #include "floc/relaxation/static_solver.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 
 namespace floc {
@@ -191,8 +192,8 @@ TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
 TEST(StrainRateCap, FollowsTheUnitTheSceneNames) {
   const Packing<2> cohesive = test::gas_of(10, test::cohesive_law(), 0.3);
   EXPECT_NEAR(strain_rate_cap(options(), cohesive, Vec<2>(Vec<2>::Constant(4.0))), 0.05, 1e-15);
-  LawParameters law;
-  law.normal = LinearRepulsion{1.0};
+  Law law;
+  law += test::linear(1.0);
   RelaxationOptions inertial;
   inertial.inertial_number_cap = 1e-3;
   EXPECT_NEAR(strain_rate_cap(inertial, test::gas_of(10, law, 0.3), Vec<2>(Vec<2>::Constant(4e-4))), 2e-5,
@@ -204,9 +205,9 @@ TEST(StrainRateCap, FollowsTheUnitTheSceneNames) {
 Packing<2> swinging_chain(double speed) {
   Packing<2> packing;
   packing.law = test::cohesive_law();
-  packing.law.normal = LinearRepulsion{1e4};
-  packing.law.friction.reset();
-  packing.law.rolling.reset();
+  packing.law += test::linear(1e4);
+  packing.law += test::without("friction");
+  packing.law += test::without("rolling");
   constexpr double kOverlap = 1e-4, kDistance = 1.0 - kOverlap, kRow = 0.8660254037844386 * kDistance;
   constexpr int kColumns = 8, kRows = 8, kMiddle = 4;
   packing.cell.matrix << kColumns * kDistance, 0.0, 0.0, kRows * kRow;

@@ -4,6 +4,7 @@
 
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/relaxation_options.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/kernel_pair.h"
 
@@ -23,10 +24,10 @@ TEST(Spheres, ThreadsLeaveNoTraceInTheBits) {
 }
 
 TEST(Spheres, PlacesOfRowsLeaveNoTraceInTheBits) {
-  LawParameters frictionless = cohesive_law();
-  frictionless.friction.reset();
-  frictionless.rolling.reset();
-  for (const LawParameters& law : {cohesive_law(), frictionless})
+  Law frictionless = cohesive_law();
+  frictionless += test::without("friction");
+  frictionless += test::without("rolling");
+  for (const Law& law : {cohesive_law(), frictionless})
     test::expect_no_trace_of_kept_rows(test::large_agitated_gas<3>(law));
 }
 
@@ -98,10 +99,10 @@ TEST(Spheres, OrientationFollowsTheSpin) {
   EXPECT_LT(dynamics->packing().grains.orientation[0].angularDistance(exact), 1e-6);
 }
 
-LawParameters frictional_law() {
-  LawParameters law;
-  law.normal = LinearRepulsion{1.0};
-  law.friction = CoulombFriction{100.0, 0.7};
+Law frictional_law() {
+  Law law;
+  law += test::linear(1.0);
+  law += test::coulomb(100.0, 0.7);
   return law;
 }
 
@@ -173,8 +174,8 @@ TEST(Spheres, MomentsOfAContactAreThoseOfItsShearForce) {
 
 /// Rolling resistance acts on rotations about axes in the tangent plane alone.
 TEST(Spheres, RollingResistsRotationsAboutTangentsOnly) {
-  LawParameters law = frictional_law();
-  law.rolling = RollingSpring{100.0, 0.3};
+  Law law = frictional_law();
+  law += test::rolling_spring(100.0, 0.3);
   KernelPair pair(law, 1e-3, widest_instruction_set());
   pair.move({pair.position(0), pair.position(1)}, {Vec<3>(0.2, 1e-3, 2e-3), Vec<3>(-0.3, -1e-3, -2e-3)}, 1.0);
   EXPECT_LT(pair.tangential_force().norm(), 1e-16);
@@ -184,8 +185,8 @@ TEST(Spheres, RollingResistsRotationsAboutTangentsOnly) {
 
 /// And twisting resistance on those about the normal, each up to a cap of its own.
 TEST(Spheres, TwistingResistsRotationsAboutTheNormalOnly) {
-  LawParameters law = frictional_law();
-  law.twisting = TwistingSpring{0.1, 0.3};  // of a normal force of 1e-3
+  Law law = frictional_law();
+  law += test::twisting_spring(0.1, 0.3);  // of a normal force of 1e-3
   KernelPair pair(law, 1e-3, widest_instruction_set());
   const std::array<Vec<3>, 2> still = {pair.position(0), pair.position(1)};
   pair.move(still, {Vec<3>(2e-4, 1e-3, 2e-3), Vec<3>(-1e-4, -1e-3, -2e-3)}, 1.0);
@@ -197,9 +198,9 @@ TEST(Spheres, TwistingResistsRotationsAboutTheNormalOnly) {
 
 /// Both springs turn with the pair: a rigid turn leaves the size of the moment as it is.
 TEST(Spheres, ARigidTurnKeepsTheMoment) {
-  LawParameters law = frictional_law();
-  law.rolling = RollingSpring{100.0, 0.3};
-  law.twisting = TwistingSpring{100.0, 0.2};
+  Law law = frictional_law();
+  law += test::rolling_spring(100.0, 0.3);
+  law += test::twisting_spring(100.0, 0.2);
   const Vec<3> axis(0.3, 0.4, 1.2);
   const auto turned = [&](int n) {
     KernelPair pair(law, 1e-3, widest_instruction_set());
@@ -224,10 +225,10 @@ TEST(Spheres, ARigidTurnKeepsTheMoment) {
 }
 
 TEST(Spheres, AFrictionalGasRelaxesToEquilibrium) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1.0};
-  law.damping = ViscousDamping{0.1, DampingMass::effective};
-  law.friction = CoulombFriction{0.3, 0.8};
+  Law law;
+  law += test::linear(1.0);
+  law += test::viscous_damping(0.1);
+  law += test::coulomb(0.3, 0.8);
   const Packing<3> gas = test::gas_of<3>(120, law, 0.45);
   const Vec<3> target = Vec<3>::Constant(1e-3);
   RelaxationOptions options;

@@ -10,6 +10,7 @@
 #include "floc/packing/contact_forces.h"
 #include "floc/packing/tile.h"
 #include "floc/relaxation/relaxer.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/lattices.h"
 #include "support/springs.h"
@@ -22,11 +23,11 @@ const Vec<2> kTarget(0.5, 0.5);
 /// An equilibrium of grains so soft that their overlaps are a tenth of a diameter: the terms of the tangent
 /// that are of the order of force over branch weigh as much as those of stiffness.
 Packing<2> soft_equilibrium() {
-  LawParameters law = test::cohesive_law();
-  law.normal = LinearRepulsion{10.0};
-  law.adhesion = TailAdhesion{1.0, 0.05};
-  law.friction = CoulombFriction{0.5, 8.0};
-  law.rolling = RollingSpring{0.05, 0.3};
+  Law law = test::cohesive_law();
+  law += test::linear(10.0);
+  law += test::tail_adhesion(1.0, 0.05);
+  law += test::coulomb(0.5, 8.0);
+  law += test::rolling_spring(0.05, 0.3);
   RelaxationOptions options;
   options.strain_rate_cap = 0.05;
   Relaxer<2> relaxer(options, test::gas_of(20, law, 0.5), kTarget);
@@ -51,8 +52,8 @@ Packing<2> with_yielding_contacts(Packing<2> packing) {
   });
   const auto roller = std::max_element(contacts.begin(), contacts.end(),
                                        [&](const auto& p, const auto& q) { return rolled(p) < rolled(q); });
-  packing.law.friction.get<CoulombFriction>().coefficient = mobilised(*slider);
-  packing.law.rolling.get<RollingSpring>().coefficient = rolled(*roller);
+  packing.law += test::changed("friction.coefficient", mobilised(*slider));
+  packing.law += test::changed("rolling.coefficient", rolled(*roller));
   test::shear_spring(*slider) *= 2.0;
   test::rolling_spring(*roller) *= 2.0;
   return packing;
@@ -115,11 +116,11 @@ TEST(StaticSolver, StepsWithTheExactTangentWhereContactsSlideAndYield) {
   expect_quadratic(equilibrium);
 }
 
-LawParameters sphere_law() {
-  LawParameters law;
-  law.normal = LinearRepulsion{10.0};
-  law.friction = CoulombFriction{0.5, 8.0};
-  law.rolling = RollingSpring{0.1, 0.3};
+Law sphere_law() {
+  Law law;
+  law += test::linear(10.0);
+  law += test::coulomb(0.5, 8.0);
+  law += test::rolling_spring(0.1, 0.3);
   return law;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "floc/base/error.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 
 namespace floc {
@@ -53,8 +54,8 @@ TEST(ThreadTeam, CarriesOutWhatTheFirstOfItsThreadsThrew) {
 /// Grains without much resistance in a cell that closes: in the end each has more neighbours than a list takes.
 template <int Dim>
 void close_upon(int n_threads) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1e-6};
+  Law law;
+  law += test::linear(1e-6);
   const Packing<Dim> gas = test::gas_of<Dim>(130, law, 0.4);
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
   control.target.template head<Dim>().setConstant(1.0);

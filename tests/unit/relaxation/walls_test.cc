@@ -9,6 +9,7 @@
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/static_solver.h"
+#include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/springs.h"
 
@@ -19,7 +20,7 @@ using test::agitated_gas;
 using test::cohesive_law;
 
 /// Puts walls around a gas, half a largest diameter away from its cell, across the first `n_axes` axes.
-Packing<2> boxed(Packing<2> gas, int n_axes, const LawParameters& wall_law) {
+Packing<2> boxed(Packing<2> gas, int n_axes, const Law& wall_law) {
   for (int a = 0; a < n_axes; ++a) {
     gas.walls.push_back({a, -1, -0.5, 0.0, 20.0});
     gas.walls.push_back({a, +1, gas.cell.matrix(a, a) + 0.5, 0.0, 20.0});
@@ -37,12 +38,12 @@ Packing<2> one_disk() {
   packing.grains.radius = {0.5};
   packing.grains.mass = {1.0};
   packing.grains.position = {Vec<2>(5.0, 5.0)};
-  packing.law.normal = LinearRepulsion{1.0};
+  packing.law += test::linear(1.0);
   return packing;
 }
 
 /// One disk in a box of walls on both axes, the walls touching it.
-Packing<2> box_around_one_disk(const LawParameters& law) {
+Packing<2> box_around_one_disk(const Law& law) {
   Packing<2> packing = one_disk();
   packing.law = packing.wall_law = law;
   for (int a = 0; a < 2; ++a) {
@@ -79,7 +80,7 @@ TEST(Walls, OfAnEmptyBoxFollowTheirPressure) {
     box.walls.push_back({a, -1, 0.0, 0.0, 96.0});
     box.walls.push_back({a, +1, 10.0, 0.0, 96.0});
   }
-  box.wall_law.normal = LinearRepulsion{1.0};
+  box.wall_law += test::linear(1.0);
   const double p = 2.0, dt = 1e-3;
   const auto dynamics = make_dynamics(box, pressure(p), {dt, 0.1});
   dynamics->advance(3000, Motion::free);
@@ -103,10 +104,10 @@ TEST(Walls, ApproachEachOtherAtTheRateGiven) {
 /// (Bouzid et al. 2024, corrected).
 double rebound(double speed) {
   Packing<2> packing = boxed(one_disk(), 1, {});
-  packing.law.normal = LinearRepulsion{1.0};
-  packing.wall_law.normal = LinearRepulsion{1.0};
-  packing.wall_law.adhesion = ConstantAdhesion{1.0};
-  packing.wall_law.damping = ViscousDamping{std::sqrt(0.2), DampingMass::effective};
+  packing.law += test::linear(1.0);
+  packing.wall_law += test::linear(1.0);
+  packing.wall_law += test::constant_adhesion(1.0);
+  packing.wall_law += test::viscous_damping(std::sqrt(0.2));
   // Overlaps are of the order of the speed: the disk is large enough for them.
   const double scale = 1000.0;
   packing.grains.radius[0] = scale;
@@ -133,8 +134,8 @@ TEST(Walls, ReflectAndCatchAGrainAsTheDampedOscillationSays) {
 
 TEST(Walls, MomentumOfGrainsAndWallsIsConserved) {
   const Packing<2> gas = agitated_gas(60, cohesive_law());
-  LawParameters smooth;
-  smooth.normal = LinearRepulsion{1e5};
+  Law smooth;
+  smooth += test::linear(1e5);
   Packing<2> box = boxed(gas, 2, smooth);
   for (Wall<2>& wall : box.walls) wall.velocity = -0.5 * wall.side;
   const double dt = time_step_of(box, 0.2);
@@ -161,13 +162,13 @@ double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control
 
 /// Largest relative change of the energy of undamped disks between walls, in steps of dt.
 double energy_drift(int n_walled_axes, double dt, int n_steps) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1.0};
+  Law law;
+  law += test::linear(1.0);
   Packing<2> gas = test::gas_of(100, law, 0.7, 3);
   RandomStream random(4, 2);
   agitate(gas, 0.02, random);
-  LawParameters stiffer;
-  stiffer.normal = LinearRepulsion{1.5};
+  Law stiffer;
+  stiffer += test::linear(1.5);
   const Packing<2> box = boxed(gas, n_walled_axes, stiffer);
   const BoundaryControl<2> control = pressure(1e-2);
   const auto dynamics = make_dynamics(box, control, {dt, 0.1});
@@ -196,8 +197,8 @@ TEST(Walls, ConserveEnergyToSecondOrder) {
 
 /// K_N D - f = p L and L = d - 2 D on either axis.
 TEST(Walls, HoldADiskInTheEquilibriumOfTheirPressure) {
-  LawParameters law = cohesive_law();
-  law.adhesion = ConstantAdhesion{1.0};
+  Law law = cohesive_law();
+  law += test::constant_adhesion(1.0);
   const double p = 50.0, overlap = (1.0 + p) / (1e5 + 2.0 * p);
   Packing<2> box = box_around_one_disk(law);
   const auto dynamics = make_dynamics(box, pressure(p), {time_step_of(box, 0.2), 0.1});
@@ -220,8 +221,8 @@ TEST(Walls, HoldADiskInTheEquilibriumOfTheirPressure) {
 
 /// A disk that spins between two walls is stopped by their friction, with the tangential forces of a couple.
 TEST(Walls, FrictionActsWithTheDistanceOfThePlaneAsItsArm) {
-  LawParameters law = cohesive_law();
-  law.rolling.reset();
+  Law law = cohesive_law();
+  law += test::without("rolling");
   Packing<2> box = box_around_one_disk(law);
   box.walls.resize(2);  // the other axis is periodic
   box.cell.matrix(1, 1) = 10.0;
@@ -277,10 +278,10 @@ void expect_same_bits(const Packing<2>& p, const Packing<2>& q) {
 }
 
 TEST(Walls, ListsThreadsAndInstructionsLeaveNoTraceInTheBits) {
-  LawParameters frictionless = cohesive_law();
-  frictionless.friction.reset();
-  frictionless.rolling.reset();
-  for (const LawParameters& wall_law : {cohesive_law(), frictionless}) {
+  Law frictionless = cohesive_law();
+  frictionless += test::without("friction");
+  frictionless += test::without("rolling");
+  for (const Law& wall_law : {cohesive_law(), frictionless}) {
     const Packing<2> box = boxed(agitated_gas(200, cohesive_law()), 2, wall_law);
     const double dt = time_step_of(box, 0.2);
     const auto after = [&](DynamicsSettings settings, std::initializer_list<int> parts) {
@@ -313,8 +314,8 @@ TEST(Walls, MotionGoesOnFromThePackingThatItLeft) {
 
 /// Rough walls around smooth grains: the friction of the walls alone turns them.
 TEST(Walls, MayHaveFrictionWhereGrainsHaveNone) {
-  LawParameters smooth;
-  smooth.normal = LinearRepulsion{1e5};
+  Law smooth;
+  smooth += test::linear(1e5);
   Packing<2> box = boxed(agitated_gas(60, smooth), 2, cohesive_law());
   const auto dynamics = make_dynamics(box, pressure(1.0), {time_step_of(box, 0.2), 0.05});
   dynamics->advance(3000, Motion::free);

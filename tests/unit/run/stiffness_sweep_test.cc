@@ -11,6 +11,7 @@
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/stiffness_check.h"
 #include "floc/run/verification.h"
+#include "support/contact_laws.h"
 #include "support/law_list.h"
 
 /// Every law, in both dimensions, every stiffness of a contact, and factors by which other programs may be off:
@@ -41,7 +42,7 @@ constexpr double kFactors[] = {2.0, 10.0, 0.5, 2.0 / 3.0, 1.5, 1.001, 0.999};
 
 /// Two grains that overlap by 1e-3, and a third across a gap that an attraction may span.
 template <int Dim>
-Packing<Dim> pair_and_neighbour(const LawParameters& law) {
+Packing<Dim> pair_and_neighbour(const Law& law) {
   Packing<Dim> packing;
   packing.law = law;
   packing.cell.matrix *= 7.0;
@@ -86,7 +87,7 @@ std::vector<std::string> said_of_list(const Packing<Dim>& packing, std::size_t k
   row.normal_force = packing.contacts[0].normal_force;
   const Stiffnesses own = stiffnesses(packing.contacts[0]);
   for (std::size_t k = 0; k < own.size(); ++k)
-    if (k != 3 || packing.law.twisting) *stiffness(row, k) = own[k] * (k == kind ? factor : 1.0);
+    if (k != 3 || packing.law.has_twisting()) *stiffness(row, k) = own[k] * (k == kind ? factor : 1.0);
   listed.contacts = {row};
   return assemble(listed).listed_contacts.stiffness_differences;
 }
@@ -107,7 +108,7 @@ struct Counts {
 };
 
 template <int Dim>
-void sweep(const LawParameters& law, Counts& counts) {
+void sweep(const Law& law, Counts& counts) {
   SCOPED_TRACE(fmt::format("{} in {}D", law_text(law), Dim));
   const Packing<Dim> packing = pair_and_neighbour<Dim>(law);
   ASSERT_FALSE(packing.contacts.empty());
@@ -151,23 +152,23 @@ void sweep(const LawParameters& law, Counts& counts) {
 
 TEST(Stiffnesses, OfEveryLawAreComparedWithItInListsAndStates) {
   Counts counts;
-  for (const LawParameters& law : test::all_laws(2, kNumbers)) sweep<2>(law, counts);
-  for (const LawParameters& law : test::all_laws(3, kNumbers)) sweep<3>(law, counts);
+  for (const Law& law : test::all_laws(2, kNumbers)) sweep<2>(law, counts);
+  for (const Law& law : test::all_laws(3, kNumbers)) sweep<3>(law, counts);
   fmt::print("{} laws of 2D and 3D, {} stiffnesses: {} lists, {} states for moduli, {} verified\n", counts.laws,
              kStiffnessNames.size(), counts.lists, counts.states, counts.verified);
   EXPECT_GT(counts.laws, 40);
 }
 
 TEST(Stiffnesses, OfHertzThatAreForceOverOverlapAreNamed) {
-  LawParameters law;
-  law.normal = HertzRepulsion{1e6, 0.3};
+  Law law;
+  law += test::hertz(1e6, 0.3);
   EXPECT_THAT(said_of_list(pair_and_neighbour<3>(law), 0, 2.0 / 3.0),
               testing::ElementsAre(testing::AllOf(HasSubstr("0.6667 times"), HasSubstr("it is N/delta"))));
 }
 
 TEST(Stiffnesses, ThatTheLawDoesNotHaveAreSaidOrRefused) {
-  LawParameters law;
-  law.normal = LinearRepulsion{1e5};
+  Law law;
+  law += test::linear(1e5);
   const Packing<3> packing = pair_and_neighbour<3>(law);
   const auto listed = [&](std::optional<double> ListedContact::*member, double value) {
     ListedPacking list;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "floc/contact/law_parameters.h"
 #include "floc/loading/run_plan.h"
 #include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/balance.h"
@@ -28,8 +29,8 @@ struct LawPath {
   std::vector<std::string> scenes;
   GrainOptions grains;  ///< a few
   int dimension = 2;
-  std::vector<LawParameters> laws;  ///< that the path goes through, in order
-  double pressure = 0.0;            ///< the largest imposed
+  std::vector<Law> laws;  ///< that the path goes through, in order
+  double pressure = 0.0;  ///< the largest imposed
 };
 
 LawPath law_path_of(const Scene& scene) {
@@ -115,7 +116,7 @@ EnergyTerms account_of(const LawPath& path, Packing<Dim> packing, std::uint64_t 
   RandomStream random(seed, 2);
   const double overlap = measure_overlaps(packing).mean * 0.5 * path.grains.diameter.min;
   EnergyAccount<Dim> account(packing);
-  for (const LawParameters& law : path.laws) {
+  for (const Law& law : path.laws) {
     if (packing.law != law) {
       packing.law = law;
       refresh_contacts(packing);
@@ -177,7 +178,7 @@ TEST(EnergyOfShippedScenes, ClosesWithTheTimeStep) {
         t.liquid, t.law);
     EXPECT_LT(errors[2], 0.01) << names;
     EXPECT_GT(order, 0.7) << names;
-    if (path.laws.front().normal != path.laws.back().normal) {
+    if (path.laws.front().parameters().normal != path.laws.back().parameters().normal) {
       EXPECT_NE(t.law, 0.0) << names;
     }
     EXPECT_EQ(t.liquid != 0.0, path.laws.back().liquid() != nullptr) << names;

@@ -7,7 +7,9 @@
 #include <fstream>
 
 #include "floc/base/error.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/scene/cell_defaults.h"
+#include "support/contact_laws.h"
 #include "support/places.h"
 
 namespace floc {
@@ -80,12 +82,12 @@ checkpoint_every = 5
   EXPECT_EQ(s.grains.count, 40);
   EXPECT_EQ(s.grains.diameter.min, 0.5);
   EXPECT_EQ(s.grains.diameter.max, 1.0);
-  LawParameters law;
-  law.normal = LinearRepulsion{1e5};
-  law.adhesion = TailAdhesion{1.0, 1e-3};
-  law.damping = ViscousDamping{0.015, DampingMass::effective};
-  law.friction = CoulombFriction{0.5, 1e5};
-  law.rolling = RollingSpring{0.005, 10};
+  Law law;
+  law += test::linear(1e5);
+  law += test::tail_adhesion(1.0, 1e-3);
+  law += test::viscous_damping(0.015);
+  law += test::coulomb(0.5, 1e5);
+  law += test::rolling_spring(0.005, 10);
   EXPECT_EQ(s.law, law);
   EXPECT_EQ(s.assembly.protocol, AssemblyOptions::Protocol::aggregation);
   EXPECT_EQ(s.assembly.solid_fraction, 0.36);
@@ -116,8 +118,8 @@ TEST(ReadScene, TheGasIsEquilibratedUnlessGrainsAreAddedOneByOne) {
 
 TEST(ReadScene, APhysicalTableLeftOutIsPhysicsLeftOut) {
   const Scene s = read(with("rolling = {coefficient = 0.005, stiffness = 10}\n", ""));
-  EXPECT_FALSE(s.law.rolling);
-  EXPECT_TRUE(s.law.friction);
+  EXPECT_FALSE(s.law.has_rolling());
+  EXPECT_TRUE(s.law.has_friction());
 }
 
 TEST(ReadScene, WithoutOverridesTheTextIsTheFile) {
@@ -127,7 +129,7 @@ TEST(ReadScene, WithoutOverridesTheTextIsTheFile) {
 TEST(ReadScene, OverridesChangeTheSceneAndItsText) {
   const Scene s = read(kScene, {"contact.rolling.coefficient=0.1234567890123456789", "run.seed=9",
                                 "load.0.to=3", "assembly.protocol = aggregation", "run.seed=11"});
-  EXPECT_EQ(s.law.rolling.get<RollingSpring>().coefficient, 0.1234567890123456789);
+  EXPECT_EQ(test::law_number(s.law, "rolling.coefficient"), 0.1234567890123456789);
   EXPECT_EQ(s.seed, 11u);
   EXPECT_EQ(s.load[0].to, 3.0);
   // The stored text alone makes the same scene, to the last bit.
@@ -332,10 +334,9 @@ TEST(ReadScene, LiquidBridgesAreRead) {
       "law = \"capillary\", surface_tension = 0.072, contact_angle = 10, water_content = 0.007, density_ratio "
       "= 2.6";
   EXPECT_EQ(faults(wet_scene(numbers)), "");
-  EXPECT_EQ(read(wet_scene(numbers)).law.adhesion.get<CapillaryAdhesion>(),
-            (CapillaryAdhesion{0.072, 10.0, 0.007, 2.6}));
-  EXPECT_EQ(read(wet_scene(numbers + ", form = \"rational\", formation = \"contact\""))
-                .law.adhesion.get<CapillaryAdhesion>(),
+  const auto bridges = [](const Law& law) { return law.parameters().adhesion.get<CapillaryAdhesion>(); };
+  EXPECT_EQ(bridges(read(wet_scene(numbers)).law), (CapillaryAdhesion{0.072, 10.0, 0.007, 2.6}));
+  EXPECT_EQ(bridges(read(wet_scene(numbers + ", form = \"rational\", formation = \"contact\"")).law),
             (CapillaryAdhesion{0.072, 10.0, 0.007, 2.6, BridgeForm::rational, BridgeFormation::contact}));
 }
 

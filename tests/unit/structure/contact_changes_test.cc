@@ -7,6 +7,7 @@
 
 #include "floc/packing/contact_forces.h"
 #include "floc/structure/rigid_clusters.h"
+#include "support/contact_laws.h"
 #include "support/lattices.h"
 
 namespace floc::test {
@@ -110,7 +111,7 @@ TEST(ContactChanges, TellContactsOfOnePairThroughDifferentSidesApart) {
 
 TEST(ContactChanges, CountContactsThatBecameAttractionsAsLost) {
   Packing<2> before = block(3, 1);
-  before.law.adhesion = TailAdhesion{1.0, 0.2};
+  before.law += test::tail_adhesion(1.0, 0.2);
   find_contacts(before);
   Packing<2> after = before;
   after.grains.position[2][0] += 0.1;

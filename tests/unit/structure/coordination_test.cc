@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "support/contact_laws.h"
+
 namespace floc {
 namespace {
 
 TEST(Coordination, CountsContactsBySignAndDistantOnesApart) {
   Packing<2> packing;
-  packing.law.normal = LinearRepulsion{1.0};
-  packing.law.adhesion = TailAdhesion{1.0, 0.1};
+  packing.law += test::linear(1.0);
+  packing.law += test::tail_adhesion(1.0, 0.1);
   packing.grains = Grains<2>::with_size(5);
   const auto contact = [](int i, int j, double force, bool distant) {
     Contact<2> c;
@@ -30,8 +32,8 @@ TEST(Coordination, CountsContactsBySignAndDistantOnesApart) {
 TEST(Coordination, LeavesRattlersOutAndCountsPairsOfTwo) {
   // A ring of four with a tail of one on grain 0, and a lone grain: contacts 01 12 23 30 04.
   Packing<2> packing;
-  packing.law.normal = LinearRepulsion{1.0};
-  packing.law.adhesion = TailAdhesion{1.0, 0.1};
+  packing.law += test::linear(1.0);
+  packing.law += test::tail_adhesion(1.0, 0.1);
   packing.grains = Grains<2>::with_size(6);
   for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 4}}) {
     Contact<2> c;
@@ -43,7 +45,7 @@ TEST(Coordination, LeavesRattlersOutAndCountsPairsOfTwo) {
   EXPECT_DOUBLE_EQ(c.z_star, 10.0 / 5.0);
   EXPECT_DOUBLE_EQ(c.x22, 2.0 / 5.0);  // 12 and 23
   // Without adhesion the tail is a rattler too, and its contact is left out of z*.
-  packing.law.adhesion.reset();
+  packing.law += test::without("adhesion");
   const Coordination bare = coordination(packing, 0.0);
   EXPECT_EQ(bare.n_rattlers, 2);
   EXPECT_DOUBLE_EQ(bare.z_star, 8.0 / 4.0);

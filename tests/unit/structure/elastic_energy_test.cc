@@ -15,9 +15,9 @@ TEST(ElasticEnergy, OfLinearCrystalsIsThatOfTheirSprings) {
     EXPECT_NEAR(elastic_energy_per_grain(packing), crystal.z / 2.0 * 0.5 * 3.0 * 1e-4, 1e-15) << crystal.name;
     packing.contacts[0].shear_force = {0.3, 0.0, 0.0};
     packing.contacts[0].rolling_moment[1] = 0.2;
-    EXPECT_NEAR(elastic_energy(packing.contacts[0]), 1.5e-4 + 0.09 / 1.0 + 0.04 / 0.2, 1e-15);
+    EXPECT_NEAR(contact_energy(packing, packing.contacts[0]).elastic, 1.5e-4 + 0.09 / 1.0 + 0.04 / 0.2, 1e-15);
     packing.contacts[0].distant = true;
-    EXPECT_EQ(elastic_energy(packing.contacts[0]), 0.0);
+    EXPECT_EQ(contact_energy(packing, packing.contacts[0]).elastic, 0.0);
   }
 }
 
@@ -28,17 +28,21 @@ TEST(ElasticEnergy, OfHertzContactsIsTwoFifthsOfForceTimesOverlap) {
   test::make_hertzian(1.0, 14.0 / 17.0, packing);
   EXPECT_NEAR(elastic_energy_per_grain(packing), 8e-6, 1e-17);
   packing.contacts[0].shear_force = {0.0, 1e-4, 0.0};
-  EXPECT_NEAR(elastic_energy(packing.contacts[0]), 8e-6 / 6.0 + 1e-8 / (2.0 * 0.05 * 14.0 / 17.0), 1e-17);
+  EXPECT_NEAR(contact_energy(packing, packing.contacts[0]).elastic,
+              8e-6 / 6.0 + 1e-8 / (2.0 * 0.05 * 14.0 / 17.0), 1e-17);
 }
 
 TEST(ElasticEnergy, IsTheIntegralOfTheForceOverTheOverlap) {
   // N = h^q of any power q.
   for (const double q : {1.0, 1.5, 2.0, 3.0}) {
+    Packing<3> pair;
+    pair.grains = Grains<3>::with_size(2);
     Contact<3> c;
+    c.j = 1;
     c.gap = -0.3;
     c.elastic_force = std::pow(0.3, q);
     c.kn = q * std::pow(0.3, q - 1.0);
-    EXPECT_NEAR(elastic_energy(c), std::pow(0.3, q + 1.0) / (q + 1.0), 1e-16) << q;
+    EXPECT_NEAR(contact_energy(pair, c).elastic, std::pow(0.3, q + 1.0) / (q + 1.0), 1e-16) << q;
   }
 }
 

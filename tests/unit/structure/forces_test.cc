@@ -6,6 +6,7 @@
 
 #include "floc/structure/force_distribution.h"
 #include "floc/structure/force_moments.h"
+#include "support/contact_laws.h"
 
 namespace floc {
 namespace {
@@ -15,8 +16,8 @@ using ::testing::IsEmpty;
 
 Packing<2> with_forces(const std::vector<double>& normal, double F0) {
   Packing<2> packing;
-  packing.law.normal = LinearRepulsion{1.0};
-  if (F0 > 0.0) packing.law.adhesion = TailAdhesion{F0, 0.1};
+  packing.law += test::linear(1.0);
+  if (F0 > 0.0) packing.law += test::tail_adhesion(F0, 0.1);
   packing.grains = Grains<2>::with_size(2);
   packing.grains.radius = {0.5, 1.0};
   for (const double f : normal) {

@@ -46,11 +46,6 @@ struct HertzRepulsion {
   T shear_stiffness(const PairGeometry<T>& pair) const {
     return T(shear_ratio()) * contact_stiffness(pair);
   }
-  /// (2/5) FNe d.
-  template <class T>
-  T energy(const PairGeometry<T>& pair) const {
-    return T(0.4) * force(pair) * overlap(pair);
-  }
   double shear_ratio() const { return (2.0 - 2.0 * poisson) / (2.0 - poisson); }
 
   /// Overlap at which the elastic force is `elastic` >= 0.

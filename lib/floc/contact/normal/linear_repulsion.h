@@ -29,10 +29,6 @@ struct LinearRepulsion {
   T stiffness(const PairGeometry<T>& pair) const {
     return lanes::select(pair.gap < T(0), T(normal_stiffness), T(0));
   }
-  template <class T>
-  T energy(const PairGeometry<T>& pair) const {
-    return lanes::select(pair.gap < T(0), T(0.5 * normal_stiffness * pair.gap * pair.gap), T(0));
-  }
   /// Stiffness where the elastic force is FNe > 0, for a contact of which only the force is known.
   double stiffness_at_force(const PairGeometry<>&, double) const { return normal_stiffness; }
   /// Modulus of a packing of grains of diameter a, which a pressure is compared with: K_N/a^(Dim-2).

@@ -78,9 +78,9 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
       kIsAbsent<Adhesion> && kIsAbsent<Friction> && kIsAbsent<Damping> && partner == Partner::grain;
   static constexpr bool kIsDryAttraction =
       kHoldsLiquid<Adhesion> || std::is_constructible_v<DryAttraction, Adhesion>;
-  // Which models go together is told by kIsCompiled: elastic spheres adhere by liquid alone; neither
-  // they nor grains with liquid resist rolling.
-  using Dry = std::conditional_t<kElasticSpheres, NoAdhesion,
+  // Which models go together is told by kIsCompiled: elastic spheres adhere by liquid alone; neither they nor grains
+  // with liquid resist rolling; and where the normal law adheres, no other adhesion does.
+  using Dry = std::conditional_t<kElasticSpheres || kAdheresByItself<Normal>, NoAdhesion,
                                  std::conditional_t<kIsDryAttraction, DryAttraction, Adhesion>>;
   using SomeAdhesion = std::conditional_t<kWet, Adhesion, Dry>;
   using SomeDamping = Present<Damping, std::conditional_t<kElasticSpheres, CriticalDamping, ViscousDamping>>;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "floc/contact/contact_law.h"
+#include "floc/contact/memory_layout.h"
 #include "floc/geometry/frame_turn.h"
 #include "floc/relaxation/kernels/kernel_law.h"
 #include "floc/relaxation/kernels/pack.h"

@@ -3,8 +3,7 @@
 #include <cstddef>
 
 #include "floc/base/vec.h"
-#include "floc/contact/law_table.h"
-#include "floc/contact/memory_layout.h"
+#include "floc/contact/history.h"
 #include "floc/relaxation/instruction_set.h"
 
 /// Data of those parts of a time step that visit every grain or pair, as plain arrays: code compiled for one

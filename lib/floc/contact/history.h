@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/base/vec.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/law.h"
+
+namespace floc {
+
+/// Where contacts keep what they remember, and the arrays of pairs in motion: each slot of the law has a place of its
+/// own with room for any of its models, so that a change of the law moves nothing.
+template <int Dim>
+struct MemoryLayout {
+  // Numbers that a model of each slot may remember. memory_layout.h checks that all do with them.
+  static constexpr int kNormalRoom = 2, kFrictionRoom = Dim == 2 ? 2 : 4, kRollingRoom = Dim == 2 ? 1 : 3,
+                       kTwistingRoom = Dim == 2 ? 0 : 1, kAdhesionRoom = 1;
+
+  static constexpr int kNormal = 0;
+  static constexpr int kFriction = kNormal + kNormalRoom;
+  static constexpr int kRolling = kFriction + kFrictionRoom;
+  static constexpr int kTwisting = kRolling + kRollingRoom;
+  static constexpr int kAdhesion = kTwisting + kTwistingRoom;
+  static constexpr int kSize = kAdhesion + kAdhesionRoom;
+};
+
+/// Everything a contact remembers, at the places of the layout; zero where its law remembers nothing.
+template <int Dim>
+using ContactMemory = Eigen::Matrix<double, MemoryLayout<Dim>::kSize, 1>;
+
+/// One quantity that contacts remember under a law.
+struct RememberedQuantity {
+  Memory declared;
+  int begin;  ///< place of its first number
+  int size;   ///< numbers
+};
+
+/// What contacts remember under a law, in the order of the layout.
+std::vector<RememberedQuantity> remembered_quantities(const Law& law, int dim);
+
+/// Factor of each number of the layout when the two grains of a contact are exchanged.
+template <int Dim>
+ContactMemory<Dim> swap_parity(const Law& law);
+
+}  // namespace floc

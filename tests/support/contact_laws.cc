@@ -1,0 +1,105 @@
+#include "support/contact_laws.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "floc/contact/law_description.h"
+#include "floc/contact/law_parameters.h"
+
+namespace floc::test {
+namespace {
+
+double& number_of(LawParameters& law, const std::string& key) {
+  for (const LawNumber& n : numbers_of(law))
+    if (n.key == key) return *n.value;
+  throw std::invalid_argument("the law has no " + key);
+}
+
+void choose_keyword(LawParameters& law, const std::string& key, const std::string& keyword) {
+  for (const LawChoice& c : choices_of(law)) {
+    if (c.key != key) continue;
+    const auto& keywords = c.declared->keywords;
+    const auto found = std::find(keywords.begin(), keywords.end(), keyword);
+    if (found == keywords.end()) break;
+    const std::size_t dot = key.find('.');
+    return choose(law, key.substr(0, dot), key.substr(dot + 1), static_cast<int>(found - keywords.begin()));
+  }
+  throw std::invalid_argument("the law has no " + key + " = " + keyword);
+}
+
+}  // namespace
+
+Part linear(double stiffness) {
+  return {[=](LawParameters& law) { law.normal = LinearRepulsion{stiffness}; }};
+}
+Part hertz(double modulus, double poisson) {
+  return {[=](LawParameters& law) { law.normal = HertzRepulsion{modulus, poisson}; }};
+}
+Part tail_adhesion(double force, double range) {
+  return {[=](LawParameters& law) { law.adhesion = TailAdhesion{force, range}; }};
+}
+Part constant_adhesion(double force) {
+  return {[=](LawParameters& law) { law.adhesion = ConstantAdhesion{force}; }};
+}
+Part viscous_damping(double restitution) {
+  return {[=](LawParameters& law) { law.damping = ViscousDamping{restitution, DampingMass::effective}; }};
+}
+Part critical_damping(double critical_fraction) {
+  return {[=](LawParameters& law) { law.damping = CriticalDamping{critical_fraction}; }};
+}
+Part coulomb(double coefficient, double stiffness) {
+  return {[=](LawParameters& law) { law.friction = CoulombFriction{coefficient, stiffness}; }};
+}
+Part mindlin(double coefficient) {
+  return {[=](LawParameters& law) { law.friction = MindlinFriction{coefficient}; }};
+}
+Part rolling_spring(double coefficient, double stiffness) {
+  return {[=](LawParameters& law) { law.rolling = RollingSpring{coefficient, stiffness}; }};
+}
+Part twisting_spring(double coefficient, double stiffness) {
+  return {[=](LawParameters& law) { law.twisting = TwistingSpring{coefficient, stiffness}; }};
+}
+
+Part liquid(double surface_tension, double contact_angle, double water_content, double density_ratio,
+            const std::string& form, const std::string& formation) {
+  return {[=](LawParameters& law) {
+    law.adhesion = CapillaryAdhesion{surface_tension, contact_angle, water_content, density_ratio};
+    choose_keyword(law, "adhesion.form", form);
+    choose_keyword(law, "adhesion.formation", formation);
+  }};
+}
+
+Part without(const std::string& slot) {
+  return {[=](LawParameters& law) {
+    LawParameters::for_each_slot(law, [&](const char* key, auto& models) {
+      if (key == slot) models.reset();
+    });
+  }};
+}
+
+Part changed(const std::string& key, double value) {
+  return {[=](LawParameters& law) { number_of(law, key) = value; }};
+}
+
+Part chosen(const std::string& key, const std::string& keyword) {
+  return {[=](LawParameters& law) { choose_keyword(law, key, keyword); }};
+}
+
+Law& operator+=(Law& law, const Part& part) {
+  LawParameters parameters = law;
+  part.put(parameters);
+  return law = parameters;
+}
+
+Law law_of(std::initializer_list<Part> parts) {
+  Law law;
+  for (const Part& part : parts) law += part;
+  return law;
+}
+
+double law_number(const Law& law, const std::string& key) {
+  LawParameters parameters = law;
+  return number_of(parameters, key);
+}
+
+}  // namespace floc::test

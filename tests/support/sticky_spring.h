@@ -1,0 +1,57 @@
+#pragma once
+
+#include "floc/base/lanes.h"
+#include "floc/contact/contact_load.h"
+#include "floc/contact/declaration.h"
+#include "floc/contact/model_traits.h"
+#include "floc/contact/pair_geometry.h"
+
+namespace floc::testing {
+
+/// A normal law whose surfaces, once they have met, hold together across a gap, for tests of laws that do, as that of
+/// Johnson, Kendall and Roberts does [Proc. R. Soc. A 324, 301 (1971)]: FNe = K_N (d + l) at an overlap d > -l of
+/// surfaces that have met, FNa = -K_N l. They part at a gap l under a tension of K_N l. Where they meet, the force is
+/// zero, and the energy K_N l^2/2 is lost.
+struct StickySpring {
+  double normal_stiffness;  ///< K_N (force/length)
+  double holding_gap;       ///< l (length)
+
+  static constexpr bool kAdheres = true;
+  static constexpr Memory kMemory[] = {
+      {"has_met", MemoryKind::scalar, Unit::ratio, "1 while the surfaces touch, else 0"}};
+
+  template <class T>
+  void remember(const PairGeometry<T>& pair, T* memory) const {
+    const T holds = lanes::select(pair.gap < T(holding_gap), memory[0], T(0));
+    memory[0] = lanes::select(pair.gap < T(0), T(1), holds);
+  }
+  template <class T>
+  T force(const PairGeometry<T>& pair, const T* memory) const {
+    return lanes::select(touches(pair, memory), T(normal_stiffness) * (T(holding_gap) - pair.gap), T(0));
+  }
+  template <class T>
+  T attraction(const PairGeometry<T>& pair, const T* memory) const {
+    return lanes::select(touches(pair, memory), T(-normal_stiffness * holding_gap), T(0));
+  }
+  template <class T>
+  T stiffness(const PairGeometry<T>& pair, const T* memory) const {
+    return lanes::select(touches(pair, memory), T(normal_stiffness), T(0));
+  }
+  /// Zero where the surfaces part.
+  template <class T>
+  T energy(const PairGeometry<T>& pair, const T* memory) const {
+    const T energy = T(0.5 * normal_stiffness) * (pair.gap * pair.gap - T(holding_gap * holding_gap));
+    return lanes::select(touches(pair, memory), energy, T(0));
+  }
+  template <class T>
+  auto touches(const PairGeometry<T>& pair, const T* memory) const {
+    return pair.gap < lanes::select(T(0) < memory[0], T(holding_gap), T(0));
+  }
+  void set_force(const PairGeometry<>&, double, double* memory) const { memory[0] = 1.0; }
+  double holding_range(double /*reduced_radius*/) const { return holding_gap; }
+  double pull_off_force(const PairGeometry<>&) const { return normal_stiffness * holding_gap; }
+  double stiffness_at_force(const PairGeometry<>&, double) const { return normal_stiffness; }
+  double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return normal_stiffness; }
+};
+
+}  // namespace floc::testing

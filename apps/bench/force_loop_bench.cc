@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "floc/assembly/gas.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/elasticity/stability.h"
 #include "floc/io/state_file.h"
 #include "floc/neighbors/space_order.h"

@@ -14,6 +14,7 @@
 #include <ctime>
 #include <random>
 
+#include "floc/contact/law_parameters.h"
 #include "floc/elasticity/elastic_response.h"
 #include "floc/io/state_file.h"
 #include "floc/linalg/blas.h"

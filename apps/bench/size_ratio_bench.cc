@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "floc/assembly/gas.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"

@@ -12,6 +12,7 @@
 
 #include "floc/assembly/box_options.h"
 #include "floc/assembly/gas.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/tile.h"
 #include "floc/relaxation/relaxer.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "floc/contact/law_parameters.h"
 #include "floc/elasticity/force_correlation.h"
 #include "floc/elasticity/network_mechanics.h"
 #include "floc/io/state_file.h"

@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "floc/base/error.h"
-#include "floc/contact/law_parameters.h"
 #include "floc/scene/cell_defaults.h"
 #include "support/contact_laws.h"
 #include "support/places.h"
@@ -334,10 +333,13 @@ TEST(ReadScene, LiquidBridgesAreRead) {
       "law = \"capillary\", surface_tension = 0.072, contact_angle = 10, water_content = 0.007, density_ratio "
       "= 2.6";
   EXPECT_EQ(faults(wet_scene(numbers)), "");
-  const auto bridges = [](const Law& law) { return law.parameters().adhesion.get<CapillaryAdhesion>(); };
-  EXPECT_EQ(bridges(read(wet_scene(numbers)).law), (CapillaryAdhesion{0.072, 10.0, 0.007, 2.6}));
-  EXPECT_EQ(bridges(read(wet_scene(numbers + ", form = \"rational\", formation = \"contact\"")).law),
-            (CapillaryAdhesion{0.072, 10.0, 0.007, 2.6, BridgeForm::rational, BridgeFormation::contact}));
+  const Law read_law = read(wet_scene(numbers)).law;
+  Law law = read_law;
+  law += test::liquid(0.072, 10.0, 0.007, 2.6);
+  EXPECT_EQ(read_law, law);
+  law += test::liquid(0.072, 10.0, 0.007, 2.6, "rational", "contact");
+  EXPECT_EQ(read(wet_scene(numbers + ", form = \"rational\", formation = \"contact\"")).law, law);
+  EXPECT_NE(read_law, law);
 }
 
 TEST(ReadScene, LiquidThatCannotBeIsRefusedInWords) {

@@ -117,7 +117,7 @@ void check_run(const ScratchDirectory& scratch, const std::string& run, const st
 
 TEST(BoundsOfModuli, HoldWhereTheColumnSaysSoAndAreRefusedElsewhere) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("wet.toml"), kWetScene);
+  write_text(scratch.file("wet.toml"), wet_scene());
   write_text(scratch.file("box2.toml"), box_scene(2));
   write_text(scratch.file("box3.toml"), box_scene(3));
   std::map<std::string, Coverage> covered;
@@ -173,7 +173,7 @@ TEST(BoundsOfModuli, DoNotTellB_SUnderADeviator) {
 
 TEST(BoundsOfModuli, AreNotDrawnWhereTheyDoNotHold) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("wet.toml"), kWetScene);
+  write_text(scratch.file("wet.toml"), wet_scene());
   ASSERT_EQ(run_floc("run wet.toml -o wet", scratch.path()).code, 0);
   ASSERT_EQ(run_floc("moduli wet --format csv -o wet.csv", scratch.path()).code, 0);
   for (const std::string input : {"wet", "wet.csv"}) {

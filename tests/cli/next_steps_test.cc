@@ -8,6 +8,7 @@
 
 #include "support/box_scene.h"
 #include "support/kill_and_resume.h"
+#include "support/scene_text.h"
 #include "support/wet_scene.h"
 
 namespace floc::test {
@@ -22,24 +23,7 @@ struct Kind {
 
 /// Undamped by liquid or tails: spheres under Hertz' law, loaded as `stages` say.
 std::string spheres(const std::string& stages) {
-  return R"([scene]
-dimension = 3
-units = "SI"
-[grains]
-count = 30
-density = 2600
-diameter = {distribution = "uniform", min = 1e-3, max = 1.5e-3}
-[contact]
-normal = {law = "hertz", modulus = 1e9, poisson = 0.3}
-damping = {critical_fraction = 0.9}
-friction = {law = "mindlin", coefficient = 0.3}
-[cell]
-solid_fraction = 0.45
-inertial_number_cap = 1e-2
-[assembly]
-protocol = "direct"
-pressure = 1e5
-)" + stages;
+  return scene_text("hertz") + stages;
 }
 
 std::string stage(const std::string& keys) {
@@ -53,7 +37,7 @@ std::vector<Kind> kinds() {
       {"an ensemble", small_scene(), "--seeds 1..2 --until 2"},
       {"a box that settles", box_scene(2), ""},
       {"a box that is stopped", box_scene(3), "--set equilibrium.stop_time=2"},
-      {"wet spheres", kWetScene},
+      {"wet spheres", wet_scene()},
       {"one state of spheres", spheres("")},
       {"an oedometer", spheres(stage("control = \"oedometric\"\nstrain = 0.01\nsteps = 2"))},
       {"a triaxial test", spheres(stage("control = \"triaxial\"\nstrain = 0.01\nsteps = 2"))},

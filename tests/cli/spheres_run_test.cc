@@ -8,6 +8,7 @@
 #include "floc/neighbors/find_contacts.h"
 #include "support/contact_laws.h"
 #include "support/kill_and_resume.h"
+#include "support/scene_text.h"
 #include "support/threaded_run.h"
 
 namespace floc::test {
@@ -15,27 +16,7 @@ namespace {
 
 /// Glass beads, put together without friction, under rising and falling pressure: four equilibria in seconds.
 std::string beads() {
-  return R"([scene]
-name = "beads"
-dimension = 3
-units = "SI"
-[grains]
-count = 70
-density = 2500
-diameter = {distribution = "constant", value = 1e-3}
-[contact]
-normal = {law = "hertz", modulus = 70e9, poisson = 0.3}
-friction = {law = "mindlin", coefficient = 0.3}
-damping = {critical_fraction = 0.98}
-[cell]
-solid_fraction = 0.45
-mass = 1.0
-inertial_number_cap = 0.03
-[assembly]
-protocol = "direct"
-pressure = 1e6
-friction = 0.02
-[[load]]
+  return scene_text("beads") + R"([[load]]
 name = "load"
 to = 10e6
 steps_per_decade = 2
@@ -53,12 +34,6 @@ energy = 1e-7
 seed = 3
 checkpoint_every = 0.02
 )";
-}
-
-/// With one part of the text exchanged for another.
-std::string with(std::string text, const std::string& old, const std::string& replacement) {
-  text.replace(text.find(old), old.size(), replacement);
-  return text;
 }
 
 class SpheresRun : public ::testing::Test {
@@ -96,7 +71,7 @@ TEST_F(SpheresRun, SurvivesTenKillsWithoutATrace) {
 /// Put together with little friction, shaken, then pressed with all of it.
 TEST_F(SpheresRun, ShakesWhatItHasPutTogetherAndSurvivesKills) {
   const std::string shaken =
-      with(beads(), "friction = 0.02", "friction = 0\nvibration = {dilation = 1.02, collisions = 20}");
+      exchanged(beads(), "friction = 0.02", "friction = 0\nvibration = {dilation = 1.02, collisions = 20}");
   const Outcome made = run(shaken, "--until 1 -o out");
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_EQ(run_floc("verify out/state-*.h5", scratch_.path()).code, 0);
@@ -106,12 +81,12 @@ TEST_F(SpheresRun, ShakesWhatItHasPutTogetherAndSurvivesKills) {
 /// The first equilibrium again, shaken: another packing, of as many beads, made from a seed.
 TEST_F(SpheresRun, StartsFromAShakenState) {
   ASSERT_EQ(run(beads(), "--until 0 -o first").code, 0);
-  std::string shaken = with(beads(), "protocol = \"direct\"",
-                            "protocol = \"state\"\nstate = \"first/state-0000.h5\"\n"
-                            "vibration = {dilation = 1.02, collisions = 20}");
+  std::string shaken = exchanged(beads(), "protocol = \"direct\"",
+                                 "protocol = \"state\"\nstate = \"first/state-0000.h5\"\n"
+                                 "vibration = {dilation = 1.02, collisions = 20}");
   const std::size_t grains = shaken.find("[grains]"), contact = shaken.find("[contact]");
   shaken.erase(grains, contact - grains);
-  shaken = with(shaken, "solid_fraction = 0.45\n", "");
+  shaken = exchanged(shaken, "solid_fraction = 0.45\n", "");
   write_text(file("shaken.toml"), shaken);
   const auto made = [&](const char* seed, const char* out) {
     return run_floc(std::string("run shaken.toml --until 0 --seed ") + seed + " -o " + out, scratch_.path());
@@ -154,7 +129,7 @@ class SpheresRefusal : public ::testing::TestWithParam<BadBeads> {};
 
 TEST_P(SpheresRefusal, NamesWhatWasExpected) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("bad.toml"), with(beads(), GetParam().old, GetParam().replacement));
+  write_text(scratch.file("bad.toml"), exchanged(beads(), GetParam().old, GetParam().replacement));
   const Outcome check = run_floc("scene check bad.toml", scratch.path());
   EXPECT_NE(check.code, 0);
   EXPECT_THAT(check.err + check.out, testing::HasSubstr(GetParam().words));
@@ -162,7 +137,7 @@ TEST_P(SpheresRefusal, NamesWhatWasExpected) {
 
 TEST(SpheresScene, SaysOfAModelThatDoesNotFitThatAlone) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("bad.toml"), with(beads(), "law = \"mindlin\"", "law = \"coulomb\""));
+  write_text(scratch.file("bad.toml"), exchanged(beads(), "law = \"mindlin\"", "law = \"coulomb\""));
   const Outcome check = run_floc("scene check bad.toml", scratch.path());
   EXPECT_EQ(check.code, 4);
   EXPECT_THAT(check.err, testing::HasSubstr("it follows from Poisson's ratio"));

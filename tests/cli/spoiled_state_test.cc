@@ -7,6 +7,7 @@
 
 #include "support/box_scene.h"
 #include "support/kill_and_resume.h"
+#include "support/scene_text.h"
 #include "support/wet_scene.h"
 
 namespace floc::test {
@@ -22,25 +23,6 @@ std::string without(std::string text, const std::string& line) {
   return text.replace(text.find(line), line.size(), "");
 }
 
-const char* const kSpheres = R"([scene]
-dimension = 3
-units = "SI"
-[grains]
-count = 30
-density = 2600
-diameter = {distribution = "uniform", min = 1e-3, max = 1.5e-3}
-[contact]
-normal = {law = "hertz", modulus = 1e9, poisson = 0.3}
-damping = {critical_fraction = 0.9}
-friction = {law = "mindlin", coefficient = 0.3}
-[cell]
-solid_fraction = 0.45
-inertial_number_cap = 1e-2
-[assembly]
-protocol = "direct"
-pressure = 1e5
-)";
-
 std::vector<Kind> kinds() {
   const std::string unloaded = small_scene().substr(0, small_scene().find("[[load]]"));
   const std::string settled = without(box_scene(2), "stop_time = 200\n");
@@ -50,8 +32,8 @@ std::vector<Kind> kinds() {
       {"sheared", unloaded + "[[load]]\ncontrol = \"simple_shear\"\nstrain = 0.02\nsteps = 2\n", ""},
       {"box", settled, ""},
       {"box-of-spheres", without(box_scene(3), "stop_time = 200\n"), "--until 0"},
-      {"wet", kWetScene, "--until 1"},
-      {"hertz", std::string(kSpheres) + "[[load]]\ncontrol = \"oedometric\"\nstrain = 0.01\nsteps = 1\n", ""},
+      {"wet", wet_scene(), "--until 1"},
+      {"hertz", scene_text("hertz") + "[[load]]\ncontrol = \"oedometric\"\nstrain = 0.01\nsteps = 1\n", ""},
       {"twisting",
        "[scene]\ndimension = 3\nunits = \"reduced\"\n[grains]\ncount = 30\ndiameter = {distribution = "
        "\"uniform\", min = "

@@ -35,14 +35,14 @@ TEST(WetRun, ComesToRestWhereFrictionHoldsASpin) {
 
 TEST(WetRun, GivesTheSameFilesForTwoThreads) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("wet.toml"), kWetScene);
+  write_text(scratch.file("wet.toml"), wet_scene());
   ASSERT_EQ(run_floc("run wet.toml -o one", scratch.path()).code, 0);
   ASSERT_TRUE(run_with_threads(scratch.file("wet.toml"), scratch.file("two"), 2));
   expect_same_results(scratch.file("one"), scratch.file("two"), 3);
 }
 
 TEST(WetRun, SurvivesTenKillsWithoutATrace) {
-  kill_and_resume(10, 12, std::string(kWetScene) + "[run]\nseed = 3\ncheckpoint_every = 0.02\n", 3);
+  kill_and_resume(10, 12, wet_scene() + "[run]\nseed = 3\ncheckpoint_every = 0.02\n", 3);
 }
 
 }  // namespace

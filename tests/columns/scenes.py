@@ -1,27 +1,11 @@
 """Scenes of 20 to 60 grains, one or more for every kind of packing that the columns are checked on."""
+import pathlib
+import sys
 
-POWDER = """[scene]
-name = "powder"
-dimension = 2
-units = "reduced"
-[grains]
-count = 40
-diameter = {distribution = "uniform", min = 0.5, max = 1.0}
-[contact]
-normal = {law = "linear", stiffness = 1e4}
-adhesion = {law = "tail", force = 1.0, range = 1e-2}
-damping = {restitution = 0.015, mass = "effective"}
-friction = {coefficient = 0.5, stiffness = 7e3}
-rolling = {coefficient = 0.005, stiffness = 1.0}
-[cell]
-solid_fraction = 0.5
-mass = 1.0
-strain_rate_cap = 0.05
-[assembly]
-protocol = "aggregation"
-agitation = 3.0
-pressure = 0.01
-[[load]]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+from scene_texts import scene_text  # noqa: E402
+
+POWDER = scene_text("small", ("stiffness = 1e4}\nrolling", "stiffness = 7e3}\nrolling")) + """[[load]]
 name = "load"
 to = 1.0
 steps = 2
@@ -67,27 +51,7 @@ steps = 1
 seed = 2
 """
 
-BEADS = """[scene]
-name = "beads"
-dimension = 3
-units = "SI"
-[grains]
-count = 60
-density = 2500
-diameter = {distribution = "constant", value = 1e-3}
-[contact]
-normal = {law = "hertz", modulus = 70e9, poisson = 0.3}
-friction = {law = "mindlin", coefficient = 0.3}
-damping = {critical_fraction = 0.98}
-[cell]
-solid_fraction = 0.45
-mass = 1.0
-inertial_number_cap = 0.03
-[assembly]
-protocol = "direct"
-pressure = 10e6
-friction = 0.02
-[[load]]
+BEADS = scene_text("beads", ("count = 70", "count = 60"), ("pressure = 1e6", "pressure = 10e6")) + """[[load]]
 name = "biaxial"
 control = "triaxial"
 strain = 0.001
@@ -124,33 +88,7 @@ steps = 1
 seed = 5
 """
 
-WET = """[scene]
-name = "wet"
-dimension = 3
-units = "SI"
-[grains]
-count = 40
-density = 2600
-diameter = {distribution = "uniform", min = 1e-3, max = 2e-3}
-[contact]
-normal = {law = "linear", stiffness = 1e3}
-damping = {restitution = 0.1, mass = "effective"}
-friction = {coefficient = 0.4, stiffness = 1e3}
-[contact.adhesion]
-law = "capillary"
-surface_tension = 0.072
-contact_angle = 0
-water_content = 0.02
-density_ratio = 2.6
-[cell]
-solid_fraction = 0.45
-mass = 1.0
-strain_rate_cap = 0.05
-[assembly]
-protocol = "direct"
-pressure = 100
-friction = 0.0
-inertial_number_cap = 1e-2
+WET = scene_text("wet", ("water_content = 0", "water_content = 0.02")) + """friction = 0.0
 [[load]]
 to = 300
 steps = 1
@@ -158,29 +96,7 @@ steps = 1
 seed = 1
 """
 
-BOX = """[scene]
-name = "box"
-dimension = 2
-units = "reduced"
-[grains]
-count = 60
-diameter = {distribution = "uniform", min = 0.8, max = 1.0}
-[contact]
-normal = {law = "linear", stiffness = 1e3}
-adhesion = {law = "constant", force = 0.2}
-damping = {restitution = 0.4472136}
-friction = {coefficient = 0.4, stiffness = 1.5e3}
-[box]
-sides = [1, 1.3]
-mass = 20
-pressure = 0.1
-friction = 0.4
-adhesion = 0
-[assembly]
-protocol = "direct"
-solid_fraction = 0.35
-kinetic_pressure = 0.02
-[run]
+BOX = scene_text("box") + """[run]
 seed = 3
 """
 

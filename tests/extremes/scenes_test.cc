@@ -16,8 +16,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// 40 grains of the shipped scenes' kind, pressed at once and loaded tenfold.
-const char* const kScene = R"([scene]
+/// 40 grains of the shipped scenes' kind, pressed at once.
+const std::string kPowder = R"([scene]
 dimension = 2
 units = "reduced"
 [grains]
@@ -29,16 +29,26 @@ adhesion = {law = "tail", force = 1.0, range = 1e-3}
 damping = {restitution = 0.015, mass = "effective"}
 friction = {coefficient = 0.5, stiffness = 1e5}
 rolling = {coefficient = 0.005, stiffness = 10.0}
-[cell]
-solid_fraction = 0.4
-mass = 1.0
-strain_rate_cap = 0.05
 [assembly]
 protocol = "direct"
 pressure = 0.01
+[cell]
+solid_fraction = 0.4
+)";
+
+/// Loaded tenfold.
+const std::string kScene = kPowder + R"(mass = 1.0
+strain_rate_cap = 0.05
 [[load]]
 to = 0.1
 steps = 1
+)";
+
+/// Shortened along one axis.
+const std::string kTriaxial = kPowder + R"([[load]]
+control = "triaxial"
+strain = 5e-3
+strain_step = 1e-3
 )";
 
 /// 40 elastic spheres, in units of their E/(1 - nu^2), pressed at once and loaded tenfold.
@@ -62,30 +72,6 @@ pressure = 1e-6
 [[load]]
 to = 1e-5
 steps = 1
-)";
-
-/// 40 grains of the shipped scenes' kind, pressed at once and shortened along one axis.
-const char* const kTriaxial = R"([scene]
-dimension = 2
-units = "reduced"
-[grains]
-count = 40
-diameter = {distribution = "uniform", min = 0.5, max = 1.0}
-[contact]
-normal = {law = "linear", stiffness = 1e5}
-adhesion = {law = "tail", force = 1.0, range = 1e-3}
-damping = {restitution = 0.015, mass = "effective"}
-friction = {coefficient = 0.5, stiffness = 1e5}
-rolling = {coefficient = 0.005, stiffness = 10.0}
-[cell]
-solid_fraction = 0.4
-[assembly]
-protocol = "direct"
-pressure = 0.01
-[[load]]
-control = "triaxial"
-strain = 5e-3
-strain_step = 1e-3
 )";
 
 struct Extreme {
@@ -159,19 +145,19 @@ const Extreme kExtremes[] = {
     {"spheres_1_to_5",
      {"grains.diameter={distribution=\"bidisperse\",small=0.2,large=1.0,share_of_large=0.3}"},
      kSpheres},
-    {"wet_w_1e_minus_6", {"load.0.set.adhesion.water_content=1e-6"}, kWetScene},
-    {"wet_w_0_03", {"load.0.set.adhesion.water_content=0.03"}, kWetScene},
-    {"wet_angle_85", {"contact.adhesion.contact_angle=85"}, kWetScene},
+    {"wet_w_1e_minus_6", {"load.0.set.adhesion.water_content=1e-6"}, wet_scene()},
+    {"wet_w_0_03", {"load.0.set.adhesion.water_content=0.03"}, wet_scene()},
+    {"wet_angle_85", {"contact.adhesion.contact_angle=85"}, wet_scene()},
     {"wet_1_to_10",
      {"grains.diameter={distribution=\"bidisperse\",small=2e-4,large=2e-3,share_of_large=0.2}"},
-     kWetScene},
-    {"wet_stiff", {"contact.normal.stiffness=1e5", "contact.friction.stiffness=1e5"}, kWetScene},
-    {"wet_P_1e_minus_4", {"load.1.to=0.02"}, kWetScene},
-    {"wet_P_10", {"load.1.to=2000"}, kWetScene},
-    {"wet_rational", {"contact.adhesion.form=rational"}, kWetScene},
-    {"wet_formed_on_contact", {"contact.adhesion.formation=contact"}, kWetScene},
-    {"wet_mu_0", {"contact.friction.coefficient=0"}, kWetScene},
-    {"two_wet_spheres", {"grains.count=2"}, kWetScene},
+     wet_scene()},
+    {"wet_stiff", {"contact.normal.stiffness=1e5", "contact.friction.stiffness=1e5"}, wet_scene()},
+    {"wet_P_1e_minus_4", {"load.1.to=0.02"}, wet_scene()},
+    {"wet_P_10", {"load.1.to=2000"}, wet_scene()},
+    {"wet_rational", {"contact.adhesion.form=rational"}, wet_scene()},
+    {"wet_formed_on_contact", {"contact.adhesion.formation=contact"}, wet_scene()},
+    {"wet_mu_0", {"contact.friction.coefficient=0"}, wet_scene()},
+    {"two_wet_spheres", {"grains.count=2"}, wet_scene()},
     {"triaxial_steps_of_1e_minus_5", {"load.0.strain=5e-5", "load.0.strain_step=1e-5"}, kTriaxial},
     {"triaxial_P_1e_minus_4", {"assembly.pressure=1e-4"}, kTriaxial},
     {"triaxial_P_10", {"assembly.pressure=10"}, kTriaxial},

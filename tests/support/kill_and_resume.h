@@ -12,33 +12,13 @@
 #include "floc/base/random.h"
 #include "support/places.h"
 #include "support/run_program.h"
+#include "support/scene_text.h"
 
 namespace floc::test {
 
 /// A type 2 scene of a few dozen grains: assembly and nine equilibria in about a second.
 inline std::string small_scene() {
-  return R"([scene]
-name = "small"
-dimension = 2
-units = "reduced"
-[grains]
-count = 40
-diameter = {distribution = "uniform", min = 0.5, max = 1.0}
-[contact]
-normal = {law = "linear", stiffness = 1e4}
-adhesion = {law = "tail", force = 1.0, range = 1e-2}
-damping = {restitution = 0.015, mass = "effective"}
-friction = {coefficient = 0.5, stiffness = 1e4}
-rolling = {coefficient = 0.005, stiffness = 1.0}
-[cell]
-solid_fraction = 0.5
-mass = 1.0
-strain_rate_cap = 0.05
-[assembly]
-protocol = "aggregation"
-agitation = 3.0
-pressure = 0.01
-[[load]]
+  return scene_text("small") + R"([[load]]
 name = "load"
 to = 1.0
 steps_per_decade = 3

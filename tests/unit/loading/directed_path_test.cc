@@ -7,6 +7,7 @@
 #include "floc/scene/read_scene.h"
 #include "floc/structure/elastic_energy.h"
 #include "support/dynamics.h"
+#include "support/scene_text.h"
 
 namespace floc {
 namespace {
@@ -32,25 +33,7 @@ TEST(LoadTarget, CountsFromTheStartOfItsTurn) {
 }
 
 std::string scene_of(const std::string& load) {
-  return R"([scene]
-dimension = 2
-units = "reduced"
-[grains]
-count = 40
-diameter = {distribution = "uniform", min = 0.5, max = 1.0}
-[contact]
-normal = {law = "linear", stiffness = 1e3}
-damping = {restitution = 0.1}
-friction = {coefficient = 0.5, stiffness = 1e3}
-[cell]
-solid_fraction = 0.5
-mass = 1
-inertial_number_cap = 1e-2
-[assembly]
-protocol = "direct"
-pressure = 1.0
-friction = 0.0
-)" + load;
+  return test::scene_text("disks") + "friction = 0.0\n" + load;
 }
 
 std::vector<State<2>> states_of(const std::string& load) {

@@ -8,6 +8,7 @@
 #include "floc/run/verification.h"
 #include "floc/scene/read_scene.h"
 #include "support/kill_and_resume.h"
+#include "support/scene_text.h"
 #include "support/scratch_directory.h"
 
 namespace floc {
@@ -16,26 +17,8 @@ namespace {
 /// Disks without adhesion in an oedometer, a biaxial test and at constant volume, by motion alone so that there
 /// is something to stop.
 Scene scene_of(const std::string& loads, const std::string& finish) {
-  const std::string text = R"([scene]
-dimension = 2
-units = "reduced"
-[grains]
-count = 30
-diameter = {distribution = "uniform", min = 0.5, max = 1.0}
-[contact]
-normal = {law = "linear", stiffness = 1e3}
-damping = {restitution = 0.1}
-friction = {coefficient = 0.5, stiffness = 1e3}
-[cell]
-solid_fraction = 0.5
-mass = 1
-inertial_number_cap = 1e-2
-[assembly]
-protocol = "direct"
-pressure = 1.0
-)" + loads + R"([equilibrium]
-finish = ")";
-  return parse_scene(text + finish + "\"\n", "directed.toml", ".");
+  const std::string disks = test::exchanged(test::scene_text("disks"), "count = 40", "count = 30");
+  return parse_scene(disks + loads + "[equilibrium]\nfinish = \"" + finish + "\"\n", "directed.toml", ".");
 }
 
 Scene directed(const std::string& finish) {

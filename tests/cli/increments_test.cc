@@ -125,15 +125,7 @@ TEST_F(Increments, AreRefusedInWordsWhereOneFileCannotHoldThem) {
 TEST_F(Increments, OfRattlersAreNone) {
   // Without adhesion a disk on one contact is a rattler.
   State<2> state;
-  state.packing = square_frames(5, 1.0, elastic_law(1.0, 0.6, 0.1));
-  Grains<2>& g = state.packing.grains;
-  std::vector<Vec<2>> places = g.position;
-  places.emplace_back(2.0, 1.0);
-  g = Grains<2>::with_size(static_cast<int>(places.size()));
-  g.position = places;
-  g.radius.assign(places.size(), 0.51);
-  g.mass.assign(places.size(), 1.0);
-  find_contacts(state.packing);
+  state.packing = square_frames_around({{2.0, 1.0}}, 5, 1.0, elastic_law(1.0, 0.6, 0.1));
   write_state(scratch_.file("rattler.h5"), state);
   const Outcome o = moduli("rattler.h5 --increments out.csv --format json");
   ASSERT_EQ(o.code, 0) << o.err;

@@ -26,16 +26,8 @@ class ModesCommand : public testing::Test {
     Law law = elastic_law(1.0, 0.5, 0.0);
     law += test::constant_adhesion(1e-3);
     State<2> state;
-    state.packing = square_frames(5, 1.0, law);
-    Grains<2>& g = state.packing.grains;
-    std::vector<Vec<2>> places = g.position;
-    places.emplace_back(2.0, 1.0);
-    places.emplace_back(2.2, 2.2);
-    g = Grains<2>::with_size(static_cast<int>(places.size()));
-    g.position = places;
-    g.radius.assign(places.size(), 0.51);
-    g.radius.back() = 0.2;
-    g.mass.assign(places.size(), 1.0);
+    state.packing = square_frames_around({{2.0, 1.0}, {2.2, 2.2}}, 5, 1.0, law);
+    state.packing.grains.radius.back() = 0.2;
     find_contacts(state.packing);
     write_state(scratch_.file("frames.h5"), state);
   }

@@ -8,6 +8,7 @@
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
 #include "support/contact_laws.h"
+#include "support/few_grains.h"
 #include "support/places.h"
 #include "support/run_arguments.h"
 
@@ -140,15 +141,8 @@ TEST_F(ModuliCommand, GiveARowForEachRollingStiffness) {
 /// Two grains in contact and nothing around them: the cell can be strained at no cost.
 TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   State<2> pair;
-  pair.packing.law += test::linear(1.0);
-  pair.packing.law += test::constant_adhesion(0x1p-10);
-  pair.packing.cell.matrix *= 4.0;
-  pair.packing.grains = Grains<2>::with_size(2);
-  for (int i = 0; i < 2; ++i) {
-    pair.packing.grains.position[i] = {1.0 + (1.0 - 0x1p-10) * i, 1.0};
-    pair.packing.grains.radius[i] = 0.5;
-    pair.packing.grains.mass[i] = 1.0;
-  }
+  pair.packing = unit_grains<2>({{1.0, 1.0}, {2.0 - 0x1p-10, 1.0}}, 4.0,
+                                law_of({linear(1.0), constant_adhesion(0x1p-10)}));
   find_contacts(pair.packing);
   write_state(scratch_.file("pair.h5"), pair);
   const Outcome o = moduli("pair.h5 --format json");

@@ -27,14 +27,7 @@ class Structure : public testing::Test {
     disks_anywhere.packing = random_packing<2>(300, 7, elastic_law(1.0, 0.0, 0.0), 0.3);
     write_state(scratch_.file("gas.h5"), disks_anywhere);
     State<2> frames;
-    frames.packing = square_frames(5, 1.0, elastic_law(1.0, 0.5, 0.1));
-    Grains<2>& g = frames.packing.grains;
-    std::vector<Vec<2>> places = g.position;
-    places.emplace_back(2.0, 2.1);
-    g = Grains<2>::with_size(static_cast<int>(places.size()));
-    g.position = places;
-    g.radius.assign(places.size(), 0.51);
-    g.mass.assign(places.size(), 1.0);
+    frames.packing = square_frames_around({{2.0, 2.1}}, 5, 1.0, elastic_law(1.0, 0.5, 0.1));
     write_state(scratch_.file("frames.h5"), frames);
     write_state(scratch_.file("spheres.h5"), busy_state<3>());
   }

@@ -30,6 +30,14 @@ inline Packing<2> square_frames(int n, double spacing, const Law& law) {
   return disks((n - 1) * spacing * Mat<2>::Identity(), places, spacing, law);
 }
 
+/// square_frames() with more disks in them, which have the size of the others.
+inline Packing<2> square_frames_around(const std::vector<Vec<2>>& more, int n, double spacing, const Law& law) {
+  const Packing<2> frames = square_frames(n, spacing, law);
+  std::vector<Vec<2>> places = frames.grains.position;
+  places.insert(places.end(), more.begin(), more.end());
+  return disks(frames.cell.matrix, places, spacing, law);
+}
+
 /// Triangular lattice, one disk a cell.
 inline Packing<2> triangular(double spacing, const Law& law) {
   Mat<2> cell;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <random>
+
 #include "floc/contact/history.h"
-#include "floc/packing/contact.h"
+#include "floc/packing/packing.h"
 
 namespace floc::test {
 
@@ -28,6 +30,21 @@ RotationVector<Dim> rolling_spring(const Contact<Dim>& c) {
 /// The rotation about the normal that it remembers under resistance to twisting (radians).
 inline double& twisting_spring(Contact<3>& c) {
   return c.memory[MemoryLayout<3>::kTwisting];
+}
+
+/// Small springs in every contact of a packing, in the tangent plane; of twisting where the law has it.
+template <int Dim>
+void stretch_at_random(Packing<Dim>& packing) {
+  std::mt19937 engine(4);
+  std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
+  for (Contact<Dim>& c : packing.contacts) {
+    auto shear = shear_spring(c);
+    for (double& s : shear) s = uniform(engine);
+    if constexpr (Dim == 3) shear -= c.normal * c.normal.dot(shear);
+    for (double& s : rolling_spring(c)) s = uniform(engine);
+    if constexpr (Dim == 3)
+      if (packing.law.has_twisting()) twisting_spring(c) = uniform(engine);
+  }
 }
 
 }  // namespace floc::test

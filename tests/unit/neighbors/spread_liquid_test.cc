@@ -9,26 +9,18 @@
 #include "floc/packing/contact_forces.h"
 #include "support/contact_laws.h"
 #include "support/network_packings.h"
+#include "support/wet_packings.h"
 
 namespace floc {
 namespace {
+
+using test::all_volumes;
+using test::liquid_of;
 
 Law wet_law(double water, const std::string& formation = "gap") {
   Law law = test::elastic_law(1.0, 0.7, 0.0);
   law += test::liquid(0.01, 0.0, water, 2.5, "exponential", formation);
   return law;
-}
-
-template <int Dim>
-double all_volumes(const Packing<Dim>& packing) {
-  double sum = 0.0;
-  for (const Contact<Dim>& c : packing.contacts) sum += std::abs(bridge_volume(packing, c));
-  return sum;
-}
-
-template <int Dim>
-double liquid_of(const Packing<Dim>& packing) {
-  return BridgeSearch(*packing.law.liquid(), packing.grains.radius).liquid();
 }
 
 /// The rule over every pair of grains within half a cell, however far apart.

@@ -17,15 +17,7 @@ Packing<Dim> loaded_packing() {
   Law law = test::elastic_law(1.0, 0.7, 0.01);
   if (Dim == 3) law += test::twisting_spring(1e6, 0.02);
   Packing<Dim> packing = test::random_packing<Dim>(Dim == 2 ? 7 : 5, 3, law);
-  std::mt19937 engine(4);
-  std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
-  for (Contact<Dim>& c : packing.contacts) {
-    for (double& s : c.memory.template segment<kShearComponents<Dim>>(MemoryLayout<Dim>::kFriction))
-      s = uniform(engine);
-    if constexpr (Dim == 3) test::shear_spring(c) -= c.normal * c.normal.dot(test::shear_spring(c));
-    for (double& s : test::rolling_spring(c)) s = uniform(engine);
-    if constexpr (Dim == 3) test::twisting_spring(c) = uniform(engine);
-  }
+  test::stretch_at_random(packing);
   return packing;
 }
 

@@ -22,14 +22,7 @@ Packing<Dim> slanted_packing(double offset) {
   for (Vec<Dim>& x : packing.grains.position) x = packing.cell.wrapped(x);
   packing.contacts.clear();
   find_contacts(packing);
-  std::mt19937 engine(4);
-  std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
-  for (Contact<Dim>& c : packing.contacts) {
-    for (double& s : c.memory.template segment<kShearComponents<Dim>>(MemoryLayout<Dim>::kFriction))
-      s = uniform(engine);
-    if constexpr (Dim == 3) test::shear_spring(c) -= c.normal * c.normal.dot(test::shear_spring(c));
-    for (double& s : test::rolling_spring(c)) s = uniform(engine);
-  }
+  test::stretch_at_random(packing);
   refresh_contacts(packing);
   return packing;
 }

@@ -13,6 +13,7 @@
 #include "support/contact_laws.h"
 #include "support/crystals.h"
 #include "support/dynamics.h"
+#include "support/few_grains.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -340,13 +341,7 @@ TEST(DirectedLoad, APackingDrawnApartEndsInWords) {
 
 /// Adhesion that reaches nobody is no load either.
 TEST(DirectedLoad, CohesiveGrainsWithoutContactsEndInWords) {
-  Packing<2> start;
-  start.law = test::cohesive_law();
-  start.cell.matrix = 4.0 * Mat<2>::Identity();
-  start.grains = Grains<2>::with_size(2);
-  start.grains.radius.assign(2, 0.5);
-  start.grains.mass.assign(2, 1.0);
-  start.grains.position = {{1.0, 1.0}, {3.0, 3.0}};
+  Packing<2> start = test::unit_grains<2>({{1.0, 1.0}, {3.0, 3.0}}, 4.0, test::cohesive_law());
   find_contacts(start);
   ASSERT_TRUE(start.contacts.empty());
   LoadTarget<2> load;

@@ -7,6 +7,7 @@
 #include "floc/relaxation/relaxation_options.h"
 #include "support/contact_laws.h"
 #include "support/dynamics.h"
+#include "support/few_grains.h"
 #include "support/lattices.h"
 #include "support/laws.h"
 #include "support/springs.h"
@@ -253,13 +254,7 @@ TEST(Dynamics, MirrorImagesOfUnequalGrainsCollideAlike) {
 }
 
 TEST(Dynamics, CohesivePairRestsAtThePullOffOverlap) {
-  Packing<2> pair;
-  pair.law = cohesive_law();
-  pair.cell.matrix *= 10.0;
-  pair.grains = Grains<2>::with_size(2);
-  pair.grains.radius = {0.5, 0.5};
-  pair.grains.mass = {1.0, 1.0};
-  pair.grains.position = {Vec<2>(4.0, 4.0), Vec<2>(5.0, 4.0)};
+  const Packing<2> pair = test::unit_grains<2>({{4.0, 4.0}, {5.0, 4.0}}, 10.0, cohesive_law());
   const auto fixed = BoundaryControl<2>::fixed();
   const auto dynamics = make_dynamics(pair, fixed, {time_step_of(pair, 0.2), 0.1});
   dynamics->advance(2000, Motion::free);
@@ -270,13 +265,7 @@ TEST(Dynamics, CohesivePairRestsAtThePullOffOverlap) {
 }
 
 TEST(Dynamics, GrainTouchesItsOwnImage) {
-  Packing<2> one;
-  one.law += test::linear(1.0);
-  one.cell.matrix *= 0.99;
-  one.grains = Grains<2>::with_size(1);
-  one.grains.radius = {0.5};
-  one.grains.mass = {1.0};
-  one.grains.position = {Vec<2>(0.3, 0.4)};
+  const Packing<2> one = test::unit_grains<2>({{0.3, 0.4}}, 0.99, test::law_of({test::linear(1.0)}));
   const auto fixed = BoundaryControl<2>::fixed();
   const auto dynamics = make_dynamics(one, fixed, {0.1, 0.05});
   dynamics->advance(10, Motion::free);

@@ -7,6 +7,7 @@
 #include "floc/relaxation/relaxation_options.h"
 #include "support/contact_laws.h"
 #include "support/dynamics.h"
+#include "support/few_grains.h"
 #include "support/kernel_pair.h"
 
 namespace floc {
@@ -152,15 +153,9 @@ TEST(Hertz, ARigidTurnKeepsTheShearForce) {
 
 /// Two beads after they met head on. @param step  over sqrt(m/K_N) at the deepest overlap
 Packing<3> collided(double zeta, double speed, double step) {
-  Packing<3> pair;
-  pair.law = glass(0.0);
+  Packing<3> pair = test::unit_grains<3>({{4.0, 5.0, 5.0}, {5.0 + 1e-9, 5.0, 5.0}}, 10.0, glass(0.0));
   pair.law += test::critical_damping(zeta);
-  pair.cell.matrix *= 10.0;
-  pair.grains = Grains<3>::with_size(2);
-  pair.grains.position = {Vec<3>(4.0, 5.0, 5.0), Vec<3>(5.0 + 1e-9, 5.0, 5.0)};
   pair.grains.velocity = {Vec<3>(0.5 * speed, 0.0, 0.0), Vec<3>(-0.5 * speed, 0.0, 0.0)};
-  pair.grains.radius.assign(2, 0.5);
-  pair.grains.mass.assign(2, 1.0);
   const double deepest = std::pow(15.0 * speed * speed / 8.0, 0.4);
   const double dt = step / std::sqrt(0.5 * std::sqrt(deepest));
   const auto dynamics = make_dynamics(pair, BoundaryControl<3>::fixed(), {dt, 0.05});

@@ -11,6 +11,7 @@
 #include "floc/relaxation/static_solver.h"
 #include "support/contact_laws.h"
 #include "support/dynamics.h"
+#include "support/few_grains.h"
 #include "support/springs.h"
 
 namespace floc {
@@ -32,14 +33,7 @@ Packing<2> boxed(Packing<2> gas, int n_axes, const Law& wall_law) {
 }
 
 Packing<2> one_disk() {
-  Packing<2> packing;
-  packing.cell.matrix *= 10.0;
-  packing.grains = Grains<2>::with_size(1);
-  packing.grains.radius = {0.5};
-  packing.grains.mass = {1.0};
-  packing.grains.position = {Vec<2>(5.0, 5.0)};
-  packing.law += test::linear(1.0);
-  return packing;
+  return test::unit_grains<2>({{5.0, 5.0}}, 10.0, test::law_of({test::linear(1.0)}));
 }
 
 /// One disk in a box of walls on both axes, the walls touching it.

@@ -12,13 +12,17 @@
 #include "support/contact_laws.h"
 #include "support/crystals.h"
 #include "support/dynamics.h"
+#include "support/few_grains.h"
+#include "support/wet_packings.h"
 
 namespace floc {
 namespace {
 
 using test::after;
 using test::agitated_gas;
+using test::all_volumes;
 using test::expect_same_bits;
+using test::liquid_of;
 
 /// Liquid bridges in units of F0 and a of two grains of diameter one.
 Law wet_law(double water, const std::string& formation = "gap") {
@@ -31,18 +35,6 @@ Law wet_law(double water, const std::string& formation = "gap") {
 }
 
 template <int Dim>
-double all_volumes(const Packing<Dim>& packing) {
-  double sum = 0.0;
-  for (const Contact<Dim>& c : packing.contacts) sum += std::abs(bridge_volume(packing, c));
-  return sum;
-}
-
-template <int Dim>
-double liquid_of(const Packing<Dim>& packing) {
-  return BridgeSearch(*packing.law.liquid(), packing.grains.radius).liquid();
-}
-
-template <int Dim>
 int count_distant(const Packing<Dim>& packing) {
   int n = 0;
   for (const Contact<Dim>& c : packing.contacts) n += c.distant;
@@ -51,15 +43,9 @@ int count_distant(const Packing<Dim>& packing) {
 
 /// Two grains of diameter one at a gap, without damping and friction.
 Packing<3> doublet(double gap, double water) {
-  Packing<3> pair;
-  pair.law = wet_law(water);
+  Packing<3> pair = test::unit_grains<3>({{4.0, 4.0, 4.0}, {5.0 + gap, 4.0, 4.0}}, 10.0, wet_law(water));
   pair.law += test::without("damping");
   pair.law += test::without("friction");
-  pair.cell.matrix *= 10.0;
-  pair.grains = Grains<3>::with_size(2);
-  pair.grains.radius = {0.5, 0.5};
-  pair.grains.mass = {1.0, 1.0};
-  pair.grains.position = {Vec<3>(4.0, 4.0, 4.0), Vec<3>(5.0 + gap, 4.0, 4.0)};
   find_contacts(pair);
   return pair;
 }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cmath>
+
+#include "floc/packing/liquid.h"
+
+namespace floc::test {
+
+/// Volume that the bridges of a packing hold together, broken ones included.
+template <int Dim>
+double all_volumes(const Packing<Dim>& packing) {
+  double sum = 0.0;
+  for (const Contact<Dim>& c : packing.contacts) sum += std::abs(bridge_volume(packing, c));
+  return sum;
+}
+
+/// Volume of all the liquid that was put in.
+template <int Dim>
+double liquid_of(const Packing<Dim>& packing) {
+  return BridgeSearch(*packing.law.liquid(), packing.grains.radius).liquid();
+}
+
+}  // namespace floc::test

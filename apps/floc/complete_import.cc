@@ -4,7 +4,6 @@
 
 #include "floc/base/error.h"
 #include "floc/base/version.h"
-#include "floc/contact/law_parameters.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/balance.h"
@@ -55,8 +54,8 @@ void set_target_stress(const Imported& imported, const ImportCompletion& complet
 template <int Dim>
 std::string complete_import(const std::string& place, const Imported& imported,
                             const ImportCompletion& completion, State<Dim>& state) {
-  if (const auto faults = state.packing.law.parameters().faults_in_dimension(Dim); !faults.empty())
-    throw InputError(completion.law_place, faults.front().words);
+  if (const std::string fault = state.packing.law.fault_in_dimension(Dim); !fault.empty())
+    throw InputError(completion.law_place, fault);
   if (!imported.contacts_known)
     find_contacts(state.packing);
   else if (!imported.liquid_known)

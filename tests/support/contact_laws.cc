@@ -5,6 +5,8 @@
 
 #include "floc/contact/law_description.h"
 #include "floc/contact/law_parameters.h"
+#include "support/law_list.h"
+#include "support/law_units.h"
 
 namespace floc::test {
 namespace {
@@ -25,6 +27,24 @@ void choose_keyword(LawParameters& law, const std::string& key, const std::strin
     return choose(law, key.substr(0, dot), key.substr(dot + 1), static_cast<int>(found - keywords.begin()));
   }
   throw std::invalid_argument("the law has no " + key + " = " + keyword);
+}
+
+/// For a number of a model that came later. A second stiffness is larger than the first, as unloading has it.
+double number_like(Unit unit, const std::map<std::string, double>& numbers) {
+  switch (unit) {
+    case Unit::stiffness:
+      return 1.5 * numbers.at("normal.stiffness");
+    case Unit::force:
+      return numbers.at("adhesion.force");
+    case Unit::length:
+      return numbers.at("adhesion.range");
+    case Unit::pressure:
+      return numbers.at("normal.modulus");
+    case Unit::rolling_stiffness:
+      return numbers.at("rolling.stiffness");
+    default:
+      return 0.3;
+  }
 }
 
 }  // namespace
@@ -100,6 +120,60 @@ Law law_of(std::initializer_list<Part> parts) {
 double law_number(const Law& law, const std::string& key) {
   LawParameters parameters = law;
   return number_of(parameters, key);
+}
+
+Law in_units(const Law& law, double length, double force) {
+  LawParameters changed = law;
+  for (const LawNumber& n : numbers_of(changed)) {
+    switch (n.declared->unit) {
+      case Unit::length:
+        *n.value *= length;
+        break;
+      case Unit::force:
+        *n.value *= force;
+        break;
+      case Unit::stiffness:
+        *n.value *= force / length;
+        break;
+      case Unit::rolling_stiffness:
+        *n.value *= force * length;
+        break;
+      case Unit::pressure:
+        *n.value *= force / (length * length);
+        break;
+      case Unit::ratio:
+      case Unit::angle:
+      case Unit::degrees:
+      case Unit::volume:
+        break;
+    }
+  }
+  return changed;
+}
+
+std::vector<Law> all_laws(int dimension, const std::map<std::string, double>& numbers) {
+  std::vector<LawParameters> laws = {{}};
+  for (const DeclaredSlot& slot : declared_slots()) {
+    std::vector<LawParameters> longer;
+    for (const LawParameters& law : laws) {
+      if (slot.optional) longer.push_back(law);
+      for (const DeclaredModel& model : slot.models) {
+        longer.push_back(law);
+        model.choose(longer.back());
+      }
+    }
+    laws = std::move(longer);
+  }
+  std::erase_if(laws, [&](const LawParameters& law) {
+    return !law.faults_between_slots().empty() || !law.faults_in_dimension(dimension).empty();
+  });
+  std::vector<Law> filled;
+  for (LawParameters& law : laws) {
+    for (const LawNumber& n : numbers_of(law))
+      *n.value = numbers.count(n.key) > 0 ? numbers.at(n.key) : number_like(n.declared->unit, numbers);
+    filled.emplace_back(law);
+  }
+  return filled;
 }
 
 }  // namespace floc::test

@@ -15,8 +15,8 @@ class KernelPair {
  public:
   KernelPair(const LawParameters& law, double overlap, InstructionSet instructions)
       : grains_(start(overlap), {0, 1}),
-        interaction_(Partner::grain, law, compose_law(law), row_kind<3>(compose_law(law)), 0.5, instructions,
-                     LatticeShape::rectangular) {
+        interaction_(Partner::grain, law, laws_of_same_rows({law})[0],
+                     row_kind<3>(*laws_of_same_rows({law})[0]), 0.5, instructions, LatticeShape::rectangular) {
     interaction_.set_pairs({{{0, 1, {0, 0, 0}}}, Partner::grain, grains_, interaction_.law(), 1e-9, 1});
     rows_ = {{&interaction_.pairs()}, interaction_.rows(), 2, SweepPlan(interaction_.pairs(), 1, 1, 1)};
     interaction_.set_rows(rows_.rows_of_group(0));

@@ -4,6 +4,7 @@
 
 #include "floc/neighbors/space_order.h"
 #include "floc/relaxation/grain_arrays.h"
+#include "floc/relaxation/interaction.h"
 #include "floc/relaxation/pair_arrays.h"
 #include "support/dynamics.h"
 
@@ -16,7 +17,8 @@ struct ListedGas {
   explicit ListedGas(int n, int blocks_of_group = 1, Sizes sizes = Sizes::equal)
       : gas(gas_with(n, sizes)),
         grains(gas.grains, space_order(gas.cell, gas.grains)),
-        pairs_(close_pairs(), Partner::grain, grains, compose_law(gas.law), 1e-4, blocks_of_group) {}
+        pairs_(close_pairs(), Partner::grain, grains, *laws_of_same_rows({gas.law})[0], 1e-4, blocks_of_group) {
+  }
 
   int n_blocks() const { return (grains.size() + kGrainBlock - 1) / kGrainBlock; }
   const PairArrays<3>& pairs() const { return pairs_; }

@@ -68,6 +68,11 @@ double Law::range() const {
   });
 }
 
+std::string Law::fault_in_dimension(int dimension) const {
+  const std::vector<LawFault> faults = parameters().faults_in_dimension(dimension);
+  return faults.empty() ? "" : faults.front().words;
+}
+
 double Law::reach(double largest_radius) const {
   return std::max(range(), parameters().normal.visit([&](const auto& model) {
     if constexpr (requires { model.holding_range(largest_radius); }) return model.holding_range(largest_radius);

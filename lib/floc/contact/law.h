@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "floc/contact/pair_geometry.h"
 
@@ -60,6 +61,9 @@ class Law {
   double force_exponent() const;
   /// Whether the normal law holds for overlaps that are small beside the grains alone.
   bool is_for_small_overlaps() const;
+
+  /// Why it is no law for this dimension, in words; empty if it is one.
+  std::string fault_in_dimension(int dimension) const;
 
   /// Whether friction can carry any force.
   bool resists_sliding() const;

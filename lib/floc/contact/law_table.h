@@ -66,6 +66,11 @@ using AnyContactLaw =
                          decltype(LawParameters::damping), decltype(LawParameters::friction),
                          decltype(LawParameters::rolling), decltype(LawParameters::twisting)>::Type::Variant;
 
+/// A composed law under a name that a header can declare without knowing the models.
+struct ComposedLaw {
+  AnyContactLaw any;
+};
+
 /// The composed law of a scene or saved state. Adhesion of zero force becomes no adhesion; a coefficient of
 /// zero becomes no friction, or no resistance to rolling or twisting: such a spring could carry nothing, and
 /// must not stiffen the network either.

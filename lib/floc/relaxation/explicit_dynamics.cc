@@ -76,10 +76,10 @@ void ExplicitDynamics<Dim>::add_interactions(const Packing<Dim>& packing, Instru
                                              LatticeShape shape) {
   std::vector<Law> parameters = {packing.law};
   if (!walls_.empty()) parameters.push_back(packing.wall_law);
-  const std::vector<AnyContactLaw> laws = laws_of_same_rows(parameters);
+  const auto laws = laws_of_same_rows(parameters);
   for (std::size_t k = 0; k < laws.size(); ++k)
     interactions_.emplace_back(k == 0 ? Partner::grain : Partner::wall, parameters[k], laws[k],
-                               row_kind<Dim>(laws[0]), 0.5 * largest_diameter_, instructions, shape);
+                               row_kind<Dim>(*laws[0]), 0.5 * largest_diameter_, instructions, shape);
 }
 
 template <int Dim>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "floc/relaxation/kernels/kernel_law.h"
 #include "floc/relaxation/pair_arrays.h"
 
 namespace floc {
@@ -15,21 +15,21 @@ class Interaction {
   /// @param law   as composed for the kernels (laws_of_same_rows())
   /// @param rows  that all interactions of the packing write: those of the law between grains
   /// @param largest_radius  of the grains
-  Interaction(Partner partner, const Law& parameters, const AnyContactLaw& law, RowKind rows,
+  Interaction(Partner partner, const Law& parameters, std::shared_ptr<const ComposedLaw> law, RowKind rows,
               double largest_radius, InstructionSet instructions, LatticeShape shape);
   Interaction(Interaction&&) = delete;  // the kernel is given the address of its law
 
   Partner partner() const { return partner_; }
-  const AnyContactLaw& law() const { return law_; }
+  const ComposedLaw& law() const { return *law_; }
   RowKind rows() const { return rows_; }
   /// Gaps that its lists of pairs reach across: those of the law, or of the bridges that exist.
   double range() const { return range_; }
   void set_range(double range) { range_ = range; }
-  const StepKernels<Dim>& kernels() const { return kernels_; }
+  const StepKernels<Dim>& kernels() const { return *kernel_.kernels; }
   const PairArrays<Dim>& pairs() const { return pairs_; }
   /// Volumes of the liquid bridges; after a change, refresh_bridges().
   typename PairArrays<Dim>::Component& bridge_volume() { return pairs_.bridge_volume(); }
-  void refresh_bridges() { pairs_.refresh_bridges(law_); }
+  void refresh_bridges() { pairs_.refresh_bridges(*law_); }
   const PairView<Dim>& view() const { return arrays_; }
   /// With rows elsewhere: where that of a pair goes, and those of the pairs after it.
   PairView<Dim> view(double* row, int with_row) const {
@@ -56,13 +56,17 @@ class Interaction {
 
  private:
   Partner partner_;
-  AnyContactLaw law_;
+  std::shared_ptr<const ComposedLaw> law_;
   RowKind rows_;
   double range_;
   ContactMemory<Dim> swap_parity_;
-  AnyKernelLaw<Dim> kernel_law_;
-  const StepKernels<Dim>& kernels_;
-  const void* law_of_kernel_;  ///< the alternative in kernel_law_
+  struct KernelAndLaw {
+    const StepKernels<Dim>* kernels;
+    std::shared_ptr<const void> law;  ///< that the kernels are given
+  };
+  static KernelAndLaw kernel_of(const ComposedLaw& law, Partner partner, InstructionSet instructions,
+                                LatticeShape shape);
+  KernelAndLaw kernel_;
   PairArrays<Dim> pairs_;
   PairView<Dim> arrays_;
 };
@@ -70,10 +74,10 @@ class Interaction {
 /// The laws of the interactions of a packing, composed so that all rows can be of one kind: where some have
 /// friction, the others have a spring that can carry nothing.
 /// @param parameters  those of grains, then perhaps those of walls
-std::vector<AnyContactLaw> laws_of_same_rows(const std::vector<Law>& parameters);
+std::vector<std::shared_ptr<const ComposedLaw>> laws_of_same_rows(const std::vector<Law>& parameters);
 
 /// What the rows of pairs of grains hold under this law.
 template <int Dim>
-RowKind row_kind(const AnyContactLaw& law);
+RowKind row_kind(const ComposedLaw& law);
 
 }  // namespace floc

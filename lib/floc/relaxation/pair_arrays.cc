@@ -11,7 +11,7 @@
 namespace floc {
 template <int Dim>
 PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner,
-                            const GrainArrays<Dim>& grains, const AnyContactLaw& any_law, double time_step,
+                            const GrainArrays<Dim>& grains, const ComposedLaw& composed, double time_step,
                             int blocks_of_group)
     : partner_(partner), blocks_of_group_(blocks_of_group) {
   const std::span<const double> radius = grains.of_grains(grains.radius), mass = grains.of_grains(grains.mass);
@@ -53,7 +53,7 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
         if constexpr (Law::kHoldsLiquid) keep_radii(radius);
         for_each_memory<Law, Dim>([&](auto, auto place) { memory[place].assign(size(), 0.0); });
       },
-      any_law);
+      composed.any);
 }
 
 /// An array that grows as it is filled is held twice for a moment.
@@ -106,7 +106,7 @@ void PairArrays<Dim>::keep_radii(std::span<const double> radius) {
 }
 
 template <int Dim>
-void PairArrays<Dim>::refresh_bridges(const AnyContactLaw& any_law) {
+void PairArrays<Dim>::refresh_bridges(const ComposedLaw& composed) {
   if (partner_ == Partner::wall) return;
   std::visit(
       [&]<class Law>(const Law& law) {
@@ -119,7 +119,7 @@ void PairArrays<Dim>::refresh_bridges(const AnyContactLaw& any_law) {
             reach_[p] = bridge.reach;
           }
       },
-      any_law);
+      composed.any);
 }
 
 template <int Dim>

@@ -8,13 +8,14 @@
 
 #include "floc/base/aligned_vector.h"
 #include "floc/contact/history.h"
-#include "floc/contact/law_table.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/relaxation/grain_arrays.h"
-#include "floc/relaxation/kernels/kernel_law.h"
 #include "floc/relaxation/kernels/step_kernels.h"
+#include "floc/relaxation/partner.h"
 
 namespace floc {
+
+struct ComposedLaw;
 
 /// Dashpot coefficient to use where the force lags by kDashpotLag steps. The lag makes a dashpot damp more than
 /// its coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this
@@ -42,7 +43,7 @@ class PairArrays {
   /// @param pairs            sorted, of grains by their places among `grains`
   /// @param blocks_of_group  blocks whose pairs are always computed together, and padded together
   PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner, const GrainArrays<Dim>& grains,
-             const AnyContactLaw& law, double time_step, int blocks_of_group);
+             const ComposedLaw& law, double time_step, int blocks_of_group);
 
   /// Pairs and padding.
   int size() const { return static_cast<int>(i_.size()); }
@@ -62,7 +63,7 @@ class PairArrays {
   void keep_memory_alone();
   /// Finds anew what a law that holds liquid needs of each pair, from the volumes in the memory; does nothing
   /// for other laws.
-  void refresh_bridges(const AnyContactLaw& law);
+  void refresh_bridges(const ComposedLaw& law);
   /// Volumes of the liquid bridges, signed as the memory is; empty where the law holds no liquid.
   Component& bridge_volume();
   const Component& bridge_volume() const;

@@ -146,7 +146,7 @@ struct Computed {
     GrainArrays<Dim> grains(row_of_grains<Dim>(n), order);
     std::vector<NeighborPair<Dim>> neighbors;
     for (int k = 0; k + 1 < n; ++k) neighbors.push_back({k, k + 1, Vec<Dim, int>::Zero()});
-    pairs = PairArrays<Dim>(neighbors, Partner::grain, grains, compose_law(law), 1e-3, 1);
+    pairs = PairArrays<Dim>(neighbors, Partner::grain, grains, ComposedLaw{compose_law(law)}, 1e-3, 1);
     PairView<Dim> view = pairs.view();
     rows.assign(kRow * pairs.size(), -1.0);
     view.row = rows.data();

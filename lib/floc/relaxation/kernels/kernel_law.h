@@ -7,6 +7,7 @@
 #include "floc/base/lanes.h"
 #include "floc/contact/law_table.h"
 #include "floc/contact/neutral.h"
+#include "floc/relaxation/partner.h"
 
 /// The pair kernels that there are. A kernel takes long to compile, so there is not one for each composition of the
 /// law table: a law is completed to a *kernel law* by models that can do nothing, and the kernel of that law gives
@@ -22,9 +23,6 @@
 /// So a new normal law adds the fewest kernels; where its speed matters, give it special ones.
 /// Memory that the kernel law has and the law of the scene has not is kept for no pair (PairKernel).
 namespace floc {
-
-/// The second body of the pairs of a list.
-enum class Partner { grain, wall };
 
 /// Whether a normal law has kernels for less than everything, which are faster, and such for rectangular lattices.
 template <class Normal>

@@ -37,11 +37,15 @@ struct StickySpring {
   T stiffness(const PairGeometry<T>& pair, const T* memory) const {
     return lanes::select(touches(pair, memory), T(normal_stiffness), T(0));
   }
-  /// Zero where the surfaces part.
+  /// K_N (d + l)^2/2, and that of the attraction, -K_N l (d + l): both are zero where the surfaces part.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* memory) const {
-    const T energy = T(0.5 * normal_stiffness) * (pair.gap * pair.gap - T(holding_gap * holding_gap));
-    return lanes::select(touches(pair, memory), energy, T(0));
+    const T elastic = force(pair, memory);
+    return T(0.5 / normal_stiffness) * elastic * elastic;
+  }
+  template <class T>
+  T attraction_energy(const PairGeometry<T>& pair, const T* memory) const {
+    return T(-holding_gap) * force(pair, memory);
   }
   template <class T>
   auto touches(const PairGeometry<T>& pair, const T* memory) const {

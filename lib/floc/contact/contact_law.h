@@ -164,11 +164,8 @@ struct ContactLaw {
                            [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
     NormalResponse<T> response{T(0), T(0), T(0), T(0), T(0)};
     [[maybe_unused]] PackedMemory<memory_size<Normal>(2), T> fresh{};
+    memory = present_memory(pair, memory, fresh);
     if constexpr (kRemembersOverlap) {
-      if (memory == nullptr) {
-        repulsion.remember(pair, fresh.value);
-        memory = fresh.value;
-      }
       response.elastic = repulsion.force(pair, memory);
       response.stiffness = repulsion.stiffness(pair, memory);
     } else {
@@ -207,28 +204,31 @@ struct ContactLaw {
                    [[maybe_unused]] const T* memory = nullptr) const {
     if constexpr (requires { repulsion.energy(pair, memory); }) {
       [[maybe_unused]] PackedMemory<memory_size<Normal>(2), T> fresh{};
-      if constexpr (kRemembersOverlap)
-        if (memory == nullptr) {
-          repulsion.remember(pair, fresh.value);
-          memory = fresh.value;
-        }
-      return repulsion.energy(pair, memory);
+      return repulsion.energy(pair, present_memory(pair, memory, fresh));
     } else {
       if (!(T(0) < elastic) || !(pair.gap < T(0))) return T(0);
       return elastic * elastic * -pair.gap / (elastic - k_n * pair.gap);
     }
   }
-  /// The same of a contact.
+  /// Both of a contact.
   template <int Dim>
   double elastic_energy_of(const PairGeometry<>& pair, double elastic, double k_n,
                            const PackedMemory<kMemorySize<Dim>>& memory) const {
     return elastic_energy(pair, elastic, k_n, normal_memory(memory));
   }
-  /// Energy of the adhesion slot, zero beyond its range. @param parameters  as they act
+  template <int Dim>
+  double attraction_energy_of(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory,
+                              const PairParameters<>& parameters) const {
+    return attraction_energy(pair, normal_memory(memory), parameters);
+  }
+  /// Energy of the attraction, zero where it ends. @param parameters  as they act
   template <class T>
-  T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair,
+  T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair, [[maybe_unused]] const T* memory = nullptr,
                       [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
-    if constexpr (kHoldsLiquid)
+    if constexpr (requires { repulsion.attraction_energy(pair, memory); }) {
+      [[maybe_unused]] PackedMemory<memory_size<Normal>(2), T> fresh{};
+      return repulsion.attraction_energy(pair, present_memory(pair, memory, fresh));
+    } else if constexpr (kHoldsLiquid)
       return adhesion.energy(pair, parameters);
     else if constexpr (kHasAdhesion)
       return adhesion.energy(pair);
@@ -244,7 +244,7 @@ struct ContactLaw {
       k_n -= adhesion.stiffness(pair, parameters);
     else if constexpr (kHasAdhesion)
       k_n -= adhesion.stiffness(pair);
-    return elastic_energy(pair, response.elastic, k_n, memory) + attraction_energy(pair, parameters);
+    return elastic_energy(pair, response.elastic, k_n, memory) + attraction_energy(pair, memory, parameters);
   }
 
   /// Damping coefficient of a pair of grains, 0 without damping: (force * time/length), or that over the root
@@ -337,6 +337,18 @@ struct ContactLaw {
   static constexpr bool kRemembersOverlap = memory_size<Normal>(2) > 0;
 
  private:
+  /// The memory given, or that of a new contact at this gap. @param fresh  a place for it
+  template <class T, class Fresh>
+  const T* present_memory([[maybe_unused]] const PairGeometry<T>& pair, const T* memory,
+                          [[maybe_unused]] Fresh& fresh) const {
+    if constexpr (kRemembersOverlap)
+      if (memory == nullptr) {
+        repulsion.remember(pair, fresh.value);
+        return fresh.value;
+      }
+    return memory;
+  }
+
   template <class T>
   static void add_stiffness(const T& of_adhesion, NormalResponse<T>& response) {
     response.stiffness += of_adhesion;

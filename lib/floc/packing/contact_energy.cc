@@ -14,20 +14,17 @@ double spring_energy(double squared_force, double stiffness) {
 }
 
 template <class Law, int Dim>
-double normal_energy(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c) {
-  const auto memory = packed_memory<Law, Dim>(c.memory);
-  return law.template elastic_energy_of<Dim>(pair_geometry(grains, c), c.elastic_force, c.kn, memory);
-}
-
-template <class Law, int Dim>
 ContactEnergy energy_of(const Law& law, const Packing<Dim>& packing, const Contact<Dim>& c) {
+  const PairGeometry<> pair = pair_geometry(packing.grains, c);
+  const auto memory = packed_memory<Law, Dim>(c.memory);
   ContactEnergy energy;
   if (!c.distant)
-    energy.elastic = normal_energy(law, packing.grains, c) + spring_energy(c.shear_force.squaredNorm(), c.kt) +
+    energy.elastic = law.template elastic_energy_of<Dim>(pair, c.elastic_force, c.kn, memory) +
+                     spring_energy(c.shear_force.squaredNorm(), c.kt) +
                      spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
                      spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
   energy.attraction =
-      law.attraction_energy(pair_geometry(packing.grains, c), acting_parameters(law, packing.grains, c));
+      law.template attraction_energy_of<Dim>(pair, memory, acting_parameters(law, packing.grains, c));
   return energy;
 }
 

@@ -10,7 +10,7 @@ struct ContactEnergy {
   /// first term is the integral of N over h wherever N follows a power of h: N h/2 for linear contacts, (2/5) N h for
   /// Hertz contacts. Under other laws it is what the law says of the gap and the memory. A distant attraction has none.
   double elastic = 0.0;
-  /// Of the adhesion, below zero where it acts; 0 where the normal law adheres by itself, whose energy is all elastic.
+  /// Of the adhesion, below zero where it acts.
   double attraction = 0.0;
 
   double all() const { return elastic + attraction; }

@@ -127,7 +127,9 @@ double viscous_force(const AnyContactLaw& any, const Grains<Dim>& grains, const 
 
 template <class Law, int Dim>
 double attraction_energy(const Law& law, const Packing<Dim>& packing, const Contact<Dim>& c) {
-  return law.attraction_energy(pair_geometry(packing.grains, c), acting_parameters(law, packing.grains, c));
+  return law.template attraction_energy_of<Dim>(pair_geometry(packing.grains, c),
+                                                packed_memory<Law, Dim>(c.memory),
+                                                acting_parameters(law, packing.grains, c));
 }
 
 /// Change of the elastic energy, at the places that grains have at the end of a step, by what happened to the liquid in
@@ -215,7 +217,8 @@ class Step {
     if (c.normal.isZero(0.0)) return 0.0;
     Contact<Dim> without_springs = c;
     without_springs.kt = without_springs.kr = without_springs.ktw = 0.0;
-    return contact_energy(packing, without_springs).elastic;
+    const ContactEnergy energy = contact_energy(packing, without_springs);
+    return packing.law.adheres_by_itself() ? energy.all() : energy.elastic;
   }
   /// The force that goes with it.
   double force_of_normal_law(const Contact<Dim>& c) const {

@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-using testing::for_each_kind_of_law_and_dimension;
-using testing::pair_at;
+using test::for_each_kind_of_law_and_dimension;
+using test::pair_at;
 
 /// A closed curve: a random sum of the first few harmonics.
 class ClosedCurve {
@@ -78,7 +78,7 @@ struct LoopWork {
 template <class Law, int Dim>
 LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
   LoopWork work;
-  testing::Remembered<Law, Dim> history;
+  test::Remembered<Law, Dim> history;
   Shear<Dim> shear = Shear<Dim>::Zero();
   RotationVector<Dim> rolling = RotationVector<Dim>::Zero();
   double twisting = 0.0;
@@ -102,7 +102,7 @@ LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
     rolling = f.rolling;
     twisting = f.twisting;
     work.stored = 0.0;
-    const ContactStiffness stiffness = testing::stiffness_at<Dim>(law, loop.gap(to));
+    const ContactStiffness stiffness = test::stiffness_at<Dim>(law, loop.gap(to));
     if (stiffness.tangential > 0) work.stored += 0.5 * shear.squaredNorm() / stiffness.tangential;
     if (stiffness.rolling > 0) work.stored += 0.5 * rolling.squaredNorm() / stiffness.rolling;
     if (stiffness.twisting > 0) work.stored += 0.5 * twisting * twisting / stiffness.twisting;
@@ -119,8 +119,8 @@ constexpr double kWorkError = 1e-4;
 
 /// Work that the normal force takes from a loop of the gap alone. @param gap  by the phase, 0 to 1
 template <int Dim, class Law, class Gap>
-testing::NormalWork<Law, Dim> normal_work_around(const Law& law, const Gap& gap) {
-  testing::NormalWork<Law, Dim> work(law, gap(0.0));
+test::NormalWork<Law, Dim> normal_work_around(const Law& law, const Gap& gap) {
+  test::NormalWork<Law, Dim> work(law, gap(0.0));
   for (int k = 1; k <= kSteps; ++k) work.move_to(gap(static_cast<double>(k) / kSteps));
   return work;
 }
@@ -134,7 +134,7 @@ TEST(NormalForce, TakesNoWorkFromAClosedLoop) {
       const Loop<Dim> loop(random, -1e-4, 1e-4, 1.0);
       const auto work = normal_work_around<Dim>(law, [&](double phase) { return loop.gap(phase); });
       EXPECT_GT(work.largest(), 0.0);
-      if (testing::kForgetsOverlap<decltype(law)>)
+      if (test::kForgetsOverlap<decltype(law)>)
         EXPECT_NEAR(work.work(), 0.0, kWorkError * work.largest());
       else
         EXPECT_GE(work.work(), -kWorkError * work.largest());
@@ -144,7 +144,7 @@ TEST(NormalForce, TakesNoWorkFromAClosedLoop) {
 
 /// A new contact pressed and let go, under a law that unloads along a line of its own. @return work and the largest
 std::array<double, 2> work_of_pressing(double unloading) {
-  ContactLaw<testing::HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting> law{};
+  ContactLaw<test::HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, unloading};
   const auto work = normal_work_around<2>(
       law, [](double phase) { return -1e-4 + 1.5e-4 * std::cos(2 * std::numbers::pi * phase); });
@@ -160,12 +160,12 @@ TEST(NormalForce, OfALawThatCreatesEnergyIsFoundByTheSameMeasure) {
 
 /// A dashpot acts while the surfaces touch by the law, not while they overlap.
 TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
-  ContactLaw<testing::HystereticRepulsion, NoAdhesion, ViscousDamping, NoFriction, NoRolling, NoTwisting> law{};
+  ContactLaw<test::HystereticRepulsion, NoAdhesion, ViscousDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, 2e5};
   law.damping = {0.3, DampingMass::effective};
-  testing::Remembered<decltype(law), 2> memory;
+  test::Remembered<decltype(law), 2> memory;
   const auto viscous = [&](double gap) {
-    ContactMotion<2> motion = testing::at_gap<2>(gap);
+    ContactMotion<2> motion = test::at_gap<2>(gap);
     motion.gap_rate = 1.0;
     motion.damping = law.damping_coefficient(CollisionMass::between(1.0, 0.5));
     return law.respond(motion, memory).viscous;
@@ -173,8 +173,8 @@ TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   EXPECT_LT(viscous(-2e-4), 0.0);
   EXPECT_LT(viscous(-1.01e-4), 0.0);
   EXPECT_EQ(viscous(-0.99e-4), 0.0);  // half of the overlap stays
-  EXPECT_FALSE(law.touches<2>(testing::pair_at(-0.99e-4), memory));
-  EXPECT_EQ(law.stiffness<2>(testing::pair_at(-0.99e-4), memory).normal, 0.0);
+  EXPECT_FALSE(law.touches<2>(test::pair_at(-0.99e-4), memory));
+  EXPECT_EQ(law.stiffness<2>(test::pair_at(-0.99e-4), memory).normal, 0.0);
 }
 
 TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {

@@ -9,12 +9,12 @@
 namespace floc {
 namespace {
 
-using testing::at_gap;
-using testing::for_each_kind_of_law;
-using testing::for_each_kind_of_law_and_dimension;
-using testing::pair_at;
-using testing::pull_off_force;
-using testing::stiffness_at;
+using test::at_gap;
+using test::for_each_kind_of_law;
+using test::for_each_kind_of_law_and_dimension;
+using test::pair_at;
+using test::pull_off_force;
+using test::stiffness_at;
 using Dual = ceres::Jet<double, 1>;
 
 /// Largest gap at which surfaces that have met touch under the law.
@@ -32,7 +32,7 @@ std::vector<double> gaps(const auto& law) {
 
 /// Of a contact that has been pressed, at fixed memory.
 double static_force(const auto& law, double gap) {
-  return testing::pressed_response(law, gap).force();
+  return test::pressed_response(law, gap).force();
 }
 
 /// Of surfaces that have not met before.
@@ -44,7 +44,7 @@ TEST(NormalForce, IsMinusTheSlopeOfTheEnergy) {
   for_each_kind_of_law([](const auto& law) {
     for (const double h : gaps(law)) {
       SCOPED_TRACE(h);
-      const double slope = testing::pressed_energy(law, Dual(h, 0)).v[0];
+      const double slope = test::pressed_energy(law, Dual(h, 0)).v[0];
       // Each piece of the energy is a quadratic: only rounding separates the two.
       EXPECT_NEAR(static_force(law, h), -slope, 1e-14 * (std::abs(slope) + 1.0));
     }
@@ -57,7 +57,7 @@ TEST(NormalForce, IsMinusTheDifferenceQuotientOfTheEnergy) {
       SCOPED_TRACE(h);
       const double step = 1e-10;
       const double quotient =
-          (testing::pressed_energy(law, h + step) - testing::pressed_energy(law, h - step)) / (2 * step);
+          (test::pressed_energy(law, h + step) - test::pressed_energy(law, h - step)) / (2 * step);
       // A central difference is exact on a quadratic; energies of order 1e-2 lose 1e-16 of themselves, over the
       // step.
       EXPECT_NEAR(static_force(law, h), -quotient, 1e-18 / step * 10 + 1e-7);
@@ -69,10 +69,10 @@ TEST(NormalStiffness, IsMinusTheSlopeOfTheForce) {
   for_each_kind_of_law([](const auto& law) {
     for (const double h : gaps(law)) {
       SCOPED_TRACE(h);
-      const double slope = testing::pressed_response(law, Dual(h, 0)).force().v[0];
-      EXPECT_DOUBLE_EQ(testing::pressed_response(law, h).stiffness, -slope);
-      EXPECT_DOUBLE_EQ(testing::pressed_response(law, h).elastic_stiffness, -slope);
-      EXPECT_DOUBLE_EQ(testing::pressed_stiffness(law, h).normal, -slope);
+      const double slope = test::pressed_response(law, Dual(h, 0)).force().v[0];
+      EXPECT_DOUBLE_EQ(test::pressed_response(law, h).stiffness, -slope);
+      EXPECT_DOUBLE_EQ(test::pressed_response(law, h).elastic_stiffness, -slope);
+      EXPECT_DOUBLE_EQ(test::pressed_stiffness(law, h).normal, -slope);
     }
   });
 }
@@ -84,7 +84,7 @@ TEST(NormalStiffness, IsMinusTheDifferenceQuotientOfTheForce) {
       const double step = 1e-10;
       const double quotient = (static_force(law, h + step) - static_force(law, h - step)) / (2 * step);
       // Forces of at most 30 carry rounding of 4e-15, over the step: 2e-5, against stiffnesses of 1e3 and more.
-      EXPECT_NEAR(testing::pressed_stiffness(law, h).normal, -quotient, 1e-4);
+      EXPECT_NEAR(test::pressed_stiffness(law, h).normal, -quotient, 1e-4);
     }
   });
 }
@@ -95,7 +95,7 @@ TEST(NormalForce, IsTheOneThatRespondReports) {
     using Law = std::decay_t<decltype(law)>;
     for (const double h : gaps(law)) {
       SCOPED_TRACE(h);
-      testing::Remembered<Law, Dim> history;
+      test::Remembered<Law, Dim> history;
       ContactMotion<Dim> motion = at_gap<Dim>(h);
       motion.gap_rate = 0.7;
       motion.damping = law.damping_coefficient(CollisionMass::between(1.0, 0.5));
@@ -126,8 +126,8 @@ TEST(NormalForce, EnergyAndForceVanishFromTheRangeOn) {
     for (const double h : {range, std::nextafter(range, 1.0), 2 * range, 1.0}) {
       SCOPED_TRACE(h);
       EXPECT_EQ(static_force(law, h), 0.0);
-      EXPECT_EQ(testing::pressed_energy(law, h), 0.0);
-      EXPECT_EQ(testing::pressed_stiffness(law, h).normal, 0.0);
+      EXPECT_EQ(test::pressed_energy(law, h), 0.0);
+      EXPECT_EQ(test::pressed_stiffness(law, h).normal, 0.0);
     }
   });
 }
@@ -138,7 +138,7 @@ TEST(NormalForce, EnergyHasNoJumpWhereSurfacesPartOrTheTailEnds) {
     for (const double kink : {0.0, law.range(), holding_range(law)}) {
       SCOPED_TRACE(kink);
       // No force on either side exceeds F0 by more than K_N step.
-      EXPECT_NEAR(testing::pressed_energy(law, kink + step), testing::pressed_energy(law, kink - step),
+      EXPECT_NEAR(test::pressed_energy(law, kink + step), test::pressed_energy(law, kink - step),
                   2 * step * (pull_off_force(law) + 1e-6));
     }
   });
@@ -161,7 +161,7 @@ TEST(PullOff, LargestTensionIsF0AndIsReachedInContact) {
 
 TEST(PullOff, EquilibriumIsAtOverlapF0OverKN) {
   for_each_kind_of_law([](const auto& law) {
-    const double h0 = testing::free_overlap(law);
+    const double h0 = test::free_overlap(law);
     // One rounding of K_N h0 against F0.
     EXPECT_NEAR(new_force(law, -h0), 0.0, 4e-16 * pull_off_force(law));
     if (h0 > 0) {
@@ -186,8 +186,8 @@ TEST(PullOff, SeparationEnergyIsThatOfTheWellAndTheTail) {
 TEST(Tail, ActsOnApproachAsOnParting) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
-    if constexpr (!testing::kForgetsOverlap<decltype(law)>) return;
-    testing::Remembered<decltype(law), Dim> history;
+    if constexpr (!test::kForgetsOverlap<decltype(law)>) return;
+    test::Remembered<decltype(law), Dim> history;
     std::vector<double> approaching, parting;
     const int n = 50;
     const auto gap = [&](int k) { return (law.range() + 1e-4) * (1.0 - 2.0 * k / n); };
@@ -203,9 +203,9 @@ TEST(Tail, CarriesNothingButTheNormalAttraction) {
     constexpr int Dim = decltype(dimension)::value;
     for (const double h : {0.0, 0.5 * law.range(), 0.99 * law.range(), 2 * law.range()}) {
       SCOPED_TRACE(h);
-      testing::Remembered<decltype(law), Dim> history;
+      test::Remembered<decltype(law), Dim> history;
       ContactMotion<Dim> motion = at_gap<Dim>(h);
-      motion.slip = testing::slip_by<Dim>(1e-3);
+      motion.slip = test::slip_by<Dim>(1e-3);
       motion.relative_rotation.setConstant(0.01);
       motion.gap_rate = -1.0;
       motion.damping = law.damping_coefficient(CollisionMass::between(1.0, 1.0));

@@ -14,11 +14,11 @@
 namespace floc {
 namespace {
 
-using testing::for_each_law;
-using testing::for_each_law_and_dimension;
-using testing::GrainStep;
-using testing::MovingPair;
-using testing::pair_at;
+using test::for_each_law;
+using test::for_each_law_and_dimension;
+using test::GrainStep;
+using test::MovingPair;
+using test::pair_at;
 
 constexpr double kRadiusI = 0.5;
 constexpr double kRadiusJ = 0.3;
@@ -59,7 +59,7 @@ Packing<Dim> stretched_pair(const LawParameters& law) {
 TEST(Pair, ForcesAreEqualAndOpposite) {
   for_each_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
-    Packing<Dim> packing = stretched_pair<Dim>(testing::parameters_of(law));
+    Packing<Dim> packing = stretched_pair<Dim>(test::parameters_of(law));
     refresh_contacts(packing);
     ASSERT_EQ(packing.contacts.size(), 1u);
     const Balance<Dim> net = net_forces(packing);
@@ -72,7 +72,7 @@ TEST(Pair, TorquesOfAllForcesAboutAnyPointVanish) {
   for_each_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    Packing<Dim> packing = stretched_pair<Dim>(testing::parameters_of(law));
+    Packing<Dim> packing = stretched_pair<Dim>(test::parameters_of(law));
     refresh_contacts(packing);
     const Balance<Dim> net = net_forces(packing);
     RotationVector<Dim> total = net.moment[0] + net.moment[1];
@@ -167,13 +167,13 @@ template <class Law>
 double collide(const Law& law, double speed, double step) {
   const double mass = 1.0 * 0.5 / (1.0 + 0.5);
   const double damping = law.damping_coefficient(CollisionMass::between(1.0, 0.5));
-  testing::Remembered<Law, 2> history;
+  test::Remembered<Law, 2> history;
   const auto acceleration = [&](double gap, double rate) {
     const auto f = law.template respond<2, double>(
         {pair_at(gap), rate, damping, Shear<2>::Zero(), RotationVector<2>::Zero()}, history);
     return (f.normal.force() + f.viscous) / mass;
   };
-  const double dt = step * std::sqrt(mass / testing::stiffness_bound(law));
+  const double dt = step * std::sqrt(mass / test::stiffness_bound(law));
   double h = law.range() + speed * dt;
   double v = -speed;
   for (int k = 0; k < static_cast<int>(50 / step) && (h <= law.range() || v < 0); ++k) {
@@ -190,7 +190,7 @@ double collide(const Law& law, double speed, double step) {
 TEST(Collision, RestitutionWithoutAdhesionIsTheOneAskedFor) {
   for_each_law([](auto law) {
     using Law = std::decay_t<decltype(law)>;
-    if constexpr (!Law::kHasAdhesion && !Law::kDampingFollowsStiffness && testing::kForgetsOverlap<Law>) {
+    if constexpr (!Law::kHasAdhesion && !Law::kDampingFollowsStiffness && test::kForgetsOverlap<Law>) {
       for (const double e : {0.015, 0.3, 0.9, 1.0}) {
         SCOPED_TRACE(e);
         if constexpr (Law::kHasDamping) law.damping.restitution = e;
@@ -205,7 +205,7 @@ TEST(Collision, RestitutionWithoutAdhesionIsTheOneAskedFor) {
 TEST(Collision, AdhesionAloneTakesNoEnergy) {
   for_each_law([](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
-    if constexpr (!Law::kHasDamping && testing::kForgetsOverlap<Law>) {
+    if constexpr (!Law::kHasDamping && test::kForgetsOverlap<Law>) {
       // Speed 1 against an escape speed of 0.09. A kink of the force (or for constant adhesion its jump F0,
       // over one step of 1.8e-7) costs first order in the step.
       EXPECT_NEAR(collide(law, 1.0, 1e-4), 1.0, 1e-5);
@@ -216,7 +216,7 @@ TEST(Collision, AdhesionAloneTakesNoEnergy) {
 TEST(Collision, DampedAdhesivePairSticksBelowAnEscapeSpeedAndLosesMoreThanWithoutAdhesion) {
   for_each_law([](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
-    if constexpr (testing::kAdheres<Law> && Law::kHasDamping) {
+    if constexpr (test::kAdheres<Law> && Law::kHasDamping) {
       EXPECT_EQ(collide(law, 1e-3, 1e-3), 0.0);
       const double fast = collide(law, 10.0, 1e-4);
       EXPECT_GT(fast, 0.0);

@@ -8,11 +8,11 @@
 namespace floc {
 namespace {
 
-using testing::at_gap;
-using testing::for_each_kind_of_law_and_dimension;
-using testing::pull_off_force;
-using testing::slip_by;
-using testing::stiffness_at;
+using test::at_gap;
+using test::for_each_kind_of_law_and_dimension;
+using test::pull_off_force;
+using test::slip_by;
+using test::stiffness_at;
 
 /// An overlap well inside contact (length).
 constexpr double kOverlap = 1e-4;
@@ -44,7 +44,7 @@ TEST(TangentialStiffness, IsTheSlopeOfTheShearForceInTheTangentPlane) {
     using Law = std::decay_t<decltype(law)>;
     constexpr int n = kShearComponents<Dim>;
     using Dual = ceres::Jet<double, n>;
-    testing::Remembered<Law, Dim, Dual> history;
+    test::Remembered<Law, Dim, Dual> history;
     ContactMotion<Dim, Dual> motion = at_gap<Dim, Dual>(Dual(-kOverlap));
     // About 1e-6, a hundredth of the cap's spring.
     for (int a = 0; a < n; ++a) motion.slip[a] = Dual(1e-6 * (a + 1), a);
@@ -64,7 +64,7 @@ TEST(TangentialStiffness, IsTheDifferenceQuotientOfTheShearForce) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     const double step = 1e-8;
-    testing::Remembered<Law, Dim> plus, minus;
+    test::Remembered<Law, Dim> plus, minus;
     const auto up = law.respond(sheared<Dim>(-kOverlap, step), plus);
     const auto down = law.respond(sheared<Dim>(-kOverlap, -step), minus);
     const double kt = stiffness_at(law, -kOverlap).tangential;
@@ -78,7 +78,7 @@ TEST(RollingStiffness, IsTheSlopeOfTheMoment) {
     using Law = std::decay_t<decltype(law)>;
     constexpr int n = kRotations<Dim>;
     using Dual = ceres::Jet<double, n>;
-    testing::Remembered<Law, Dim, Dual> history;
+    test::Remembered<Law, Dim, Dual> history;
     ContactMotion<Dim, Dual> motion = at_gap<Dim, Dual>(Dual(-kOverlap));
     for (int a = 0; a < n; ++a) motion.relative_rotation[a] = Dual(1e-5 * (a + 1), a);
     const auto forces = law.respond(motion, history);
@@ -96,7 +96,7 @@ TEST(TwistingStiffness, IsTheSlopeOfTheMoment) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     using Dual = ceres::Jet<double, 1>;
-    testing::Remembered<Law, Dim, Dual> history;
+    test::Remembered<Law, Dim, Dual> history;
     ContactMotion<Dim, Dual> motion = at_gap<Dim, Dual>(Dual(-kOverlap));
     motion.twist = Dual(1e-5, 0);
     const double ktw = stiffness_at<Dim>(law, -kOverlap).twisting;
@@ -109,10 +109,10 @@ TEST(FrictionCap, IsMuTimesTheElasticPart) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    testing::Remembered<Law, Dim> history;
+    test::Remembered<Law, Dim> history;
     const double shear = law.respond(sheared<Dim>(-kOverlap, 1.0), history).shear.norm();
     if constexpr (Law::kHasFriction) {
-      EXPECT_NEAR(shear, law.friction.coefficient * testing::elastic_force_at(law, -kOverlap), 1e-14 * shear);
+      EXPECT_NEAR(shear, law.friction.coefficient * test::elastic_force_at(law, -kOverlap), 1e-14 * shear);
     } else {
       EXPECT_EQ(shear, 0.0);
     }
@@ -123,10 +123,10 @@ TEST(FrictionCap, IsMuF0WhereTheNetNormalForceIsZero) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    if constexpr (Law::kHasFriction && testing::kAdheres<Law>) {
+    if constexpr (Law::kHasFriction && test::kAdheres<Law>) {
       const double f0 = pull_off_force(law);
-      const double h0 = testing::free_overlap(law);
-      testing::Remembered<Law, Dim> history;
+      const double h0 = test::free_overlap(law);
+      test::Remembered<Law, Dim> history;
       const auto forces = law.respond(sheared<Dim>(-h0, -1.0), history);
       EXPECT_NEAR(forces.normal.force(), 0.0, 1e-15 * f0);
       EXPECT_NEAR(forces.shear[0], -law.friction.coefficient * f0, 1e-15 * f0);
@@ -139,11 +139,11 @@ TEST(FrictionCap, KeepsTheDirectionOfTheSpring) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     if constexpr (Law::kHasFriction && Dim == 3) {
-      testing::Remembered<Law, Dim> history;
+      test::Remembered<Law, Dim> history;
       ContactMotion<Dim> motion = at_gap<Dim>(-kOverlap);
       motion.slip << 3.0, -4.0, 0.0;
       const Vec<3> force = law.respond(motion, history).shear;
-      const double cap = law.friction.coefficient * testing::elastic_force_at(law, -kOverlap);
+      const double cap = law.friction.coefficient * test::elastic_force_at(law, -kOverlap);
       EXPECT_NEAR((force - cap * Vec<3>(0.6, -0.8, 0.0)).norm(), 0.0, 1e-14 * cap);
     }
   });
@@ -153,10 +153,10 @@ TEST(RollingCap, IsMuRTimesTheElasticPart) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    testing::Remembered<Law, Dim> history;
+    test::Remembered<Law, Dim> history;
     const double moment = law.respond(rolled<Dim>(-kOverlap, 1.0), history).rolling.norm();
     if constexpr (Law::kHasRolling) {
-      EXPECT_NEAR(moment, law.rolling.coefficient * testing::elastic_force_at(law, -kOverlap), 1e-14 * moment);
+      EXPECT_NEAR(moment, law.rolling.coefficient * test::elastic_force_at(law, -kOverlap), 1e-14 * moment);
     } else {
       EXPECT_EQ(moment, 0.0);
     }
@@ -167,10 +167,10 @@ TEST(TwistingCap, IsMuTwTimesTheElasticPart) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    testing::Remembered<Law, Dim> history;
+    test::Remembered<Law, Dim> history;
     const auto forces = law.respond(twisted<Dim>(-kOverlap, -1.0), history);
     if constexpr (Law::kHasTwisting)
-      EXPECT_DOUBLE_EQ(forces.twisting, -law.twisting.coefficient * testing::elastic_force_at(law, -kOverlap));
+      EXPECT_DOUBLE_EQ(forces.twisting, -law.twisting.coefficient * test::elastic_force_at(law, -kOverlap));
     else
       EXPECT_EQ(forces.twisting, 0.0);
     EXPECT_EQ(forces.rolling.norm(), 0.0);
@@ -182,7 +182,7 @@ TEST(Springs, AreCutBackWithTheCapAndDoNotComeBack) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    testing::Remembered<Law, Dim> history;
+    test::Remembered<Law, Dim> history;
     ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1.0);
     motion.relative_rotation[0] = 1.0;
     motion.twist = 1.0;
@@ -203,7 +203,7 @@ TEST(Springs, BelowTheirCapsFeelNoChangeOfTheNormalForce) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    testing::Remembered<Law, Dim> history;
+    test::Remembered<Law, Dim> history;
     ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1e-6);
     motion.relative_rotation[0] = 1e-5;
     motion.twist = 1e-5;
@@ -219,11 +219,11 @@ TEST(Springs, AreClearedWhenTheSurfacesPart) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    const double holding = law.holding_range(testing::pair_at(0.0).reduced_radius);
+    const double holding = law.holding_range(test::pair_at(0.0).reduced_radius);
     for (const double beyond : {0.0, 1e-9, 0.5 * law.range(), 2 * law.range() + 1e-3}) {
       const double parted = holding + beyond;
       SCOPED_TRACE(parted);
-      testing::Remembered<Law, Dim> history;
+      test::Remembered<Law, Dim> history;
       ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1e-6);
       motion.relative_rotation[0] = 1e-5;
       motion.twist = 1e-5;

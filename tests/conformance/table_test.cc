@@ -13,10 +13,10 @@
 namespace floc {
 namespace {
 
-using testing::for_each_law;
-using testing::for_each_law_and_dimension;
-using testing::pair_at;
-using testing::parameters_of;
+using test::for_each_law;
+using test::for_each_law_and_dimension;
+using test::pair_at;
+using test::parameters_of;
 
 TEST(Table, EveryRowIsReachedByItsParametersAndKeepsThem) {
   for_each_law([](const auto& law) {
@@ -60,8 +60,8 @@ TEST(Table, TwistingAloneNeitherResistsRollingNorYieldsToIt) {
   std::visit(
       []<class Law>(const Law& law) {
         EXPECT_TRUE(Law::kHasTwisting);
-        testing::Remembered<Law, 3> memory;
-        ContactMotion<3> motion = testing::at_gap<3>(-1e-4);
+        test::Remembered<Law, 3> memory;
+        ContactMotion<3> motion = test::at_gap<3>(-1e-4);
         motion.relative_rotation = Vec<3>(0.1, 0.2, 0.0);
         motion.twist = 1.0;
         const ContactForces<3> f = law.respond(motion, memory);
@@ -123,7 +123,7 @@ TEST(EmptySlots, CostNoByteOfTheContactRecord) {
     const std::size_t components =
         memory_size<typename Law::NormalModel>(Dim) + memory_size<typename Law::TangentialModel>(Dim) +
         (Law::kHasRolling ? kRotations<Dim> : 0) + (Law::kHasTwisting ? 1 : 0) + (Law::kHoldsLiquid ? 1 : 0);
-    using History = testing::Remembered<Law, Dim>;
+    using History = test::Remembered<Law, Dim>;
     // The language gives an object without members one byte.
     EXPECT_EQ(sizeof(History), components > 0 ? components * sizeof(double) : 1u);
     EXPECT_EQ(std::is_empty_v<History>, components == 0);
@@ -163,7 +163,7 @@ TEST(Units, RescalingByPowersOfTwoChangesNoBit) {
         other_damping,
         damping * (Law::kDampingFollowsStiffness ? of_damping / std::sqrt(u.force / u.length) : of_damping));
 
-    testing::Remembered<Law, Dim> history, other_history;
+    test::Remembered<Law, Dim> history, other_history;
     RandomStream random(3, Dim);
     for (int k = 0; k < 500; ++k) {
       SCOPED_TRACE(k);

@@ -11,7 +11,7 @@
 
 #include "support/places.h"
 
-namespace floc::testing {
+namespace floc::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -130,4 +130,4 @@ TEST(Layers, AForbiddenIncludeInATreeIsFoundAndNamed) {
 }
 
 }  // namespace
-}  // namespace floc::testing
+}  // namespace floc::test

@@ -9,7 +9,7 @@
 #include "floc/contact/model_traits.h"
 #include "floc/contact/pair_geometry.h"
 
-namespace floc::testing {
+namespace floc::test {
 
 /// A normal law with one stiffness while the overlap grows beyond what it ever was and another one below that
 /// [Walton and Braun, J. Rheol. 30, 949 (1986)], for tests of laws that remember: the contact loses energy where
@@ -60,4 +60,4 @@ struct HystereticRepulsion {
   double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return unloading; }
 };
 
-}  // namespace floc::testing
+}  // namespace floc::test

@@ -14,7 +14,7 @@
 #include "support/sticky_spring.h"
 
 /// Enumerates the law table for the conformance suite: every row, in every dimension, with sample parameters.
-namespace floc::testing {
+namespace floc::test {
 
 /// Parameters of a slot in reduced units, like those of [GRC2008] but with no two numbers equal, so
 /// that one cannot stand in for another. A new kind of slot needs its sample here; without it the suite does
@@ -232,7 +232,7 @@ inline constexpr bool kForgetsOverlap = memory_size<typename std::decay_t<Law>::
 /// The memory of a contact that has been pressed deeper than anything else in the suite presses it: of laws that
 /// remember overlaps; of others that of a new contact.
 template <int Dim, class T = double, class Law>
-Remembered<Law, Dim, T> pressed(const Law& law) {
+Remembered<Law, Dim, T> pressed_memory(const Law& law) {
   Remembered<Law, Dim, T> memory;
   if constexpr (!kForgetsOverlap<Law>) {
     ContactMotion<Dim, T> motion{pair_at(T(-4e-4)), T(0), T(0), Shear<Dim, T>::Zero(),
@@ -244,7 +244,7 @@ Remembered<Law, Dim, T> pressed(const Law& law) {
 /// Static normal response of such a contact at a gap, and the energy along its normal.
 template <class T, class Law>
 NormalResponse<T> pressed_response(const Law& law, const T& gap) {
-  const auto memory = pressed<2, T>(law);
+  const auto memory = pressed_memory<2, T>(law);
   if constexpr (kForgetsOverlap<Law>)
     return law.normal(pair_at(gap));
   else
@@ -252,7 +252,7 @@ NormalResponse<T> pressed_response(const Law& law, const T& gap) {
 }
 template <class T, class Law>
 T pressed_energy(const Law& law, const T& gap) {
-  const auto memory = pressed<2, T>(law);
+  const auto memory = pressed_memory<2, T>(law);
   if constexpr (kForgetsOverlap<Law>)
     return law.energy(pair_at(gap));
   else
@@ -261,7 +261,7 @@ T pressed_energy(const Law& law, const T& gap) {
 /// Its stiffness in the network.
 template <class Law>
 ContactStiffness pressed_stiffness(const Law& law, double gap) {
-  return law.template stiffness<2>(pair_at(gap), pressed<2>(law));
+  return law.template stiffness<2>(pair_at(gap), pressed_memory<2>(law));
 }
 
 /// Stiffness of a new contact.
@@ -284,4 +284,4 @@ Shear<Dim> slip_by(double length) {
   return slip;
 }
 
-}  // namespace floc::testing
+}  // namespace floc::test

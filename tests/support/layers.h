@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Who may include whom in lib/floc, and a reader of include lines that holds sources against it.
-namespace floc::testing {
+namespace floc::test {
 
 /// Folder -> folders it may use directly; what those use, it may use too.
 using LayerOrder = std::map<std::string, std::set<std::string>>;
@@ -139,4 +139,4 @@ inline std::vector<std::string> layer_faults(const std::filesystem::path& root) 
   return faults;
 }
 
-}  // namespace floc::testing
+}  // namespace floc::test

@@ -5,7 +5,7 @@
 
 #include "support/laws.h"
 
-namespace floc::testing {
+namespace floc::test {
 
 /// Work done on a contact along its normal while its gap is moved by hand: minus the integral of the static normal
 /// force over the gap, by the trapezoidal rule, which is exact where the force is linear. Where the surfaces meet or
@@ -58,4 +58,4 @@ class NormalWork {
   double work_ = 0.0, largest_ = 0.0;
 };
 
-}  // namespace floc::testing
+}  // namespace floc::test

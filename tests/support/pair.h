@@ -5,7 +5,7 @@
 #include "floc/geometry/frame.h"
 #include "support/laws.h"
 
-namespace floc::testing {
+namespace floc::test {
 
 /// How one grain moves in one step.
 template <int Dim>
@@ -70,4 +70,4 @@ class MovingPair {
   double ri_, rj_;
 };
 
-}  // namespace floc::testing
+}  // namespace floc::test

@@ -6,7 +6,7 @@
 #include "floc/contact/model_traits.h"
 #include "floc/contact/pair_geometry.h"
 
-namespace floc::testing {
+namespace floc::test {
 
 /// A normal law whose surfaces, once they have met, hold together across a gap, for tests of laws that do, as that of
 /// Johnson, Kendall and Roberts does [Proc. R. Soc. A 324, 301 (1971)]: FNe = K_N (d + l) at an overlap d > -l of
@@ -58,4 +58,4 @@ struct StickySpring {
   double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return normal_stiffness; }
 };
 
-}  // namespace floc::testing
+}  // namespace floc::test

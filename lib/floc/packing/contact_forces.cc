@@ -40,16 +40,22 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
 template <class Law, int Dim>
 void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
                 std::optional<double> kt, double tolerance, Contact<Dim>& c) {
+  const double elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
+  auto memory = packed_memory<Law, Dim>(c.memory);
+  law.template set_elastic_force<Dim>(pair_geometry(grains, c), elastic_force, memory);
+  c.memory = unpacked_memory<Law, Dim>(memory);
   c.distant = !touches(law, grains, c) && interacts_at(law, grains, c);
-  if (c.distant) return;
-  c.elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
+  if (c.distant) {
+    // Of surfaces that have parted while they overlap, as such a law may have it.
+    if constexpr (Law::kRemembersOverlap) respond_to_motion<Law, Dim>(law, grains, SurfaceMotion<Dim>{}, c);
+    return;
+  }
+  c.elastic_force = elastic_force;
   const ContactStiffness k = law.stiffness_at_force(pair_geometry(grains, c), c.elastic_force);
   c.kn = kn.value_or(k.normal);
   c.kt = Law::kHasFriction ? kt.value_or(k.tangential) : 0.0;
   c.kr = k.rolling;
   c.ktw = k.twisting;
-  auto memory = packed_memory<Law, Dim>(c.memory);
-  law.template set_elastic_force<Dim>(pair_geometry(grains, c), c.elastic_force, memory);
   law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, -c.twisting_moment,
                               {c.kn, c.kt, c.kr, c.ktw}, memory);
   set_mobilised(law, memory, tolerance, c);

@@ -242,9 +242,9 @@ void expect_mirror_images(const Law& law) {
 }
 
 TEST(Dynamics, MirrorImagesOfUnequalGrainsCollideAlike) {
-  testing::for_each_law([](const auto& law) {
+  test::for_each_law([](const auto& law) {
     if (law.kDimension == 3) return;
-    Law parameters = testing::parameters_of(law);
+    Law parameters = test::parameters_of(law);
     expect_mirror_images(parameters);
     if (!parameters.has_damping()) return;
     SCOPED_TRACE("critical damping by the mass of a grain");

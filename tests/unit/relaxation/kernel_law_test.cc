@@ -17,7 +17,7 @@
 namespace floc {
 namespace {
 
-using testing::for_each_law_and_dimension;
+using test::for_each_law_and_dimension;
 
 /// What a pair of grains of unit mass and diameter does step by step under a law.
 template <int Dim, class Law>

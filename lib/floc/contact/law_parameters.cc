@@ -11,6 +11,7 @@
 
 #include "floc/contact/law_description.h"
 #include "floc/contact/model_traits.h"
+#include "floc/contact/relation_faults.h"
 
 namespace floc {
 namespace {
@@ -112,22 +113,9 @@ std::vector<std::string> LawParameters::validate() const {
 
 std::vector<LawFault> LawParameters::faults_between_numbers() const {
   std::vector<LawFault> faults;
-  for_each_slot(*this, [&](const std::string& slot_key, const auto& slot) {
-    slot.visit([&]<class Model>(const Model& model) {
-      if constexpr (requires { Model::kRelations; }) {
-        const auto key_of = [](double Model::*member) {
-          return std::find_if(std::begin(Model::kNumbers), std::end(Model::kNumbers),
-                              [&](const Number<Model>& n) { return n.member == member; })
-              ->key;
-        };
-        for (const AtLeast<Model>& relation : Model::kRelations)
-          if (!(model.*relation.larger >= model.*relation.smaller))
-            faults.push_back({slot_key,
-                              fmt::format("contact.{0}.{1} = {2}: expected at least contact.{0}.{3} = {4}",
-                                          slot_key, key_of(relation.larger), model.*relation.larger,
-                                          key_of(relation.smaller), model.*relation.smaller),
-                              key_of(relation.larger)});
-      }
+  for_each_slot(*this, [&](const char* key, const auto& slot) {
+    slot.visit([&](const auto& model) {
+      for (LawFault& fault : relation_faults(key, model)) faults.push_back(std::move(fault));
     });
   });
   return faults;

@@ -35,7 +35,7 @@ class Law {
   double pull_off_force() const;
   /// F0 of two grains of this radius, 0 without adhesion.
   double pull_off_force(double radius) const;
-  /// F0 of a pair, which liquid has to bridge for liquid to attract.
+  /// F0 of a pair, 0 without adhesion and for liquid bridges, which not every pair has (packing/liquid.h).
   double pull_off_force(const PairGeometry<>& pair) const;
   /// Whether anything attracts.
   bool adheres() const { return pull_off_force(1.0) > 0.0; }

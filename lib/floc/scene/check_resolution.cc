@@ -96,8 +96,8 @@ void check_overlaps(TableReader& root, const Scene& scene) {
     const double kappa = hertz_kappa(scene, pressure);
     if (pressure > 0 && kappa < kLeastKappa)
       t.fault(key, fmt::format("{} = {}: kappa = (E~/P)^(2/3) = {:.3g}, expected at least {}: spheres would "
-                               "overlap too far for Hertz's law",
-                               t.path_of(key), pressure, kappa, kLeastKappa));
+                               "overlap too far for contact.normal.law = \"{}\"",
+                               t.path_of(key), pressure, kappa, kLeastKappa, scene.law.normal_keyword()));
   };
   for_each_pressure(root, scene, check, [](const LoadStage&) { return false; });
 }

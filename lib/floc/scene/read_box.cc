@@ -54,6 +54,11 @@ void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
       not_negative, "the pull-off force of grains from walls, >= 0 (no default: it decides the result)"};
   box.friction = t.number("friction", friction).value_or(0);
   box.adhesion = t.number("adhesion", adhesion).value_or(0);
+  if (scene.law.adheres_by_itself())
+    t.fault("adhesion",
+            fmt::format("box.adhesion: grains under contact.normal.law = \"{}\" adhere to walls as they do "
+                        "to each other; expected a periodic cell, or another law",
+                        scene.law.normal_keyword()));
   if (box.friction > 0 && !scene.law.has_friction())
     t.fault("friction",
             fmt::format("box.friction = {}: the grains have no friction whose stiffness the walls could share; "

@@ -13,14 +13,14 @@ namespace floc {
 namespace {
 
 /// What a unit measures and how large it is in SI.
-struct Unit {
+struct KnownUnit {
   std::string_view measures;
   double size;
 };
 
 struct NamedUnit {
   std::string_view name;
-  Unit unit;
+  KnownUnit unit;
   bool takes_prefix;
 };
 
@@ -75,7 +75,7 @@ std::string respelled(const std::string& text) {
   return text;
 }
 
-std::optional<Unit> unit_of(const std::string& text) {
+std::optional<KnownUnit> unit_of(const std::string& text) {
   const std::string name = respelled(text);
   for (const NamedUnit& known : kUnits)
     if (name == known.name) return known.unit;
@@ -83,7 +83,7 @@ std::optional<Unit> unit_of(const std::string& text) {
     if (!name.starts_with(prefix)) continue;
     for (const NamedUnit& known : kUnits)
       if (known.takes_prefix && name.substr(prefix.size()) == known.name)
-        return Unit{known.unit.measures, factor * known.unit.size};
+        return KnownUnit{known.unit.measures, factor * known.unit.size};
   }
   return std::nullopt;
 }

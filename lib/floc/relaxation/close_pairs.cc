@@ -212,6 +212,7 @@ void ExplicitDynamics<Dim>::build_lists(const std::vector<Pairs>& further) {
   for (std::size_t k = 0; k < interactions_.size(); ++k) {
     Interaction<Dim>& interaction = interactions_[k];
     add_further(further[k], close[k]);
+    interaction.drop_numbers();
     interaction.set_pairs(
         {close[k], interaction.partner(), grains_, interaction.law(), dt_, blocks_of_group()});
     close[k] = Pairs();

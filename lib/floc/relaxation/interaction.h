@@ -41,6 +41,8 @@ class Interaction {
 
   /// Takes a new list of pairs, which inherits the memory of the one before.
   void set_pairs(PairArrays<Dim> pairs);
+  /// Drops numbers that a list which is about to be replaced needs no more.
+  void drop_numbers() { pairs_.drop_numbers(); }
   /// Drops what forces alone need.
   void keep_memory_alone() { pairs_.keep_memory_alone(); }
   /// Where the rows of the list begin.

@@ -191,10 +191,16 @@ void PairArrays<Dim>::inherit(const PairArrays& old) {
 }
 
 template <int Dim>
-void PairArrays<Dim>::keep_memory_alone() {
-  for (Component* component : {&viscous, &share_i_, &damping_, &reduced_radius_, &reduced_mass_, &radius_i_,
-                               &radius_j_, &strength_, &decay_, &reach_})
+void PairArrays<Dim>::drop_numbers() {
+  for (Component* component : {&share_i_, &damping_, &reduced_radius_, &reduced_mass_, &radius_i_, &radius_j_,
+                               &strength_, &decay_, &reach_})
     *component = Component();
+}
+
+template <int Dim>
+void PairArrays<Dim>::keep_memory_alone() {
+  drop_numbers();
+  viscous = Component();
 }
 
 template <int Dim>

@@ -59,7 +59,9 @@ class PairArrays {
   int find(const NeighborPair<Dim>& key) const;
   /// Takes over the memory of an older list of the same grains.
   void inherit(const PairArrays& old);
-  /// Drops what forces alone need, of a list that is not going to be stepped again.
+  /// Drops the numbers that forces alone need, of a list that is not going to be stepped again.
+  void drop_numbers();
+  /// The same, and the dashpot forces that another list would inherit.
   void keep_memory_alone();
   /// Finds anew what a law that holds liquid needs of each pair, from the volumes in the memory; does nothing
   /// for other laws.

@@ -117,6 +117,11 @@ Law law_of(std::initializer_list<Part> parts) {
   return law;
 }
 
+Law cohesive_law() {
+  return law_of({linear(1e5), tail_adhesion(1.0, 1e-3), viscous_damping(0.015), coulomb(0.5, 1e5),
+                 rolling_spring(0.005, 10.0)});
+}
+
 double law_number(const Law& law, const std::string& key) {
   LawParameters parameters = law;
   return number_of(parameters, key);

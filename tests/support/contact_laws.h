@@ -42,6 +42,9 @@ Part chosen(const std::string& key, const std::string& keyword);
 Law& operator+=(Law& law, const Part& part);
 Law law_of(std::initializer_list<Part> parts);
 
+/// The contact law of [GRC2008] in units F0 = a = m = 1, with small rolling resistance.
+Law cohesive_law();
+
 /// A number of a law by its key in a scene, "normal.stiffness" for instance. @pre it has this number
 double law_number(const Law& law, const std::string& key);
 

@@ -15,17 +15,6 @@
 
 namespace floc::test {
 
-/// The contact law of [GRC2008] in units F0 = a = m = 1, with small rolling resistance.
-inline Law cohesive_law() {
-  Law law;
-  law += test::linear(1e5);
-  law += test::tail_adhesion(1.0, 1e-3);
-  law += test::viscous_damping(0.015);
-  law += test::coulomb(0.5, 1e5);
-  law += test::rolling_spring(0.005, 10.0);
-  return law;
-}
-
 /// A gas of grains with diameters uniform in [1/2, 1].
 template <int Dim = 2>
 Packing<Dim> gas_of(int n, const Law& law, double solid_fraction, std::uint64_t seed = 1) {

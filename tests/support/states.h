@@ -20,11 +20,7 @@ template <int Dim>
 State<Dim> busy_state() {
   State<Dim> s;
   Packing<Dim>& p = s.packing;
-  p.law += test::linear(1e5);
-  p.law += test::tail_adhesion(1.0, 1e-3);
-  p.law += test::viscous_damping(0.015);
-  p.law += test::coulomb(0.5, 1e5);
-  p.law += test::rolling_spring(0.005, 10.0);
+  p.law = cohesive_law();
   if (Dim == 3) p.law += test::twisting_spring(0.004, 8.0);
   p.cell.matrix *= 7.3;
   p.cell.matrix(0, 0) = 1.0 - 1e-5 / 3.0;

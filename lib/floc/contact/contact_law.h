@@ -189,7 +189,7 @@ struct ContactLaw {
     }
     return response;
   }
-  /// The same of a contact.
+  /// Response of a contact with this memory.
   template <int Dim>
   NormalResponse<double> normal_of(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory,
                                    const PairParameters<>& parameters = {}) const {
@@ -210,7 +210,7 @@ struct ContactLaw {
       return elastic * elastic * -pair.gap / (elastic - k_n * pair.gap);
     }
   }
-  /// Both of a contact.
+  /// Energies of a contact with this memory: of its elastic part, and of its attraction.
   template <int Dim>
   double elastic_energy_of(const PairGeometry<>& pair, double elastic, double k_n,
                            const PackedMemory<kMemorySize<Dim>>& memory) const {

@@ -35,7 +35,7 @@ struct RememberedQuantity {
   int size;   ///< numbers
 };
 
-/// What contacts remember under a law, in the order of the layout.
+/// Quantities that contacts remember under a law, in the order of the layout.
 std::vector<RememberedQuantity> remembered_quantities(const Law& law, int dim);
 
 /// Factor of each number of the layout when the two grains of a contact are exchanged.

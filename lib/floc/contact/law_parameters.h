@@ -24,7 +24,7 @@ namespace floc {
 struct LawFault {
   std::string slot;      ///< that is to blame
   std::string words;     ///< "contact.SLOT...: requirement"
-  std::string key = {};  ///< of the number to blame, where it is a number
+  std::string key = {};  ///< key of the number to blame, empty where none is
 };
 
 /// A contact law as a scene or a saved state names it: a model with its numbers in each slot, absent where

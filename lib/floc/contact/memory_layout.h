@@ -13,31 +13,36 @@
 /// models that there are. A law evaluates, loads and stores only the numbers of its own models.
 namespace floc {
 
+namespace detail {
+
 /// The most numbers that any model of a slot remembers, among those for this dimension.
+template <class Slot>
+struct WidestMemory;
 template <class... Models>
-constexpr int widest_memory(const LawSlot<Models...>*, int dim) {
-  int widest = 0;
-  const auto widen = [&](int model_dimension, int size) {
-    if ((model_dimension == 0 || model_dimension == dim) && size > widest) widest = size;
-  };
-  (widen(kDimensionOf<Models>, memory_size<Models>(dim)), ...);
-  return widest;
-}
+struct WidestMemory<LawSlot<Models...>> {
+  static constexpr int in(int dim) {
+    int widest = 0;
+    const auto widen = [&](int model_dimension, int size) {
+      if ((model_dimension == 0 || model_dimension == dim) && size > widest) widest = size;
+    };
+    (widen(kDimensionOf<Models>, memory_size<Models>(dim)), ...);
+    return widest;
+  }
+};
 
 template <int Dim>
-inline constexpr bool kHasRoom = widest_memory(static_cast<const decltype(LawParameters::normal)*>(nullptr),
-                                               Dim) <=
-                                 MemoryLayout<Dim>::kNormalRoom&& widest_memory(
-                                     static_cast<const decltype(LawParameters::friction)*>(nullptr), Dim) <=
-                                 MemoryLayout<Dim>::kFrictionRoom&& widest_memory(
-                                     static_cast<const decltype(LawParameters::rolling)*>(nullptr), Dim) <=
-                                 MemoryLayout<Dim>::kRollingRoom&& widest_memory(
-                                     static_cast<const decltype(LawParameters::twisting)*>(nullptr), Dim) <=
-                                 MemoryLayout<Dim>::kTwistingRoom&& widest_memory(
-                                     static_cast<const decltype(LawParameters::adhesion)*>(nullptr),
-                                     Dim) <= MemoryLayout<Dim>::kAdhesionRoom;
-static_assert(kHasRoom<2> && kHasRoom<3>,
+constexpr bool has_room_for_all_models() {
+  using Layout = MemoryLayout<Dim>;
+  return WidestMemory<decltype(LawParameters::normal)>::in(Dim) <= Layout::kNormalRoom &&
+         WidestMemory<decltype(LawParameters::friction)>::in(Dim) <= Layout::kFrictionRoom &&
+         WidestMemory<decltype(LawParameters::rolling)>::in(Dim) <= Layout::kRollingRoom &&
+         WidestMemory<decltype(LawParameters::twisting)>::in(Dim) <= Layout::kTwistingRoom &&
+         WidestMemory<decltype(LawParameters::adhesion)>::in(Dim) <= Layout::kAdhesionRoom;
+}
+static_assert(has_room_for_all_models<2>() && has_room_for_all_models<3>(),
               "some model remembers more than contacts have room for: raise the room of its slot in history.h");
+
+}  // namespace detail
 
 /// Place in the layout of number k of a law's packed memory.
 template <class Law, int Dim>

@@ -8,21 +8,17 @@
 namespace floc {
 namespace {
 
-/// Energy of a spring; one without stiffness carries nothing.
-double spring_energy(double squared_force, double stiffness) {
-  return stiffness > 0.0 ? 0.5 * squared_force / stiffness : 0.0;
-}
-
 template <class Law, int Dim>
 ContactEnergy energy_of(const Law& law, const Packing<Dim>& packing, const Contact<Dim>& c) {
   const PairGeometry<> pair = pair_geometry(packing.grains, c);
   const auto memory = packed_memory<Law, Dim>(c.memory);
   ContactEnergy energy;
-  if (!c.distant)
-    energy.elastic = law.template elastic_energy_of<Dim>(pair, c.elastic_force, c.kn, memory) +
-                     spring_energy(c.shear_force.squaredNorm(), c.kt) +
+  if (!c.distant) {
+    energy.normal = law.template elastic_energy_of<Dim>(pair, c.elastic_force, c.kn, memory);
+    energy.elastic = energy.normal + spring_energy(c.shear_force.squaredNorm(), c.kt) +
                      spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
                      spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
+  }
   energy.attraction =
       law.template attraction_energy_of<Dim>(pair, memory, acting_parameters(law, packing.grains, c));
   return energy;
@@ -43,6 +39,7 @@ ContactEnergy contact_energy(const Packing<Dim>& packing) {
   const auto add = [&](const auto& law, const Contact<Dim>& c) {
     const ContactEnergy energy = energy_of(law, packing, c);
     sum.elastic += energy.elastic;
+    sum.normal += energy.normal;
     sum.attraction += energy.attraction;
   };
   std::visit(

@@ -41,8 +41,8 @@ bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to) {
   if (from.contacts.size() != to.contacts.size()) return false;
   for (std::size_t k = 0; k < to.contacts.size(); ++k) {
     const Contact<Dim>&p = from.contacts[k], &q = to.contacts[k];
-    if (!remembers_same_overlap(p, q)) return false;
     if (p.i != q.i || p.j != q.j || p.image != q.image || p.distant != q.distant) return false;
+    if (!remembers_same_overlap(p, q)) return false;
     Contact<Dim> beyond = q;
     beyond.gap = extrapolated(p.gap, q.gap);
     if (touches(from, beyond) == q.distant || (q.distant && beyond.gap >= range_of(from, p))) return false;

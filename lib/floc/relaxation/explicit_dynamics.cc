@@ -83,56 +83,36 @@ void ExplicitDynamics<Dim>::add_interactions(const Packing<Dim>& packing, Instru
 }
 
 template <int Dim>
-auto ExplicitDynamics<Dim>::take_histories(Packing<Dim>& packing) -> std::vector<History> {
-  std::vector<History> histories;
-  histories.reserve(packing.contacts.size());
-  for (const Contact<Dim>& c : packing.contacts) histories.push_back({{c.i, c.j, c.image, c.key}, c.memory});
-  packing.contacts = std::vector<Contact<Dim>>();  // = {} would keep the room that they took
-  return histories;
-}
-
-template <int Dim>
-std::vector<int> ExplicitDynamics<Dim>::places_of_grains() const {
+auto ExplicitDynamics<Dim>::take_histories(Packing<Dim>& packing) const -> std::vector<History> {
   std::vector<int> place(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) place[grains_.index[k]] = k;
-  return place;
-}
-
-template <int Dim>
-auto ExplicitDynamics<Dim>::place_of(const NeighborPair<Dim>& contact,
-                                     const std::vector<int>& place_of_grain) const -> PlaceOfContact {
-  NeighborPair<Dim> pair = contact;
-  pair.i = place_of_grain[contact.i];
-  if (contact.j >= grains_.size()) {
-    pair.j = contact.j - grains_.size();
-    return {1, pair, false};
+  std::vector<History> histories;
+  histories.reserve(packing.contacts.size());
+  for (const Contact<Dim>& c : packing.contacts) {
+    const bool on_wall = c.j >= grains_.size();
+    const NeighborPair<Dim> pair{place[c.i], on_wall ? c.j - grains_.size() : place[c.j], c.image, c.key};
+    const bool swap = !on_wall && pair.j < pair.i;
+    histories.push_back({swap ? swapped(pair) : pair, on_wall, swap, c.memory});
   }
-  pair.j = place_of_grain[contact.j];
-  if (pair.j < pair.i) return {0, swapped(pair), true};
-  return {0, pair, false};
+  packing.contacts = std::vector<Contact<Dim>>();  // = {} would keep the room that they took
+  return histories;
 }
 
 template <int Dim>
 auto ExplicitDynamics<Dim>::further_contacts(const std::vector<History>& histories) const
     -> std::vector<Pairs> {
   std::vector<Pairs> further(interactions_.size());
-  const std::vector<int> place_of_grain = places_of_grains();
-  for (const History& history : histories) {
-    if (history.key.key == 0) continue;
-    const PlaceOfContact place = place_of(history.key, place_of_grain);
-    further[place.interaction].push_back(place.pair);
-  }
+  for (const History& history : histories)
+    if (history.pair.key != 0) further[history.interaction()].push_back(history.pair);
   return further;
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::load_memory(const std::vector<History>& histories) {
-  const std::vector<int> place_of_grain = places_of_grains();
-  for (const auto& [contact, memory] : histories) {
-    const PlaceOfContact place = place_of(contact, place_of_grain);
-    Interaction<Dim>& interaction = interactions_[place.interaction];
-    const int p = interaction.pairs().find(place.pair);
-    if (p >= 0) interaction.load_memory(p, memory, place.swapped);
+  for (const History& history : histories) {
+    Interaction<Dim>& interaction = interactions_[history.interaction()];
+    const int p = interaction.pairs().find(history.pair);
+    if (p >= 0) interaction.load_memory(p, history.memory, history.swapped);
   }
   if (bridges_) interactions_[0].refresh_bridges();
 }

@@ -35,23 +35,18 @@ class ExplicitDynamics final : public Dynamics<Dim> {
 
  private:
   using Pairs = std::vector<NeighborPair<Dim>>;
-  /// What motion needs of a contact.
+  /// A contact of a packing in motion: the pair that it is among the grains of the blocks, and its memory.
   struct History {
-    NeighborPair<Dim> key;
+    NeighborPair<Dim> pair;
+    bool on_wall;
+    bool swapped;  ///< the pair is the contact seen from its other grain
     ContactMemory<Dim> memory;
+    int interaction() const { return on_wall ? 1 : 0; }
   };
 
   int n_blocks() const { return (grains_.size() + kGrainBlock - 1) / kGrainBlock; }
 
-  static std::vector<History> take_histories(Packing<Dim>& packing);
-  /// The interaction that a contact of a packing belongs to, and its pair among the grains of the blocks.
-  struct PlaceOfContact {
-    int interaction;
-    NeighborPair<Dim> pair;
-    bool swapped;  ///< the pair is the contact seen from its other grain
-  };
-  PlaceOfContact place_of(const NeighborPair<Dim>& contact, const std::vector<int>& place_of_grain) const;
-  std::vector<int> places_of_grains() const;
+  std::vector<History> take_histories(Packing<Dim>& packing) const;
   std::vector<Pairs> further_contacts(const std::vector<History>& histories) const;
   std::vector<Pairs> further_contacts() const;
   void add_interactions(const Packing<Dim>& packing, InstructionSet instructions, LatticeShape shape);

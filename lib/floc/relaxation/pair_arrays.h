@@ -36,7 +36,7 @@ class PairArrays {
   using Component = AlignedVector<double>;
 
   Component viscous;  ///< dashpot forces of the step before (force); empty where the law has none
-  /// What the law remembers, at the places of the layout; empty at places of which it remembers nothing.
+  /// Numbers that the law remembers, at the places of the layout; empty at places of which it remembers nothing.
   std::array<Component, MemoryLayout<Dim>::kSize> memory;
 
   PairArrays() = default;
@@ -89,7 +89,7 @@ class PairArrays {
   int blocks_of_group_ = 1;
   AlignedVector<int> i_, j_;
   std::array<AlignedVector<float>, Dim> image_;  ///< whole numbers
-  std::vector<int> key_;                         ///< of each pair; empty where all are 0
+  std::vector<int> key_;                         ///< keys of all pairs; empty where all are 0
   Component radii_, share_i_, damping_;
   Component reduced_radius_, reduced_mass_;                   ///< empty where the law does not need them
   Component radius_i_, radius_j_, strength_, decay_, reach_;  ///< empty where the law holds no liquid

@@ -19,10 +19,6 @@
 namespace floc {
 namespace {
 
-double spring_energy(double squared_force, double stiffness) {
-  return stiffness > 0.0 ? 0.5 * squared_force / stiffness : 0.0;
-}
-
 /// Attractions included.
 template <int Dim>
 double elastic_energy_of(const Packing<Dim>& packing) {
@@ -215,10 +211,8 @@ class Step {
   /// Energy that the normal law alone stores in a contact; a new contact stores none before.
   static double normal_energy(const Packing<Dim>& packing, const Contact<Dim>& c) {
     if (c.normal.isZero(0.0)) return 0.0;
-    Contact<Dim> without_springs = c;
-    without_springs.kt = without_springs.kr = without_springs.ktw = 0.0;
-    const ContactEnergy energy = contact_energy(packing, without_springs);
-    return packing.law.adheres_by_itself() ? energy.all() : energy.elastic;
+    const ContactEnergy energy = contact_energy(packing, c);
+    return packing.law.adheres_by_itself() ? energy.normal + energy.attraction : energy.normal;
   }
   /// The force that goes with it.
   double force_of_normal_law(const Contact<Dim>& c) const {

@@ -81,13 +81,7 @@ checkpoint_every = 5
   EXPECT_EQ(s.grains.count, 40);
   EXPECT_EQ(s.grains.diameter.min, 0.5);
   EXPECT_EQ(s.grains.diameter.max, 1.0);
-  Law law;
-  law += test::linear(1e5);
-  law += test::tail_adhesion(1.0, 1e-3);
-  law += test::viscous_damping(0.015);
-  law += test::coulomb(0.5, 1e5);
-  law += test::rolling_spring(0.005, 10);
-  EXPECT_EQ(s.law, law);
+  EXPECT_EQ(s.law, test::cohesive_law());
   EXPECT_EQ(s.assembly.protocol, AssemblyOptions::Protocol::aggregation);
   EXPECT_EQ(s.assembly.solid_fraction, 0.36);
   EXPECT_EQ(s.assembly.agitation, 9.5);

@@ -22,12 +22,12 @@ std::string shipped(const std::string& scene) {
 }
 
 /// A kind of states, and the arguments of `floc run` that make some.
-struct Kind {
+struct StateKind {
   const char* name;
   std::string scene;
 };
 
-std::vector<Kind> kinds() {
+std::vector<StateKind> state_kinds() {
   return {{"cohesive disks", shipped("type1_rolling_small") + "--set load.0.steps_per_decade=2 --until 9"},
           {"cohesive disks, distant bonds", shipped("type1_no_rolling") +
                                                 "--set contact.adhesion.range=0.05 --set load.0.to=1 "
@@ -122,7 +122,7 @@ TEST(BoundsOfModuli, HoldWhereTheColumnSaysSoAndAreRefusedElsewhere) {
   write_text(scratch.file("box3.toml"), box_scene(3));
   std::map<std::string, Coverage> covered;
   int k = 0;
-  for (const Kind& kind : kinds()) {
+  for (const StateKind& kind : state_kinds()) {
     const std::string run = fmt::format("run{}", k++);
     const Outcome made = run_floc("run " + kind.scene + " -o " + run, scratch.path());
     ASSERT_EQ(made.code, 0) << kind.name << ": " << made.err;
@@ -139,7 +139,8 @@ TEST(BoundsOfModuli, HoldWhereTheColumnSaysSoAndAreRefusedElsewhere) {
     EXPECT_GT(covered[kind].refused, 0) << kind;
   for (const char* kind : {"disks under a deviator", "disks in an oedometer"})
     EXPECT_GT(covered[kind].hold, covered[kind].hold_B_S) << kind;
-  for (const Kind& kind : kinds()) EXPECT_GT(covered[kind.name].hold + covered[kind.name].refused, 0);
+  for (const StateKind& kind : state_kinds())
+    EXPECT_GT(covered[kind.name].hold + covered[kind.name].refused, 0);
 }
 
 /// A square lattice, a thousand times as stiff along one axis as along the other, and as strongly loaded: B_reuss is

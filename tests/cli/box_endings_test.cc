@@ -12,7 +12,7 @@
 namespace floc::test {
 namespace {
 
-struct Kind {
+struct BoxKind {
   std::string name;
   int dimension;
   std::string normal = "{law = \"linear\", stiffness = 1e4}";
@@ -27,9 +27,9 @@ std::string capillary(const std::string& formation, const std::string& form) {
          formation + "\", form = \"" + form + "\"}\n";
 }
 
-std::vector<Kind> kinds() {
+std::vector<BoxKind> box_kinds() {
   const std::string tail = "adhesion = {law = \"tail\", force = 0.2, range = 1e-2}\n";
-  std::vector<Kind> all = {
+  std::vector<BoxKind> all = {
       {"dry", 2},
       {"dry", 3},
       {"tail", 2, "{law = \"linear\", stiffness = 1e3}", tail},
@@ -45,7 +45,7 @@ std::vector<Kind> kinds() {
 }
 
 /// Grains between walls under 0.1, then 0.3, without a stop_time.
-std::string scene_of(const Kind& kind) {
+std::string scene_of(const BoxKind& kind) {
   const bool plane = kind.dimension == 2;
   return "[scene]\nunits = \"reduced\"\ndimension = " + std::to_string(kind.dimension) +
          "\n[grains]\ncount = 40\ndiameter = {distribution = \"uniform\", min = 0.5, max = "
@@ -61,7 +61,7 @@ std::string scene_of(const Kind& kind) {
 TEST(BoxEndings, NoStateIsStoppedUnlessTheSceneSaysWhen) {
   const ScratchDirectory scratch;
   int n_runs = 0, n_states = 0, n_given_up = 0;
-  for (const Kind& kind : kinds()) {
+  for (const BoxKind& kind : box_kinds()) {
     const std::string what = kind.name + " in " + std::to_string(kind.dimension) + "D";
     write_text(scratch.file("box.toml"), scene_of(kind));
     const Outcome made = run_floc("run box.toml -o out --overwrite --seed 2", scratch.path());
@@ -89,7 +89,7 @@ TEST(BoxEndings, NoStateIsStoppedUnlessTheSceneSaysWhen) {
 /// The scene says when to stop; a box that may not settle in the time it has is given up, and what blocks it is named.
 TEST(BoxEndings, WhatDoesNotSettleIsGivenUpAndSaysWhatBlocks) {
   const ScratchDirectory scratch;
-  const std::string scene = scene_of(kinds().front());
+  const std::string scene = scene_of(box_kinds().front());
   write_text(scratch.file("stops.toml"), scene + "stop_time = 2\n");
   const Outcome stops = run_floc("run stops.toml -o stops", scratch.path());
   EXPECT_EQ(stops.code, 0) << stops.err;

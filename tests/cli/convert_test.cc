@@ -16,7 +16,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
 const std::string kTwoGrains = "X,Y,R\n1,1,0.5\n1.9,1,0.5\n";
 
 nlohmann::json info(const std::string& state) {
@@ -25,8 +24,8 @@ nlohmann::json info(const std::string& state) {
 
 TEST(Convert, OfTheSameFileGivesTheSameBytes) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("a.h5")}).code, 0);
-  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("b.h5")}).code, 0);
+  ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("a.h5")}).code, 0);
+  ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("b.h5")}).code, 0);
   EXPECT_EQ(read_file(scratch.file("a.h5")), read_file(scratch.file("b.h5")));
 }
 
@@ -50,11 +49,11 @@ TEST(Convert, TakesAPackingFromStdin) {
 TEST(Convert, LeavesAnExistingFileAloneUnlessToldTo) {
   const ScratchDirectory scratch;
   std::ofstream(scratch.file("s.h5")) << "mine";
-  const Outcome refused = floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")});
+  const Outcome refused = floc_arguments({"convert", jambashbulk_file(), scratch.file("s.h5")});
   EXPECT_EQ(refused.code, 4);
   EXPECT_THAT(refused.err, AllOf(HasSubstr("s.h5"), HasSubstr("exists already; --overwrite")));
   EXPECT_EQ(read_file(scratch.file("s.h5")), "mine");
-  EXPECT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5"), "--overwrite"}).code, 0);
+  EXPECT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("s.h5"), "--overwrite"}).code, 0);
   EXPECT_EQ(info(scratch.file("s.h5"))["n_grains"], 16);
 }
 
@@ -82,19 +81,19 @@ TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
   expect(4, "has no column \"x\"",
          {scratch.file("g.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,0;0,4"});
   expect(4, "s.pdb: expected a name that ends in one of .h5 (state: state file of floc), .vtu",
-         {kJambashbulk, scratch.file("s.pdb")});
-  expect(4, "--to: \"pdb\" is not a format", {kJambashbulk, out, "--to", "pdb"});
-  expect(4, "--stress: has 1 numbers, expected 2", {kJambashbulk, out, "--stress", "1"});
-  expect(4, "leave out --law", {kJambashbulk, out, "--law", "normal.stiffness=2"});
-  expect(1, "cannot be written", {kJambashbulk, scratch.file("g.csv/s.h5")});
+         {jambashbulk_file(), scratch.file("s.pdb")});
+  expect(4, "--to: \"pdb\" is not a format", {jambashbulk_file(), out, "--to", "pdb"});
+  expect(4, "--stress: has 1 numbers, expected 2", {jambashbulk_file(), out, "--stress", "1"});
+  expect(4, "leave out --law", {jambashbulk_file(), out, "--law", "normal.stiffness=2"});
+  expect(1, "cannot be written", {jambashbulk_file(), scratch.file("g.csv/s.h5")});
   expect(2, "IN... OUT is required", {});
-  expect(2, "IN... OUT", {kJambashbulk});
-  expect(2, "--units", {kJambashbulk, out, "--units", "imperial"});
+  expect(2, "IN... OUT", {jambashbulk_file()});
+  expect(2, "--units", {jambashbulk_file(), out, "--units", "imperial"});
 }
 
 TEST(Info, SaysWhereAStateComesFrom) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")}).code, 0);
+  ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("s.h5")}).code, 0);
   const auto said = info(scratch.file("s.h5"));
   EXPECT_THAT(said["program"].get<std::string>(), StartsWith("floc "));
   EXPECT_THAT(said["source"].get<std::string>(), StartsWith("N16~P1e-3~0001.txt, SHA-256 c63c0a8c380f85a0"));
@@ -106,7 +105,7 @@ TEST(Info, SaysWhereAStateComesFrom) {
 
 TEST(Info, OfManyStatesSkipsTheBadOneAndSaysSo) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")}).code, 0);
+  ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("s.h5")}).code, 0);
   const Outcome result =
       floc_arguments({"info", scratch.file("s.h5"), scratch.file("none.h5"), scratch.file("s.h5")});
   EXPECT_EQ(result.code, 4);
@@ -117,7 +116,7 @@ TEST(Info, OfManyStatesSkipsTheBadOneAndSaysSo) {
 
 TEST(Info, ThatCannotBePrintedIsAFailure) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")}).code, 0);
+  ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("s.h5")}).code, 0);
   const Outcome result = run_arguments(
       "/bin/sh", {"-c", "exec \"$0\" info \"$1\" >/dev/full", floc_program(), scratch.file("s.h5")});
   EXPECT_EQ(result.code, 1);

@@ -17,7 +17,6 @@ using testing::HasSubstr;
 const std::string kOedometer = source_directory() + "/data/tables/oedometer/oedometer.csv";
 const std::string kColumns = " --columns P_star=Effective_Vertical_Stress,void_ratio=Void_Ratio --format json";
 const std::string kReload = source_directory() + "/data/tables/reload";
-const std::string kDemo = source_directory() + "/data/tables/demo";
 
 TEST(Oedometer, VirginSlopeIsThatOfItsLastTwoSteps) {
   const Outcome o =
@@ -52,7 +51,7 @@ TEST(Oedometer, ReloadingTellsThePressureItHadSeen) {
 }
 
 TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
-  const Outcome o = run_floc("fit consolidation " + kDemo + " --bootstrap 50 --format json");
+  const Outcome o = run_floc("fit consolidation " + demo_tables() + " --bootstrap 50 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json fits = json::parse(o.out);
   ASSERT_EQ(fits.size(), 9u);
@@ -71,7 +70,8 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
 }
 
 TEST(ShippedPaths, PublishedProtocolFitsTheMeanFromAPressureOfTheGridOn) {
-  const Outcome o = run_floc("fit consolidation " + kDemo + " --protocol published --P0 0.03 --format json");
+  const Outcome o =
+      run_floc("fit consolidation " + demo_tables() + " --protocol published --P0 0.03 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json fits = json::parse(o.out);
   ASSERT_EQ(fits.size(), 1u);
@@ -99,7 +99,7 @@ TEST(ShippedPaths, ReloadingTellsThePressureTheyHadSeen) {
 }
 
 TEST(ShippedPaths, UnloadingIsElastic) {
-  const Outcome o = run_floc("fit elastic " + kDemo + "/seed-1 --format json");
+  const Outcome o = run_floc("fit elastic " + demo_tables() + "/seed-1 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json fit = json::parse(o.out).at(0);
   EXPECT_EQ(fit["n_points"], 14);
@@ -110,7 +110,8 @@ TEST(ShippedPaths, UnloadingIsElastic) {
 
 TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
   for (int seed = 1; seed <= 8; ++seed) {
-    const Outcome o = run_floc("fit elastic " + kDemo + "/seed-" + std::to_string(seed) + " --format json");
+    const Outcome o =
+        run_floc("fit elastic " + demo_tables() + "/seed-" + std::to_string(seed) + " --format json");
     ASSERT_EQ(o.code, 0) << o.err;
     const json B = json::parse(o.out).at(0)["parameters"]["B"];
     // As above. The line through a whole branch gave up to 52 000, with an interval from 38 000 on.
@@ -156,8 +157,8 @@ TEST(FitElastic, TheModulusOfAStateStandsBesideTheFit) {
 
 TEST(Plots, AreDrawnWithDataAndScriptBesideThem) {
   const ScratchDirectory dir;
-  const Outcome o =
-      run_floc("fit consolidation " + kDemo + "/seed-1 --plot \"a fit's.svg\" --format csv", dir.path());
+  const Outcome o = run_floc(
+      "fit consolidation " + demo_tables() + "/seed-1 --plot \"a fit's.svg\" --format csv", dir.path());
   ASSERT_EQ(o.code, 0) << o.err;
   const std::string svg = content_of(dir.file("a fit's.svg"));
   EXPECT_THAT(svg, HasSubstr("<svg"));
@@ -169,8 +170,9 @@ TEST(Plots, AreDrawnWithDataAndScriptBesideThem) {
 
 TEST(Plots, BadNamesAndFullDisksAreSaid) {
   const ScratchDirectory dir;
-  EXPECT_EQ(run_floc("fit consolidation " + kDemo + "/seed-1 --plot fit.gif", dir.path()).code, 4);
-  EXPECT_EQ(run_floc("fit consolidation " + kDemo + "/seed-1 --plot absent/fit.svg", dir.path()).code, 1);
+  EXPECT_EQ(run_floc("fit consolidation " + demo_tables() + "/seed-1 --plot fit.gif", dir.path()).code, 4);
+  EXPECT_EQ(run_floc("fit consolidation " + demo_tables() + "/seed-1 --plot absent/fit.svg", dir.path()).code,
+            1);
 }
 
 TEST(Units, ComeFromTheHeaderAndStayWithPressures) {

@@ -19,13 +19,12 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
-
 /// A directory with the jamBashbulk packing in it as packing.h5.
 class ModuliCommand : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(run_arguments(floc_program(), {"convert", kJambashbulk, scratch_.file("packing.h5")}).code, 0);
+    ASSERT_EQ(run_arguments(floc_program(), {"convert", jambashbulk_file(), scratch_.file("packing.h5")}).code,
+              0);
   }
   Outcome moduli(const std::string& arguments) const {
     return run_floc("moduli " + arguments, scratch_.path());

@@ -16,11 +16,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
-
 class Output : public testing::Test {
  protected:
-  Output() { EXPECT_EQ(floc_arguments({"convert", kJambashbulk, file("s.h5")}).code, 0); }
+  Output() { EXPECT_EQ(floc_arguments({"convert", jambashbulk_file(), file("s.h5")}).code, 0); }
   std::string file(const std::string& name) const { return scratch_.file(name); }
   /// Runs a line of the shell in the scratch directory; $0 is floc.
   Outcome shell(const std::string& line) const {

@@ -21,12 +21,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const std::string kDemo = source_directory() + "/data/tables/demo";
-
 class PlotCommand : public SmallRun {};
 
 TEST_F(PlotCommand, WritesDataAndScriptFromWhichGnuplotMakesThePictureAgain) {
-  const Outcome o = floc("plot " + kDemo + " -o 'the curve.svg' --format json");
+  const Outcome o = floc("plot " + demo_tables() + " -o 'the curve.svg' --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json row = json::parse(o.out).at(0);
   EXPECT_EQ(row.at("shows"), "consolidation");
@@ -42,11 +40,11 @@ TEST_F(PlotCommand, WritesDataAndScriptFromWhichGnuplotMakesThePictureAgain) {
 
 TEST_F(PlotCommand, GivesTheSameBytesAgainInEveryFormat) {
   for (const std::string ending : {"svg", "pdf", "png"}) {
-    ASSERT_EQ(floc("plot " + kDemo + " -o one." + ending).code, 0);
+    ASSERT_EQ(floc("plot " + demo_tables() + " -o one." + ending).code, 0);
     const std::string first = content_of(file("one." + ending));
     ASSERT_GT(first.size(), 1000u);
     EXPECT_THAT(first, ::testing::Not(HasSubstr("/CreationDate (D:")));
-    ASSERT_EQ(floc("plot " + kDemo + " -o one." + ending).code, 0);
+    ASSERT_EQ(floc("plot " + demo_tables() + " -o one." + ending).code, 0);
     EXPECT_TRUE(content_of(file("one." + ending)) == first) << ending;
   }
 }
@@ -164,7 +162,7 @@ TEST_F(PlotCommand, WordsOfGnuplotStayWithItUnlessItFails) {
 
 TEST_F(PlotCommand, RegimesAreNamedAboveTheCurveAndApart) {
   // A sample whose path shows where all three begin.
-  ASSERT_EQ(floc("plot " + kDemo + "/seed-6 -o regimes.svg").code, 0);
+  ASSERT_EQ(floc("plot " + demo_tables() + "/seed-6 -o regimes.svg").code, 0);
   const std::string script = content_of(file("regimes.gp"));
   std::vector<double> places;
   for (std::size_t at = 0; (at = script.find("set label '", at)) != std::string::npos; ++at) {
@@ -293,14 +291,14 @@ TEST_F(PlotCommand, RoseDiagramsHoldAllContactsThatPress) {
 
 TEST_F(PlotCommand, BadInputIsNamed) {
   write_text(file("broken.csv"), "P_star,phi\n0.1,0.5\n0.2,much\n");
-  const Outcome broken = floc("plot broken.csv " + kDemo + "/seed-1 -o some.svg");
+  const Outcome broken = floc("plot broken.csv " + demo_tables() + "/seed-1 -o some.svg");
   EXPECT_EQ(broken.code, 4);
   EXPECT_THAT(broken.err, HasSubstr("broken.csv:3"));
   EXPECT_THAT(content_of(file("some.svg")), HasSubstr("</svg>"));
   EXPECT_THAT(floc("plot run -o a.gif").err, HasSubstr("expected a name that ends in .svg, .pdf or .png"));
   EXPECT_THAT(floc("plot broken.csv -o a.svg --show coordination").err, HasSubstr("z"));
   EXPECT_EQ(floc("plot broken.csv -o a.svg --show moduli").code, 4);
-  EXPECT_EQ(floc("plot " + kDemo + " -o a.svg --show coordination").code, 4);
+  EXPECT_EQ(floc("plot " + demo_tables() + " -o a.svg --show coordination").code, 4);
   write_text(file("foreign.h5"), "no state");
   EXPECT_EQ(floc("plot foreign.h5 -o a.svg").code, 4);
   EXPECT_EQ(floc("plot run -o absent/a.svg").code, 1);

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kDemo = source_directory() + "/data/scenes/demo.toml";
+const std::string kDemoScene = source_directory() + "/data/scenes/demo.toml";
 
 double group(const std::string& json, const std::string& name) {
   for (const auto& row : nlohmann::json::parse(json))
@@ -23,7 +23,7 @@ double group(const std::string& json, const std::string& name) {
 }
 
 TEST(SceneCheck, PrintsTheGroupsOfTheDemo) {
-  const Outcome o = run_floc("scene check " + kDemo + " --format json");
+  const Outcome o = run_floc("scene check " + kDemoScene + " --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_EQ(group(o.out, "kappa"), 1e5);
   EXPECT_EQ(group(o.out, "h0/a"), 1e-5);
@@ -38,14 +38,14 @@ TEST(SceneCheck, PrintsTheGroupsOfTheDemo) {
 }
 
 TEST(SceneCheck, OverridesAreSeen) {
-  const Outcome o = run_floc("scene check " + kDemo + " --set contact.adhesion.force=2 --format json");
+  const Outcome o = run_floc("scene check " + kDemoScene + " --set contact.adhesion.force=2 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_EQ(group(o.out, "kappa"), 5e4);
 }
 
 TEST(SceneCheck, ListsEveryFaultAndExitsWithBadInput) {
   const ScratchDirectory dir;
-  std::string text = content_of(kDemo);
+  std::string text = content_of(kDemoScene);
   text.replace(text.find("stiffness = 1e5}"), 16, "stifness = 1e5}");
   text.replace(text.find("count = 400"), 11, "count = -1");
   write_text(dir.file("bad.toml"), text);
@@ -70,7 +70,7 @@ TEST(SceneCheck, WarnsOfWhatWillNotComeOutAsMeant) {
       {"grains.count=100000000", "days on one core"},
   };
   for (const Doubtful& scene : scenes) {
-    const Outcome o = run_floc("scene check " + kDemo + " --set " + scene.change);
+    const Outcome o = run_floc("scene check " + kDemoScene + " --set " + scene.change);
     EXPECT_EQ(o.code, 0) << o.err;
     EXPECT_THAT(o.err, HasSubstr(std::string("demo.toml: warning: "))) << scene.change;
     EXPECT_THAT(o.err, HasSubstr(scene.warning)) << scene.change;
@@ -120,7 +120,7 @@ struct Mistake {
 class BadScene : public testing::TestWithParam<Mistake> {};
 
 TEST_P(BadScene, IsBadInputWithPlaceValueAndExpectation) {
-  const Outcome o = run_floc("scene check " + kDemo + " --set '" + GetParam().set + "'");
+  const Outcome o = run_floc("scene check " + kDemoScene + " --set '" + GetParam().set + "'");
   EXPECT_EQ(o.code, 4);
   EXPECT_EQ(o.out, "");
   EXPECT_THAT(o.err, HasSubstr(GetParam().expectation));

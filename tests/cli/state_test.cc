@@ -19,7 +19,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string kScripts = source_directory() + "/tests/cli/";
-const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
 /// The Python that Debian's python3-h5py belongs to.
 const std::string kPython = "/usr/bin/python3";
 
@@ -36,7 +35,7 @@ TEST(StateFromPython, HasGapsForcesAndStressAsTheContractSays) {
 
 TEST(StateFromPython, OfARealPackingIsInEquilibrium) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("s.h5")}).code, 0);
+  ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("s.h5")}).code, 0);
   const Outcome result = run_arguments(kPython, {kScripts + "read_state.py", scratch.file("s.h5"), "1e-11"});
   EXPECT_EQ(result.code, 0) << result.err;
 }

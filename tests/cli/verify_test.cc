@@ -21,14 +21,12 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kJambashbulk = source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
-
 /// What `floc verify` says of the jamBashbulk packing after `spoil` changed it.
 template <class Spoil>
 Outcome verify_spoiled(const Spoil& spoil) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("s.h5");
-  EXPECT_EQ(floc_arguments({"convert", kJambashbulk, path}).code, 0);
+  EXPECT_EQ(floc_arguments({"convert", jambashbulk_file(), path}).code, 0);
   auto state = std::get<State<2>>(read_state(path));
   spoil(state);
   write_state(path, state);
@@ -201,7 +199,7 @@ TEST(Verify, NamesTolerancesThatAnyPackingMeetsAndABoundaryThatMoves) {
 
 TEST(Verify, OfManyExitsWithTheWorst) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(floc_arguments({"convert", kJambashbulk, scratch.file("good.h5")}).code, 0);
+  ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("good.h5")}).code, 0);
   write_state(scratch.file("bad.h5"), busy_state<3>());
   const auto two = floc_arguments({"verify", scratch.file("bad.h5"), scratch.file("good.h5")});
   EXPECT_EQ(two.code, 5);

@@ -6,6 +6,14 @@ std::string source_directory() {
   return FLOC_SOURCE_DIR;
 }
 
+std::string jambashbulk_file() {
+  return source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+}
+
+std::string demo_tables() {
+  return source_directory() + "/data/tables/demo";
+}
+
 std::string floc_program() {
   return FLOC_PROGRAM;
 }

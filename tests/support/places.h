@@ -9,6 +9,12 @@ namespace floc::test {
 /// The checkout, without a slash at the end.
 std::string source_directory();
 
+/// A packing of 16 disks by jambashbulk.
+std::string jambashbulk_file();
+
+/// The tables of the runs of data/scenes/demo.toml.
+std::string demo_tables();
+
 /// The program floc as built beside the tests.
 std::string floc_program();
 

@@ -61,11 +61,11 @@ Mat<3> lammps_cell(const std::string& dump) {
 }
 
 /// The stiffnesses of a pair by its gap and reduced radius; none if it does not act.
-using Law = std::function<std::optional<HandContact>(double gap, double radius)>;
+using HandLaw = std::function<std::optional<HandContact>(double gap, double radius)>;
 
 /// Moduli of the network of the pairs listed.
 template <int Dim>
-Moduli by_hand(HandNetwork<Dim> hand, const std::vector<std::vector<double>>& pairs, const Law& law) {
+Moduli by_hand(HandNetwork<Dim> hand, const std::vector<std::vector<double>>& pairs, const HandLaw& law) {
   for (const std::vector<double>& row : pairs) {
     const auto id1 = static_cast<std::int64_t>(row[0]), id2 = static_cast<std::int64_t>(row[1]);
     if (const auto k = law(hand.gap(id1, id2), hand.reduced_radius(id1, id2))) hand.add(id1, id2, *k);
@@ -97,7 +97,7 @@ double largest_difference(const Imported& converted) {
 }
 
 /// Elastic spheres of E and nu. Contacts of rattlers carry less than `smallest`, 1e-5 P a^2.
-Law hertz_mindlin(double E, double nu, double smallest) {
+HandLaw hertz_mindlin(double E, double nu, double smallest) {
   return [=](double gap, double radius) -> std::optional<HandContact> {
     const double E_r = E / (2.0 * (1.0 - nu * nu));
     if (gap >= 0.0 || 4.0 / 3.0 * E_r * std::sqrt(radius * -gap) * -gap < smallest) return std::nullopt;

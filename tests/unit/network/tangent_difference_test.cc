@@ -68,7 +68,7 @@ double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation) {
 /// The packing after small displacements and rotations (times the radius) of its grains, then symmetric strains
 /// (shortening positive), its contacts carried along.
 template <int Dim>
-Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
+Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();
   Mat<Dim> deformation = Mat<Dim>::Identity();
   for (int e = 0; e < kSymmetric<Dim>; ++e) deformation -= u[kDofs<Dim> * n + e] * unit_strain<Dim>(e);
@@ -130,14 +130,14 @@ double difference_error(const Packing<Dim>& packing) {
   for (int u = 0; u < n; ++u) {
     const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(n, u);
     differences.col(u) =
-        (load(displaced<Dim>(packing, step)) - load(displaced<Dim>(packing, -step))) / (2.0 * kStep);
+        (load(carried_along<Dim>(packing, step)) - load(carried_along<Dim>(packing, -step))) / (2.0 * kStep);
   }
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
 /// Rounding is 1e-16/step = 1e-10 of the largest entry, truncation (step/spring)^2 where the direction of
 /// sliding turns: the shortest springs at their cap are a thousandth.
-constexpr double kDifferenceTolerance = 1e-7;
+constexpr double kTangentTolerance = 1e-7;
 
 template <int Dim>
 Packing<Dim> stretched_packing(int n_grains, unsigned seed, double reach) {
@@ -157,15 +157,15 @@ TEST(Tangent, IsTheDerivativeOfTheForcesWhereContactsStick) {
     const auto plane = stretched_packing<2>(14, seed, 0.5);
     const auto space = stretched_packing<3>(8, seed, 0.5);
     expect_to_differ_from_the_symmetric_form(plane);
-    EXPECT_LT(difference_error(plane), kDifferenceTolerance) << seed;
-    EXPECT_LT(difference_error(space), kDifferenceTolerance) << seed;
+    EXPECT_LT(difference_error(plane), kTangentTolerance) << seed;
+    EXPECT_LT(difference_error(space), kTangentTolerance) << seed;
   }
 }
 
 TEST(Tangent, IsTheDerivativeOfTheForcesWhereContactsSlideAndYield) {
   for (unsigned seed = 0; seed < 3; ++seed) {
-    EXPECT_LT(difference_error(stretched_packing<2>(14, seed, 3.0)), kDifferenceTolerance) << seed;
-    EXPECT_LT(difference_error(stretched_packing<3>(8, seed, 3.0)), kDifferenceTolerance) << seed;
+    EXPECT_LT(difference_error(stretched_packing<2>(14, seed, 3.0)), kTangentTolerance) << seed;
+    EXPECT_LT(difference_error(stretched_packing<3>(8, seed, 3.0)), kTangentTolerance) << seed;
   }
 }
 
@@ -174,7 +174,7 @@ TEST(Tangent, HoldsForGrainsThatTouchTheirOwnImages) {
   ASSERT_TRUE(
       std::any_of(packing.contacts.begin(), packing.contacts.end(), [](auto& c) { return c.i == c.j; }));
   stretch(packing, 2.0, 1);
-  EXPECT_LT(difference_error(packing), kDifferenceTolerance);
+  EXPECT_LT(difference_error(packing), kTangentTolerance);
 }
 
 /// Each contact of a packing by itself, so that no term hides behind a larger one of another contact.
@@ -183,7 +183,7 @@ void expect_each_contact(const Packing<Dim>& packing) {
   for (const Contact<Dim>& c : packing.contacts) {
     Packing<Dim> one = packing;
     one.contacts = {c};
-    EXPECT_LT(difference_error(one), kDifferenceTolerance) << c.i << " " << c.j;
+    EXPECT_LT(difference_error(one), kTangentTolerance) << c.i << " " << c.j;
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Part = SeenPacking::Part;
 
-constexpr double kRounding = 1e-12;
+constexpr double kSeenRounding = 1e-12;
 
 /// The eye far up the z axis, x to the right and y upwards, so that what is seen are the coordinates themselves.
 View from_above() {
@@ -44,8 +44,8 @@ TEST(SeenPacking, NearerSpheresAreDrawnLater) {
   for (const auto& mark : seen.order) grains.push_back(seen.spheres[mark.index].grain);
   // The last is brought into the cell, to z = 1.5.
   EXPECT_EQ(grains, (std::vector<int>{1, 3, 2, 0}));
-  EXPECT_NEAR(seen.far, 1.0, kRounding);
-  EXPECT_NEAR(seen.near, 3.0, kRounding);
+  EXPECT_NEAR(seen.far, 1.0, kSeenRounding);
+  EXPECT_NEAR(seen.near, 3.0, kSeenRounding);
 }
 
 TEST(SeenPacking, OrderOfCentresIsRightForTangentSpheresOfAnySize) {
@@ -90,14 +90,14 @@ TEST(SeenPacking, TubesReachFromSphereToSphere) {
   const auto seen = seen_packing(picture, view, scale);
   ASSERT_EQ(seen.tubes.size(), 1u);
   const double inside = std::sqrt(0.25 * 0.25 - 0.15 * 0.15);
-  EXPECT_TRUE(seen.tubes[0].from.isApprox(Vec<3>(1.0 + inside, 2, 2), kRounding));
-  EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(2.0 - inside, 2, 2), kRounding));
+  EXPECT_TRUE(seen.tubes[0].from.isApprox(Vec<3>(1.0 + inside, 2, 2), kSeenRounding));
+  EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(2.0 - inside, 2, 2), kSeenRounding));
   EXPECT_EQ(seen.tubes[0].from_end, TubeEnd::at_sphere);
-  EXPECT_NEAR(seen.tubes[0].width, 0.3, kRounding);
+  EXPECT_NEAR(seen.tubes[0].width, 0.3, kSeenRounding);
   // A tube wider than the spheres joins the centres; between whole spheres there is nothing to see.
   view.sphere_size = 0.2;
   const auto wide = seen_packing(picture, view, scale);
-  EXPECT_TRUE(wide.tubes.at(0).from.isApprox(Vec<3>(1, 2, 2), kRounding));
+  EXPECT_TRUE(wide.tubes.at(0).from.isApprox(Vec<3>(1, 2, 2), kSeenRounding));
   EXPECT_EQ(wide.tubes.at(0).from_end, TubeEnd::round);
   EXPECT_EQ(wide.tubes.at(0).to_end, TubeEnd::round);
   view.sphere_size = 1.0;
@@ -113,12 +113,12 @@ TEST(SeenPacking, ContactsAcrossAFaceAreCutThere) {
   const auto seen = seen_packing(picture, view, {});
   EXPECT_TRUE(seen.spheres.empty());
   ASSERT_EQ(seen.tubes.size(), 2u);
-  EXPECT_TRUE(seen.tubes[0].from.isApprox(Vec<3>(0, 2, 2), kRounding));
-  EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(0.6, 2, 2), kRounding));
+  EXPECT_TRUE(seen.tubes[0].from.isApprox(Vec<3>(0, 2, 2), kSeenRounding));
+  EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(0.6, 2, 2), kSeenRounding));
   EXPECT_EQ(seen.tubes[0].from_end, TubeEnd::cut);
   EXPECT_EQ(seen.tubes[0].to_end, TubeEnd::round);
-  EXPECT_TRUE(seen.tubes[1].from.isApprox(Vec<3>(3.6, 2, 2), kRounding));
-  EXPECT_TRUE(seen.tubes[1].to.isApprox(Vec<3>(4, 2, 2), kRounding));
+  EXPECT_TRUE(seen.tubes[1].from.isApprox(Vec<3>(3.6, 2, 2), kSeenRounding));
+  EXPECT_TRUE(seen.tubes[1].to.isApprox(Vec<3>(4, 2, 2), kSeenRounding));
 }
 
 TEST(SeenPacking, ContactsWithAWallEndFlatOnIt) {
@@ -126,7 +126,7 @@ TEST(SeenPacking, ContactsWithAWallEndFlatOnIt) {
   picture.lines = {line_between(picture, 0, 1, {2, 2, 4})};
   const auto seen = seen_packing(picture, from_above(), {});
   ASSERT_EQ(seen.tubes.size(), 1u);
-  EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(2, 2, 4), kRounding));
+  EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(2, 2, 4), kSeenRounding));
   EXPECT_EQ(seen.tubes[0].from_end, TubeEnd::at_sphere);
   EXPECT_EQ(seen.tubes[0].to_end, TubeEnd::cut);
 }
@@ -140,13 +140,13 @@ TEST(SeenPacking, ASphereHidesWhatIsInItAndBehindIt) {
   // Between equator and front: the width of the sphere at that depth.
   const auto part = hidden_part({-2, 0, 0.6}, {2, 0, 0.6}, sphere);
   ASSERT_TRUE(part);
-  EXPECT_NEAR(part->first, 0.5 - 0.8 / 4.0, kRounding);
-  EXPECT_NEAR(part->second, 0.5 + 0.8 / 4.0, kRounding);
+  EXPECT_NEAR(part->first, 0.5 - 0.8 / 4.0, kSeenRounding);
+  EXPECT_NEAR(part->second, 0.5 + 0.8 / 4.0, kSeenRounding);
   // Towards the eye: from its end behind until it leaves the sphere.
   const auto towards = hidden_part({0.6, 0, -4}, {0.6, 0, 4}, sphere);
   ASSERT_TRUE(towards);
   EXPECT_EQ(towards->first, 0.0);
-  EXPECT_NEAR(towards->second, 0.5 + 0.8 / 8.0, kRounding);
+  EXPECT_NEAR(towards->second, 0.5 + 0.8 / 8.0, kSeenRounding);
 }
 
 TEST(SeenPacking, HiddenPartsAgreeWithRays) {
@@ -162,7 +162,7 @@ TEST(SeenPacking, HiddenPartsAgreeWithRays) {
       const Vec<3> apart = from + t * (to - from) - sphere.centre;
       const double beside = apart.head<2>().squaredNorm();
       const bool hidden = beside < 1.0 && apart[2] < std::sqrt(1.0 - beside);
-      EXPECT_EQ(hidden, part && t > part->first - kRounding && t < part->second + kRounding)
+      EXPECT_EQ(hidden, part && t > part->first - kSeenRounding && t < part->second + kSeenRounding)
           << trial << ' ' << t;
     }
   }

@@ -16,7 +16,7 @@ namespace {
 using test::KernelPair;
 
 /// Glass beads in units of their diameter a, of E~ = E/(1 - nu^2) and, for motion, of their mass.
-Law glass(double friction = 0.3) {
+Law glass_of_unit_modulus(double friction = 0.3) {
   Law law;
   law += test::hertz(1.0 - 0.09, 0.3);
   law += test::mindlin(friction);
@@ -40,7 +40,7 @@ const std::vector<InstructionSet>& instruction_sets() {
 
 /// A pair at kOverlap that has slipped by kSlip: it carries kShear.
 struct ShearedPair : KernelPair {
-  explicit ShearedPair(InstructionSet set) : KernelPair(glass(), kOverlap, set) {
+  explicit ShearedPair(InstructionSet set) : KernelPair(glass_of_unit_modulus(), kOverlap, set) {
     slip(Vec<3>(0.0, kSlip, 0.0));
   }
 };
@@ -85,7 +85,7 @@ TEST(Hertz, UnloadingAtFixedSlipScalesTheShearForceThenSlides) {
 TEST(Hertz, ObliqueLoadingFollowsTheGrowingStiffness) {
   constexpr int kSteps = 4000;
   for (const InstructionSet set : instruction_sets()) {
-    KernelPair pair(glass(), 1e-30, set);
+    KernelPair pair(glass_of_unit_modulus(), 1e-30, set);
     for (int k = 1; k <= kSteps; ++k)
       pair.approach_and_slip(kOverlap * k / kSteps, Vec<3>(0.0, kSlip / kSteps, 0.0));
     EXPECT_NEAR(shear_of(pair), 2.0 / 3.0 * kShear, 5e-4 * kShear);
@@ -103,7 +103,7 @@ TEST(Hertz, ClosedPathsGiveNoEnergyBack) {
       pair.slip(Vec<3>(0.0, by, 0.0));
       return 0.5 * (before + shear_of(pair)) * by;
     };
-    KernelPair deep(glass(), 4.0 * kOverlap, set);
+    KernelPair deep(glass_of_unit_modulus(), 4.0 * kOverlap, set);
     double work = slip(deep, kSlip);
     deep.approach(kOverlap);
     work += slip(deep, -kSlip);
@@ -111,7 +111,7 @@ TEST(Hertz, ClosedPathsGiveNoEnergyBack) {
     EXPECT_NEAR(shear_of(deep), 0.0, 1e-6 * kShear);
     EXPECT_NEAR(work, 3.035714e-13, 1e-18);
 
-    KernelPair shallow(glass(), kOverlap, set);
+    KernelPair shallow(glass_of_unit_modulus(), kOverlap, set);
     work = slip(shallow, kSlip);
     shallow.approach(4.0 * kOverlap);
     work += slip(shallow, -kSlip);
@@ -138,7 +138,7 @@ TEST(Hertz, ARigidTurnKeepsTheShearForce) {
   const Vec<3> axis(0.3, 0.4, 1.2);
   constexpr int kSteps = 1000;
   for (const InstructionSet set : instruction_sets()) {
-    KernelPair pair(glass(1e4), kOverlap, set);
+    KernelPair pair(glass_of_unit_modulus(1e4), kOverlap, set);
     pair.slip(Vec<3>(0.0, 0.1, 0.0));
     const Vec<3> start = pair.tangential_force(), x_i = pair.position(0), x_j = pair.position(1);
     for (int k = 1; k <= kSteps; ++k) {
@@ -153,7 +153,8 @@ TEST(Hertz, ARigidTurnKeepsTheShearForce) {
 
 /// Two beads after they met head on. @param step  over sqrt(m/K_N) at the deepest overlap
 Packing<3> collided(double zeta, double speed, double step) {
-  Packing<3> pair = test::unit_grains<3>({{4.0, 5.0, 5.0}, {5.0 + 1e-9, 5.0, 5.0}}, 10.0, glass(0.0));
+  Packing<3> pair =
+      test::unit_grains<3>({{4.0, 5.0, 5.0}, {5.0 + 1e-9, 5.0, 5.0}}, 10.0, glass_of_unit_modulus(0.0));
   pair.law += test::critical_damping(zeta);
   pair.grains.velocity = {Vec<3>(0.5 * speed, 0.0, 0.0), Vec<3>(-0.5 * speed, 0.0, 0.0)};
   const double deepest = std::pow(15.0 * speed * speed / 8.0, 0.4);
@@ -183,7 +184,7 @@ TEST(Hertz, AHeavilyDampedPairNeverParts) {
 }
 
 TEST(Hertz, ABeadPileOfFrictionRelaxesToEquilibriumAndContinuesToTheSameBits) {
-  Law law = glass();
+  Law law = glass_of_unit_modulus();
   law += test::critical_damping(0.98);
   const Packing<3> gas = test::gas_of<3>(100, law, 0.45);
   const Vec<3> target = Vec<3>::Constant(std::pow(8395.0, -1.5));

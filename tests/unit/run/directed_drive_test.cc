@@ -38,7 +38,7 @@ steps = 1
 )",
                   finish);
 }
-constexpr int kEquilibria = 6;
+constexpr int kDirectedEquilibria = 6;
 
 DriveReport drive_in(const std::string& path, const Scene& scene, const DriveOptions<2>& driving) {
   RunDirectory directory(path, Existing::resume, scene);
@@ -55,14 +55,14 @@ TEST(DirectedDrive, ARunStoppedAnywhereAndResumedIsTheUnbrokenRun) {
   driving.stop = [&] { return ++n_chunks % 3 == 0; };
   while (drive_in(scratch.file("broken"), scene, driving).outcome == DriveReport::stopped) ++n_stops;
   EXPECT_GT(n_stops, 3);
-  test::expect_same_results(scratch.file("whole"), scratch.file("broken"), kEquilibria);
+  test::expect_same_results(scratch.file("whole"), scratch.file("broken"), kDirectedEquilibria);
 }
 
 TEST(DirectedDrive, MakesStatesThatVerifyAndRowsOfTheirAxes) {
   const test::ScratchDirectory scratch;
   ASSERT_EQ(drive_in(scratch.file("run"), directed("auto"), {}).outcome, DriveReport::done);
   int n_lengths = 0;
-  for (int k = 0; k < kEquilibria; ++k) {
+  for (int k = 0; k < kDirectedEquilibria; ++k) {
     const auto state = std::get<State<2>>(read_state(state_file(scratch.file("run"), k)));
     for (const Criterion& c : verify_equilibrium(state)) {
       EXPECT_TRUE(c.holds) << k << " " << c.name << " " << c.where;
@@ -70,7 +70,7 @@ TEST(DirectedDrive, MakesStatesThatVerifyAndRowsOfTheirAxes) {
     }
     EXPECT_EQ(state.path.turn.empty(), k == 0);
   }
-  EXPECT_EQ(n_lengths, kEquilibria - 1);
+  EXPECT_EQ(n_lengths, kDirectedEquilibria - 1);
   const CsvTable path = CsvTable::read(scratch.file("run/path.csv"));
   const auto at = [&](int row, const char* name) { return path.number(row, path.column(name)); };
   EXPECT_TRUE(path.is_empty(0, path.column("control")));

@@ -8,22 +8,19 @@
 #include "floc/scene/read_scene.h"
 #include "support/kill_and_resume.h"
 #include "support/scratch_directory.h"
+#include "support/twenty_disks.h"
 
 namespace floc {
 namespace {
 
 using test::ScratchDirectory;
 
-Scene small() {
-  return parse_scene(test::small_scene(), "small.toml", ".", {"grains.count=20", "load.0.steps_per_decade=1"});
-}
-
-/// Number of equilibria: assembly at no pressure and at the first, two of loading, one of unloading.
+/// Number of equilibria of twenty_disks().
 constexpr int kEquilibria = 5;
 
 /// Drives the run of a directory as far as the options say.
 DriveReport drive_in(const std::string& path, const DriveOptions<2>& driving) {
-  const Scene scene = small();
+  const Scene scene = test::twenty_disks();
   RunDirectory directory(path, Existing::resume, scene);
   floc::Run<2> run = start_or_resume<2>(directory, scene);
   return drive(run, directory, driving);
@@ -61,7 +58,7 @@ TEST(Drive, TellsOfEachStretchAndOfEachEquilibriumOnceItIsSaved) {
 
 TEST(Drive, SaysWhatBlocksAStepThatGivesUp) {
   const ScratchDirectory scratch;
-  Scene scene = small();
+  Scene scene = test::twenty_disks();
   scene.relaxation.tolerance.force = 1e-300;  // nothing is that well balanced
   scene.relaxation.max_time = 500.0;
   RunDirectory directory(scratch.file("run"), Existing::refuse, scene);

@@ -11,16 +11,13 @@
 #include "floc/scene/read_scene.h"
 #include "support/kill_and_resume.h"
 #include "support/scratch_directory.h"
+#include "support/twenty_disks.h"
 
 namespace floc {
 namespace {
 
 namespace fs = std::filesystem;
 using test::ScratchDirectory;
-
-Scene small() {
-  return parse_scene(test::small_scene(), "small.toml", ".", {"grains.count=20", "load.0.steps_per_decade=1"});
-}
 
 /// When the directory is taken away.
 enum class When { at_start, after_a_state, before_a_checkpoint, after_the_last_state };
@@ -55,7 +52,7 @@ TEST_P(RenamedDirectory, IsNoticedBeforeAnythingIsWritten) {
     for (const Then then : {Then::nothing, Then::an_empty_directory, Then::a_run}) {
       const ScratchDirectory scratch;
       const std::string path = scratch.file("run");
-      const Scene scene = small();
+      const Scene scene = test::twenty_disks();
       std::map<std::string, std::string> before;
       {
         RunDirectory directory(path, Existing::refuse, scene);

@@ -156,7 +156,7 @@ TEST(Accuracy, TheShippedTableHasTheReferenceAndTheSceneItself) {
 
 // In scenes.
 
-const std::string kScene = R"([scene]
+const std::string kAskedScene = R"([scene]
 dimension = 2
 units = "reduced"
 [grains]
@@ -187,7 +187,7 @@ std::string refusal(const std::string& text, const std::vector<std::string>& ove
 }
 
 TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
-  const Scene scene = parse_scene(kScene + "[accuracy]\nphi = 0.01\nmoduli = 0.05\n", "s.toml", ".");
+  const Scene scene = parse_scene(kAskedScene + "[accuracy]\nphi = 0.01\nmoduli = 0.05\n", "s.toml", ".");
   const AccuracyChoice expected = choose_accuracy(shipped_accuracy_table(), {{"phi", 0.01}, {"moduli", 0.05}});
   ASSERT_TRUE(expected.found()) << expected.refusal;
   EXPECT_EQ(NumericalSettings::of(scene.relaxation), expected.settings);
@@ -201,25 +201,25 @@ TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
 }
 
 TEST(AccuracyOfAScene, RefusesErrorsBelowThoseOfTheTable) {
-  EXPECT_THAT(refusal(kScene + "[accuracy]\nphi = 1e-14\n"),
+  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nphi = 1e-14\n"),
               testing::AllOf(HasSubstr("s.toml:21: accuracy.phi = 1e-14: expected at least"),
                              HasSubstr("the smallest error that the shipped table has for it")));
-  EXPECT_THAT(refusal(kScene, {"accuracy.phi=1e-14"}), HasSubstr("--set accuracy.phi=1e-14: "));
+  EXPECT_THAT(refusal(kAskedScene, {"accuracy.phi=1e-14"}), HasSubstr("--set accuracy.phi=1e-14: "));
 }
 
 TEST(AccuracyOfAScene, AsksForNothingWithoutAKeyNotWithAFaultyOne) {
-  EXPECT_THAT(refusal(kScene + "[accuracy]\n"), HasSubstr("[accuracy] asks for nothing"));
+  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\n"), HasSubstr("[accuracy] asks for nothing"));
   for (const char* value : {"-0.01", "nan", "\"small\""})
-    EXPECT_THAT(refusal(kScene + "[accuracy]\nphi = " + value + "\n"),
+    EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nphi = " + value + "\n"),
                 testing::AllOf(HasSubstr("accuracy.phi = "), Not(HasSubstr("asks for nothing"))));
 }
 
 TEST(AccuracyOfAScene, RefusesGrainsTheTableSaysNothingOf) {
   EXPECT_THAT(
-      refusal(kScene + "[accuracy]\nphi = 0.01\n", {"contact.normal.stiffness=1e9"}),
+      refusal(kAskedScene + "[accuracy]\nphi = 0.01\n", {"contact.normal.stiffness=1e9"}),
       HasSubstr(
           "a K_N/F0 = 1e+09 is outside the range of the shipped table, 100000 to within a factor of ten"));
-  std::string cohesionless = kScene;
+  std::string cohesionless = kAskedScene;
   cohesionless.erase(cohesionless.find("adhesion"),
                      std::string("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}").size());
   EXPECT_THAT(
@@ -229,25 +229,26 @@ TEST(AccuracyOfAScene, RefusesGrainsTheTableSaysNothingOf) {
 
 TEST(AccuracyOfAScene, CountsWhatItsCellAdds) {
   const std::string path = "[[load]]\nto = 1\nsteps_per_decade = 2\n[accuracy]\nphi = 0.05\n";
-  // kScene gives the cell of the path ten times the default mass, and the default cap.
-  EXPECT_THAT(parse_scene(kScene + path, "s.toml", ".").accuracy, HasSubstr("cell_mass 10 times the default"));
-  EXPECT_THAT(parse_scene(kScene + path, "s.toml", ".", {"load.0.cell_mass=0.1"}).accuracy,
+  // kAskedScene gives the cell of the path ten times the default mass, and the default cap.
+  EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".").accuracy,
+              HasSubstr("cell_mass 10 times the default"));
+  EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".", {"load.0.cell_mass=0.1"}).accuracy,
               Not(HasSubstr("To these come")));
-  EXPECT_THAT(parse_scene(kScene + path, "s.toml", ".", {"assembly.strain_rate_cap=0.02"}).accuracy,
+  EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".", {"assembly.strain_rate_cap=0.02"}).accuracy,
               HasSubstr("strain_rate_cap 0.2 times the default"));
 }
 
 TEST(AccuracyOfAScene, RefusesCellsTheTableSaysNothingOf) {
   const std::string path = "[[load]]\nto = 1\nsteps_per_decade = 2\n[accuracy]\nphi = 0.05\n";
-  EXPECT_THAT(refusal(kScene + path, {"cell.mass=2"}),
+  EXPECT_THAT(refusal(kAskedScene + path, {"cell.mass=2"}),
               HasSubstr("a cell of 20 times the default mass of the load path and 1 times the default "
                         "strain_rate_cap is outside the range of the shipped table"));
-  EXPECT_THAT(refusal(kScene + path, {"load.0.inertial_number_cap=1e-3"}),
+  EXPECT_THAT(refusal(kAskedScene + path, {"load.0.inertial_number_cap=1e-3"}),
               HasSubstr("expected a strain_rate_cap instead of an inertial_number_cap"));
 }
 
 TEST(AccuracyOfAScene, IsAskedForInsteadOfSettingsNotBesideThem) {
-  const std::string asked = kScene + "[accuracy]\nphi = 0.01\n";
+  const std::string asked = kAskedScene + "[accuracy]\nphi = 0.01\n";
   EXPECT_THAT(refusal(asked, {"run.time_step=0.2"}),
               HasSubstr("run.time_step: [accuracy] chooses it; expected one or the other"));
   EXPECT_THAT(refusal(asked, {"equilibrium.force=1e-4"}),
@@ -257,11 +258,11 @@ TEST(AccuracyOfAScene, IsAskedForInsteadOfSettingsNotBesideThem) {
 }
 
 TEST(AccuracyOfAScene, RefusesOtherKeysAndEmptyWishes) {
-  EXPECT_THAT(refusal(kScene + "[accuracy]\n"),
+  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\n"),
               HasSubstr("[accuracy] asks for nothing: expected one of phi, z, moduli"));
-  EXPECT_THAT(refusal(kScene + "[accuracy]\nphi = -1\n"),
+  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nphi = -1\n"),
               HasSubstr("expected a positive number (relative error)"));
-  EXPECT_THAT(refusal(kScene + "[accuracy]\nfi = 0.1\n"), HasSubstr("nearest valid key"));
+  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nfi = 0.1\n"), HasSubstr("nearest valid key"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const char* const kScene = R"([scene]
+const char* const kSavedStartScene = R"([scene]
 dimension = 2
 units = "reduced"
 [contact]
@@ -51,7 +51,7 @@ class SceneOfAState : public testing::Test {
   void save(const State<Dim>& state) const {
     write_state(scratch_.file("saved.h5"), state);
   }
-  Scene read(const std::vector<std::string>& overrides = {}, const std::string& text = kScene) const {
+  Scene read(const std::vector<std::string>& overrides = {}, const std::string& text = kSavedStartScene) const {
     return parse_scene(text, "s.toml", scratch_.path(), overrides);
   }
   std::string faults(const std::vector<std::string>& overrides = {}) const {
@@ -70,14 +70,14 @@ class SceneOfAState : public testing::Test {
 /// Its first pressure is a load like those that follow; what is shaken is put together anew.
 TEST_F(SceneOfAState, TakesTheResponseOfLoadsWhereNoneIsSaid) {
   const std::string cell = "[cell]\nmass = 1\nstrain_rate_cap = 0.05\n";
-  std::string text = kScene;
+  std::string text = kSavedStartScene;
   text.erase(text.find(cell), cell.size());
   const auto mass_of_first = [&](const std::string& scene) {
     const Scene s = read({}, scene);
     return s.assembly.cell.applied_to(s.relaxation).cell_mass;
   };
   EXPECT_EQ(mass_of_first(text), kLoadCellMass);
-  EXPECT_EQ(mass_of_first(kScene), 1.0);
+  EXPECT_EQ(mass_of_first(kSavedStartScene), 1.0);
   text.insert(text.find("pressure"), "vibration = {dilation = 1.01, collisions = 5}\n");
   EXPECT_EQ(mass_of_first(text), kAssemblyCellMass);
 }
@@ -105,7 +105,7 @@ TEST_F(SceneOfAState, HasTheGrainsThatTheRunWillHave) {
 }
 
 TEST_F(SceneOfAState, IsTheStateItselfWithoutCopies) {
-  std::string text = kScene;
+  std::string text = kSavedStartScene;
   const std::string copies = "copies = [3, 2]\n";
   text.erase(text.find(copies), copies.size());
   EXPECT_EQ(read({}, text).grains.count, 30);
@@ -177,7 +177,7 @@ TEST_F(SceneOfAState, RefusesSpheresAndSkewedCells) {
 }
 
 TEST_F(SceneOfAState, RefusesKeysOfAStateInOtherScenes) {
-  std::string text = kScene;
+  std::string text = kSavedStartScene;
   text.replace(text.find("protocol = \"state\""), 18, "protocol = \"direct\"");
   try {
     read({"grains.count=30", "grains.diameter={distribution=\"constant\", value=1}", "cell.solid_fraction=0.4"},

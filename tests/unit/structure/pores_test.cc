@@ -17,8 +17,6 @@ namespace {
 using testing::SizeIs;
 using testing::UnorderedElementsAre;
 
-constexpr double kPi = std::numbers::pi;
-
 Packing<2> of_radius(Packing<2> packing, double R) {
   std::fill(packing.grains.radius.begin(), packing.grains.radius.end(), R);
   return packing;
@@ -39,15 +37,16 @@ void add_disks(Packing<2>& packing, const std::vector<Vec<2>>& places, const std
 
 /// Square of the radius of gyration of a square of side s less a quarter disk of radius R at each corner.
 double square_pore(double s, double R) {
-  const double quarter = kPi * R * R / 4.0;
-  const double second = kPi * R * R * R * R / 8.0 + quarter * s * s / 2.0 - 2.0 * R * R * R / 3.0 * s;
+  const double quarter = std::numbers::pi * R * R / 4.0;
+  const double second =
+      std::numbers::pi * R * R * R * R / 8.0 + quarter * s * s / 2.0 - 2.0 * R * R * R / 3.0 * s;
   return (s * s * s * s / 6.0 - 4.0 * second) / (s * s - 4.0 * quarter);
 }
 
 TEST(Pores, OfASquareLatticeAreExact) {
   const Pores found = find_pores(of_radius(square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0)), 0.5));
   ASSERT_THAT(found.pores, SizeIs(1));
-  EXPECT_NEAR(found.pores[0].area, 1.0 - kPi / 4.0, 1e-14);
+  EXPECT_NEAR(found.pores[0].area, 1.0 - std::numbers::pi / 4.0, 1e-14);
   EXPECT_NEAR(found.pores[0].gyration_radius, std::sqrt(square_pore(1.0, 0.5)), 1e-13);
   EXPECT_NEAR(found.size, std::sqrt(square_pore(1.0, 0.5)), 1e-13);
   EXPECT_NEAR((found.pores[0].centre - Vec<2>(0.5, 0.5)).norm(), 0.0, 1e-13);
@@ -60,8 +59,8 @@ TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
   ASSERT_THAT(found.pores, SizeIs(2));
   // Second moment of the triangle of side 2 about its centre is side^2 area/12; each sector of 60 degrees has
   // its own, with its first moment 2 sin(30 deg) R^3/3 towards the centre, which is 2/sqrt 3 away.
-  const double area = std::sqrt(3.0) - kPi / 2.0;
-  const double sector = kPi / 6.0;
+  const double area = std::sqrt(3.0) - std::numbers::pi / 2.0;
+  const double sector = std::numbers::pi / 6.0;
   const double second = sector / 2.0 + sector * 4.0 / 3.0 - 2.0 * (1.0 / 3.0) * 2.0 / std::sqrt(3.0);
   const double gyration2 = (4.0 * std::sqrt(3.0) / 12.0 - 3.0 * second) / area;
   for (const Pore& pore : found.pores) {
@@ -87,8 +86,8 @@ TEST(Pores, OfDifferentSizesCountByTheirArea) {
   two.grains.radius.back() = 0.75;
   const Pores found = find_pores(two);
   ASSERT_THAT(found.pores, SizeIs(2));
-  const double disk = kPi * 0.75 * 0.75;
-  const double open = 16.0 - 7.0 * kPi / 4.0;
+  const double disk = std::numbers::pi * 0.75 * 0.75;
+  const double open = 16.0 - 7.0 * std::numbers::pi / 4.0;
   const double second = open * large * large - disk * 0.75 * 0.75 / 2.0;
   EXPECT_THAT((std::vector<double>{found.pores[0].area, found.pores[1].area}),
               UnorderedElementsAre(testing::DoubleNear(open, 1e-12), testing::DoubleNear(open - disk, 1e-12)));
@@ -107,7 +106,7 @@ TEST(Pores, HoldIslandsAndDeadEnds) {
   EXPECT_NEAR(found.pores[0].area, packing.cell.volume() * (1.0 - solid_fraction(packing)), 1e-11);
   // Against the sum over the disks: the frame's own pore, less each disk with its parallel axis.
   const Pores bare = find_pores(of_radius(square_frames(9, 1.0, elastic_law(1.0, 0.0, 0.0)), 0.5));
-  const double disk = kPi / 4.0;
+  const double disk = std::numbers::pi / 4.0;
   double area = bare.pores[0].area, second = area * std::pow(bare.pores[0].gyration_radius, 2);
   Vec<2> first = Vec<2>::Zero();
   for (int i = packing.grains.size() - 4; i < packing.grains.size(); ++i) {

@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kTau = 2.0 * std::numbers::pi;
 
 TEST(BallTransform, IsTheIntegralOfItsShells) {
   // 4 pi integral of r sin(kr)/k from 0 to R.
@@ -24,7 +24,7 @@ TEST(BallTransform, IsTheIntegralOfItsShells) {
       double sum = 0.0;
       for (int s = 0; s < kSteps; ++s) {
         const double r = (s + 0.5) * R / kSteps;
-        sum += 2.0 * kTwoPi * r * std::sin(k * r) / k * R / kSteps;
+        sum += 2.0 * kTau * r * std::sin(k * r) / k * R / kSteps;
       }
       EXPECT_NEAR(ball_transform(k, R), sum, 1e-5 * R * R * R) << k;
     }
@@ -38,10 +38,10 @@ TEST(Scattering, OfOneSphereIsItsFormFactor) {
   const double R = 0.3;
   const Packing<3> packing = crystal_of(simple_cubic(), 1.0, 2.0 * R, elastic_law(1.0, 0.0, 0.0));
   const Scattering s = scattering(packing);
-  const auto I = [&](double n2) { return std::pow(ball_transform(kTwoPi * std::sqrt(n2), R), 2); };
+  const auto I = [&](double n2) { return std::pow(ball_transform(kTau * std::sqrt(n2), R), 2); };
   ASSERT_GE(s.I.size(), 2u);
   EXPECT_EQ(s.n_vectors[0], 9);
-  EXPECT_NEAR(s.k[0], kTwoPi * (3.0 + 6.0 * std::sqrt(2.0)) / 9.0, 1e-12);
+  EXPECT_NEAR(s.k[0], kTau * (3.0 + 6.0 * std::sqrt(2.0)) / 9.0, 1e-12);
   EXPECT_NEAR(s.I[0], (3.0 * I(1.0) + 6.0 * I(2.0)) / 9.0, 1e-15);
   EXPECT_EQ(s.n_vectors[1], 31);
   EXPECT_NEAR(s.I[1], (4.0 * I(3.0) + 3.0 * I(4.0) + 12.0 * I(5.0) + 12.0 * I(6.0)) / 31.0, 1e-15);
@@ -52,14 +52,14 @@ TEST(Scattering, OfACrystalIsAtItsReciprocalLattice) {
   const Packing<3> packing = crystal_of(body_centred_cubic(), 1.0, 0.9, elastic_law(1.0, 0.0, 0.0));
   const double L = packing.cell.matrix(0, 0);
   const auto I = [&](double n2) {
-    return 4.0 * std::pow(ball_transform(kTwoPi * std::sqrt(n2) / L, 0.45), 2) / (L * L * L);
+    return 4.0 * std::pow(ball_transform(kTau * std::sqrt(n2) / L, 0.45), 2) / (L * L * L);
   };
   const Scattering s = scattering(packing);
   EXPECT_NEAR(s.I[0], 6.0 * I(2.0) / 9.0, 1e-14);
   EXPECT_NEAR(s.I[1], (3.0 * I(4.0) + 12.0 * I(6.0)) / 31.0, 1e-14);
   // In a cell twice as large the waves of the crystal come back: all others vanish.
   const Packing<3> large = tiled<3>(packing, {2, 2, 2});
-  ScatteringAverage peak({kTwoPi / L * 1.4, kTwoPi / L * 1.42});
+  ScatteringAverage peak({kTau / L * 1.4, kTau / L * 1.42});
   peak.add(large, 1000);
   ASSERT_THAT(peak.result().n_vectors, ElementsAre(6));
   EXPECT_NEAR(peak.result().I[0], 8.0 * I(2.0), 1e-13);

@@ -25,7 +25,7 @@
 
 #include "floc/elasticity/moduli.h"
 #include "floc/io/state_file.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/relaxation/static_solver.h"
 
 namespace floc {

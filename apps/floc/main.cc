@@ -8,17 +8,16 @@
 #include <optional>
 #include <vector>
 
-#include "campaign_command.h"
-#include "command.h"
-#include "command_line.h"
-#include "export.h"
-#include "finish_output.h"
+#include "campaign/campaign.h"
+#include "commands/export.h"
+#include "commands/help.h"
+#include "commands/lattice_command.h"
 #include "floc/base/error.h"
 #include "floc/base/version.h"
 #include "floc/io/transient_file.h"
-#include "help.h"
-#include "lattice_command.h"
-#include "printed_columns.h"
+#include "process/command.h"
+#include "process/command_line.h"
+#include "process/finish_output.h"
 
 namespace {
 
@@ -63,7 +62,6 @@ int main(int argc, char** argv) {
   std::vector<char*> arguments = floc::arguments_of_help(argc, argv);
   try {
     const std::optional<int> parsed = line.parse(static_cast<int>(arguments.size()), arguments.data());
-    if (!parsed) floc::expect_columns_of(line.command());
     const int code = parsed ? *parsed : run_command(commands);
     floc::finish_output();
     return code;

@@ -3,18 +3,18 @@
 #include <iterator>
 
 #include "arguments.h"
-#include "chain_rows.h"
-#include "compare_rows.h"
-#include "equilibrium_check.h"
 #include "floc/elasticity/chain.h"
 #include "floc/network/carrying_structure.h"
+#include "floc/packing/equilibrium_check.h"
 #include "floc/structure/axis_profile.h"
 #include "floc/structure/pair_correlation.h"
 #include "floc/structure/porosity_probe.h"
-#include "moduli_request.h"
-#include "network_rows.h"
-#include "structure_columns.h"
-#include "structure_rows.h"
+#include "floc/tables/chain_rows.h"
+#include "floc/tables/compare_rows.h"
+#include "floc/tables/moduli_rows.h"
+#include "floc/tables/network_rows.h"
+#include "floc/tables/structure_columns.h"
+#include "floc/tables/structure_rows.h"
 
 namespace floc::python {
 namespace {
@@ -22,28 +22,34 @@ namespace {
 using States = std::vector<NamedState>;
 using Names = std::vector<std::string>;
 
-/// Any text: the table is wanted, and goes to no file.
-constexpr const char* kWanted = "wanted";
-
 /// @throws EquilibriumError unless the state is an equilibrium or is taken all the same
-void require_equilibrium(const NamedState& s, bool force) {
+void require_equilibrium(const NamedState& s, bool force, const Remarks& remarks) {
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, *s.state);
   if (faults.empty()) return;
   if (!force)
     throw EquilibriumError(s.name + ": this state is not in equilibrium: " + faults +
                            "; force=True computes moduli anyway");
-  warn(s.name, "this state is not in equilibrium: " + faults);
+  remarks.warn(s.name, "this state is not in equilibrium: " + faults);
 }
 
-/// Adds the rows of one state. @param increments  null: none are wanted
-void add_moduli(const NamedState& s, const ModuliCommand& command, const ModuliRequest& request,
-                ModuliRows& computation, Table* increments, std::vector<ModuliRow>& rows) {
-  require_equilibrium(s, command.force);
-  require_strains(s.name, *s.state, request.options.strains);
-  std::vector<ModuliRow> computed =
-      std::visit([&](const auto& state) { return computation.of(s.name, state, increments); }, *s.state);
+/// Options of moduli and whether states have to be in equilibrium.
+struct ModuliCall {
+  ModuliTableOptions options;
+  bool force = false;
+};
+
+/// Adds the rows of one state.
+void add_moduli(const NamedState& s, const ModuliCall& call, ModuliRows& computation, Table& increments,
+                std::vector<ModuliRow>& rows, const Remarks& remarks) {
+  require_equilibrium(s, call.force, remarks);
+  require_strains(s.name, *s.state, call.options.moduli.strains);
+  std::vector<ModuliRow> computed = std::visit(
+      [&](const auto& state) {
+        return computation.of(s.name, state, call.options.increments ? &increments : nullptr, remarks);
+      },
+      *s.state);
   for (const ModuliRow& row : computed)
-    if (const std::string fault = accuracy_fault(row, request.accuracy); !fault.empty())
+    if (const std::string fault = accuracy_fault(row, call.options.accuracy); !fault.empty())
       throw NumericalError(s.name + ": " + fault);
   std::ranges::move(computed, std::back_inserter(rows));
 }
@@ -52,50 +58,50 @@ py::tuple moduli(const States& states, const py::object& strains, bool prestress
                  const py::object& method, const Names& accuracy, const py::object& force_tolerance,
                  const py::object& rolling_stiffness, const Names& tables, bool force) {
   require_tables(tables, {"increments"});
-  ModuliCommand command;
-  command.strains = word_of("strains", strains, {"diagonal", "full"});
-  command.prestress = prestress;
-  command.force = force;
+  ModuliCall call{.options = {}, .force = force};
+  ModuliTableOptions& options = call.options;
+  options.moduli.strains =
+      word_of("strains", strains, {"diagonal", "full"}) == "full" ? StrainSet::full : StrainSet::diagonal;
+  options.moduli.prestress = prestress;
   if (const auto given = number_if_any("tolerance", tolerance, kPositiveNumber))
-    command.options.tolerance = *given;
+    options.moduli.tolerance = *given;
   if (const auto given = number_if_any("force_tolerance", force_tolerance, kNotNegativeNumber))
-    command.options.force_tolerance = *given;
-  command.method = word_of("method", method, {"factor", "single-factor", "iterative", "bounds"});
-  command.solver = "cholmod";
-  command.accuracy = accuracy;
-  command.rolling_stiffness = numbers_of("rolling_stiffness", rolling_stiffness, kNotNegativeNumber);
-  if (contains(tables, "increments")) command.increments = kWanted;
+    options.moduli.force_tolerance = *given;
+  options.moduli.method =
+      moduli_method(word_of("method", method, {"factor", "single-factor", "iterative", "bounds"}));
+  options.solver = ModuliSolver::cholmod;
+  options.accuracy = moduli_accuracy(accuracy);
+  options.rolling_stiffness = numbers_of("rolling_stiffness", rolling_stiffness, kNotNegativeNumber);
+  options.increments = contains(tables, "increments");
   Table increments;
-  const Table table = without_gil([&] {
-    const ModuliRequest request = request_of(command);
-    ModuliRows computation(request);
+  const Table table = without_gil([&](const Remarks& remarks) {
+    for (const std::string& fault : options.validate()) throw InputError("floc moduli", "--" + fault);
+    ModuliRows computation(options);
     std::vector<ModuliRow> rows;
-    Table* const wanted = command.increments.empty() ? nullptr : &increments;
     for (const NamedState& s : states)
-      of_state(s.name, [&] { add_moduli(s, command, request, computation, wanted, rows); });
-    return moduli_table(command, rows);
+      of_state(s.name, [&] { add_moduli(s, call, computation, increments, rows, remarks); });
+    return moduli_table(options, rows);
   });
   py::dict further;
-  if (!command.increments.empty()) further["increments"] = columns_to_python(increments);
+  if (options.increments) further["increments"] = columns_to_python(increments);
   return py::make_tuple(to_python(table), further);
 }
 
-/// A table besides the rows, by its name in Python and the text that asks for it.
+/// A table besides the rows, by its name in Python and the option that asks for it.
 struct FurtherTable {
   const char* name;
-  std::string* asked;
+  bool* asked;
   const Table* table;
 };
 
 void ask_for(const Names& tables, const std::vector<FurtherTable>& further) {
-  for (const FurtherTable& one : further)
-    if (contains(tables, one.name)) *one.asked = kWanted;
+  for (const FurtherTable& one : further) *one.asked = contains(tables, one.name);
 }
 
 py::dict asked_of(const std::vector<FurtherTable>& further) {
   py::dict tables;
   for (const FurtherTable& one : further)
-    if (!one.asked->empty()) tables[one.name] = columns_to_python(*one.table);
+    if (*one.asked) tables[one.name] = columns_to_python(*one.table);
   return tables;
 }
 
@@ -107,34 +113,39 @@ py::tuple network(const States& states, const py::object& zero_force, const py::
   for (const std::string& group : groups) require_one_of("groups", group, {"bonds", "phases"});
   require_tables(tables,
                  {"pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours", "clusters"});
-  NetworkCommand command;
-  command.zero_force = number_if_any("zero_force", zero_force, kNotNegativeNumber);
-  command.least_contacts = whole_if_any("least_contacts", least_contacts, kLeastContacts);
-  command.unit = word_of("unit", unit, {"mean", "F0", "P"});
-  command.bin_width = number_of("bin_width", bin_width, kPositiveNumber);
-  command.bonds.with = groups;
-  command.without = without;
-  command.bonds.near = number_of("near_zero", near_zero, kNotNegativeNumber);
-  command.bonds.phases.n_shuffles = whole_of("shuffles", shuffles, PhaseOptions::kShuffles);
-  command.bonds.bin_width = number_of("pressure_bin_width", pressure_bin_width, kPositiveNumber);
+  NetworkTableOptions options;
+  options.zero_force = number_if_any("zero_force", zero_force, kNotNegativeNumber);
+  options.least_contacts = whole_if_any("least_contacts", least_contacts, kLeastContacts);
+  const std::string unit_word = word_of("unit", unit, {"mean", "F0", "P"});
+  options.unit = unit_word == "F0"  ? ForceUnit::pull_off
+                 : unit_word == "P" ? ForceUnit::pressure
+                                    : ForceUnit::mean;
+  options.bin_width = number_of("bin_width", bin_width, kPositiveNumber);
+  options.bonds.bonds = contains(groups, "bonds");
+  options.bonds.phases = contains(groups, "phases");
+  options.mechanics = !contains(without, "mechanics");
+  options.bonds.near = number_of("near_zero", near_zero, kNotNegativeNumber);
+  options.bonds.phase_structure.n_shuffles = whole_of("shuffles", shuffles, PhaseOptions::kShuffles);
+  options.bonds.bin_width = number_of("pressure_bin_width", pressure_bin_width, kPositiveNumber);
   NetworkTables side;
   const std::vector<FurtherTable> further = {
-      {"pdf", &command.distributions, &side.distributions},
-      {"particle_stress", &command.pressures, &side.pressures},
-      {"exponents", &command.bonds.exponents, &side.bonds.exponents},
-      {"pressure_pdf", &command.bonds.pressures, &side.bonds.pressures},
-      {"like_neighbours", &command.bonds.neighbours, &side.bonds.neighbours},
-      {"clusters", &command.bonds.clusters, &side.bonds.clusters}};
+      {"pdf", &options.distributions, &side.distributions},
+      {"particle_stress", &options.pressures, &side.pressures},
+      {"exponents", &options.bonds.exponents, &side.bonds.exponents},
+      {"pressure_pdf", &options.bonds.pressures, &side.bonds.pressures},
+      {"like_neighbours", &options.bonds.neighbours, &side.bonds.neighbours},
+      {"clusters", &options.bonds.clusters, &side.bonds.clusters}};
   ask_for(tables, further);
-  const Table table = without_gil([&] {
+  const Table table = without_gil([&](const Remarks& remarks) {
     std::vector<NetworkRow> rows;
     for (const NamedState& s : states)
       of_state(s.name, [&] {
-        std::visit([&](const auto& state) { rows.push_back(network_row(s.name, state, command, side)); },
-                   *s.state);
+        std::visit(
+            [&](const auto& state) { rows.push_back(network_row(s.name, state, options, side, remarks)); },
+            *s.state);
       });
-    add_pooled(command, rows.size(), side);
-    return to_table(network_columns(command), rows);
+    add_pooled(options, rows.size(), side, remarks);
+    return to_table(network_columns(options), rows);
   });
   return py::make_tuple(to_python(table), asked_of(further));
 }
@@ -161,36 +172,39 @@ py::tuple structure(const States& states, bool average, const py::object& fit_ra
                     const py::object& slices, const Names& tables) {
   require_tables(
       tables, {"intensity", "pair_correlation", "gaps", "pores", "map", "prediction", "porosity", "profile"});
-  StructureCommand command;
-  command.average = average;
-  command.fit_range = fit_range_of(fit_range);
+  StructureTableOptions options;
+  options.average = average;
+  options.fit_range = fit_range_of(fit_range);
   if (const auto given = number_if_any("largest_k", largest_k, ScatteringOptions::kLargest))
-    command.scattering.largest = *given;
+    options.scattering.largest = *given;
   if (const auto given = number_if_any("cells_per_wave", cells_per_wave, ScatteringOptions::kCellsPerWave))
-    command.scattering.cells_per_wave = *given;
-  command.reach = number_of("reach", reach, kPairReach);
-  command.map_size = map_size_of(map_size);
-  command.n_probes = whole_of("probes", probes, kPorosityProbes);
-  if (!profile_axis.is_none()) command.profile_axis = word_of("profile_axis", profile_axis, {"x", "y", "z"});
-  command.n_slices = whole_of("slices", slices, kProfileSlices);
+    options.scattering.cells_per_wave = *given;
+  options.reach = number_of("reach", reach, kPairReach);
+  options.map_size = map_size_of(map_size);
+  options.n_probes = whole_of("probes", probes, kPorosityProbes);
+  if (!profile_axis.is_none())
+    options.profile_axis =
+        static_cast<int>(std::string("xyz").find(word_of("profile_axis", profile_axis, {"x", "y", "z"})));
+  options.n_slices = whole_of("slices", slices, kProfileSlices);
   Series series;
-  const std::vector<FurtherTable> further = {{"intensity", &command.intensity, &series.intensity},
-                                             {"pair_correlation", &command.pairs, &series.pairs},
-                                             {"gaps", &command.gaps, &series.gaps},
-                                             {"pores", &command.pores, &series.pores},
-                                             {"map", &command.map, &series.map},
-                                             {"prediction", &command.prediction, &series.prediction},
-                                             {"porosity", &command.porosity, &series.porosity},
-                                             {"profile", &command.profile, &series.profile}};
+  const std::vector<FurtherTable> further = {{"intensity", &options.intensity, &series.intensity},
+                                             {"pair_correlation", &options.pairs, &series.pairs},
+                                             {"gaps", &options.gaps, &series.gaps},
+                                             {"pores", &options.pores, &series.pores},
+                                             {"map", &options.map, &series.map},
+                                             {"prediction", &options.prediction, &series.prediction},
+                                             {"porosity", &options.porosity, &series.porosity},
+                                             {"profile", &options.profile, &series.profile}};
   ask_for(tables, further);
-  const Table table = without_gil([&] {
+  const Table table = without_gil([&](const Remarks& remarks) {
     std::vector<StructureRow> rows;
     for (const NamedState& s : states)
       of_state(s.name, [&] {
-        std::visit([&](const auto& state) { rows.push_back(structure_row(s.name, state, command, series)); },
-                   *s.state);
+        std::visit(
+            [&](const auto& state) { rows.push_back(structure_row(s.name, state, options, series, remarks)); },
+            *s.state);
       });
-    if (series.average && rows.size() > 1) rows.push_back(averaged(rows, command, series));
+    if (series.average && rows.size() > 1) rows.push_back(averaged(rows, options, series, remarks));
     return to_table(structure_columns(), rows);
   });
   return py::make_tuple(to_python(table), asked_of(further));
@@ -199,11 +213,11 @@ py::tuple structure(const States& states, bool average, const py::object& fit_ra
 py::tuple compare(const NamedState& before, const NamedState& after, const py::object& rigid_tolerance,
                   const Names& tables) {
   require_tables(tables, {"displacements", "contacts"});
-  CompareCommand command;
-  command.rigid_tolerance = number_of("rigid_tolerance", rigid_tolerance, kPositiveNumber);
+  CompareTableOptions options;
+  options.rigid_tolerance = number_of("rigid_tolerance", rigid_tolerance, kPositiveNumber);
   CompareTables side;
-  const std::vector<FurtherTable> further = {{"displacements", &command.displacements, &side.displacements},
-                                             {"contacts", &command.contacts, &side.contacts}};
+  const std::vector<FurtherTable> further = {{"displacements", &options.displacements, &side.displacements},
+                                             {"contacts", &options.contacts, &side.contacts}};
   ask_for(tables, further);
   const Table table = without_gil([&] {
     std::vector<CompareRow> rows;
@@ -212,7 +226,7 @@ py::tuple compare(const NamedState& before, const NamedState& after, const py::o
           if constexpr (Old != New)
             throw InputError(after.name, fmt::format("is {}D, and {} is {}D", New, before.name, Old));
           else
-            rows.push_back(compare_row(before.name, p, after.name, q, command, side));
+            rows.push_back(compare_row(before.name, p, after.name, q, options, side));
         },
         *before.state, *after.state);
     return to_table(compare_columns(rows), rows);
@@ -222,13 +236,13 @@ py::tuple compare(const NamedState& before, const NamedState& after, const py::o
 
 py::tuple chain(const py::object& n, const py::object& radius, const py::object& kn, const py::object& kt,
                 const py::object& kr, const py::object& bend) {
-  ChainCommand command;
-  command.n = whole_of("n", n, kChainLength);
-  command.R = number_of("R", radius, kPositiveNumber);
-  command.k = {number_of("kn", kn, kPositiveNumber), number_of("kt", kt, kPositiveNumber),
+  ChainOptions options;
+  options.n = whole_of("n", n, kChainLength);
+  options.R = number_of("R", radius, kPositiveNumber);
+  options.k = {number_of("kn", kn, kPositiveNumber), number_of("kt", kt, kPositiveNumber),
                number_of("kr", kr, kPositiveNumber)};
-  command.bend = number_of("bend", bend);
-  return to_python(without_gil([&] { return chain_table(command, chain_rows(command)); }));
+  options.bend = number_of("bend", bend);
+  return to_python(without_gil([&] { return chain_table(options, chain_rows(options)); }));
 }
 
 }  // namespace

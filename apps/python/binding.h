@@ -9,16 +9,16 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "blas_threads.h"
-#include "fault.h"
-#include "fit_parameters.h"
 #include "floc/base/error.h"
 #include "floc/base/interruption.h"
 #include "floc/io/state_file.h"
 #include "floc/io/table.h"
-#include "repeated_warnings.h"
+#include "floc/tables/fit_parameters.h"
+#include "floc/tables/remarks.h"
 
 /// What the sources of the Python module share. The module computes what commands compute, by the functions that
 /// they call, and hands over tables; floc/*.py makes objects of them.
@@ -52,8 +52,8 @@ void issue(const Warnings& warnings);
 /// told of signals.
 void check_signals();
 
-/// Does long work while other threads of Python go on. What it says of files becomes warnings; Ctrl-C ends it at the
-/// next place where the library asks.
+/// Does long work while other threads of Python go on; work that takes Remarks has them turned into warnings. Ctrl-C
+/// ends it at the next place where the library asks.
 template <class Work>
 auto without_gil(const Work& work) {
   Warnings warnings;
@@ -61,11 +61,13 @@ auto without_gil(const Work& work) {
     const py::gil_scoped_release released;
     const SingleBlasThread single;
     const InterruptionListener interruptible(check_signals);
-    const RemarkListener listener([&warnings](const std::string& file, const std::string& text) {
-      const std::string prefix = "warning: ";
-      warnings.push_back(file + ": " + (text.starts_with(prefix) ? text.substr(prefix.size()) : text));
-    });
-    return work();
+    if constexpr (std::is_invocable_v<Work, const Remarks&>)
+      return work(Remarks([&warnings](const std::string& file, const std::string& text, double) {
+        const std::string prefix = "warning: ";
+        warnings.push_back(file + ": " + (text.starts_with(prefix) ? text.substr(prefix.size()) : text));
+      }));
+    else
+      return work();
   }();
   issue(warnings);
   return result;

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "arguments.h"
-#include "consolidation_fits.h"
-#include "elastic_fits.h"
-#include "table_fits.h"
+#include "floc/tables/consolidation_fits.h"
+#include "floc/tables/elastic_fits.h"
+#include "floc/tables/table_fits.h"
 
 namespace floc::python {
 namespace {
@@ -68,7 +68,7 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
                          const py::object& window, const py::object& P0, const py::object& protocol,
                          const py::object& loading, const py::object& weights, const py::object& loss,
                          const py::object& bootstrap, const py::object& seed, const py::object& stress) {
-  ConsolidationArguments arguments;
+  ConsolidationFitOptions arguments;
   arguments.law = word_of("law", law, {"full", "log", "power"});
   arguments.protocol = word_of("protocol", protocol, {"", "published"});
   arguments.window = window_of(window);
@@ -152,13 +152,11 @@ py::object dynamic_compaction(const std::vector<double>& e, const std::vector<do
 py::object force_distribution(const std::string& name, const std::vector<double>& forces,
                               const py::object& form, const py::object& threshold, const py::object& draws,
                               const py::object& seed) {
-  ForceDistributionArguments arguments;
+  ForceDistributionOptions arguments;
   arguments.form = word_of("form", form, {"all", "tails", "power-exponential", "quadratic-exponential"});
-  arguments.has_threshold = !threshold.is_none();
-  arguments.threshold = number_if_any("threshold", threshold, kNotNegativeNumber).value_or(0.0);
-  if (const auto given = whole_if_any("draws", draws, ForceFitOptions::kDraws))
-    arguments.options.n_draws = *given;
-  if (!seed.is_none()) arguments.options.seed = seed_of("seed", seed);
+  arguments.threshold = number_if_any("threshold", threshold, kNotNegativeNumber);
+  if (const auto given = whole_if_any("draws", draws, ForceFitOptions::kDraws)) arguments.fit.n_draws = *given;
+  if (!seed.is_none()) arguments.fit.seed = seed_of("seed", seed);
   return to_python(without_gil([&] {
     Json array = Json::array();
     for (const ForceFit& fit : fit_forms(forces, arguments)) array.push_back(as_json(name, forces, fit));

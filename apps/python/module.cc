@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "binding.h"
-#include "column_reference.h"
 #include "floc/base/version.h"
+#include "floc/tables/column_reference.h"
 
 namespace floc::python {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "arguments.h"
-#include "complete_import.h"
-#include "conversion_summary.h"
+#include "floc/imports/complete_import.h"
+#include "floc/imports/conversion_summary.h"
 #include "floc/io/law_text.h"
 #include "floc/io/listed_packing.h"
 
@@ -173,18 +173,18 @@ class ContactArrays {
 
 /// Puts the packing together and completes it, as `floc convert` does.
 NamedState assembled(const ListedPacking& listed, const ImportCompletion& completion) {
-  return without_gil([&] {
+  return without_gil([&](const Remarks& remarks) {
     Imported imported = assemble(listed);
     ConversionSummary summary;
     std::visit(
         [&](auto& state) {
           const std::string remarked = complete_import(kName, imported, completion, state);
-          if (!remarked.empty()) remark(kName, remarked);
+          if (!remarked.empty()) remarks.remark(kName, remarked);
           state.provenance.source = "arrays of Python";
           summary = summarize(imported, state);
         },
         imported.state);
-    for (const std::string& doubt : summary.doubts) warn(kName, doubt);
+    for (const std::string& doubt : summary.doubts) remarks.warn(kName, doubt);
     return NamedState{std::make_shared<const AnyState>(std::move(imported.state)), kName};
   });
 }

@@ -5,9 +5,9 @@
 
 #include "arguments.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/run_directory/scene_run.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_warnings.h"
-#include "scene_run.h"
 
 namespace floc::python {
 namespace {
@@ -81,8 +81,8 @@ class Watch {
 
 /// @return why the run is not done, in words; empty where it is done or Python stopped it
 template <int Dim>
-std::string drive_scene(const Scene& scene, const RunArguments& arguments, Watch& watch) {
-  SceneRun<Dim> scene_run(scene, arguments);
+std::string drive_scene(const Scene& scene, const SceneRunOptions& asked, Watch& watch) {
+  SceneRun<Dim> scene_run(scene, asked);
   DriveOptions<Dim> options;
   options.stop = [&watch] { return watch.stops(); };
   options.chunk = [&watch](const Run<Dim>& run) { watch.chunk(run); };
@@ -99,29 +99,26 @@ void run(const std::string& scene_file, const std::string& directory, const std:
          const py::object& told, const py::object& interval) {
   if (resume && overwrite)
     throw InputError("resume", "cannot be combined with overwrite: expected one of them");
-  RunArguments arguments;
-  arguments.scene = scene_file;
-  arguments.directory = directory;
-  arguments.overrides = changes;
-  if (!seed.is_none()) arguments.seed = seed_of("seed", seed);
-  arguments.threads = whole_if_any("threads", threads, RunOptions::kThreads);
-  arguments.until = whole_if_any("until", until, DriveOptions<2>::kUntil);
-  arguments.track_contacts = number_if_any("track_contacts", track_contacts, kPositiveNumber);
-  arguments.track_energy = track_energy;
-  arguments.resume = resume;
-  arguments.overwrite = overwrite;
-  arguments.no_timing = !timing;
+  SceneRunOptions asked;
+  asked.directory = directory;
+  if (!seed.is_none()) asked.seed = seed_of("seed", seed);
+  asked.threads = whole_if_any("threads", threads, RunOptions::kThreads);
+  asked.until = whole_if_any("until", until, DriveOptions<2>::kUntil);
+  asked.track_contacts = number_if_any("track_contacts", track_contacts, kPositiveNumber);
+  asked.track_energy = track_energy;
+  asked.resume = resume;
+  asked.overwrite = overwrite;
+  asked.no_timing = !timing;
   Watch watch(told, number_of("interval", interval, kNotNegativeNumber));
   const Scene scene = read_scene(scene_file, changes);
   Warnings warnings;
   for (const std::string& words : scene_warnings(scene))
     warnings.push_back(fmt::format("{}: {}", scene_file, words));
-  if (const std::string words = unused_threads(scene, arguments); !words.empty())
+  if (const std::string words = unused_threads(scene, asked); !words.empty())
     warnings.push_back(fmt::format("{}: {}", scene_file, words));
   issue(warnings);
   const std::string ending = without_gil([&] {
-    return scene.dimension == 3 ? drive_scene<3>(scene, arguments, watch)
-                                : drive_scene<2>(scene, arguments, watch);
+    return scene.dimension == 3 ? drive_scene<3>(scene, asked, watch) : drive_scene<2>(scene, asked, watch);
   });
   watch.rethrow();
   if (!ending.empty()) throw NumericalError(directory + ": " + ending);

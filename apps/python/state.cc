@@ -5,10 +5,10 @@
 #include <numeric>
 
 #include "binding.h"
-#include "equilibrium_check.h"
 #include "floc/io/law_text.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/equilibrium_check.h"
 #include "floc/packing/overlaps.h"
 
 namespace floc::python {
@@ -244,10 +244,10 @@ void bind_words(py::class_<NamedState>& bound) {
 }
 
 NamedState read(const std::string& path) {
-  return without_gil([&] {
+  return without_gil([&](const Remarks& remarks) {
     auto state = std::make_shared<const AnyState>(read_state(path));
     const std::string deep = std::visit([](const auto& s) { return overlap_warning(s.packing); }, *state);
-    if (!deep.empty()) warn(path, deep);
+    if (!deep.empty()) remarks.warn(path, deep);
     return NamedState{std::move(state), path};
   });
 }

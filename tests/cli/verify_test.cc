@@ -8,7 +8,7 @@
 
 #include "floc/io/state_file.h"
 #include "floc/neighbors/find_contacts.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "support/contact_laws.h"
 #include "support/places.h"
 #include "support/run_arguments.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "support/laws.h"
 #include "support/springs.h"
 

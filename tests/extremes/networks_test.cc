@@ -9,7 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/elasticity/moduli.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/tile.h"
 #include "support/lattices.h"
 

@@ -1,11 +1,11 @@
-#include <cstdio>
-#include <variant>
+#include <floc/floc.h>
 
-#include "floc/base/version.h"
-#include "floc/contact/law_table.h"
-#include "floc/run/drive.h"
-#include "floc/run/verification.h"
-#include "floc/scene/read_scene.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
 
 namespace {
 
@@ -36,41 +36,67 @@ steps = 2
 seed = 3
 )";
 
-bool law_is_right() {
-  floc::LawParameters parameters;
-  parameters.normal = floc::LinearRepulsion{100.0};
-  parameters.adhesion = floc::ConstantAdhesion{2.0};
-  const auto force = [](const auto& law) { return law.normal(floc::PairGeometry<>(-0.25)).force(); };
-  return std::visit(force, floc::compose_law(parameters)) == 23.0;
-}
-
-/// Drives the tiny run of a directory up to a step, going on from where it is.
-bool drive_until(const char* path, int step) {
-  const floc::Scene scene = floc::parse_scene(kScene, "tiny.toml", ".");
-  floc::RunDirectory directory(path, floc::Existing::resume, scene);
-  floc::Run<2> run = floc::start_or_resume<2>(directory, scene);
-  floc::DriveOptions<2> driving;
-  driving.until = step;
-  const bool done = floc::drive(run, directory, driving).outcome == floc::DriveReport::done;
-  return done && run.point().step == step + 1;
+/// Runs the tiny scene up to a step, going on from where its directory is.
+bool run_until(const std::string& scene, const std::string& directory, int step) {
+  floc::SceneRunOptions options;
+  options.directory = directory;
+  options.until = step;
+  options.resume = true;
+  return floc::run_scene(scene, options).outcome == floc::DriveReport::done;
 }
 
 bool is_equilibrium(const std::string& file) {
   bool holds = true;
-  const auto verify = [](const auto& state) { return floc::verify_equilibrium(state); };
-  for (const floc::Criterion& c : std::visit(verify, floc::read_state(file))) {
+  for (const floc::Criterion& c : floc::verify_state(floc::read_state(file), file)) {
     if (!c.holds) std::printf("%s: %s does not hold: %s\n", file.c_str(), c.name, c.where.c_str());
     holds = holds && c.holds;
   }
   return holds;
 }
 
+bool has(const floc::Table& table, const std::string& column) {
+  for (const std::string& name : table.columns)
+    if (name == column) return table.rows.size() == 1;
+  std::printf("no column %s\n", column.c_str());
+  return false;
+}
+
+/// Each table is one call, and a state that is written is the one that was read.
+bool computes(const std::string& file) {
+  const floc::AnyState state = floc::read_state(file);
+  std::visit([&](const auto& s) { floc::write_state(file + ".copy", s); }, state);
+  std::ifstream a(file, std::ios::binary), b(file + ".copy", std::ios::binary);
+  std::stringstream first, second;
+  first << a.rdbuf();
+  second << b.rdbuf();
+  return first.str() == second.str() && has(floc::moduli_table(state), "B") &&
+         has(floc::network_table(state), "z_star") && has(floc::structure_table(state), "xi");
+}
+
+/// A plateau, a line in ln P and its fit.
+bool fits() {
+  floc::ConsolidationCurve curve;
+  for (int k = 0; k < 30; ++k) {
+    const double P = std::pow(10.0, -2.0 + 0.1 * k);
+    curve.P_star.push_back(P);
+    curve.phi.push_back(1.0 / (2.5 - 0.2 * std::max(0.0, std::log(P / 0.05))));
+  }
+  floc::ConsolidationOptions options;
+  options.law = floc::ConsolidationLaw::log;
+  const floc::ConsolidationFit fit = floc::fit_consolidation(curve, options);
+  const floc::FittedParameter* lambda = fit.found() ? fit.find("lambda") : nullptr;
+  return lambda != nullptr && lambda->value && std::abs(*lambda->value - 0.2) < 0.01;
+}
+
 }  // namespace
 
-/// Runs a tiny scene in the directory named, resumes it and verifies its states.
+/// Runs a tiny scene below the directory named, resumes it, and verifies and analyses its states.
 int main(int, char** argv) {
-  bool right = law_is_right() && drive_until(argv[1], 0) && drive_until(argv[1], 2);
-  for (int step = 0; step < 3; ++step) right = right && is_equilibrium(floc::state_file(argv[1], step));
+  const std::string directory = argv[1], scene = directory + ".toml";
+  std::ofstream(scene) << kScene;
+  bool right = run_until(scene, directory, 0) && run_until(scene, directory, 2);
+  for (int step = 0; step < 3; ++step) right = right && is_equilibrium(floc::state_file(directory, step));
+  right = right && computes(floc::state_file(directory, 2)) && fits();
   std::printf("floc %s: %s\n", floc::version().c_str(), right ? "right" : "wrong");
   return right ? 0 : 1;
 }

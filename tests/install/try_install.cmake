@@ -24,4 +24,6 @@ endforeach()
 if(PYTHON)
   set(ENV{PYTHONPATH} "${WORK_DIR}/prefix/lib/python3/dist-packages")
   run("${PYTHON}" -c "import floc; assert floc.__file__.startswith('${WORK_DIR}/prefix'); floc.chain(2, 0.5, 1, 1, 1)")
+  run("${PYTHON}" "${CONSUMER_DIR}/same_row.py" "${WORK_DIR}/prefix/bin/floc" "${WORK_DIR}/build/row"
+    "${WORK_DIR}/tiny/state-0002.h5")
 endif()

@@ -7,7 +7,7 @@
 
 #include "floc/scene/accuracy.h"
 #include "floc/scene/read_scene.h"
-#include "floc/study/comparison.h"
+#include "floc/tradeoff/comparison.h"
 #include "support/places.h"
 
 // What [accuracy] guarantees, on scenes and seeds that did not make the shipped table. By itself:

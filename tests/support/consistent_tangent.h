@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "floc/network/tangent_matrix.h"
-#include "floc/packing/contact_response.h"
+#include "floc/packing/law/contact_response.h"
 
 namespace floc::test {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "floc/neighbors/find_contacts.h"
-#include "floc/packing/contact_forces.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/state.h"
 #include "support/contact_laws.h"
 #include "support/springs.h"

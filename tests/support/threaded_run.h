@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "floc/run/drive.h"
+#include "floc/run_directory/drive.h"
 #include "floc/scene/read_scene.h"
 
 namespace floc::test {

@@ -8,7 +8,7 @@
 
 #include "floc/base/random.h"
 #include "floc/io/state_file.h"
-#include "floc/run/one_run.h"
+#include "floc/run_directory/one_run.h"
 #include "support/kill_and_resume.h"
 
 namespace floc::test {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 
 namespace floc::test {
 

@@ -5,7 +5,7 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/io/jambashbulk.h"
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "support/network_packings.h"
 #include "support/places.h"
 

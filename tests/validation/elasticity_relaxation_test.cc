@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "floc/elasticity/moduli.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/relaxation/relaxer.h"
 #include "support/contact_laws.h"
 #include "support/dynamics.h"

@@ -7,7 +7,7 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/io/import.h"
 #include "floc/io/law_text.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "support/hand_network.h"
 #include "support/places.h"
 

@@ -6,8 +6,8 @@
 
 #include "floc/contact/history.h"
 #include "floc/neighbors/find_contacts.h"
-#include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/tile.h"
 
 namespace floc {

@@ -20,4 +20,10 @@ class IoError : public std::runtime_error {
   IoError(const std::string& place, const std::string& problem);
 };
 
+/// A computation has no result for a state, which is no fault of the input: why, in words. Exit code 3.
+class NoResult : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 }  // namespace floc

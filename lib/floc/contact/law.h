@@ -35,12 +35,12 @@ class Law {
   double pull_off_force() const;
   /// F0 of two grains of this radius, 0 without adhesion.
   double pull_off_force(double radius) const;
-  /// F0 of a pair, 0 without adhesion and for liquid bridges, which not every pair has (packing/liquid.h).
+  /// F0 of a pair, 0 without adhesion and for liquid bridges, which not every pair has (packing/liquid/liquid.h).
   double pull_off_force(const PairGeometry<>& pair) const;
   /// Whether anything attracts.
   bool adheres() const { return pull_off_force(1.0) > 0.0; }
   /// Largest gap at which surfaces that have not met attract each other; adhesion of zero force acts nowhere. 0 for
-  /// liquid bridges, whose reach depends on their volumes (packing/liquid.h).
+  /// liquid bridges, whose reach depends on their volumes (packing/liquid/liquid.h).
   double range() const;
   /// Largest gap at which the law acts between grains of no larger radius than this, also between surfaces that have
   /// met and hold together.

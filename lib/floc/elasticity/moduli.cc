@@ -11,7 +11,7 @@
 #include "floc/base/range.h"
 #include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/isotropic_moduli.h"
-#include "floc/elasticity/parallel_response.h"
+#include "floc/elasticity/parallel/parallel_response.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/wall_forces.h"

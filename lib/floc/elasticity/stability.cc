@@ -14,7 +14,7 @@
 #include "floc/linalg/symmetric_factor.h"
 #include "floc/network/free_motions.h"
 #include "floc/network/stiffness_matrix.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {

@@ -16,6 +16,7 @@
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
 #include "floc/io/listed_space.h"
+#include "floc/geometry/tilt.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -217,7 +218,7 @@ Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
 template <int Dim>
 void reduce_tilts(Mat<Dim>& rows) {
   for (int a = 1; a < Dim; ++a)
-    for (int b = a - 1; b >= 0; --b) rows.row(a) -= std::round(rows(a, b) / rows(b, b)) * rows.row(b);
+    for (int b = a - 1; b >= 0; --b) rows.row(a) -= sides_in_tilt(rows(a, b), rows(b, b)) * rows.row(b);
 }
 
 /// What the format has no place for, in the words of LAMMPS' commands, for its title.

@@ -13,10 +13,10 @@
 #include "floc/contact/adhesion/capillary_adhesion.h"
 #include "floc/io/listed_ids.h"
 #include "floc/io/listed_space.h"
-#include "floc/packing/contact_forces.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/law/contact_forces.h"
+#include "floc/packing/law/stiffness_check.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/packing/locate.h"
-#include "floc/packing/stiffness_check.h"
 
 namespace floc {
 namespace {

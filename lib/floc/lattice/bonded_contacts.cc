@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "floc/contact/law_parameters.h"
-#include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/locate.h"
 
 namespace floc {

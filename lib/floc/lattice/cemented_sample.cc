@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "floc/base/error.h"
 #include "floc/lattice/node_grid.h"
 #include "floc/neighbors/pairs.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/packing/require_periodic.h"
 
 namespace floc {
@@ -28,8 +28,7 @@ class Cementing {
     out_.owner.assign(n, -1);
     out_.owner_image.assign(n, Vec<Dim, int>::Zero());
     to_surface_.assign(n, kFar);
-    out_.mean_diameter =
-        2.0 * std::accumulate(out_.grains.radius.begin(), out_.grains.radius.end(), 0.0) / out_.grains.size();
+    out_.mean_diameter = mean_diameter(out_.grains.radius);
   }
   Cementing(const Cementing&) = delete;
   Cementing& operator=(const Cementing&) = delete;

@@ -12,9 +12,9 @@
 #include "floc/base/version.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/neighbors/spread_liquid.h"
-#include "floc/packing/contact_forces.h"
 #include "floc/packing/grain_sizes.h"
-#include "floc/packing/unslant.h"
+#include "floc/packing/law/contact_forces.h"
+#include "floc/packing/reduce_tilt.h"
 #include "floc/relaxation/relaxer.h"
 
 namespace floc {
@@ -157,7 +157,7 @@ void Run<Dim>::enter_turn() {
   if (!target().shears()) return;
   point_.turn.shear = target().shear;
   if (!point_.equilibration.empty()) return;
-  unslant(packing_, target().axis);
+  reduce_tilt(packing_, target().axis);
   point_.last_offset = packing_.cell.matrix(target().axis, 0);
 }
 

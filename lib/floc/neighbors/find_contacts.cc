@@ -6,9 +6,9 @@
 #include "floc/base/error.h"
 #include "floc/neighbors/interacting_pairs.h"
 #include "floc/neighbors/spread_liquid.h"
-#include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/law/contact_forces.h"
 
 namespace floc {
 namespace {

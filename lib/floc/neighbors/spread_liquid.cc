@@ -9,9 +9,9 @@
 #include "floc/contact/adhesion/capillary_adhesion.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/neighbors/unlisted_pairs.h"
-#include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/locate.h"
 
 namespace floc {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 
 namespace floc {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "floc/base/huge_pages.h"
-#include "floc/network/assembly.h"
+#include "floc/network/contact_blocks.h"
 #include "floc/network/stiffness_matrix.h"
 
 namespace floc {

@@ -3,7 +3,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "floc/network/assembly.h"
+#include "floc/network/contact_blocks.h"
 #include "floc/network/contact_network.h"
 
 namespace floc {

@@ -6,7 +6,7 @@
 
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {

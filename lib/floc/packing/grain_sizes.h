@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "floc/packing/packing.h"
@@ -15,6 +16,11 @@ inline double largest_diameter(const std::vector<double>& radius) {
 template <int Dim>
 double largest_diameter(const Grains<Dim>& grains) {
   return largest_diameter(grains.radius);
+}
+
+/// Mean diameter of grains (length). @pre there are grains
+inline double mean_diameter(const std::vector<double>& radius) {
+  return 2.0 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
 }
 
 /// Largest mass of a grain (mass). @pre there are grains

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 
 template <int Dim>
 double mean_diameter(const PackingPicture<Dim>& picture) {
-  return 2.0 * std::accumulate(picture.radius.begin(), picture.radius.end(), 0.0) /
-         static_cast<double>(picture.radius.size());
+  return mean_diameter(picture.radius);
 }
 
 template <int Dim>

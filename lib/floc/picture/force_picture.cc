@@ -8,7 +8,7 @@
 #include "floc/network/components.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/grain_sizes.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/particle_stress.h"

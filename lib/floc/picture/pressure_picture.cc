@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "floc/packing/grain_sizes.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/structure/particle_stress.h"
 

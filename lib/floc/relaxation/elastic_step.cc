@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "floc/contact/history.h"
-#include "floc/packing/contact_forces.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/law/contact_forces.h"
+#include "floc/packing/liquid/liquid.h"
 
 namespace floc {
 namespace {

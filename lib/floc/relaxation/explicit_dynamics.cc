@@ -6,9 +6,9 @@
 
 #include "floc/geometry/upper_triangular.h"
 #include "floc/neighbors/space_order.h"
-#include "floc/packing/contact_forces.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/relaxation/thread_team.h"
 
 namespace floc {

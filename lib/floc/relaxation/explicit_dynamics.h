@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/interaction.h"

@@ -17,9 +17,9 @@
 #include "floc/neighbors/pairs.h"
 #include "floc/neighbors/unlisted_pairs.h"
 #include "floc/network/tangent_matrix.h"
-#include "floc/packing/contact_forces.h"
-#include "floc/packing/contact_response.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/law/contact_forces.h"
+#include "floc/packing/law/contact_response.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/packing/locate.h"
 #include "floc/packing/require_periodic.h"
 

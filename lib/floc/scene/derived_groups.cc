@@ -9,7 +9,7 @@
 
 #include "floc/contact/law_description.h"
 #include "floc/contact/law_parameters.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/scene/scene_scales.h"
 

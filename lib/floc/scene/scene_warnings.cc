@@ -8,7 +8,7 @@
 
 #include "floc/contact/law_parameters.h"
 #include "floc/loading/run_plan.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/packing/overlaps.h"
 #include "floc/relaxation/static_solver.h"
 #include "floc/scene/derived_groups.h"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "floc/packing/contact_energy.h"
+#include "floc/packing/law/contact_energy.h"
 #include "floc/packing/packing.h"
 
 namespace floc {

@@ -10,7 +10,7 @@
 #include "floc/base/range.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 
 namespace floc {
 namespace {

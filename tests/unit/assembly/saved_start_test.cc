@@ -6,7 +6,7 @@
 
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "support/contact_laws.h"
 #include "support/dynamics.h"
 #include "support/springs.h"

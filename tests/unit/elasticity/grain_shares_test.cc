@@ -1,4 +1,4 @@
-#include "floc/elasticity/grain_shares.h"
+#include "floc/elasticity/parallel/grain_shares.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

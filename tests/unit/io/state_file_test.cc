@@ -14,7 +14,7 @@
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
 #include "floc/neighbors/find_contacts.h"
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 #include "support/contact_laws.h"
 #include "support/scratch_directory.h"
 #include "support/sealed.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "floc/neighbors/pairs.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "support/contact_laws.h"
 #include "support/network_packings.h"
 #include "support/wet_packings.h"

@@ -6,7 +6,7 @@
 
 #include "floc/network/stiffness_matrix.h"
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_response.h"
+#include "floc/packing/law/contact_response.h"
 #include "floc/packing/locate.h"
 #include "support/consistent_tangent.h"
 #include "support/contact_laws.h"

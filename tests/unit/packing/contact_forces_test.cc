@@ -1,4 +1,4 @@
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "floc/packing/contact_response.h"
+#include "floc/packing/law/contact_response.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <random>
 
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "support/contact_laws.h"
 #include "support/springs.h"
 

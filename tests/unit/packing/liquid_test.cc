@@ -1,4 +1,4 @@
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "floc/base/random.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/tile.h"
 #include "support/contact_laws.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "support/contact_laws.h"
 #include "support/network_packings.h"
 #include "support/springs.h"

@@ -6,7 +6,7 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/static_solver.h"
 #include "support/consistent_tangent.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "support/contact_laws.h"
 #include "support/dynamics.h"
 

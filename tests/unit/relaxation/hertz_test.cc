@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/relaxation/equilibrator.h"
 #include "floc/relaxation/relaxation_options.h"
 #include "support/contact_laws.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/relaxation/dynamics.h"
 #include "support/contact_laws.h"
 #include "support/springs.h"

@@ -7,7 +7,7 @@
 #include "floc/elasticity/moduli.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/tile.h"
 #include "floc/relaxation/relaxer.h"
 #include "support/contact_laws.h"

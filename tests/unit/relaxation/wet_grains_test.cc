@@ -5,8 +5,8 @@
 
 #include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_forces.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/relaxation/relaxer.h"
 #include "floc/structure/energy_account.h"
 #include "support/contact_laws.h"

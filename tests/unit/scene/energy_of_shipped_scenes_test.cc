@@ -10,7 +10,7 @@
 #include "floc/loading/run_plan.h"
 #include "floc/neighbors/spread_liquid.h"
 #include "floc/packing/balance.h"
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/overlaps.h"
 #include "floc/relaxation/relaxer.h"
 #include "floc/scene/read_scene.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/structure/rigid_clusters.h"
 #include "support/contact_laws.h"
 #include "support/lattices.h"

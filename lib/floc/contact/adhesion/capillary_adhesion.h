@@ -33,7 +33,7 @@ struct Bridge {
 /// Liquid bridges between spheres: a force -Gamma R in contact, which falls with the gap up to the reach of the
 /// bridge. Gamma = 2 pi g cos th, R = sqrt(Ri Rj), reach (1 + th/2) V_b^(1/3). Contacts remember the volumes
 /// V_b of the bridges; the law does not decide how the liquid of a packing is shared between them
-/// (packing/liquid.h). In 2D disks stand for a layer of spheres.
+/// (packing/liquid/liquid.h). In 2D disks stand for a layer of spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< g (force/length)
   double contact_angle;    ///< th (degrees)

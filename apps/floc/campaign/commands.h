@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/campaign/campaign_plan.h"
+#include "process/command.h"
+
+namespace floc {
+
+Command add_campaign_new(CommandLine campaign);
+Command add_campaign_check(CommandLine campaign);
+Command add_campaign_plan(CommandLine campaign);
+Command add_campaign_run(CommandLine campaign);
+Command add_campaign_collect(CommandLine campaign);
+Command add_campaign_outcome(CommandLine campaign);
+Command add_campaign_page(CommandLine campaign);
+
+/// A campaign and what each of its cases does.
+struct PlannedCampaign {
+  Campaign campaign;
+  std::vector<CasePlan> plans;
+};
+
+/// Reads a campaign file and plans it. @throws InputError naming file and line, also of columns that no table has
+PlannedCampaign planned_campaign(const std::string& file);
+
+/// The campaign that `floc campaign plan` wrote into a directory. @throws InputError if there is none
+PlannedCampaign campaign_of(const std::string& directory);
+
+}  // namespace floc

@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "campaign/commands.h"
+#include "floc/base/error.h"
+#include "floc/base/nearest_name.h"
+#include "floc/base/read_file.h"
+#include "floc/campaign/read_campaign.h"
+#include "floc/campaign/snakefile.h"
+#include "floc/campaign/starting_campaign.h"
+#include "floc/io/atomic_file.h"
+#include "floc/scene/starting_scene.h"
+#include "floc/tables/column_reference.h"
+#include "process/child_process.h"
+#include "process/output.h"
+#include "process/printing.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCampaignFile = "campaign.toml";
+constexpr const char* kSceneFile = "scene.toml";
+
+struct PlanArguments {
+  std::string file;
+  std::string name;
+  std::string scene;
+  std::string directory;
+  Printing printing;
+  bool overwrite = false;
+};
+
+const DescribedTable& described_table(const std::string& name) {
+  const auto& tables = described_tables();
+  return *std::ranges::find(tables, name, &DescribedTable::name);
+}
+
+/// Holds the columns of a campaign against those that the tables have.
+void check_columns(const Campaign& campaign) {
+  for (const Collection& collection : campaign.collections) {
+    const std::string name = collection.table == "path" ? "path.csv" : collection.table;
+    std::vector<std::string> names;
+    for (const DescribedColumn& column : described_table(name).columns) names.push_back(column.name);
+    for (const std::string& column : collection.columns)
+      if (std::ranges::none_of(names, [&](const std::string& n) { return stands_for(n, column); }))
+        throw InputError(collection.place,
+                         fmt::format("columns = {}: {} has no such column; the nearest is {} (floc "
+                                     "help columns {} lists them)",
+                                     column, name, nearest_name(column, names), name));
+  }
+}
+
+/// Number of runs and what they are expected to take, in words.
+std::string extent_of(const PlannedCampaign& planned) {
+  const std::size_t n_seeds = planned.campaign.seeds.size();
+  double cost = 0.0;
+  for (const CasePlan& plan : planned.plans) cost += plan.cost * static_cast<double>(n_seeds);
+  return fmt::format(
+      "{} cases with {} seeds: {} runs, expected to take {} on one core, to within a factor of two",
+      planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration_text(cost));
+}
+
+/// A file of the user's that is not there yet.
+void write_new(const fs::path& path, const std::string& text) {
+  if (fs::exists(path)) throw InputError(path.string(), "exists; expected a name that is not taken");
+  write_bytes_atomically(path.string(), text);
+}
+
+int start_campaign(const PlanArguments& arguments) {
+  fs::path path(arguments.name);
+  if (path.extension() != ".toml") path += ".toml";
+  const std::string name = path.stem().string();
+  const std::string own = starting_scene(name);  // refuses what is no name
+  const fs::path scene = arguments.scene.empty() ? fs::path(name + "-scene.toml") : fs::path(arguments.scene);
+  if (fs::exists(path)) throw InputError(path.string(), "exists; expected a name that is not taken");
+  if (arguments.scene.empty())
+    write_new(path.parent_path() / scene, own);
+  else if (!fs::is_regular_file(scene))
+    throw InputError(scene.string(), "cannot be read: expected a scene file (TOML)");
+  const std::string relative =
+      arguments.scene.empty()
+          ? scene.string()
+          : fs::absolute(scene).lexically_proximate(fs::absolute(path).parent_path()).generic_string();
+  write_new(path, starting_campaign(name, relative));
+  spdlog::info("wrote {0}{1}; next: floc campaign check {0}, floc campaign plan {0} -o {2}", path.string(),
+               arguments.scene.empty() ? " and " + (path.parent_path() / scene).string() : "", name);
+  return kDone;
+}
+
+int check_campaign(const PlanArguments& arguments) {
+  const PlannedCampaign planned = planned_campaign(arguments.file);
+  const Campaign& campaign = planned.campaign;
+  Table table{{"case"}, {}};
+  table.columns.insert(table.columns.end(), campaign.keys.begin(), campaign.keys.end());
+  for (const char* column : {"seed", "n_states", "expected_seconds", "directory"})
+    table.columns.emplace_back(column);
+  for (const CampaignRun& run : runs_of(campaign)) {
+    const CampaignCase& one = campaign.cases[static_cast<std::size_t>(run.case_number)];
+    const CasePlan& plan = planned.plans[static_cast<std::size_t>(run.case_number)];
+    std::vector<TableValue> row = {one.label};
+    for (const std::string& key : campaign.keys) row.push_back(or_undefined(value_of(one, key)));
+    row.insert(row.end(), {static_cast<std::int64_t>(run.seed), static_cast<std::int64_t>(plan.states.size()),
+                           plan.cost, run.directory});
+    table.rows.push_back(std::move(row));
+  }
+  print_table(table, arguments.printing);
+  spdlog::info("{}: no faults; {}", arguments.file, extent_of(planned));
+  return kDone;
+}
+
+/// Replaces what differs, so that Snakemake sees as changed only what is; the runs stay.
+int plan_campaign(const PlanArguments& arguments) {
+  PlannedCampaign planned = planned_campaign(arguments.file);
+  const fs::path directory(arguments.directory);
+  const std::string scene = portable_scene(planned.campaign);
+  planned.campaign.scene = scene;
+  planned.campaign.scene_file = (directory / kSceneFile).string();
+  planned.plans = plan_cases(planned.campaign);  // files that cases name have to be found from there
+  const std::pair<const char*, std::string> files[] = {
+      {kCampaignFile, read_file(arguments.file)},
+      {kSceneFile, scene},
+      {"Snakefile", snakefile_of(planned.campaign, planned.plans, this_program())}};
+  std::error_code failed;
+  fs::create_directories(directory, failed);
+  if (failed) throw IoError(arguments.directory, "cannot make the directory: " + failed.message());
+  const auto differs = [&](const char* name, const std::string& text) {
+    return !fs::exists(directory / name) || read_file((directory / name).string()) != text;
+  };
+  for (const auto& [name, text] : files)
+    if (!arguments.overwrite && fs::exists(directory / name) && differs(name, text))
+      throw InputError((directory / name).string(),
+                       "exists already and differs: expected --overwrite, which replaces the plan and keeps "
+                       "the runs, or another directory");
+  for (const auto& [name, text] : files)
+    if (differs(name, text)) write_bytes_atomically((directory / name).string(), text);
+  spdlog::info("{}: {}. Next: cd {} && snakemake --cores 2", arguments.directory, extent_of(planned),
+               arguments.directory);
+  return kDone;
+}
+
+}  // namespace
+
+PlannedCampaign planned_campaign(const std::string& file) {
+  PlannedCampaign planned{read_campaign(file), {}};
+  check_columns(planned.campaign);
+  planned.plans = plan_cases(planned.campaign);
+  return planned;
+}
+
+PlannedCampaign campaign_of(const std::string& directory) {
+  const fs::path file = fs::path(directory) / kCampaignFile;
+  if (!fs::is_regular_file(file) || !fs::is_regular_file(fs::path(directory) / kSceneFile))
+    throw InputError(directory, "holds no campaign: expected a directory of floc campaign plan");
+  PlannedCampaign planned{read_campaign(file.string(), kSceneFile), {}};
+  // One without a name was called by that of its file.
+  if (planned.campaign.name == file.stem().string())
+    planned.campaign.name = fs::canonical(directory).filename().string();
+  planned.plans = plan_cases(planned.campaign);
+  return planned;
+}
+
+Command add_campaign_new(CommandLine campaign) {
+  CommandLine app =
+      campaign.add_subcommand("new", "write a commented campaign NAME.toml with a scene to start from");
+  auto arguments = std::make_shared<PlanArguments>();
+  app.add_option("NAME", arguments->name, "name of the campaign").required();
+  app.add_option("--scene", arguments->scene, "scene file of its runs [NAME-scene.toml, which is written too]");
+  return {app, [arguments] { return start_campaign(*arguments); }};
+}
+
+Command add_campaign_check(CommandLine campaign) {
+  CommandLine app =
+      campaign.add_subcommand("check", "list every fault; print the runs and their expected cost");
+  auto arguments = std::make_shared<PlanArguments>();
+  app.add_option("FILE", arguments->file, "campaign file (TOML)").required();
+  add_printing_options(app, arguments->printing);
+  return {app, [arguments] { return check_campaign(*arguments); }};
+}
+
+Command add_campaign_plan(CommandLine campaign) {
+  CommandLine app = campaign.add_subcommand("plan", "write a directory for snakemake, with one rule per run");
+  auto arguments = std::make_shared<PlanArguments>();
+  app.add_option("FILE", arguments->file, "campaign file (TOML)").required();
+  app.add_option("-o,--output", arguments->directory, "directory of the campaign").required();
+  app.add_flag("--overwrite", arguments->overwrite, "replace the plan in the directory; its runs are kept");
+  return {app, [arguments] { return plan_campaign(*arguments); }};
+}
+
+}  // namespace floc

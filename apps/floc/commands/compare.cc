@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "commands/compare_runs.h"
+#include "floc/base/error.h"
+#include "floc/tables/compare_rows.h"
+#include "process/command.h"
+#include "process/output.h"
+#include "process/printing.h"
+#include "process/run_states.h"
+
+namespace floc {
+namespace {
+
+struct CompareCommand {
+  std::vector<std::string> files;
+  bool against_first = false;
+  CompareTableOptions options;
+  std::string displacements, contacts;  ///< files of the tables beside the main one; empty: none
+  Printing printing;
+};
+
+/// Two directories are two runs, to be compared step by step; the states of one follow each other.
+bool are_two_runs(const std::vector<std::string>& inputs) {
+  return inputs.size() == 2 && std::ranges::all_of(inputs, [](const std::string& input) {
+           return input != "-" && std::filesystem::is_directory(input);
+         });
+}
+
+int run_compare(CompareCommand command) {
+  command.options.displacements = !command.displacements.empty();
+  command.options.contacts = !command.contacts.empty();
+  if (are_two_runs(command.files)) return compare_runs(command.files[0], command.files[1], command.printing);
+  if (command.files.size() == 1 && !std::filesystem::is_directory(command.files.front())) {
+    std::cerr << "floc: compare takes two or more states, or a directory of floc run\n";
+    return kUsage;
+  }
+  std::vector<CompareRow> rows;
+  CompareTables side;
+  std::optional<std::pair<std::string, AnyState>> reference;
+  const int code = for_each_file(states_of_inputs(command.files), [&](const std::string& file) {
+    // A state that cannot be read has no successor either, unless all are held against the first.
+    std::optional<std::pair<std::string, AnyState>> before = reference;
+    if (!command.against_first) reference.reset();
+    std::pair<std::string, AnyState> now(file, read_state(file));
+    if (!reference) reference = now;
+    if (!before) return int{kDone};
+    std::visit(
+        [&]<int Old, int New>(const State<Old>& p, const State<New>& q) {
+          if constexpr (Old != New) {
+            throw InputError(file, fmt::format("is {}D, and {} is {}D", New, before->first, Old));
+          } else {
+            rows.push_back(compare_row(before->first, p, file, q, command.options, side));
+          }
+        },
+        before->second, now.second);
+    return int{kDone};
+  });
+  if (!command.displacements.empty()) write_csv(command.displacements, side.displacements);
+  if (!command.contacts.empty()) write_csv(command.contacts, side.contacts);
+  print_table(to_table(compare_columns(rows), rows), command.printing);
+  return code;
+}
+
+}  // namespace
+
+Command add_compare(CommandLine program) {
+  CommandLine app = program.add_subcommand(
+      "compare",
+      "Show what changed between states of the same grains: contacts kept, lost and gained; displacements");
+  const auto command = std::make_shared<CompareCommand>();
+  app.add_option("STATE", command->files,
+                 "state files or a directory of floc run, each state compared with the one before it; or two "
+                 "directories, compared step by step")
+      .required();
+  app.add_flag("--against-first", command->against_first, "compare each state with the first instead");
+  app.add_option("--rigid-tolerance", command->options.rigid_tolerance,
+                 "tolerance of a contact that moves as rigid: how far its two contact points may part, in "
+                 "largest diameters, and how much the rotations of its grains may differ, in radians")
+      .positive()
+      .show_default();
+  app.add_option("--displacements", command->displacements,
+                 "file with one row per grain: position before, non-affine displacement, rigid cluster");
+  app.add_option("--contacts", command->contacts, "file with one row per contact: kept, lost or gained");
+  add_printing_options(app, command->printing);
+  return {app, [command] { return run_compare(*command); }};
+}
+
+}  // namespace floc

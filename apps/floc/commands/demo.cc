@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "floc/base/error.h"
+#include "floc/base/seconds_since.h"
+#include "floc/tables/consolidation_fits.h"
+#include "process/child_process.h"
+#include "process/command.h"
+#include "process/output.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file or folder that comes with floc, below share/floc beside bin/, where this program is installed.
+std::string shipped(const std::string& name) {
+  const fs::path path = (fs::path(this_program()).parent_path() / "../share/floc" / name).lexically_normal();
+  if (!fs::exists(path))
+    throw InputError(path.string(), "not found: expected the scenes and tables that are installed with floc");
+  return path.string();
+}
+
+/// Shows the command and runs it. @param about  what it does
+/// @param shown  whether what it prints is
+int step(const std::string& about, const std::vector<std::string>& arguments, bool shown) {
+  fmt::print(stderr, "\n== {}\n   floc {}\n", about, fmt::join(arguments, " "));
+  return run_floc(arguments, {"", shown ? "" : "/dev/null", "", false});
+}
+
+/// The law of this sample beside that of the mean of eight. What one sample does not identify has no value.
+void print_laws(const std::string& directory, const std::string& tables) {
+  fmt::print(
+      stderr,
+      "\n== The consolidation law: lambda and the others of the mean of eight such samples, and of this one\n"
+      "   floc fit consolidation {}\n   floc fit consolidation {}\n",
+      tables, directory);
+  const ConsolidationFit eight = consolidation_fit({tables}), one = consolidation_fit({directory});
+  Table table{{"parameter", "eight samples", "stderr", "this sample"}, {}};
+  for (const FittedParameter& p : eight.parameters) {
+    TableValue own;
+    for (const FittedParameter& q : one.parameters)
+      if (q.name == p.name && q.value) own = *q.value;
+    table.rows.push_back({p.name, p.value ? TableValue(*p.value) : TableValue(),
+                          p.standard_error ? TableValue(*p.standard_error) : TableValue(), own});
+  }
+  write_table(std::cout, table, TableFormat::table);
+  for (const FittedParameter& p : eight.parameters)
+    if (p.name == "lambda" && p.value && p.standard_error)
+      fmt::print(
+          "One sample of 400 disks collapses in jumps at pressures of its own; the mean of eight has lambda = "
+          "{:.3f} +- {:.3f}\n",
+          *p.value, *p.standard_error);
+  std::fflush(stdout);
+}
+
+int run_demo(const std::string& directory) {
+  const std::string scene = shipped("scenes/demo.toml"), tables = shipped("tables/demo");
+  const auto began = std::chrono::steady_clock::now();
+  const std::string picture = directory + "/forces.svg", page = directory + "/report.html";
+  pass_signals_on();
+  int code = step("400 disks stick together and are consolidated: 40 equilibria, some ten seconds",
+                  {"run", scene, "-o", directory, "--resume"}, false);
+  if (code == kDone)
+    code = step("Bulk and shear moduli, and bounds of B where bounds_hold, in units of F0/a",
+                {"moduli", directory, "--columns", "P_star,phi,z,B_reuss,B_S,B,B_voigt,G,G_voigt,bounds_hold",
+                 "--format", "table"},
+                true);
+  if (code == kDone) {
+    print_laws(directory, tables);
+    code = step("The forces of three states",
+                {"draw", directory, "-o", picture, "--steps", "1,14,26", "--columns", "3"}, false);
+  }
+  if (code == kDone) code = step("The whole run on one page", {"report", directory, "-o", page}, false);
+  if (was_signalled()) return kInterrupted;
+  if (code == kDone)
+    fmt::print(stderr,
+               "\n== Done in {:.0f} s\n   states and tables   {}/\n   picture             {}\n"
+               "   report              {}, for a browser\n   next                floc scene new powder\n",
+               seconds_since(began), directory, picture, page);
+  return code;
+}
+
+}  // namespace
+
+Command add_demo(CommandLine program) {
+  CommandLine app = program.add_subcommand(
+      "demo", "Run the shipped demo: a powder of 400 disks, its moduli, its consolidation law, pictures");
+  auto directory = std::make_shared<std::string>("demo");
+  app.add_option("DIR", *directory,
+                 "directory for states, tables and pictures [demo]; an interrupted demo continues there");
+  return {app, [directory] { return run_demo(*directory); }};
+}
+
+}  // namespace floc

@@ -1,0 +1,319 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <tuple>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/io/atomic_file.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/picture/drawn_scale.h"
+#include "floc/picture/sheet.h"
+#include "floc/structure/coordination.h"
+#include "plots/state_picture.h"
+#include "process/command.h"
+#include "process/output.h"
+#include "process/printing.h"
+#include "process/run_states.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kPointsPerCentimetre = 72.0 / 2.54;
+constexpr int kPictures = 4;  ///< of a directory without --steps
+
+struct DrawArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string forces = "equilibrium";
+  std::string step = "isotropic";
+  std::string compare;
+  std::vector<int> steps;
+  std::string as;
+  double width = 17.0;  ///< (cm)
+  SheetOptions sheet;
+  bool image = false;
+  bool vectors = false;
+  std::string view, slab;
+  std::optional<Slab> cut;  ///< slab, read
+  Printing printing;
+};
+
+Shown shown_by(const DrawArguments& arguments) {
+  if (arguments.forces == "particle-pressure") return Shown::particle_pressure;
+  if (arguments.forces == "phases") return Shown::phases;
+  if (arguments.forces == "none") return Shown::grains;
+  if (arguments.forces == "equilibrium") return Shown::equilibrium;
+  return arguments.step == "isotropic" ? Shown::isotropic_step : Shown::deviatoric_step;
+}
+
+PictureFormat format_named(const std::string& keyword) {
+  return keyword == "pdf" ? PictureFormat::pdf : keyword == "png" ? PictureFormat::png : PictureFormat::svg;
+}
+
+/// Where pictures go: one file, stdout, or a file a state in a directory.
+struct Target {
+  bool directory = false;
+  bool standard_output = false;
+  std::string suffix;  ///< ".svg", ...
+
+  std::string of(const DrawArguments& arguments, const std::string& state) const {
+    if (!directory) return arguments.output;
+    const std::string stem = state == "-" ? "stdin" : fs::path(state).stem().string();
+    return (fs::path(arguments.output) / (stem + suffix)).string();
+  }
+};
+
+Target target_of(const DrawArguments& arguments) {
+  Target target;
+  target.standard_output = arguments.output == "-";
+  target.directory = arguments.output.ends_with('/') || fs::is_directory(arguments.output);
+  const std::string extension = fs::path(arguments.output).extension().string();
+  target.suffix = "." + (arguments.as.empty() ? "svg" : arguments.as);
+  if (target.standard_output || target.directory) return target;
+  if (arguments.as.empty() && extension != ".svg" && extension != ".pdf" && extension != ".png")
+    throw InputError("-o " + arguments.output,
+                     "expected a name that ends in .svg, .pdf or .png, a directory, or -");
+  if (arguments.as.empty()) target.suffix = extension;
+  return target;
+}
+
+/// The numbers of "A,B,...", or nothing if they are not `count`.
+std::optional<std::vector<double>> numbers_of(const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = parse_number<double>(std::string_view(text).substr(begin, end - begin));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers.size() == count ? std::optional(numbers) : std::nullopt;
+}
+
+/// Reads --view and --slab.
+void read_sight(DrawArguments& arguments) {
+  if (!arguments.view.empty()) {
+    const auto angles = numbers_of(arguments.view, 2);
+    if (!angles)
+      throw InputError("--view " + arguments.view,
+                       "expected AZIMUTH,ELEVATION: two angles in degrees, such as -65,20");
+    arguments.sheet.view.azimuth = (*angles)[0];
+    arguments.sheet.view.elevation = (*angles)[1];
+  }
+  if (arguments.slab.empty()) return;
+  const std::size_t axis = std::string("x,y,z,").find(arguments.slab.substr(0, 2));
+  const auto ends = arguments.slab.size() < 2 || axis == std::string::npos
+                        ? std::nullopt
+                        : numbers_of(arguments.slab.substr(2), 2);
+  if (!ends)
+    throw InputError("--slab " + arguments.slab,
+                     "expected AXIS,FROM,TO: x, y or z and two fractions of the cell, such as z,0.4,0.6");
+  arguments.cut = Slab{static_cast<int>(axis / 2), (*ends)[0], (*ends)[1]};
+}
+
+/// A state read and its picture.
+template <int Dim>
+struct Drawn {
+  std::string file;
+  PackingPicture<Dim> picture;
+  std::vector<TableValue> cells;  ///< P_star, phi, z
+};
+
+void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPicture<3>& picture) {
+  picture = part_in_slab(picture, *arguments.cut);
+  if (picture.position.empty())
+    throw InputError(file, "has no grain whose centre lies in --slab " + arguments.slab +
+                               ": expected a slab that holds at least one");
+  picture.caption.push_back(fmt::format("{} from {} to {} of the cell", "xyz"[arguments.cut->axis],
+                                        short_number(arguments.cut->from), short_number(arguments.cut->to)));
+}
+
+/// @param other  the state to compare with, if there is one
+template <int Dim>
+Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
+                      const std::optional<AnyState>& other) {
+  if (Dim == 2 && (arguments.cut || !arguments.view.empty() || arguments.sheet.view.sphere_size))
+    throw InputError(file, "is 2D: --view, --slab and --sphere-size apply to spheres");
+  if (other && !std::holds_alternative<State<Dim>>(*other))
+    throw InputError(arguments.compare, fmt::format("is {}D, and {} is {}D: expected states of the same grains",
+                                                    Dim == 2 ? 3 : 2, file, Dim));
+  Drawn<Dim> drawn = {file,
+                      other ? picture_of_changes(file, state, arguments.compare, std::get<State<Dim>>(*other))
+                            : picture_of(file, state, shown_by(arguments)),
+                      {reduced_pressure(state.packing, state.target_stress.mean()),
+                       solid_fraction(state.packing), coordination(state.packing, 0.0).z}};
+  if constexpr (Dim == 3)
+    if (arguments.cut) cut_slab(file, arguments, drawn.picture);
+  return drawn;
+}
+
+template <int Dim>
+std::int64_t count_kind(const PackingPicture<Dim>& picture, LineKind kind) {
+  return std::count_if(picture.lines.begin(), picture.lines.end(),
+                       [kind](const ContactLine<Dim>& line) { return line.kind == kind; });
+}
+
+template <int Dim>
+void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
+  std::vector<TableValue> row = {drawn.file, name};
+  for (const TableValue& cell : drawn.cells) row.push_back(cell);
+  row.emplace_back(static_cast<std::int64_t>(drawn.picture.position.size()));
+  for (const LineKind kind : {LineKind::compression, LineKind::tension, LineKind::zero, LineKind::distant,
+                              LineKind::background, LineKind::lost, LineKind::gained})
+    row.emplace_back(count_kind(drawn.picture, kind));
+  table.rows.push_back(std::move(row));
+}
+
+/// One scale of colours for all pictures of a strip.
+template <int Dim>
+void share_shades(std::vector<PackingPicture<Dim>>& strip) {
+  double largest = 0.0;
+  for (const PackingPicture<Dim>& picture : strip) largest = std::max(largest, picture.shade.largest);
+  for (PackingPicture<Dim>& picture : strip) picture.shade.largest = largest;
+}
+
+void write_picture(const Target& target, const std::string& path, const std::string& bytes) {
+  write_bytes_atomically(target.standard_output ? "-" : path, bytes);
+}
+
+/// Draws the states, each by itself or all as a strip.
+class Drawer {
+ public:
+  Drawer(const DrawArguments& arguments, const Target& target) : arguments_(arguments), target_(target) {
+    if (!arguments.compare.empty()) other_ = read_state(arguments.compare);
+  }
+
+  template <int Dim>
+  void add(const std::string& file, const State<Dim>& state) {
+    Drawn<Dim> drawn = drawn_from(file, state, arguments_, other_);
+    auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
+    auto& others = std::get<std::vector<PackingPicture<5 - Dim>>>(strips_);
+    if (!others.empty())
+      throw InputError(file, fmt::format("is {}D, and the states before it are not: a strip shows states of "
+                                         "one dimension (-o DIR/ draws each state by itself)",
+                                         Dim));
+    const std::string path = target_.of(arguments_, file);
+    add_row(drawn, path, table_);
+    if (target_.directory)
+      write_picture(target_, path, draw_sheet<Dim>({std::move(drawn.picture)}, arguments_.sheet));
+    else
+      strip.push_back(std::move(drawn.picture));
+  }
+
+  /// Writes the strip and the table.
+  void finish() {
+    write_strip<2>();
+    write_strip<3>();
+    if (!target_.standard_output && !table_.rows.empty()) print_table(table_, arguments_.printing);
+  }
+
+ private:
+  template <int Dim>
+  void write_strip() {
+    auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
+    if (strip.empty()) return;
+    share_shades(strip);
+    write_picture(target_, arguments_.output, draw_sheet(strip, arguments_.sheet));
+  }
+
+  const DrawArguments& arguments_;
+  const Target& target_;
+  std::optional<AnyState> other_;
+  Table table_{{"file", "picture", "P_star", "phi", "z", "n_grains", "n_compression", "n_tension", "n_zero",
+                "n_distant", "n_other", "n_lost", "n_gained"},
+               {}};
+  std::tuple<std::vector<PackingPicture<2>>, std::vector<PackingPicture<3>>> strips_;
+};
+
+int draw(DrawArguments arguments) {
+  const Target target = target_of(arguments);
+  arguments.sheet.format = format_named(target.suffix.substr(1));
+  arguments.sheet.width = arguments.width * kPointsPerCentimetre;
+  if (arguments.image || arguments.vectors) arguments.sheet.as_image = arguments.image;
+  read_sight(arguments);
+  auto faults = arguments.sheet.validate();
+  if (arguments.cut)
+    for (const std::string& fault : arguments.cut->validate()) faults.push_back(fault);
+  if (!faults.empty()) throw InputError("floc draw", fmt::format("{}", fmt::join(faults, "; ")));
+  if (target.directory) fs::create_directories(arguments.output);
+  Drawer drawer(arguments, target);
+  const int code = for_each_state(drawn_states(arguments.inputs, arguments.steps, kPictures),
+                                  [&drawer](const std::string& file, const AnyState& any, const Remarks&) {
+                                    std::visit([&](const auto& state) { drawer.add(file, state); }, any);
+                                    return int{kDone};
+                                  });
+  drawer.finish();
+  return code;
+}
+
+}  // namespace
+
+Command add_draw(CommandLine program) {
+  CommandLine app = program.add_subcommand("draw", "Draw packings and their forces as svg, pdf or png");
+  const auto arguments = std::make_shared<DrawArguments>();
+  app.add_option(
+         "STATE", arguments->inputs,
+         "state files, - for one on stdin, or directories of floc run (see --steps); several make a strip")
+      .required();
+  app.add_option(
+         "-o,--output", arguments->output,
+         "F.svg, F.pdf or F.png; a directory, for one picture per state; - for stdout, without the table")
+      .required();
+  const Option forces =
+      app.add_option("--forces", arguments->forces,
+                     "equilibrium: the forces of the state; increment: what a small step of stress adds, with "
+                     "the contacts that hold 95 % of its energy in colour; particle-pressure: grains coloured "
+                     "by their pressure; phases: grains of positive and of negative pressure and the bonds "
+                     "within each phase; none: no forces [equilibrium]")
+          .one_of({"equilibrium", "increment", "particle-pressure", "phases", "none"});
+  app.add_option("--step", arguments->step,
+                 "stress step of --forces increment: isotropic or deviatoric [isotropic]")
+      .one_of({"isotropic", "deviatoric"});
+  app.add_option("--compare", arguments->compare,
+                 "STATE2: draw the contacts lost and gained on the way to this state, and the non-affine "
+                 "displacements of the grains")
+      .excludes(forces);
+  app.add_option("--steps", arguments->steps,
+                 "K,...: which states of a directory to draw [four, from the first to the last]")
+      .delimiter(',')
+      .non_negative();
+  app.add_option("--as", arguments->as,
+                 "svg, pdf or png, whatever the name of the file [by its extension; otherwise svg]")
+      .one_of({"svg", "pdf", "png"});
+  app.add_option("--width", arguments->width, "width of the page in cm [17]");
+  app.add_option("--columns", arguments->sheet.columns, "pictures in a row of a strip [4]");
+  app.add_option("--line-width", arguments->sheet.line_width,
+                 "line width of the r.m.s. force, in mean diameters; widths are proportional to |F| [0.15]");
+  app.add_flag("--same-scale", arguments->sheet.same_force_scale,
+               "one scale of line widths for all pictures of a strip [each picture has its own, and says it]");
+  app.add_flag("--bare", arguments->sheet.bare, "no captions, no legend");
+  app.add_option("--resolution", arguments->sheet.resolution,
+                 "pixels per inch of a png or an image [6 pixels per grain, at least 200 pixels per inch, at "
+                 "most 3000 pixels per side]");
+  const Option image =
+      app.add_flag("--image", arguments->image,
+                   "svg and pdf: grains and lines as an image [if there are more than 15000, in 3D 6000]");
+  app.add_flag("--vectors", arguments->vectors, "svg and pdf: grains and lines as vectors, however many")
+      .excludes(image);
+  app.add_option("--view", arguments->view,
+                 "AZIMUTH,ELEVATION: direction from which spheres are seen, in degrees; azimuth 0 is the x "
+                 "axis, 90 the y axis [-65,20]");
+  app.add_option("--slab", arguments->slab,
+                 "AXIS,FROM,TO: draw only the spheres whose centres lie between two fractions of the cell, "
+                 "e.g. z,0.4,0.6");
+  app.add_option(
+      "--sphere-size", arguments->sheet.view.sphere_size,
+      "drawn radius of a sphere over its true radius, 0 to 1 [1; 0.25 where forces or changes are drawn]");
+  add_printing_options(app, arguments->printing);
+  return {app, [arguments] { return draw(*arguments); }};
+}
+
+}  // namespace floc

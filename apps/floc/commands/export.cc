@@ -1,0 +1,134 @@
+#include "commands/export.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "floc/base/error.h"
+#include "floc/base/shell_word.h"
+#include "floc/io/law_text.h"
+#include "floc/packing/liquid/liquid.h"
+#include "floc/tables/column.h"
+#include "process/output.h"
+
+namespace floc {
+namespace {
+
+struct ExportArguments {
+  std::string state;
+  std::string grains, contacts;  ///< files; empty: none
+};
+
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+template <int Dim>
+Table grain_table(const Packing<Dim>& packing) {
+  const Grains<Dim>& grains = packing.grains;
+  const bool exact = !grains.position_low.empty();
+  Table table{{"id"}, {}};
+  for (const char* part : {"", "_low"})
+    for (int a = 0; a < Dim; ++a)
+      if (part[0] == '\0' || exact) table.columns.push_back(std::string(kAxes[a]) + part);
+  table.columns.insert(table.columns.end(), {"radius", "mass"});
+  for (int i = 0; i < grains.size(); ++i) {
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(grains.name(i));
+    for (int a = 0; a < Dim; ++a) row.emplace_back(grains.position[i][a]);
+    for (int a = 0; a < Dim && exact; ++a) row.emplace_back(grains.position_low[i][a]);
+    row.emplace_back(grains.radius[i]);
+    row.emplace_back(grains.mass[i]);
+  }
+  return table;
+}
+
+/// Moments are listed of laws that roll alone: others have none, and are refused any.
+template <int Dim>
+Table contact_table(const Packing<Dim>& packing) {
+  const bool rolls = packing.law.has_rolling(), twists = packing.law.has_twisting();
+  Table table{{"id1", "id2"}, {}};
+  const auto numbered = [&table](const char* name, int n) {
+    for (int a = 1; a <= n; ++a) table.columns.push_back(fmt::format("{}{}", name, a));
+  };
+  numbered("image", Dim);
+  table.columns.emplace_back("normal_force");
+  numbered("shear_force", Dim);
+  if (rolls && Dim == 2) table.columns.emplace_back("rolling_moment");
+  if (rolls && Dim == 3) numbered("rolling_moment", Dim);
+  if (twists) table.columns.emplace_back("twisting_moment");
+  table.columns.insert(table.columns.end(), {"kn", "kt"});
+  if (rolls) table.columns.emplace_back("kr");
+  if (holds_liquid(packing)) table.columns.emplace_back("bridge_volume");
+  for (const Contact<Dim>& c : packing.contacts) {
+    auto& row = table.rows.emplace_back();
+    row = {packing.grains.name(c.i), packing.grains.name(c.j)};
+    for (int a = 0; a < Dim; ++a) row.push_back(count(c.image[a]));
+    row.emplace_back(c.normal_force);
+    for (int a = 0; a < Dim; ++a) row.emplace_back(c.shear_force[a]);
+    for (int a = 0; a < kRotations<Dim> && rolls; ++a) row.emplace_back(c.rolling_moment[a]);
+    if (twists) row.emplace_back(c.twisting_moment);
+    row.emplace_back(c.kn);
+    row.emplace_back(c.kt);
+    if (rolls) row.emplace_back(c.kr);
+    if (holds_liquid(packing)) row.emplace_back(bridge_volume(packing, c));
+  }
+  return table;
+}
+
+/// The command that makes the state again: what the two tables do not say.
+template <int Dim>
+std::string convert_command(const ExportArguments& arguments, const State<Dim>& state) {
+  std::vector<std::string> vectors;
+  for (int a = 0; a < Dim; ++a) {
+    const auto row = state.packing.cell.matrix.row(a);
+    vectors.push_back(fmt::format("{}", fmt::join(row.begin(), row.end(), ",")));
+  }
+  const bool named_csv = std::filesystem::path(arguments.grains).extension() == ".csv";
+  return fmt::format(
+      "floc convert {} STATE.h5{} --cell '{}' --law '{}' --stress={} --units {} --tolerance {} --contacts {}",
+      shell_word(arguments.grains), named_csv ? "" : " --from csv", fmt::join(vectors, ";"),
+      law_text(state.packing.law), fmt::join(state.target_stress.begin(), state.target_stress.end(), ","),
+      state.units, state.tolerance.force, shell_word(arguments.contacts));
+}
+
+template <int Dim>
+void export_state(const ExportArguments& arguments, const State<Dim>& state) {
+  if (!state.packing.walls.empty())
+    throw InputError(arguments.state,
+                     "has walls, which a table of grains cannot hold: expected a periodic cell");
+  const bool both = !arguments.grains.empty() && !arguments.contacts.empty();
+  if (!arguments.grains.empty()) write_csv(arguments.grains, grain_table(state.packing));
+  if (!arguments.contacts.empty()) write_csv(arguments.contacts, contact_table(state.packing));
+  if (!both) return;
+  spdlog::info("{} grains, {} contacts. To make the state again:\n  {}", state.packing.grains.size(),
+               state.packing.contacts.size(), convert_command(arguments, state));
+}
+
+int run_export(const ExportArguments& arguments) {
+  if (arguments.grains.empty() && arguments.contacts.empty())
+    throw InputError("floc export", "expected --grains FILE, --contacts FILE or both");
+  return for_each_file({arguments.state}, [&](const std::string& file) {
+    std::visit([&](const auto& state) { export_state(arguments, state); }, read_state(file));
+    return int{kDone};
+  });
+}
+
+}  // namespace
+
+Command add_export(CommandLine program) {
+  CommandLine app = program.add_subcommand(
+      "export", "Write the grains and contacts of a state as csv tables, which floc convert can read");
+  auto arguments = std::make_shared<ExportArguments>();
+  app.add_option("STATE", arguments->state, "state file, - for one on stdin").required();
+  app.add_option("--grains", arguments->grains, "file with one row per grain");
+  app.add_option("--contacts", arguments->contacts,
+                 "file with one row per contact: forces, moments, stiffnesses");
+  app.footer(
+      "With both tables, it prints the command that makes the state again, with the cell, the law and the "
+      "load, which\nthe tables do not hold. Velocities, angles and the history of the run are not written.");
+  return {app, [arguments] { return run_export(*arguments); }};
+}
+
+}  // namespace floc

@@ -1,0 +1,80 @@
+#include "commands/fit/fit_input.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "process/command.h"
+#include "process/finish_output.h"
+#include "process/output.h"
+
+namespace floc {
+
+void add_columns_option(CommandLine app, std::string& text, const std::string& names) {
+  app.add_option("--columns", text,
+                 "name=column,...: columns of the table that stand for " + names +
+                     "; names and patterns without = are columns to print [all; on a terminal those that fit]")
+      .joined(',');
+}
+
+ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names,
+                               Printing& printing) {
+  ColumnNames columns;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    const std::string_view item = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::size_t equals = item.find('=');
+    const std::string name(trimmed(item.substr(0, equals)));
+    if (equals == std::string_view::npos && !name.empty()) {
+      printing.choose(name);
+      continue;
+    }
+    if (name.empty() || trimmed(item.substr(equals + 1)).empty() ||
+        std::find(names.begin(), names.end(), name) == names.end())
+      throw InputError("--columns", fmt::format("\"{}\", expected name=column with name one of {}", item,
+                                                fmt::join(names, ", ")));
+    if (!columns.emplace(name, trimmed(item.substr(equals + 1))).second)
+      throw InputError("--columns", fmt::format("{} is given twice", name));
+  }
+  return columns;
+}
+
+void log_notes(const PathTable& path) {
+  for (const std::string& note : path.notes) spdlog::info("{}: {}", path.name, note);
+  for (const std::string& doubt : path.doubts) spdlog::warn("{}: warning: {}", path.name, doubt);
+}
+
+int for_each_table(const std::vector<std::string>& inputs,
+                   const std::function<int(const std::string& file)>& work) {
+  int code = kDone;
+  for (const std::string& input : inputs) {
+    try {
+      for (const std::string& table : tables_of(input)) code = worse(code, work(table));
+    } catch (const InputError& error) {
+      std::cerr << "floc: " << error.what() << '\n';
+      code = worse(code, kBadInput);
+    }
+  }
+  return code;
+}
+
+void print_fit(const Json& json, Table table, std::size_t n_short, const Printing& printing) {
+  if (printing.format == "json") {
+    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    finish_output();
+    return;
+  }
+  if (chosen_format(printing.format) == TableFormat::table && printing.columns.empty()) {
+    table.columns.resize(std::min(n_short, table.columns.size()));
+    for (auto& row : table.rows) row.resize(table.columns.size());
+  }
+  print_table(table, printing);
+}
+
+}  // namespace floc

@@ -1,0 +1,70 @@
+#include <spdlog/spdlog.h>
+
+#include <memory>
+
+#include "commands/fit/fit_commands.h"
+#include "commands/fit/fit_input.h"
+#include "floc/tables/table_fits.h"
+#include "process/output.h"
+#include "process/printing.h"
+
+namespace floc {
+namespace {
+
+struct PreconsolidationArguments {
+  std::vector<std::string> inputs;
+  std::string columns;
+  Printing printing;
+};
+
+int fit_tables(const PreconsolidationArguments& arguments) {
+  Printing printing = arguments.printing;
+  const ColumnNames columns =
+      parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}, printing);
+  Json array = Json::array();
+  Table table = preconsolidation_table();
+  const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
+    const PathTable path = read_path(file, columns);
+    log_notes(path);
+    const std::vector<ReloadingFit> fits = preconsolidation_fits(path);
+    if (fits.empty()) {
+      spdlog::warn("{}: no fit: the pressure does not rise again after a fall, so there is no reloading branch",
+                   path.name);
+      return static_cast<int>(kNotConverged);
+    }
+    int worst = kDone;
+    for (const ReloadingFit& reloading : fits) {
+      const auto& [branch, fit] = reloading;
+      const std::string rows = ranges(branch.loading.rows);
+      if (!fit.found()) {
+        spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, fit.refusal);
+        worst = worse(worst, kNotConverged);
+      } else {
+        spdlog::info("{}: rows {}: reloading after P = {:.6g}", path.name, rows, branch.largest_before);
+      }
+      for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", path.name, warning);
+      array.push_back(as_json(path, reloading));
+      add_rows(path, reloading, table);
+    }
+    return worst;
+  });
+  print_fit(array, table, table.columns.size(), printing);
+  return code;
+}
+
+}  // namespace
+
+Command add_fit_preconsolidation(CommandLine fit) {
+  auto arguments = std::make_shared<PreconsolidationArguments>();
+  CommandLine app = fit.add_subcommand(
+      "preconsolidation", "preconsolidation pressure of overconsolidated samples, from reloading branches");
+  app.add_option("TABLE", arguments->inputs,
+                 "tables with columns P_star, phi (or void_ratio) and optionally branch; directories of `floc "
+                 "run`; - is stdin")
+      .required();
+  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_printing_options(app, arguments->printing);
+  return {app, [arguments] { return fit_tables(*arguments); }};
+}
+
+}  // namespace floc

@@ -1,0 +1,351 @@
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
+#include "commands/lattice_arguments.h"
+#include "commands/lattice_command.h"
+#include "commands/lattice_files.h"
+#include "floc/base/error.h"
+#include "floc/base/free_memory.h"
+#include "floc/base/seconds_since.h"
+#include "floc/base/sha256.h"
+#include "floc/base/version.h"
+#include "floc/elasticity/elastic_response.h"
+#include "floc/elasticity/force_increments.h"
+#include "floc/lattice/grain_forces.h"
+#include "floc/lattice/irregular_lattice.h"
+#include "floc/lattice/lattice_packing.h"
+#include "floc/network/contact_network.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/tables/lattice_row.h"
+#include "process/output.h"
+#include "process/printing.h"
+
+namespace floc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void say(const std::string& line) {
+  std::cerr << line << '\n';
+}
+
+/// Nodes a mean diameter below which errors of several per cent are to be expected.
+constexpr double kCoarse = 8.0;
+/// Nodes up to which a sample is broken without being asked again.
+constexpr int kBrokenUnasked = 20000;
+
+/// Memory that a solution takes (bytes): what runs of 1e5 nodes took, 2.5 kB a node in 2D and 2.3 kB in 3D, and a margin;
+/// the factor of a plane lattice grows with the logarithm of its size.
+double expected_memory(int dimension, double n_nodes) {
+  if (dimension == 3) return 2600.0 * n_nodes;
+  return n_nodes * (1600.0 + 90.0 * std::log2(std::max(n_nodes, 2.0)));
+}
+
+void refuse_too_large(int dimension, double n_nodes) {
+  const double needed = expected_memory(dimension, n_nodes);
+  const double available = free_memory();
+  if (needed <= available) return;
+  throw InputError("floc lattice", fmt::format("{:.3g} nodes take about {:.1f} GB, but {:.1f} GB are free: "
+                                               "give a wider spacing or fewer nodes per diameter",
+                                               n_nodes, needed / 1e9, available / 1e9));
+}
+
+template <int Dim>
+Lattice<Dim> make_lattice(const LatticeArguments& arguments, const Packing<Dim>& packing, double spacing) {
+  const double n_nodes = packing.cell.volume() / (std::pow(spacing, Dim) * (Dim == 2 ? 0.8660254 : 1.0));
+  refuse_too_large(Dim, n_nodes);
+  if constexpr (Dim == 2) {
+    return triangular_lattice_in(packing.cell, spacing);
+  } else {
+    const IrregularLatticeOptions options{spacing, arguments.jitter, arguments.seed};
+    if (const auto faults = options.validate(); !faults.empty())
+      throw InputError("floc lattice", faults.front());
+    return irregular_lattice(packing.cell, options);
+  }
+}
+
+template <int Dim>
+CementedSample<Dim> make_sample(const LatticeArguments& arguments, const Packing<Dim>& packing,
+                                LatticeRow& row) {
+  const double diameter = mean_diameter(packing.grains.radius);
+  const double spacing =
+      arguments.spacing.value_or(diameter / arguments.per_diameter.value_or(Dim == 2 ? 15.0 : 6.5));
+  const CementOptions options{arguments.matrix, arguments.bridge_gap};
+  if (const auto faults = options.validate(); !faults.empty()) throw InputError("floc lattice", faults.front());
+  CementedSample<Dim> sample = cement(packing, make_lattice(arguments, packing, spacing), options);
+  row.n_nodes = sample.lattice.n_nodes();
+  row.spacing = sample.lattice.spacing;
+  row.nodes_a_diameter = sample.mean_diameter / sample.lattice.spacing;
+  row.fit_strain = sample.strain;
+  row.grain_content = sample.grain_content;
+  row.matrix_content = sample.matrix_content;
+  row.bridge_width = sample.bridge_width;
+  row.n_bridges = sample.n_bridges;
+  if (row.nodes_a_diameter < kCoarse)
+    say(
+        fmt::format("floc: warning: {:.1f} nodes per mean diameter are coarse: at 9, Young's modulus is 12 % "
+                    "too low and forces between grains agree with those of a fine lattice by a Pearson "
+                    "coefficient of 0.95; take 15 for forces and moduli, 35 for tails of the stress",
+                    row.nodes_a_diameter));
+  return sample;
+}
+
+template <int Dim>
+LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const CementedSample<Dim>& sample,
+                                 const ElementStiffness& stiffness, LatticeRow& row) {
+  LatticeNetwork<Dim> network = lattice_network(sample, stiffness, boundary_of(arguments), row.axis);
+  if (network.n_directions < Dim)
+    throw InputError(
+        "floc lattice",
+        fmt::format("grains and matrix do not percolate: they {}; a higher --matrix or --bridge-gap joins more",
+                    boundary_of(arguments) != LatticeBoundary::periodic
+                        ? std::string("do not join the boundaries that hold them")
+                        : fmt::format("hold together along {} of {} directions", network.n_directions, Dim)));
+  row.n_elements = static_cast<std::int64_t>(network.elements.size());
+  row.n_removed = network.n_removed;
+  row.n_islands = network.n_islands;
+  row.n_bare = network.count(ElementKind::bare);
+  row.k_grain = stiffness.grain;
+  row.k_matrix = stiffness.matrix;
+  row.k_interface = stiffness.of(ElementKind::interface);
+  row.k_contact = stiffness.of(ElementKind::bare);
+  return network;
+}
+
+/// @param telling  whether rounds are told
+template <int Dim>
+RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& telling) {
+  RelaxationSettings settings;
+  settings.tolerance = arguments.tolerance.value_or(Dim == 2 ? 1e-10 : 1e-9);
+  settings.observe = [&telling](const RelaxationRound& r) {
+    if (!telling) return;
+    say(fmt::format("round {}: {} of the bare contacts open, {} changed, {} steps{}, imbalance {:.1e}", r.round,
+                    r.n_open, r.n_changed, r.n_steps, r.factorized ? " on a new factor" : "", r.imbalance));
+  };
+  return settings;
+}
+
+/// Normal forces that the load gives to the same contacts as bonds of one stiffness, each a beam as wide as its
+/// bridge.
+template <int Dim>
+std::vector<double> bonded_forces(const Packing<Dim>& packing, const LatticeLoad<Dim>& load, double width) {
+  ContactNetwork<Dim> network = contact_network(packing);
+  for (NetworkContact<Dim>& c : network.contacts) {
+    c.kn = c.kt = 1.0;
+    c.kr = width * width / 12.0;
+  }
+  const ElasticResponse response = elastic_response(network, {.strains = StrainSet::full});
+  const Eigen::VectorXd strain = (response.relaxed / network.volume).ldlt().solve(Eigen::VectorXd(load.value));
+  std::vector<double> normal;
+  for (const ForceIncrement<Dim>& f : force_increments(network, response, strain)) normal.push_back(f.normal);
+  return normal;
+}
+
+template <int Dim>
+std::vector<double> normal_forces(const std::vector<Contact<Dim>>& contacts) {
+  std::vector<double> normal;
+  for (const Contact<Dim>& c : contacts) normal.push_back(c.normal_force);
+  return normal;
+}
+
+/// Forces between the grains, compared with those of other models of the same packing.
+template <int Dim>
+Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim>& state,
+                              const LatticeLoad<Dim>& load, LoadedSample<Dim>& loaded, double sign,
+                              LatticeRow& row) {
+  const auto forces = grain_forces(loaded.sample, loaded.network, loaded.solution);
+  row.n_pairs = static_cast<int>(forces.size());
+  for (const GrainForce<Dim>& f : forces) loaded.pair_force.push_back(f.normal);
+  row.forces = stress_distribution(loaded.pair_force, sign);
+  Packing<Dim> grains = packing_of(loaded.sample, state.packing, forces);
+  if (boundary_of(arguments) == LatticeBoundary::periodic && !load.imposed.any()) {
+    const double width = loaded.sample.bridge_width * 0.5 * loaded.sample.mean_diameter;
+    const std::vector<double> bonded = bonded_forces(grains, load, std::max(width, row.spacing));
+    row.pearson_bonded = agreement(forces, grains.contacts, bonded).pearson;
+  }
+  if (!arguments.compare.empty()) {
+    const AnyState other = read_state(arguments.compare);
+    const State<Dim>* same = std::get_if<State<Dim>>(&other);
+    if (same == nullptr || same->packing.grains.size() != state.packing.grains.size())
+      throw InputError(arguments.compare,
+                       fmt::format("holds other grains: expected {} in {}D", state.packing.grains.size(), Dim));
+    row.pearson_state =
+        agreement(forces, same->packing.contacts, normal_forces(same->packing.contacts)).pearson;
+  }
+  return grains;
+}
+
+template <int Dim>
+void write_packing(const std::string& path, const LatticeArguments& arguments, const State<Dim>& from,
+                   Packing<Dim> packing, const char* branch) {
+  State<Dim> state;
+  state.units = from.units;
+  state.packing = std::move(packing);
+  state.target_stress = static_stress(state.packing).diagonal();
+  state.path.branch = branch;
+  state.provenance = from.provenance;
+  state.provenance.program = "floc " + version();
+  state.provenance.commit = commit();
+  if (arguments.file != "-") state.provenance.parent_sha256 = sha256_of_file(arguments.file);
+  measure(state);
+  write_state(path, state);
+}
+
+/// Bulk and shear moduli of each phase alone: those of the triangular lattice in 2D, in 3D of this lattice all
+/// of one stiffness.
+template <int Dim>
+CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
+                          const RelaxationSettings& settings) {
+  const double voids = 1.0 - sample.grain_content - sample.matrix_content;
+  ElasticPhase unit{1.0, 0.0, 0.0};
+  if constexpr (Dim == 2) {
+    unit = triangular_moduli(1.0, 1.0, stiffness.shear);
+    if (stiffness.by_facet) unit.K /= std::sqrt(3.0), unit.G /= std::sqrt(3.0);
+  } else {
+    CementedSample<Dim> whole = sample;
+    whole.phase.assign(whole.phase.size(), Phase::matrix);
+    ElementStiffness one = stiffness;
+    one.matrix = 1.0;
+    const LatticeNetwork<Dim> network = lattice_network(whole, one);
+    RelaxationSettings quiet = settings;
+    quiet.observe = {};
+    LatticeSolver<Dim> solver(network, quiet);
+    LatticeLoad<Dim> none;
+    none.imposed.setConstant(true);
+    (void)solver.solve(none);
+    const Eigen::MatrixXd C = solver.moduli();
+    unit.K = C.topLeftCorner(Dim, Dim).mean();
+    unit.G = C.diagonal().tail(kSymmetric<Dim> - Dim).mean();
+  }
+  return composite_bounds({{sample.grain_content, stiffness.grain * unit.K, stiffness.grain * unit.G},
+                           {sample.matrix_content, stiffness.matrix * unit.K, stiffness.matrix * unit.G},
+                           {std::max(voids, 0.0), 0.0, 0.0}},
+                          Dim);
+}
+
+/// Breaking a large sample takes a solution for each of many elements.
+void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
+  if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
+  /// Elements that break until the stress has fallen, about, in units of the nodes along a side; and the time that each
+  /// node adds to each solution (s).
+  constexpr double kBrokenAcross = 10.0, kSecondsANode = 1e-5;
+  const auto n = static_cast<double>(row.n_nodes);
+  const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsANode * n / 60.0;
+  throw InputError("floc lattice", fmt::format("breaking a sample of {} nodes takes about {:.0f} minutes, to "
+                                               "within a factor of three: give --yes to go on",
+                                               row.n_nodes, std::max(1.0, minutes)));
+}
+
+template <int Dim>
+void break_sample(const LatticeArguments& arguments, const LatticeLoad<Dim>& load, LatticeSolver<Dim>& solver,
+                  const LoadedSample<Dim>& loaded, LatticeRow& row) {
+  FractureOptions options;
+  options.strength = strength_of(arguments);
+  options.end_at = arguments.end_at;
+  auto last = Clock::now();
+  options.observe = [&last](const Breakage& b, int n) {
+    if (seconds_since(last) > 2.0) {
+      say(fmt::format("{} elements broken: strain {:.4g}, stress {:.4g}", n, b.strain, b.stress));
+      last = Clock::now();
+    }
+    return true;
+  };
+  row.fracture = fracture(loaded.network, solver, load, row.axis, options);
+  say(fmt::format("{} elements broke: {}", row.fracture->broken.size(), row.fracture->end));
+}
+
+template <int Dim>
+void describe(const LatticeArguments& arguments, const State<Dim>& state, LatticeRow& row) {
+  row.file = arguments.file;
+  row.dimension = Dim;
+  row.n_grains = state.packing.grains.size();
+  row.axis = axis_of(arguments, Dim);
+  row.load = arguments.load;
+  row.boundary = arguments.boundary;
+}
+
+template <int Dim>
+int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
+  const auto start = Clock::now();
+  LatticeRow row;
+  describe(arguments, state, row);
+  const LatticeLoad<Dim> load = load_of<Dim>(arguments);
+  const ElementStiffness stiffness = stiffness_of(arguments);
+  if (!arguments.strength.empty()) (void)strength_of(arguments);
+  check_lattice_pictures(arguments, state.packing.cell);
+  const CementedSample<Dim> sample = make_sample(arguments, state.packing, row);
+  const LatticeNetwork<Dim> network = make_network(arguments, sample, stiffness, row);
+  refuse_long_breaking(arguments, row);
+  bool telling = true;
+  const RelaxationSettings settings = settings_of<Dim>(arguments, telling);
+  LatticeSolver<Dim> solver(network, settings, boundary_of(arguments), row.axis);
+  row.n_unknowns = solver.n_unknowns();
+  row.seconds_lattice = seconds_since(start);
+  say(fmt::format(
+      "{} nodes, {} elements, {} unknowns; rho_p = {:.4f}, rho_m = {:.4f}, {:.1f} nodes per mean diameter",
+      row.n_nodes, row.n_elements, row.n_unknowns, row.grain_content, row.matrix_content,
+      row.nodes_a_diameter));
+
+  const auto solving = Clock::now();
+  const LatticeSolution<Dim> solution = solver.solve(load);
+  row.seconds_solve = seconds_since(solving);
+  row.report = solution.report;
+  row.n_open = solution.n_open();
+  row.strain.assign(solution.strain.begin(), solution.strain.end());
+  row.stress.assign(solution.stress.begin(), solution.stress.end());
+  if (!solution.report.holds || !solution.report.converged) {
+    say(solution.report.holds
+            ? fmt::format("floc: {}: not converged: an imbalance of {:.1e} of the load is left", arguments.file,
+                          solution.report.imbalance)
+            : fmt::format(
+                  "floc: {}: no strength: under this load bare contacts open until the rest moves freely",
+                  arguments.file));
+    row.seconds = seconds_since(start);
+    print_table(table_of(row), arguments.printing);
+    return kNotConverged;
+  }
+  LoadedSample<Dim> loaded{sample, network, solution, node_stress(sample.lattice, network, solution), {}};
+  const double sign = solution.stress[row.axis] < 0.0 ? -1.0 : 1.0;
+  row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign);
+  row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign);
+  row.matrix = stress_distribution(stresses_of(loaded, row.axis, Phase::matrix), sign);
+  Packing<Dim> grains = add_grain_forces(arguments, state, load, loaded, sign, row);
+  if (arguments.moduli) {
+    row.moduli = solver.moduli();
+    row.bounds = bounds_of(sample, stiffness, settings);
+  }
+  if (!arguments.forces.empty())
+    write_packing(arguments.forces, arguments, state, std::move(grains), "lattice-forces");
+  if (!arguments.output.empty())
+    write_packing(arguments.output, arguments, state, packing_of(sample.lattice, network, solution), "lattice");
+  write_lattice_files(arguments, row, loaded);
+  if (!arguments.strength.empty()) {
+    telling = false;
+    break_sample(arguments, load, solver, loaded, row);
+    write_fracture_files(arguments, row, loaded);
+  }
+  row.seconds = seconds_since(start);
+  print_table(table_of(row), arguments.printing);
+  return kDone;
+}
+
+}  // namespace
+
+Command add_lattice(CommandLine program) {
+  CommandLine app = program.add_subcommand(
+      "lattice", "Solve cemented grains (a saved packing and a solid matrix) as a lattice of elastic elements");
+  const auto arguments = std::make_shared<LatticeArguments>();
+  add_lattice_options(app, *arguments);
+  return {app, [arguments] {
+            return for_each_state({arguments->file}, [&](const std::string&, const AnyState& any, const Remarks&) {
+              return std::visit([&](const auto& state) { return run_lattice(*arguments, state); }, any);
+            });
+          }};
+}
+
+}  // namespace floc

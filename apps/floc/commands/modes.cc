@@ -1,0 +1,46 @@
+#include <iostream>
+#include <memory>
+
+#include "floc/tables/modes_rows.h"
+#include "process/command.h"
+#include "process/output.h"
+#include "process/printing.h"
+
+namespace floc {
+namespace {
+
+struct ModesCommand {
+  std::vector<std::string> files;
+  std::optional<int> count;
+  Printing printing;
+};
+
+int run_modes(const ModesCommand& command) {
+  std::vector<ModeRow> rows;
+  const int code =
+      for_each_state(command.files, [&](const std::string& file, const AnyState& any, const Remarks& remarks) {
+        const std::vector<std::string> words = std::visit(
+            [&](const auto& state) { return add_modes_rows(file, state, command.count, rows, remarks); }, any);
+        for (const std::string& one : words) std::cerr << "floc: " << file << ": " << one << '\n';
+        return int{kDone};
+      });
+  print_table(to_table(modes_columns(rows), rows), command.printing);
+  return code;
+}
+
+}  // namespace
+
+Command add_modes(CommandLine program) {
+  CommandLine app = program.add_subcommand(
+      "modes",
+      "Find the softest modes and mechanisms of saved states: eigenvalue, participation, coupling to strain");
+  const auto command = std::make_shared<ModesCommand>();
+  add_states_argument(app, command->files);
+  app.add_option("--count", command->count,
+                 "number of modes [all below max |F_N|/r, no fewer than 10 and no more than 100]")
+      .positive();
+  add_printing_options(app, command->printing);
+  return {app, [command] { return run_modes(*command); }};
+}
+
+}  // namespace floc

@@ -1,0 +1,334 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "commands/fit/fit_input.h"
+#include "floc/base/error.h"
+#include "floc/elasticity/moduli.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/picture/drawn_scale.h"
+#include "plots/path_plots.h"
+#include "plots/state_plots.h"
+#include "plots/test_plots.h"
+#include "process/command.h"
+#include "process/output.h"
+#include "process/printing.h"
+#include "process/run_states.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlotArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string show;
+  std::vector<int> steps;
+  std::string kind = "normal";
+  std::string unit = "mean";
+  std::string columns;
+  ColumnNames names;  ///< what of `columns` says which columns to read
+  Printing printing;
+};
+
+/// A plot, and how the inputs fared.
+struct Made {
+  int code = kDone;
+  std::optional<Plot> plot;
+};
+
+Made consolidation(const PlotArguments& arguments) {
+  std::vector<PathTable> samples;
+  Made made;
+  made.code = for_each_table(arguments.inputs, [&](const std::string& file) {
+    PathTable path = read_path(file, arguments.names);
+    log_notes(path);
+    if (!samples.empty()) convert_pressures(samples.front(), path);
+    samples.push_back(std::move(path));
+    return int{kDone};
+  });
+  if (samples.empty()) return made;
+  const FittedConsolidation fitted = fitted_consolidation(samples);
+  if (!fitted.fit.found()) {
+    spdlog::warn("no fit, so no law is drawn: {}", fitted.fit.refusal);
+    made.code = worse(made.code, kNotConverged);
+  }
+  for (const std::string& warning : fitted.fit.warnings) spdlog::warn("warning: {}", warning);
+  made.plot = consolidation_plot(samples, fitted);
+  return made;
+}
+
+ModuliPoint moduli_of_state(const AnyState& any) {
+  return std::visit(
+      [](const auto& state) {
+        ModuliOptions options;
+        options.unloaded = state.target_stress.isZero(0.0);
+        return moduli_point(reduced_pressure(state.packing, state.target_stress.mean()),
+                            elastic_moduli(state.packing, options));
+      },
+      any);
+}
+
+/// Unit of the moduli of a table of `floc moduli`. In reduced units P* is P where there is cohesion, but for the
+/// largest grain, which is a little smaller than a.
+std::string unit_of_table(const CsvTable& table) {
+  for (const char* name : {"units", "dimension", "P", "P_star"})
+    if (!table.has(name)) return "units of the state";
+  const int row = table.n_rows() - 1;
+  const auto number = [&](const char* name) { return table.number(row, table.column(name)); };
+  return stress_unit(table.text(row, table.column("units")), static_cast<int>(number("dimension")),
+                     std::abs(number("P") - number("P_star")) < 0.1 * std::abs(number("P")));
+}
+
+/// Whether the bounds of a row of a table of `floc moduli` hold: as it says, or, in one of floc 0.2 and before,
+/// where nothing acts across a gap.
+bool bounds_hold(const CsvTable& table, int row) {
+  if (table.has("bounds_hold")) return table.text(row, table.column("bounds_hold")) == "true";
+  return !table.has("n_distant") || table.number(row, table.column("n_distant")) == 0.0;
+}
+
+/// Whether a row counts no negative eigenvalue; some methods count none.
+bool is_stable(const CsvTable& table, int row) {
+  if (!table.has("n_negative")) return true;
+  const int column = table.column("n_negative");
+  return table.is_empty(row, column) || table.number(row, column) == 0.0;
+}
+
+Made moduli(const PlotArguments& arguments) {
+  Made made;
+  std::vector<ModuliPoint> points;
+  std::string unit;
+  const std::string& input = arguments.inputs.front();
+  if (arguments.inputs.size() == 1 && !fs::is_directory(input) && !input.ends_with(".h5")) {
+    const CsvTable table = CsvTable::read(input);
+    std::vector<int> columns;
+    for (const char* name : {"P_star", "B", "B_S", "G", "B_reuss", "B_voigt", "G_voigt"})
+      columns.push_back(table.column(name));
+    for (int i = 0; i < table.n_rows(); ++i) {
+      const auto x = [&](int k) {
+        return table.is_empty(i, columns[k]) ? std::nan("") : table.number(i, columns[k]);
+      };
+      // A packing without load has no Reuss bound, and no place on a logarithmic axis of pressures.
+      const ModuliPoint point{x(4) > 0.0 ? x(0) : 0.0, x(1), x(2), x(3), x(4), x(5), x(6)};
+      points.push_back(point.with_bounds(bounds_hold(table, i), is_stable(table, i)));
+    }
+    if (table.n_rows() > 0) unit = unit_of_table(table);
+  } else {
+    made.code =
+        for_each_state(states_of_inputs(arguments.inputs), [&](const std::string&, const AnyState& state, const Remarks&) {
+          points.push_back(moduli_of_state(state));
+          unit = std::visit(
+              []<int Dim>(const State<Dim>& s) { return stress_unit(s.units, Dim, s.packing.law.adheres()); },
+              state);
+          return int{kDone};
+        });
+  }
+  if (!points.empty()) made.plot = moduli_plot(points, unit);
+  return made;
+}
+
+Made coordination_of_path(const PlotArguments& arguments) {
+  if (arguments.inputs.size() != 1)
+    throw InputError("--show coordination", fmt::format("expected one input, got {}", arguments.inputs.size()));
+  const std::string& input = arguments.inputs.front();
+  const bool is_directory = input != "-" && fs::is_directory(input);
+  return {kDone, coordination_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
+}
+
+Made test_of_path(const PlotArguments& arguments) {
+  if (arguments.inputs.size() != 1)
+    throw InputError("--show test", fmt::format("expected one input, got {}", arguments.inputs.size()));
+  const std::string& input = arguments.inputs.front();
+  const bool is_directory = input != "-" && fs::is_directory(input);
+  return {kDone, axial_test_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
+}
+
+/// The states to plot: of a directory without --steps, three from the first to the last.
+std::vector<std::string> states_of(const PlotArguments& arguments) {
+  return drawn_states(arguments.inputs, arguments.steps, 3);
+}
+
+/// States of a run whose forces can be compared: at the lowest pressure of its loading, half way up and at the
+/// highest. Without any pressure forces are those that grains have locked in between them.
+std::vector<std::string> loading_states(const std::string& directory) {
+  const std::vector<PathRow> rows = read_path(table_of_run(directory), {}).rows;
+  const auto highest = static_cast<int>(std::ranges::max_element(rows, {}, &PathRow::P_star) - rows.begin());
+  int first = 0;
+  while (first < highest && rows[static_cast<std::size_t>(first)].P_star <= 0.0) ++first;
+  std::vector<int> steps;
+  for (const int step : {first, (first + highest) / 2, highest})
+    if (steps.empty() || step != steps.back()) steps.push_back(step);
+  return states_of_inputs({directory}, steps);
+}
+
+/// The states of which forces are plotted.
+std::vector<std::string> force_states(const PlotArguments& arguments) {
+  if (!arguments.steps.empty()) return states_of(arguments);
+  std::vector<std::string> files;
+  for (const std::string& input : arguments.inputs) {
+    const bool is_run = input != "-" && fs::is_directory(input);
+    for (const std::string& file : is_run ? loading_states(input) : std::vector<std::string>{input})
+      files.push_back(file);
+  }
+  return files;
+}
+
+/// Its pressure, and its branch where that is not the first loading.
+std::string name_of_state(const AnyState& any) {
+  return std::visit(
+      [](const auto& state) {
+        const std::string& branch = state.path.branch;
+        const bool loading = branch.empty() || branch == "load" || branch == "assembly" || branch == "imported";
+        return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean())) +
+               (loading ? "" : ", " + branch);
+      },
+      any);
+}
+
+Made forces(const PlotArguments& arguments) {
+  const ForceKind kind = arguments.kind == "tangential" ? ForceKind::tangential
+                         : arguments.kind == "rolling"  ? ForceKind::rolling
+                                                        : ForceKind::normal;
+  const ForceUnit unit = arguments.unit == "mean" ? ForceUnit::mean : ForceUnit::pull_off;
+  Made made;
+  std::vector<ForceSample> samples;
+  made.code = for_each_state(force_states(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
+    samples.push_back(std::visit(
+        [&](const auto& state) { return force_sample(file, name_of_state(any), state.packing, kind, unit); },
+        any));
+    return int{kDone};
+  });
+  if (!samples.empty()) made.plot = forces_plot(samples, kind, unit);
+  return made;
+}
+
+Made pressures(const PlotArguments& arguments) {
+  Made made;
+  std::vector<PressureSample> samples;
+  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
+    PressureSample sample = std::visit(
+        [&](const auto& state) {
+          const double zero = state.tolerance.force * force_scale(state.packing, state.target_stress).force;
+          return pressure_sample(file, name_of_state(any), state.packing, zero);
+        },
+        any);
+    if (!samples.empty() && samples.front().over_adhesion != sample.over_adhesion)
+      throw InputError(file,
+                       "has particle pressures in a different unit from the states before it: some have "
+                       "adhesion, others have none");
+    samples.push_back(std::move(sample));
+    return int{kDone};
+  });
+  if (!samples.empty()) made.plot = pressures_plot(samples);
+  return made;
+}
+
+Made scattering_of_states(const PlotArguments& arguments) {
+  Made made;
+  std::vector<ScatteringSample> samples;
+  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
+    ScatteringSample sample = std::visit(
+        [&](const auto& state) { return scattering_sample(name_of_state(any), state.packing); }, any);
+    if (!samples.empty() && samples.front().dimension != sample.dimension)
+      throw InputError(
+          file, fmt::format("is {}D, and those before it are not: a plot of I(k) shows states of one dimension",
+                            sample.dimension));
+    samples.push_back(std::move(sample));
+    if (!samples.back().refusal.empty()) spdlog::warn("{}: no law is drawn: {}", file, samples.back().refusal);
+    return int{kDone};
+  });
+  if (!samples.empty()) made.plot = scattering_plot(samples);
+  return made;
+}
+
+constexpr int kDirections = 36;  // bins of a rose diagram, five degrees each
+
+Made fabric(const PlotArguments& arguments) {
+  Made made;
+  std::vector<std::pair<std::string, ContactDirections>> states;
+  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
+    const State<2>* state = std::get_if<State<2>>(&any);
+    if (state == nullptr)
+      throw InputError(file, "is 3D: a rose diagram is for disks; see fabric in floc network");
+    states.emplace_back(name_of_state(any), contact_directions(state->packing, kDirections));
+    return int{kDone};
+  });
+  if (!states.empty()) made.plot = fabric_plot(states);
+  return made;
+}
+
+Made make(const PlotArguments& arguments) {
+  if (arguments.show == "test") return test_of_path(arguments);
+  if (arguments.show == "fabric") return fabric(arguments);
+  if (arguments.show == "forces") return forces(arguments);
+  if (arguments.show == "pressures") return pressures(arguments);
+  if (arguments.show == "scattering") return scattering_of_states(arguments);
+  if (arguments.show == "moduli") return moduli(arguments);
+  if (arguments.show == "coordination") return coordination_of_path(arguments);
+  return consolidation(arguments);
+}
+
+int plot(const PlotArguments& arguments) {
+  const Made made = make(arguments);
+  if (!made.plot) return made.code;
+  write_plot(arguments.output, *made.plot);
+  const auto beside = [&](const char* ending) {
+    return fs::path(arguments.output).replace_extension(ending).string();
+  };
+  std::int64_t n_points = 0;
+  for (const Plot::Block& block : made.plot->blocks) n_points += static_cast<std::int64_t>(block.rows.size());
+  print_table({{"shows", "picture", "data", "script", "n_rows"},
+               {{arguments.show, arguments.output, beside(".dat"), beside(".gp"), n_points}}},
+              arguments.printing);
+  return made.code;
+}
+
+}  // namespace
+
+Command add_plot(CommandLine program) {
+  CommandLine app =
+      program.add_subcommand("plot", "Plot paths and states by gnuplot, with data and script beside the plot");
+  const auto arguments = std::make_shared<PlotArguments>();
+  app.add_option("INPUT", arguments->inputs,
+                 "directories of floc run, tables, or state files; - is a table on stdin")
+      .required();
+  app.add_option("-o,--output", arguments->output,
+                 "F.svg, F.pdf or F.png; F.dat and F.gp are written beside it")
+      .required();
+  app.add_option(
+         "--show", arguments->show,
+         "consolidation: 1/Phi against P*, its fit and regimes, unloading and elastic lines; moduli: moduli "
+         "with their bounds, of states or a table of floc moduli; coordination: coordination numbers by sign "
+         "of the force; forces: force distributions of states; pressures: distributions of particle pressures "
+         "of states; scattering: I(k) of states, and its fit; test: q/p and volumetric strain against the "
+         "axial strain, and K0, of a path with a driven axis; fabric: rose diagrams of the contacts of states "
+         "[forces for state files, otherwise consolidation]")
+      .one_of(
+          {"consolidation", "moduli", "coordination", "forces", "pressures", "scattering", "test", "fabric"});
+  app.add_option(
+         "--steps", arguments->steps,
+         "K,...: which states of a directory to plot, for forces [at the lowest pressure of loading, half way "
+         "up, at the highest], pressures, scattering and fabric [three, from the first to the last]")
+      .delimiter(',')
+      .non_negative();
+  app.add_option("--kind", arguments->kind, "kind of the forces: normal, tangential or rolling [normal]")
+      .one_of({"normal", "tangential", "rolling"});
+  app.add_option("--unit", arguments->unit, "unit of the forces: mean (of their sizes) or F0 [mean]")
+      .one_of({"mean", "F0"});
+  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_printing_options(app, arguments->printing);
+  return {app, [arguments] {
+            if (arguments->show.empty())
+              arguments->show = arguments->inputs.front().ends_with(".h5") ? "forces" : "consolidation";
+            arguments->names = parse_column_names(arguments->columns, {"P_star", "phi", "void_ratio", "branch"},
+                                                  arguments->printing);
+            return plot(*arguments);
+          }};
+}
+
+}  // namespace floc

@@ -1,0 +1,297 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "floc/base/error.h"
+#include "floc/base/sha256.h"
+#include "floc/elasticity/moduli.h"
+#include "floc/io/atomic_file.h"
+#include "floc/io/law_text.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/equilibrium_check.h"
+#include "floc/packing/require_periodic.h"
+#include "floc/picture/drawn_scale.h"
+#include "floc/picture/sheet.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/read_scene.h"
+#include "floc/structure/coordination.h"
+#include "floc/tables/fit_parameters.h"
+#include "plots/html.h"
+#include "plots/path_plots.h"
+#include "plots/state_picture.h"
+#include "plots/state_plots.h"
+#include "process/command.h"
+#include "process/output.h"
+#include "process/printing.h"
+#include "process/run_states.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportArguments {
+  std::string directory;
+  std::string output;
+  Printing printing;
+};
+
+/// What a report needs of a run, read once.
+template <int Dim>
+struct ReportedRun {
+  std::string directory;
+  PathTable path;
+  std::vector<std::string> files;
+  std::vector<State<Dim>> shown;  ///< the states of which there are pictures and distributions
+  std::vector<std::string> shown_files;
+  std::optional<State<Dim>> first;
+  std::vector<ModuliPoint> moduli;
+  Table packings{{"state", "branch", "P*", "Φ", "z", "z+", "z−", "z0", "distant", "rattlers x0"}, {}};
+  Table elasticity{{"state", "P*", "B Reuss", "B", "± B", "B Voigt", "G", "± G", "G Voigt", "isotropy defect",
+                    "unstable", "bounds hold"},
+                   {}};
+  std::vector<std::string> warnings;
+  std::map<std::string, std::vector<int>> state_warnings;  ///< what is to be said of which states
+};
+
+/// The loosest state under load, one half way up in the logarithm of the pressure, and the densest.
+std::set<std::size_t> shown_states(const PathTable& path) {
+  std::set<std::size_t> shown;
+  const Loading loading = first_loading(path.rows);
+  if (loading.rows.empty()) return {path.rows.size() - 1};
+  const std::size_t last = loading.rows.size() - 1;
+  for (const std::size_t k : {std::size_t{0}, last / 2, last})
+    shown.insert(static_cast<std::size_t>(loading.rows[k]));
+  return shown;
+}
+
+template <int Dim>
+void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
+  const Packing<Dim>& packing = state.packing;
+  ModuliOptions options;
+  options.unloaded = state.target_stress.isZero(0.0);
+  const Moduli m = elastic_moduli(packing, options);
+  const Coordination counted =
+      coordination(packing, state.tolerance.force * force_scale(packing, state.target_stress).force);
+  const double P_star = reduced_pressure(packing, state.target_stress.mean());
+  const std::int64_t step = state.path.step;
+  run.moduli.push_back(moduli_point(P_star, m));
+  run.packings.rows.push_back({step, state.path.branch, P_star, solid_fraction(packing), counted.z,
+                               counted.z_plus, counted.z_minus, counted.z_zero, std::int64_t{counted.n_distant},
+                               counted.rattler_fraction});
+  run.elasticity.rows.push_back({step, P_star, m.bounds.B_reuss, m.B, m.B_error, m.bounds.B_voigt, m.G,
+                                 m.G_error, m.bounds.G_voigt, m.isotropy_defect, std::int64_t{m.n_negative},
+                                 m.bounds_hold()});
+  for (const std::string& warning : m.warnings) run.state_warnings[warning].push_back(state.path.step);
+  if (const std::string message = equilibrium_faults(state); !message.empty())
+    run.state_warnings["not in equilibrium: " + message].push_back(state.path.step);
+}
+
+/// Unit of pressures and moduli in reduced units.
+template <int Dim>
+constexpr const char* kPressureUnit = Dim == 2 ? "F0/a" : "F0/a²";
+
+/// Reads all states, which must be as many as the path has rows.
+template <int Dim>
+ReportedRun<Dim> read_run(const std::string& directory) {
+  ReportedRun<Dim> run;
+  run.directory = directory;
+  run.path = read_path(table_of_run(directory), {});
+  run.files = states_of_run(directory);
+  if (run.files.size() != run.path.rows.size())
+    throw InputError(directory, fmt::format("holds {} states, but path.csv has {} rows: expected one row per "
+                                            "state (floc run --resume completes a run)",
+                                            run.files.size(), run.path.rows.size()));
+  const std::set<std::size_t> shown = shown_states(run.path);
+  for (std::size_t k = 0; k < run.files.size(); ++k) {
+    const AnyState any = read_state(run.files[k]);
+    const auto* found = std::get_if<State<Dim>>(&any);
+    if (found == nullptr)
+      throw InputError(run.files[k], fmt::format("is not {}D as {} is: expected the states of one run", Dim,
+                                                 run.files.front()));
+    const State<Dim>& state = *found;
+    require_periodic(state.packing, "a report is made", run.files[k]);
+    add_state(state, run);
+    if (k == 0) run.first = state;
+    if (shown.contains(k)) run.shown.push_back(state), run.shown_files.push_back(run.files[k]);
+  }
+  return run;
+}
+
+template <int Dim>
+std::string pressure_text(const State<Dim>& state) {
+  return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean()));
+}
+
+template <int Dim>
+std::string provenance_section(const ReportedRun<Dim>& run) {
+  const State<Dim>& state = *run.first;
+  Table table{{"", ""}, {}};
+  const auto add = [&table](const char* name, const std::string& value) {
+    table.rows.push_back({name, value});
+  };
+  add("program", state.provenance.program);
+  add("commit", state.provenance.commit);
+  add("compiler", state.provenance.compiler);
+  if (!state.provenance.source.empty()) add("converted from", state.provenance.source);
+  add("seed", fmt::format("{}", state.provenance.seed));
+  add("contact law", law_text(state.packing.law));
+  add("units", state.units);
+  add("grains", fmt::format("{}", state.packing.grains.size()));
+  add("states", fmt::format("{}", run.files.size()));
+  add("SHA-256 of the scene", state.scene.empty() ? "–" : sha256(state.scene));
+  add("SHA-256 of the last state", sha256_of_file(run.files.back()));
+  return "<h2>Provenance</h2>\n" + html_table(table);
+}
+
+/// The scene of a run, from the text in its states. Of one that started from a state only the run is sure to be
+/// there: its first state has the same grains.
+template <int Dim>
+Scene scene_of(const ReportedRun<Dim>& run) {
+  std::vector<std::string> changes;
+  if (run.first->path.step == 0 && !run.first->provenance.parent_sha256.empty())
+    changes = {fmt::format("assembly.state=\"{}\"", fs::path(run.files.front()).filename().string()),
+               fmt::format("assembly.state_sha256=\"{}\"", sha256_of_file(run.files.front())),
+               Dim == 2 ? "assembly.copies=[1, 1]" : "assembly.copies=[1, 1, 1]"};
+  return parse_scene(run.first->scene, "the scene", run.directory, changes);
+}
+
+template <int Dim>
+std::string groups_section(ReportedRun<Dim>& run) {
+  if (run.first->scene.empty()) return "";
+  Table table{{"group", "value", "meaning"}, {}};
+  try {
+    for (const DerivedGroup& group : derived_groups(scene_of(run)))
+      if (group.name != "cost") table.rows.push_back({group.name, group.value, group.meaning});
+  } catch (const InputError& error) {
+    run.warnings.push_back(std::string("this version of floc cannot read the scene of the states: ") +
+                           error.what());
+    return "";
+  }
+  return "<h2>Dimensionless groups</h2>\n" + html_table(table);
+}
+
+template <int Dim>
+std::string fit_section(const ConsolidationFit& fit, ReportedRun<Dim>& run) {
+  for (const std::string& warning : fit.warnings) run.warnings.push_back("fit of consolidation: " + warning);
+  if (!fit.found()) {
+    run.warnings.push_back("no fit of consolidation: " + fit.refusal);
+    return "";
+  }
+  Table table{{"parameter", "value", "standard error", "95 % from", "to", "identified"}, {}};
+  for (const FittedParameter& p : fit.parameters) {
+    std::vector<TableValue> row = {p.name};
+    for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
+    table.rows.push_back(std::move(row));
+  }
+  return "<h2>Consolidation</h2>\n<p>1/Φ = 1/Φ0 − λ ln{(P*/P0*) [1 − exp(−(P1*/P*)^α)]^(1/α)}, fitted to the "
+         "first loading; errors are those of one sample and do not include the scatter between samples.</p>\n" +
+         html_table(table);
+}
+
+template <int Dim>
+std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& run) {
+  std::string out = "<h2>Plots</h2>\n<div class=\"plots\">\n";
+  const auto add = [&out](const Plot& plot, const std::string& caption) {
+    out += html_figure(plot_as_svg(plot), caption);
+  };
+  add(consolidation_plot({run.path}, fitted), "Consolidation curve, its fit, unloading and elastic line.");
+  const bool cohesive = run.first->packing.law.adheres();
+  add(moduli_plot(run.moduli, stress_unit(run.first->units, Dim, cohesive)),
+      "Bulk and shear moduli, with their bounds where these hold.");
+  add(coordination_plot(run.path.table), "Coordination by the sign of the normal force; open: unloading.");
+  std::vector<ForceSample> forces;
+  std::vector<ScatteringSample> scattering;
+  for (std::size_t k = 0; k < run.shown.size(); ++k) {
+    const std::string name = pressure_text(run.shown[k]);
+    forces.push_back(
+        force_sample(run.shown_files[k], name, run.shown[k].packing, ForceKind::normal, ForceUnit::mean));
+    scattering.push_back(scattering_sample(name, run.shown[k].packing));
+    if (!scattering.back().refusal.empty())
+      run.warnings.push_back("I(k) at " + name + ": no law is drawn: " + scattering.back().refusal);
+  }
+  add(forces_plot(forces, ForceKind::normal, ForceUnit::mean),
+      "Distribution of normal forces, with their sign.");
+  add(scattering_plot(scattering), "Intensity scattered by the grains, and the law of fractal aggregates.");
+  return out + "</div>\n";
+}
+
+template <int Dim>
+std::string pictures_section(const ReportedRun<Dim>& run) {
+  std::string out = "<h2>Force networks</h2>\n";
+  for (std::size_t k = 0; k < run.shown.size(); ++k)
+    out += html_figure(
+        draw_sheet<Dim>({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
+        "Forces at " + pressure_text(run.shown[k]) + ", " + fs::path(run.shown_files[k]).filename().string() +
+            ": lines join the centres of grains that interact; their width is proportional to the force.");
+  return out;
+}
+
+template <int Dim>
+std::string warnings_section(const ReportedRun<Dim>& run) {
+  std::string out = "<h2>Warnings</h2>\n";
+  if (run.warnings.empty() && run.state_warnings.empty()) return out + "<p>None.</p>\n";
+  out += "<ul class=\"warnings\">\n";
+  for (const auto& [message, steps] : run.state_warnings)
+    out += html_text(fmt::format("state{} {}: {}", steps.size() == 1 ? "" : "s", ranges(steps), message), "li");
+  for (const std::string& warning : run.warnings) out += html_text(warning, "li");
+  return out + "</ul>\n";
+}
+
+template <int Dim>
+std::string page_of(ReportedRun<Dim>& run) {
+  const FittedConsolidation fitted = fitted_consolidation({run.path});
+  const std::string title = "floc report: " + fs::path(run.directory).lexically_normal().string();
+  const State<Dim>& dense = run.shown.back();
+  const std::string groups = groups_section(run), fit = fit_section(fitted.fit, run),
+                    plots = plots_section(fitted, run);
+  std::string body = "<h1>" + html_text(title) + "</h1>\n";
+  body += html_text(fmt::format("{} {}, {} equilibria, up to {}, Φ = {:.4f}.", dense.packing.grains.size(),
+                                Dim == 2 ? "disks" : "spheres", run.files.size(), pressure_text(dense),
+                                solid_fraction(dense.packing)));
+  body += warnings_section(run) + pictures_section(run) + plots + fit;
+  body += "<h2>States</h2>\n" + html_table(run.packings);
+  const std::string unit = stress_unit(run.first->units, Dim, run.first->packing.law.adheres());
+  body += "<h2>Moduli</h2>\n<p>In " +
+          (unit == "F_0/a" || unit == "F_0/a^2" ? kPressureUnit<Dim> : html_text(unit)) +
+          "; ± are bounds of the errors that solving and rounding leave.</p>\n" + html_table(run.elasticity);
+  body += groups + provenance_section(run);
+  if (!run.first->scene.empty()) body += "<h2>Scene</h2>\n<pre>" + html_text(run.first->scene) + "</pre>\n";
+  return html_page(title, body);
+}
+
+template <int Dim>
+int report_of(const ReportArguments& arguments) {
+  ReportedRun<Dim> run = read_run<Dim>(arguments.directory);
+  const std::string page = page_of(run);
+  write_bytes_atomically(arguments.output, page);
+  print_table({{"run", "report", "n_states", "n_warnings", "bytes"},
+               {{arguments.directory, arguments.output, static_cast<std::int64_t>(run.files.size()),
+                 static_cast<std::int64_t>(run.warnings.size() + run.state_warnings.size()),
+                 static_cast<std::int64_t>(page.size())}}},
+              arguments.printing);
+  return kDone;
+}
+
+int report(const ReportArguments& arguments) {
+  table_of_run(arguments.directory);  // names what is missing in the directory of an ensemble
+  const AnyState first = read_state(states_of_run(arguments.directory).front());
+  return std::holds_alternative<State<2>>(first) ? report_of<2>(arguments) : report_of<3>(arguments);
+}
+
+}  // namespace
+
+Command add_report(CommandLine program) {
+  CommandLine app =
+      program.add_subcommand("report", "Put a run on one self-contained page: pictures, plots, tables, scene");
+  const auto arguments = std::make_shared<ReportArguments>();
+  app.add_option("DIR", arguments->directory, "directory of floc run").required();
+  app.add_option("-o,--output", arguments->output, "F.html").required();
+  add_printing_options(app, arguments->printing);
+  return {app, [arguments] { return report(*arguments); }};
+}
+
+}  // namespace floc

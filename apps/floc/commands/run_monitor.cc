@@ -1,0 +1,89 @@
+#include "commands/run_monitor.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/overlaps.h"
+#include "process/output.h"
+
+namespace floc {
+namespace {
+
+constexpr double kSecondsBetweenRedraws = 0.5;
+constexpr double kSecondsBetweenLines = 10.0;
+
+template <int Dim>
+std::string phase_of(const Run<Dim>& run) {
+  if (run.point().aggregating) return fmt::format("aggregating, {} clusters", run.n_clusters());
+  const RelaxationReport report = run.report();
+  const bool finishing = report.phase == "finishing";
+  std::string text = fmt::format("{}, {}", report.phase, report.blocking);
+  if (finishing && report.decay_rate > 0.0)
+    text += fmt::format(", falls at {:.2g} per unit time", report.decay_rate);
+  return text;
+}
+
+/// A state between walls that is no equilibrium says how many mechanisms keep it from being one.
+std::string ending_of(const RelaxationReport& report) {
+  if (report.n_mechanisms <= 0) return report.ending;
+  return fmt::format("{}, {} mechanisms", report.ending, report.n_mechanisms);
+}
+
+/// Of scenes in SI units some 1e-4 s, of others thousands of periods.
+std::string time_text(double time) {
+  return time < 100.0 ? fmt::format("{:.3g}", time) : fmt::format("{:.0f}", time);
+}
+
+}  // namespace
+
+RunMonitor::RunMonitor(int n_steps)
+    : n_steps_(n_steps), terminal_(isatty(STDERR_FILENO) == 1), last_line_(Clock::now()) {}
+
+/// Collapses are longer than quiet steps and come unannounced: the mean of the steps done is all there is.
+double RunMonitor::expected_seconds_left(int steps_left) const {
+  return seconds_done_ / steps_done_ * steps_left;
+}
+
+template <int Dim>
+void RunMonitor::chunk(const Run<Dim>& run) {
+  const Clock::time_point now = Clock::now();
+  const double since = std::chrono::duration<double>(now - last_line_).count();
+  if (since < (terminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines)) return;
+  last_line_ = now;
+  const int step = run.point().step;
+  std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {}, {}", step + 1, n_steps_,
+                                 run.target().branch, run.pressure(), solid_fraction(run.packing()),
+                                 time_text(run.point().time + run.point().equilibration_time), phase_of(run));
+  if (steps_done_ > 0)
+    line += fmt::format("; about {} left", duration_text(expected_seconds_left(n_steps_ - step)));
+  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
+  std::fflush(stderr);
+}
+
+template <int Dim>
+void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds) {
+  if (state.path.branch != "assembly") {  // which takes longer than any step of a load path
+    ++steps_done_;
+    seconds_done_ += seconds;
+  }
+  fmt::print(stderr, "{}step {}/{} {} P = {:.4g}: phi {:.5f}, {} contacts, residual {:.1e} ({}), {:.1f} s\n",
+             terminal_ ? "\r\033[K" : "", state.path.step + 1, n_steps_, state.path.branch,
+             state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
+             state.residuals.force, ending_of(report), seconds);
+  if (const std::string warning = overlap_warning(state.packing); !warning.empty())
+    fmt::print(stderr, "  warning: {}\n", warning);
+  if (!report.stability.note.empty()) fmt::print(stderr, "  stability {}\n", report.stability.note);
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                    \
+  template void RunMonitor::chunk(const Run<Dim>& run);                                          \
+  template void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& report, \
+                                        double seconds);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

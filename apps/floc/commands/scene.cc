@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "floc/base/error.h"
+#include "floc/io/atomic_file.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/read_scene.h"
+#include "floc/scene/scene_warnings.h"
+#include "floc/scene/starting_scene.h"
+#include "process/command.h"
+#include "process/output.h"
+#include "process/printing.h"
+
+namespace floc {
+namespace {
+
+struct SceneArguments {
+  std::string path;
+  std::vector<std::string> overrides;
+  Printing printing;
+  std::string name;
+};
+
+int check_scene(const SceneArguments& arguments) {
+  const Scene scene = read_scene(arguments.path, arguments.overrides);
+  Table table{{"group", "value", "meaning"}, {}};
+  for (const DerivedGroup& g : derived_groups(scene)) table.rows.push_back({g.name, g.value, g.meaning});
+  print_table(table, arguments.printing);
+  if (!scene.start.empty()) spdlog::info("start: {}", scene.start);
+  if (!scene.accuracy.empty()) spdlog::info("accuracy: {}", scene.accuracy);
+  const std::vector<std::string> warnings = scene_warnings(scene);
+  for (const std::string& warning : warnings) spdlog::warn("{}: warning: {}", arguments.path, warning);
+  spdlog::info("{}: no faults{}", arguments.path,
+               warnings.empty()       ? ""
+               : warnings.size() == 1 ? ", 1 warning"
+                                      : fmt::format(", {} warnings", warnings.size()));
+  return kDone;
+}
+
+/// Writes NAME.toml, or on stdout for -; a file of that name stays as it is.
+int start_scene(const std::string& name) {
+  if (name == "-") {
+    write_bytes_atomically(name, starting_scene("powder"));
+    return kDone;
+  }
+  std::filesystem::path path(name);
+  if (path.extension() != ".toml") path += ".toml";
+  const std::string text = starting_scene(path.stem().string());
+  std::FILE* file = std::fopen(path.c_str(), "wx");
+  if (!file && errno == EEXIST) throw InputError(path.string(), "exists; expected a name that is not taken");
+  if (!file) throw IoError(path.string(), std::strerror(errno));
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (std::fclose(file) != 0 || !written) throw IoError(path.string(), "cannot be written: disk full?");
+  spdlog::info(
+      "wrote {0}, the cohesive powder of floc demo: a name chooses no kind of scene, and data/scenes has "
+      "the other kinds; next: floc scene check {0}, floc run {0} -o {1}",
+      path.string(), path.stem().string());
+  return kDone;
+}
+
+}  // namespace
+
+Command add_scene(CommandLine program) {
+  auto arguments = std::make_shared<SceneArguments>();
+  CommandLine app = program.add_subcommand("scene", "Check a scene file, or start a new one");
+  app.require_one_subcommand();
+  CommandLine check =
+      app.add_subcommand("check", "list every fault; print the dimensionless groups and the cost");
+  check.add_option("SCENE", arguments->path, "scene file (TOML)").required();
+  check.add_option("--set", arguments->overrides, "key.path=value: replaces what the file says")
+      .one_argument_each();
+  add_printing_options(check, arguments->printing);
+  CommandLine start =
+      app.add_subcommand("new", "write NAME.toml, a commented scene of a cohesive powder to start from");
+  start.add_option("NAME", arguments->name, "name of the scene, which chooses no kind of scene; - is stdout")
+      .required();
+  return {app, [arguments, check] {
+            return check.parsed() ? check_scene(*arguments) : start_scene(arguments->name);
+          }};
+}
+
+}  // namespace floc

@@ -1,0 +1,182 @@
+#include "floc/tradeoff/tradeoff.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "floc/base/error.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/read_scene.h"
+#include "plots/tradeoff_plot.h"
+#include "process/command.h"
+#include "process/output.h"
+#include "process/printing.h"
+
+namespace floc {
+namespace {
+
+struct TradeoffCommand {
+  std::string scene;
+  std::vector<std::string> overrides;
+  std::vector<std::string> observables;
+  std::string plot;
+  Printing printing;
+  TradeoffOptions options;
+};
+
+std::vector<std::string> observable_names() {
+  std::vector<std::string> names(kObservableNames.begin(), kObservableNames.end());
+  names.insert(names.end(), kFittedNames.begin(), kFittedNames.end());
+  return names;
+}
+
+/// A number of a comparison of n values, undefined without any.
+TableValue of_compared(int n, double value) {
+  return n > 0 && std::isfinite(value) ? TableValue{value} : TableValue{};
+}
+
+/// The scene that was run, as its rows name it.
+struct StudiedScene {
+  std::string name;
+  double kappa;  ///< a K_N/F0, without adhesion K_N/P
+};
+
+std::vector<TableValue> row_of(const StudiedScene& run, const MeasuredSetting& m, const std::string& observable,
+                               const ObservableError& e, bool pareto) {
+  const NumericalSettings& s = m.setting.numerical;
+  return {m.setting.parameter,
+          m.setting.value,
+          observable,
+          m.cost_ratio,
+          m.core_seconds,
+          of_compared(e.before.n, e.before.high),
+          of_compared(e.after.n, e.after.high),
+          of_compared(e.mean.n, e.mean.difference),
+          of_compared(e.mean.n, e.mean.standard_error),
+          of_compared(e.mean.n, e.mean.error95),
+          pareto,
+          of_compared(e.before.n, e.before.error),
+          std::int64_t{e.before.n},
+          of_compared(e.after.n, e.after.error),
+          std::int64_t{e.after.n},
+          std::int64_t{e.mean.n},
+          m.moduli_seconds,
+          std::int64_t{m.n_grains},
+          std::int64_t{m.n_samples},
+          s.tolerance,
+          s.time_step,
+          std::string(finish_name(s.finish)),
+          s.patience,
+          run.kappa,
+          run.name};
+}
+
+Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vector<std::string>& wanted) {
+  Table table;
+  table.columns = {"knob",
+                   "value",
+                   "observable",
+                   "cost_ratio",
+                   "core_seconds",
+                   "error_before_high",
+                   "error_after_high",
+                   "mean_difference",
+                   "mean_stderr",
+                   "mean_error95",
+                   "pareto",
+                   "error_before",
+                   "n_before",
+                   "error_after",
+                   "n_after",
+                   "n_mean",
+                   "moduli_seconds",
+                   "n_grains",
+                   "n_samples",
+                   "tolerance",
+                   "time_step",
+                   "finish",
+                   "patience",
+                   "kappa",
+                   "scene"};
+  const std::vector<std::string> names = observable_names();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), names[k]) == wanted.end()) continue;
+    const std::vector<bool> front = pareto_front(tradeoff, k);
+    for (std::size_t i = 0; i < tradeoff.settings.size(); ++i) {
+      const MeasuredSetting& m = tradeoff.settings[i];
+      const ObservableError& e = m.errors[k];
+      if (e.before.n + e.after.n + e.mean.n > 0) table.rows.push_back(row_of(run, m, names[k], e, front[i]));
+    }
+  }
+  return table;
+}
+
+double stiffness_of(const Scene& scene) {
+  for (const DerivedGroup& group : derived_groups(scene))
+    if (group.name == "kappa") return group.value;
+  return 0.0;
+}
+
+/// On a terminal the first columns, which fit its width.
+void print_tradeoff(Table table, const Printing& printing) {
+  constexpr std::size_t kShort = 11;
+  if (chosen_format(printing.format) == TableFormat::table && printing.columns.empty()) {
+    table.columns.resize(kShort);
+    for (auto& row : table.rows) row.resize(kShort);
+  }
+  print_table(table, printing);
+}
+
+int run_tradeoff(TradeoffCommand& command) {
+  const Scene scene = read_scene(command.scene, command.overrides);
+  if (scene.dimension != 2)
+    throw InputError(
+        command.scene,
+        fmt::format(
+            "scene.dimension = {}: expected 2; costs and errors of settings are measured for disks only",
+            scene.dimension));
+  command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
+  const Tradeoff tradeoff = study_tradeoff(scene, command.options);
+  std::cerr << "not varied separately: power control, which is what finish = dynamic does, and the precision "
+               "of the force loop, which is always double\n";
+  for (const std::string& message : tradeoff.left_out) std::cerr << "left out: " << message << '\n';
+  if (tradeoff.settings.empty()) {
+    std::cerr << "floc: " << command.scene
+              << ": nothing could be compared: not even one sample could be made at the strictest settings; "
+                 "--budget may be too small\n";
+    return kNotConverged;
+  }
+  print_tradeoff(table_of({scene.name, stiffness_of(scene)}, tradeoff, command.observables), command.printing);
+  if (!command.plot.empty()) plot_tradeoff(command.plot, tradeoff);
+  return kDone;
+}
+
+}  // namespace
+
+Command add_tradeoff(CommandLine program) {
+  CommandLine app = program.add_subcommand(
+      "tradeoff", "Run a scene at several accuracies: the error of its results against their cost");
+  const auto command = std::make_shared<TradeoffCommand>();
+  app.add_option("SCENE", command->scene, "scene file (TOML)").required();
+  app.add_option("--budget", command->options.budget, "seconds that it may take, on one core")
+      .positive()
+      .show_default();
+  app.add_option("--samples", command->options.max_samples,
+                 "largest number of samples, with seeds that count up from the scene's own")
+      .within(TradeoffOptions::kSamples)
+      .show_default();
+  app.add_option("--set", command->overrides, "KEY=VALUE: change one key of the scene").one_argument_each();
+  app.add_option("--observables", command->observables, "observables to compare: phi, B, lambda, ... [all]")
+      .delimiter(',')
+      .one_argument_each()
+      .one_of(observable_names());
+  app.add_option("--plot", command->plot,
+                 "F.svg: error against cost; data and gnuplot script are written beside it");
+  add_printing_options(app, command->printing);
+  return {app, [command] { return run_tradeoff(*command); }};
+}
+
+}  // namespace floc

@@ -1,9 +1,0 @@
-#pragma once
-
-#include "command.h"
-
-namespace floc {
-
-Command add_export(CommandLine program);
-
-}  // namespace floc

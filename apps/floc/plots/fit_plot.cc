@@ -1,0 +1,119 @@
+#include "plots/fit_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "commands/plot_command.h"
+
+namespace floc {
+namespace {
+
+/// Blocks 0 to 2, as the script names them: points fitted, points left out, the law.
+void add_blocks(const ConsolidationPlot& of, Plot& plot) {
+  const ConsolidationCurve& curve = of.curve;
+  const ConsolidationFit& fit = of.fit;
+  std::vector<std::vector<double>> used, others;
+  for (std::size_t k = 0; k < fit.used.size(); ++k) {
+    const auto i = static_cast<std::size_t>(fit.used[k]);
+    const double y = 1.0 / curve.phi[i];
+    used.push_back({curve.P_star[i], y, error_of_mean(curve, i), y - fit.fitted[static_cast<Eigen::Index>(k)]});
+  }
+  for (std::size_t i = 0; i < curve.phi.size(); ++i)
+    if (std::find(fit.used.begin(), fit.used.end(), static_cast<int>(i)) == fit.used.end())
+      others.push_back({curve.P_star[i], 1.0 / curve.phi[i], error_of_mean(curve, i)});
+  plot.add("points fitted: P_star 1/phi error_of_mean residual", std::move(used));
+  plot.add("points left out: P_star 1/phi error_of_mean", std::move(others));
+  plot.add("law: P_star 1/phi", law_points(fit));
+}
+
+std::string title_of(const ConsolidationPlot& plot) {
+  std::string title = plot.title;
+  for (const char* name : {"lambda", "alpha", "Phi_max"})
+    if (const FittedParameter* p = plot.fit.find(name); p && p->value && p->standard_error)
+      title += fmt::format("   {} = {}", name, value_and_error(*p->value, *p->standard_error));
+  return title;
+}
+
+std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
+  const std::string curves = plot_command(
+      drawn,
+      {{2, "using 1:2 with lines linewidth 2 linecolor rgb '#c0392b' title 'law'"},
+       {1, "using 1:2:3 with yerrorbars pointtype 6 linecolor rgb '#888888' title 'left out'"},
+       {0,
+        "using 1:2:3 with yerrorbars pointtype 7 pointsize 0.7 linecolor rgb '#1f4e79' title 'fitted; window "
+        "dashed'"}});
+  const double low = plot.curve.P_star.front();
+  const double high = plot.curve.P_star.back();
+  return fmt::format(
+      R"(set termoption noenhanced
+set multiplot
+set logscale x
+set format x ''
+set xrange [{xlow}:{xhigh}]
+set lmargin at screen 0.13
+set rmargin at screen 0.97
+set tmargin at screen 0.93
+set bmargin at screen 0.36
+set title {title}
+set ylabel '1/Phi'
+set key top right
+set arrow 1 from first {wlow}, graph 0 to first {wlow}, graph 1 nohead dashtype 2 linecolor rgb '#888888'
+set arrow 2 from first {whigh}, graph 0 to first {whigh}, graph 1 nohead dashtype 2 linecolor rgb '#888888'
+{curves}unset title
+set format x '%g'
+set tmargin at screen 0.33
+set bmargin at screen 0.11
+set xlabel {xlabel}
+set ylabel 'residual'
+set xzeroaxis linetype 1 linecolor rgb '#c0392b'
+set ytics nomirror autofreq
+unset key
+plot data index 0 using 1:4 with impulses linecolor rgb '#888888', \
+     data index 0 using 1:4 with points pointtype 7 pointsize 0.7 linecolor rgb '#1f4e79'
+unset multiplot
+)",
+      fmt::arg("xlow", low / 1.2), fmt::arg("xhigh", high * 1.2),
+      fmt::arg("title", gnuplot_quoted(title_of(plot))), fmt::arg("curves", curves),
+      fmt::arg("wlow", plot.fit.window_low), fmt::arg("whigh", plot.fit.window_high),
+      fmt::arg("xlabel", gnuplot_quoted(pressure_label(plot.unit, plot.stress))));
+}
+
+}  // namespace
+
+double error_of_mean(const ConsolidationCurve& curve, std::size_t i) {
+  const Eigen::Index m = curve.samples.cols();
+  if (m < 2) return 0.0;
+  const Eigen::ArrayXd y = curve.samples.row(static_cast<Eigen::Index>(i)).array();
+  return std::sqrt((y - y.mean()).square().sum() / static_cast<double>(m * (m - 1)));
+}
+
+std::vector<std::vector<double>> law_points(const ConsolidationFit& fit) {
+  constexpr int kSteps = 200;
+  const double first = std::log(fit.window_low);
+  const double range = std::log(fit.window_high) - first;
+  std::vector<std::vector<double>> points;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double log_P = first + range * k / kSteps;
+    points.push_back({std::exp(log_P), fit.value(log_P)});
+  }
+  return points;
+}
+
+std::string pressure_label(const std::string& unit, const std::string& stress) {
+  const std::string name = stress.empty()     ? ""
+                           : stress == "mean" ? " of the mean stress"
+                                              : " of the driven stress";
+  return unit.empty() ? "P*" + name : "pressure" + name + " (" + unit + ")";
+}
+
+Plot plot_of_fit(const ConsolidationPlot& of) {
+  Plot plot;
+  plot.height = 640;
+  add_blocks(of, plot);
+  plot.script = script_of(of, plot);
+  return plot;
+}
+
+}  // namespace floc

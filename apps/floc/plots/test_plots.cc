@@ -1,0 +1,164 @@
+#include "plots/test_plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "floc/base/error.h"
+#include "floc/structure/axial_test.h"
+
+namespace floc {
+namespace {
+
+/// The columns that a plot of tests reads.
+struct TestColumns {
+  explicit TestColumns(const CsvTable& path) : axis(path.column("axis")), branch(path.column("branch")) {
+    stress.push_back(path.column("stress_1"));
+    strain.push_back(path.column("strain_1"));
+    for (int a = 2; path.has(fmt::format("stress_{}", a)); ++a) {
+      stress.push_back(path.column(fmt::format("stress_{}", a)));
+      strain.push_back(path.column(fmt::format("strain_{}", a)));
+    }
+  }
+
+  int axis, branch;
+  std::vector<int> stress, strain;
+};
+
+/// Row `row` of a simple shear that started from row `first`: shear strain, tau/sigma and volumetric strain.
+/// @param axis  across whose planes it goes
+std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns, int row, int first,
+                                int axis) {
+  double volumetric = 0.0;
+  for (const int strain : columns.strain) volumetric += path.number(row, strain) - path.number(first, strain);
+  return {path.number(row, path.column("shear_strain")),
+          path.number(row, path.column("shear_stress")) / path.number(row, columns.stress[axis]), volumetric};
+}
+
+using Rows = std::vector<std::vector<double>>;
+
+/// From stresses and strains themselves: q and K0 of the row where a test starts are of another axis.
+template <int Dim>
+AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int axis, int first) {
+  Vec<Dim> stress, strain;
+  for (int a = 0; a < Dim; ++a) {
+    stress[a] = path.number(row, columns.stress[a]);
+    strain[a] = path.number(row, columns.strain[a]) - path.number(first, columns.strain[a]);
+  }
+  return measure_axial_test<Dim>(axis, stress, strain, nullptr);
+}
+
+constexpr const char* kTestPanel =
+    R"(set xlabel 'axial strain (of simple shear: shear strain) since the start of the test'
+set ylabel 'q/p (of simple shear: tau/sigma)'
+set ytics nomirror
+set y2label 'volumetric strain (compression positive)'
+set y2tics
+set key outside top center horizontal
+plot data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.4 linecolor rgb '#d55e00' title 'q/p', \
+     data index 0 using 1:3 axes x1y2 with lines linewidth 2 linecolor rgb '#0072b2' title 'volumetric strain'
+)";
+
+/// Simple shear has none: no axis is driven by a stress of its own.
+constexpr const char* kLateralPanel = R"(unset y2tics
+unset y2label
+set ytics mirror
+set xlabel 'driven stress'
+set ylabel 'K_0 = lateral/driven stress'
+unset key
+set format x '%g'
+plot data index 1 using 1:2 with linespoints pointtype 7 pointsize 0.5 linecolor rgb '#202020'
+)";
+
+}  // namespace
+
+Plot axial_test_plot(const CsvTable& path) {
+  const TestColumns columns(path);
+  const int dimension = static_cast<int>(columns.stress.size());
+  const auto axis_of = [&](int i) -> int {
+    if (path.is_empty(i, columns.axis)) return -1;
+    const std::int64_t axis = path.integer(i, columns.axis);
+    if (axis < 1 || axis > dimension)
+      throw InputError(path.place(i), fmt::format("axis = {}, expected 1 to {}", axis, dimension));
+    return static_cast<int>(axis) - 1;
+  };
+  const auto is_sheared = [&](int i) {
+    return path.has("shear_strain") && !path.is_empty(i, path.column("shear_strain"));
+  };
+  Rows test, lateral;
+  const auto add = [&](int row, int axis, int first) {
+    const AxialTest measured = dimension == 2 ? test_at<2>(path, columns, row, axis, first)
+                                              : test_at<3>(path, columns, row, axis, first);
+    const double strain = path.number(row, columns.strain[axis]) - path.number(first, columns.strain[axis]);
+    test.push_back({strain, measured.deviator / measured.mean_stress, measured.volumetric_strain});
+    lateral.push_back({path.number(row, columns.stress[axis]), measured.lateral_ratio});
+  };
+  int first = 0;  // row that the present test starts from
+  for (int i = 1; i < path.n_rows(); ++i) {
+    const int axis = axis_of(i);
+    if (axis < 0) continue;
+    if (axis_of(i - 1) != axis || path.text(i, columns.branch) != path.text(i - 1, columns.branch)) {
+      if (!test.empty()) {
+        test.emplace_back(3, std::nan(""));
+        lateral.emplace_back(2, std::nan(""));
+      }
+      first = i - 1;
+      if (!is_sheared(i)) add(first, axis, first);
+    }
+    if (is_sheared(i))
+      test.push_back(sheared_row(path, columns, i, first, axis));
+    else
+      add(i, axis, first);
+  }
+  if (test.empty()) throw InputError("--show test", "no row of the path belongs to a test with a driven axis");
+  const bool any_lateral = std::any_of(lateral.begin(), lateral.end(),
+                                       [](const std::vector<double>& row) { return std::isfinite(row[0]); });
+  Plot plot;
+  plot.width = any_lateral ? 1000 : 560;
+  plot.height = 420;
+  plot.add("test: axial_strain q/p volumetric_strain", std::move(test));
+  plot.add("lateral: driven_stress K0", std::move(lateral));
+  plot.script = any_lateral
+                    ? fmt::format("set multiplot layout 1,2\n{}{}unset multiplot\n", kTestPanel, kLateralPanel)
+                    : std::string(kTestPanel);
+  return plot;
+}
+
+Plot fabric_plot(const std::vector<std::pair<std::string, ContactDirections>>& states) {
+  Plot plot;
+  std::string drawn;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const ContactDirections& d = states[k].second;
+    Rows rows;
+    for (int turn = 0; turn < 2; ++turn)
+      for (int b = 0; b < d.n_bins; ++b)
+        for (const int edge : {b, b + 1})
+          rows.push_back({180.0 * (static_cast<double>(edge) / d.n_bins + turn), d.all[b], d.strong[b]});
+    if (!rows.empty()) rows.push_back(rows.front());
+    plot.add("direction all strong, " + states[k].first, std::move(rows));
+    drawn += fmt::format(
+        "{}data index {} using 1:2 with lines linewidth 2 linetype {} title {}, data index {} using 1:3 with "
+        "lines dashtype 2 linetype {} notitle",
+        k == 0 ? "" : ", ", k, k + 1, gnuplot_quoted(states[k].first), k, k + 1);
+  }
+  plot.width = plot.height = 560;
+  plot.script = fmt::format(R"(set polar
+set angles degrees
+set size square
+set grid polar 30
+unset border
+unset xtics
+unset ytics
+set rtics format '%.2f'
+set key outside bottom center horizontal
+set title 'directions of contacts (density; dashed: strong ones; isotropic: {:.3f})'
+plot {}
+)",
+                            1.0 / std::numbers::pi, drawn);
+  return plot;
+}
+
+}  // namespace floc

@@ -1,0 +1,87 @@
+#include "plots/tradeoff_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "plots/gnuplot.h"
+
+namespace floc {
+namespace {
+
+/// Errors below are drawn here: zero has no place on a logarithmic axis.
+constexpr double kSmallest = 1e-10;
+
+/// A curve: the settings of one parameter, the scene's own among them, in the order of their cost.
+struct ParameterCurve {
+  std::string parameter;
+  std::vector<const MeasuredSetting*> settings;
+};
+
+std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff) {
+  std::vector<ParameterCurve> curves;
+  for (const MeasuredSetting& m : tradeoff.settings) {
+    const bool compared = std::isfinite(single_state_error(m.errors[kB]));
+    if (!compared || m.setting.is_reference() || m.setting.parameter == "scene") continue;
+    auto curve = std::find_if(curves.begin(), curves.end(),
+                              [&](const ParameterCurve& c) { return c.parameter == m.setting.parameter; });
+    if (curve == curves.end()) curve = curves.insert(curves.end(), {m.setting.parameter, {}});
+    curve->settings.push_back(&m);
+  }
+  for (ParameterCurve& c : curves)
+    std::sort(c.settings.begin(), c.settings.end(),
+              [](const auto* x, const auto* y) { return x->core_seconds < y->core_seconds; });
+  return curves;
+}
+
+/// A block a curve: cost, errors of Phi and B.
+Plot blocks_of(const std::vector<ParameterCurve>& curves) {
+  const auto drawn = [](const MeasuredSetting& m, std::size_t k) {
+    return std::max(single_state_error(m.errors[k]), kSmallest);
+  };
+  Plot plot;
+  for (const ParameterCurve& c : curves) {
+    std::vector<std::vector<double>> rows;
+    for (const MeasuredSetting* m : c.settings) rows.push_back({m->cost_ratio, drawn(*m, kPhi), drawn(*m, kB)});
+    plot.add(c.parameter + ": cost_ratio error_phi error_B", rows);
+  }
+  return plot;
+}
+
+std::string panel(const std::vector<ParameterCurve>& curves, int column) {
+  std::string text;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    text += fmt::format(
+        "{}data index {} using 1:{} with linespoints linewidth 1.5 pointtype {} linecolor {} title {}",
+        i == 0 ? "plot " : ", \\\n     ", i, column, 5 + i % 9, i + 1, gnuplot_quoted(curves[i].parameter));
+  return text;
+}
+
+}  // namespace
+
+void plot_tradeoff(const std::string& file, const Tradeoff& tradeoff) {
+  const std::vector<ParameterCurve> curves = curves_of(tradeoff);
+  Plot plot = blocks_of(curves);
+  plot.width = 960;
+  plot.script = fmt::format(R"(set multiplot layout 1,2
+set logscale xy
+set format y '%.0e'
+set yrange [{0}/2:*]
+set xlabel 'cost of a sample over that of the strict settings'
+set ylabel 'error of a state, relative (at least {0})'
+set title 'Phi'
+set key off
+{1}
+set title 'B'
+unset ylabel
+set key bottom right samplen 1.5 font ',10' noenhanced
+{2}
+unset multiplot
+)",
+                            kSmallest, panel(curves, 2), panel(curves, 3));
+  write_plot(file, plot);
+}
+
+}  // namespace floc

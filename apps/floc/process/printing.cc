@@ -1,0 +1,159 @@
+#include "process/printing.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+#include "floc/base/error.h"
+#include "floc/base/nearest_name.h"
+#include "floc/base/parse_number.h"
+#include "floc/tables/column_reference.h"
+#include "process/finish_output.h"
+
+namespace floc {
+namespace {
+
+std::string pattern_of(const std::string& chosen) {
+  return chosen == "all" ? "*" : chosen;
+}
+
+/// Names of the columns that a command may print; patterns among them as they are. A table "moduli --increments"
+/// goes into a file, unless the command has no other, as `campaign collect --table runs`.
+std::vector<std::string> names_printed_by(const std::string& command) {
+  std::vector<std::string> printed, with_option;
+  for (const DescribedTable& table : described_tables()) {
+    if (table.name != command && !table.name.starts_with(command + " ")) continue;
+    auto& names = table.name.starts_with(command + " --") ? with_option : printed;
+    for (const DescribedColumn& column : table.columns) names.push_back(column.name);
+  }
+  return printed.empty() ? with_option : printed;
+}
+
+/// @throws InputError if the command prints tables and no column of them is meant
+void expect_column_of(const std::string& command, const std::string& chosen) {
+  const std::vector<std::string> names = names_printed_by(command);
+  const std::string pattern = pattern_of(chosen);
+  const bool known = std::ranges::any_of(
+      names, [&](const std::string& name) { return stands_for(pattern, name) || stands_for(name, pattern); });
+  if (!known && !names.empty())
+    throw InputError("--columns", fmt::format("no column of floc {} is named {}; the nearest is {}", command,
+                                              chosen, nearest_name(chosen, names)));
+}
+
+int terminal_width() {
+  constexpr int kUsual = 80;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  const char* said = std::getenv("COLUMNS");
+  const auto columns = said == nullptr ? std::nullopt : parse_number<int>(said);
+  return columns && *columns > 0 ? *columns : kUsual;
+}
+
+Table of_columns(const Table& table, const std::vector<std::size_t>& indices) {
+  Table part;
+  for (const std::size_t k : indices) part.columns.push_back(table.columns[k]);
+  for (const auto& row : table.rows) {
+    auto& cells = part.rows.emplace_back();
+    for (const std::size_t k : indices) cells.push_back(row[k]);
+  }
+  return part;
+}
+
+/// Letters of the longest line of a table as it is printed.
+std::size_t printed_width(const Table& table) {
+  std::ostringstream text;
+  write_table(text, table, TableFormat::table);
+  std::istringstream lines(text.str());
+  std::size_t widest = 0;
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, line.size());
+  return widest;
+}
+
+/// As many of the columns wanted, the first at least, as fit the terminal.
+Table fitting(const Table& table, const std::vector<std::string>& wanted) {
+  const auto room = static_cast<std::size_t>(terminal_width());
+  std::vector<std::size_t> shown;
+  for (const std::string& name : wanted) {
+    const auto at = std::ranges::find(table.columns, name);
+    if (at == table.columns.end()) continue;
+    shown.push_back(static_cast<std::size_t>(at - table.columns.begin()));
+    if (shown.size() == 1 || printed_width(of_columns(table, shown)) <= room) continue;
+    shown.pop_back();
+    break;
+  }
+  return of_columns(table, shown);
+}
+
+Table chosen_part(const Table& table, const std::vector<std::string>& columns) {
+  std::vector<std::size_t> indices;
+  for (const std::string& chosen : columns) {
+    bool found = false;
+    for (std::size_t k = 0; k < table.columns.size(); ++k) {
+      if (!stands_for(pattern_of(chosen), table.columns[k])) continue;
+      found = true;
+      if (std::ranges::find(indices, k) == indices.end()) indices.push_back(k);
+    }
+    if (!found) std::cerr << fmt::format("floc: --columns {}: this table has no such column\n", chosen);
+  }
+  if (indices.empty())
+    throw InputError("--columns", fmt::format("none of them is in this table; the nearest to {} is {}",
+                                              columns.front(), nearest_name(columns.front(), table.columns)));
+  return of_columns(table, indices);
+}
+
+}  // namespace
+
+void Printing::choose(const std::string& pattern) {
+  expect_column_of(command, pattern);
+  columns.push_back(pattern);
+}
+
+void add_printing_options(CommandLine app, Printing& printing) {
+  app.after_parsing([&printing, command = app.full_name()] {
+    printing.command = command;
+    for (const std::string& chosen : printing.columns) expect_column_of(command, chosen);
+  });
+  app.add_option("--format", printing.format, "table, csv or json [table on a terminal, csv otherwise]")
+      .one_of({"table", "csv", "json"});
+  if (app.has_option("--columns")) return;
+  app.add_option(
+         "--columns", printing.columns,
+         "NAME,...: columns to print, names or patterns such as 'error_*', or all, in this order [all; on "
+         "a terminal those that fit; floc help columns says what they are]")
+      .delimiter(',')
+      .one_argument_each();
+}
+
+TableFormat chosen_format(const std::string& format) {
+  if (format == "json") return TableFormat::json;
+  if (format == "csv") return TableFormat::csv;
+  if (format == "table") return TableFormat::table;
+  return isatty(STDOUT_FILENO) ? TableFormat::table : TableFormat::csv;
+}
+
+void print_table(const Table& table, const Printing& printing) {
+  const TableFormat chosen = chosen_format(printing.format);
+  const bool on_terminal = chosen == TableFormat::table && isatty(STDOUT_FILENO) == 1;
+  write_table(std::cout, with_chosen_columns(table, printing, on_terminal), chosen);
+  finish_output();
+}
+
+Table with_chosen_columns(const Table& table, const Printing& printing, bool on_terminal) {
+  if (!printing.columns.empty()) return chosen_part(table, printing.columns);
+  const DescribedTable* described = on_terminal ? table_with(table.columns) : nullptr;
+  if (described == nullptr || described->on_terminal.empty()) return table;
+  Table part = fitting(table, described->on_terminal);
+  if (part.columns.size() < table.columns.size())
+    std::cerr << fmt::format(
+        "{} of {} columns; --columns all prints the others, floc help columns {} says what "
+        "they are\n",
+        part.columns.size(), table.columns.size(), described->name);
+  return part;
+}
+
+}  // namespace floc

@@ -1,0 +1,189 @@
+#include "floc/elasticity/parallel/parallel_response.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "floc/base/infinity.h"
+#include "floc/elasticity/parallel/local_rows.h"
+#include "floc/elasticity/wall_shifts.h"
+
+namespace floc {
+namespace {
+
+/// Reduction of the forces that a first solution is asked for, which leaves about its square of the energy; and
+/// the least that is asked of a later one, which rounding allows.
+constexpr double kFirstReduction = 1e-6;
+constexpr double kLeastReduction = 1e-8;
+/// Solutions, each of what the last one left, and the share of the energy left below which they go on.
+constexpr int kMostRounds = 6;
+constexpr double kGain = 0.25;
+/// Share of the smallest Ritz value taken for the softest ratio, as for other inverses of which nothing is
+/// known.
+constexpr double kShareOfRitz = 0.1;
+/// What rounding leaves of the stiffness of grains that follow the strain; a stiffness below the second share
+/// of it cannot be told from zero.
+constexpr double kRounding = 1e-14;
+constexpr double kNothing = 1e-11;
+/// Relative error beyond which a stiffness is none.
+constexpr double kUseful = 1e-6;
+
+/// The grains that some contact acts on.
+template <int Dim>
+std::vector<bool> in_contact(const ContactNetwork<Dim>& network) {
+  std::vector<bool> taken(network.n_grains, false);
+  for (const NetworkContact<Dim>& c : network.contacts) taken[c.i] = taken[c.j] = true;
+  return taken;
+}
+
+/// Relaxes the grains for one boundary unknown after the other.
+template <int Dim>
+class ParallelCondensation {
+ public:
+  ParallelCondensation(const LocalRows<Dim>& rows, double norm, double tolerance, ParallelSolver& solver)
+      : rows_(rows), norm_(norm), tolerance_(tolerance), solver_(solver) {}
+
+  /// @return why not, in words; empty where all converged
+  std::string relax(int n_boundary) {
+    for (int b = 0; b < n_boundary; ++b)
+      if (std::string failure = relax_one(b); !failure.empty()) return failure;
+    const Eigen::MatrixXd energies = stiffness_and_rounding();
+    stiffness = energies.leftCols(n_boundary);
+    error = energies.rightCols(n_boundary);
+    const Eigen::Map<const Eigen::VectorXd> root(excess_root_.data(), n_boundary);
+    error += root * root.transpose() + std::numeric_limits<double>::epsilon() * stiffness.cwiseAbs();
+    return {};
+  }
+
+  Eigen::MatrixXd stiffness, error;
+  double residual = 0.0;  // backward error
+  int steps = 0;
+
+ private:
+  using Balance = typename LocalRows<Dim>::Balance;
+
+  /// Solves for what is left of the net forces until what they still have to give is within the tolerance.
+  std::string relax_one(int b) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(rows_.n_at_hand());
+    Balance now = balance(u, b);
+    const double load = largest(now.net), affine = now.energy;
+    double excess = load > 0.0 ? kInfinity : 0.0, reduction = kFirstReduction;
+    int n_steps = 0;
+    for (int round = 0; excess > wanted(now, affine) && round < kMostRounds; ++round) {
+      Eigen::VectorXd next = u;
+      const ParallelSolution solution = solver_.solve(as_span(now.net), own_part(next), reduction);
+      n_steps += solution.iterations;
+      if (!solution.converged) return solution.failure;
+      if (solution.iterations > 0) ratio_ = std::min(ratio_, kShareOfRitz * solution.smallest_ratio);
+      next.head(rows_.n_own()) += u.head(rows_.n_own());
+      fetch(next);
+      Balance after = balance(next, b);
+      const double left = std::abs(solver_.preconditioned_square(as_span(after.net))) / ratio_;
+      const bool gains = left < kGain * excess;
+      if (left < excess) excess = left, u.swap(next), std::swap(now, after);
+      if (!gains) break;
+      reduction = std::clamp(0.3 * std::sqrt(wanted(now, affine) / excess), kLeastReduction, 0.1);
+    }
+    if (!(excess <= std::max(kUseful * std::abs(now.energy), kNothing * affine)))
+      return fmt::format("rounding leaves an error of {:.1e} of a stiffness of {:.1e} (of {:.1e} unrelaxed)",
+                         excess, now.energy, affine);
+    steps = std::max(steps, n_steps);
+    const double scale = norm_ * largest(u) + load;
+    if (scale > 0.0) residual = std::max(residual, largest(now.net) / scale);
+    excess_root_.push_back(std::sqrt(excess));
+    u_.push_back(std::move(u));
+    return {};
+  }
+
+  /// Energy that may be left to gain.
+  double wanted(const Balance& now, double affine) const {
+    return std::max(tolerance_ * std::abs(now.energy), kRounding * affine);
+  }
+
+  Balance balance(const Eigen::VectorXd& u, int b) {
+    Balance now = rows_.balance(u, b);
+    solver_.sum({&now.energy, 1});
+    return now;
+  }
+
+  static std::span<const double> as_span(const Eigen::VectorXd& v) {
+    return {v.data(), static_cast<std::size_t>(v.size())};
+  }
+
+  std::span<double> own_part(Eigen::VectorXd& u) const {
+    return {u.data(), static_cast<std::size_t>(rows_.n_own())};
+  }
+
+  /// Values of grains of other processes.
+  void fetch(Eigen::VectorXd& u) {
+    const auto n = static_cast<std::size_t>(rows_.n_own());
+    solver_.exchange(own_part(u), {u.data() + n, static_cast<std::size_t>(u.size()) - n});
+  }
+
+  double largest(const Eigen::VectorXd& v) {
+    double value = v.size() == 0 ? 0.0 : v.lpNorm<Eigen::Infinity>();
+    solver_.maximum({&value, 1});
+    return value;
+  }
+
+  Eigen::MatrixXd stiffness_and_rounding() {
+    const auto own = rows_.energies(u_);
+    Eigen::MatrixXd both(own.stiffness.rows(), 2 * own.stiffness.cols());
+    both << own.stiffness, own.rounding;
+    solver_.sum({both.data(), static_cast<std::size_t>(both.size())});
+    return both;
+  }
+
+  const LocalRows<Dim>& rows_;
+  double norm_;
+  double tolerance_;
+  ParallelSolver& solver_;
+  double ratio_ = 1.0;               // softest ratio of K to its preconditioner met so far, or below
+  std::vector<Eigen::VectorXd> u_;   // of each boundary unknown
+  std::vector<double> excess_root_;  // root of the energy that is left to gain
+};
+
+}  // namespace
+
+template <int Dim>
+ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const std::vector<Vec<Dim>>& centres,
+                                 const ResponseOptions& options, ParallelSolver& solver) {
+  ElasticResponse out;
+  out.free = find_free_motions(network);
+  const bool has_ends =
+      std::find(out.free.dead_end.begin(), out.free.dead_end.end(), true) != out.free.dead_end.end();
+  ContactNetwork<Dim> pruned;
+  if (has_ends) pruned = without_grains(network, out.free.dead_end);
+  const ContactNetwork<Dim>& core = has_ends ? pruned : network;
+  const double unit = stiffness_scale(core);
+  const int n_boundary = n_boundary_unknowns(core, options.strains);
+  const GrainShares shares = share_out(centres, in_contact(core), solver.size());
+  out.counted = false;
+  out.condition = std::numeric_limits<double>::quiet_NaN();
+  out.n_negative = out.free.n_unstable_ends;
+  out.relaxed = out.error = Eigen::MatrixXd::Zero(n_boundary, n_boundary);
+  out.fluctuation.resize(0, n_boundary);
+  if (!shares.grain.empty()) {
+    const LocalRows<Dim> rows(core, out.free.kept, shares, solver.rank(), unit, options);
+    double norm = rows.assemble(centres, solver);
+    solver.maximum({&norm, 1});
+    ParallelCondensation<Dim> condensed(rows, norm, options.tolerance, solver);
+    out.failure = condensed.relax(n_boundary);
+    if (!out.failure.empty()) return out;
+    out.relaxed = unit * condensed.stiffness;
+    out.error = unit * condensed.error;
+    out.residual = condensed.residual;
+    out.steps = condensed.steps;
+  }
+  if (!network.wall_axes.empty()) relax_wall_shifts(network, out);
+  return out;
+}
+
+template ElasticResponse elastic_response(const ContactNetwork<2>&, const std::vector<Vec<2>>&,
+                                          const ResponseOptions&, ParallelSolver&);
+template ElasticResponse elastic_response(const ContactNetwork<3>&, const std::vector<Vec<3>>&,
+                                          const ResponseOptions&, ParallelSolver&);
+
+}  // namespace floc

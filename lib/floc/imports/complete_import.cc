@@ -1,0 +1,83 @@
+#include "floc/imports/complete_import.h"
+
+#include <fmt/format.h>
+
+#include "floc/base/error.h"
+#include "floc/base/version.h"
+#include "floc/neighbors/find_contacts.h"
+#include "floc/neighbors/spread_liquid.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/liquid/liquid.h"
+#include "floc/packing/overlaps.h"
+
+namespace floc {
+namespace {
+
+/// How strict the equilibrium of another program's packing is asked to be, in the units of
+/// EquilibriumTolerance. Contact points of other programs differ from ours by up to the overlap, which leaves
+/// moments of that order, and they are usually run to unbalanced forces of 1e-3.
+constexpr double kForeignTolerance = 1e-3;
+
+/// What is asked of an equilibrium: what the user says, else of a format that says law and load exactly as
+/// much as of floc's own states, of the others kForeignTolerance. The energy scales with the force.
+EquilibriumTolerance tolerance_for(const Imported& imported, const std::optional<double>& tolerance) {
+  const EquilibriumTolerance own;
+  const double force = tolerance.value_or(imported.target_stress_known ? own.force : kForeignTolerance);
+  return {force, force, force, own.energy * (force / own.force)};
+}
+
+/// @throws InputError if the grains fill more than the cell: no packing of hard grains does.
+template <int Dim>
+void refuse_impossible_density(const std::string& place, const Packing<Dim>& packing) {
+  const double phi = solid_fraction(packing);
+  if (phi <= 1.0) return;
+  throw InputError(
+      place, fmt::format("the solid fraction would be {:.4g}, expected at most 1: are the radii diameters "
+                         "(--columns diameter=...), or is the cell too small or in another unit of length?",
+                         phi));
+}
+
+template <int Dim>
+void set_target_stress(const Imported& imported, const ImportCompletion& completion, State<Dim>& state) {
+  if (completion.stress.empty()) {
+    if (!imported.target_stress_known) state.target_stress = static_stress(state.packing).diagonal();
+    return;
+  }
+  if (completion.stress.size() != Dim)
+    throw InputError(completion.stress_place,
+                     fmt::format("has {} numbers, expected {}", completion.stress.size(), Dim));
+  for (int a = 0; a < Dim; ++a) state.target_stress[a] = completion.stress[a];
+}
+
+}  // namespace
+
+template <int Dim>
+std::string complete_import(const std::string& place, const Imported& imported,
+                            const ImportCompletion& completion, State<Dim>& state) {
+  if (const std::string fault = state.packing.law.fault_in_dimension(Dim); !fault.empty())
+    throw InputError(completion.law_place, fault);
+  if (!imported.contacts_known)
+    find_contacts(state.packing);
+  else if (!imported.liquid_known)
+    spread_liquid(state.packing);
+  refuse_impossible_density(place, state.packing);
+  require_small_overlaps(place, state.packing);
+  set_target_stress(imported, completion, state);
+  state.tolerance = tolerance_for(imported, completion.tolerance);
+  measure(state);
+  state.provenance.program = "floc " + version();
+  state.provenance.commit = commit();
+  state.provenance.compiler = compiler();
+  if (!holds_liquid(state.packing)) return "";
+  if (imported.liquid_known) {
+    Packing<Dim> shared = state.packing;
+    state.n_bridges_unsettled = spread_liquid(shared).n_changed();
+    return "";
+  }
+  return "the file does not hold the volumes of the liquid bridges; they and the forces follow from the law";
+}
+
+template std::string complete_import(const std::string&, const Imported&, const ImportCompletion&, State<2>&);
+template std::string complete_import(const std::string&, const Imported&, const ImportCompletion&, State<3>&);
+
+}  // namespace floc

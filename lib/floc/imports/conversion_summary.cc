@@ -1,0 +1,119 @@
+#include "floc/imports/conversion_summary.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <optional>
+
+#include "floc/neighbors/nearest_pair.h"
+#include "floc/packing/equilibrium_check.h"
+#include "floc/verification/contact_check.h"
+
+namespace floc {
+namespace {
+
+/// Normal forces that differ from the law by more than this, over their mean, are said to: programs print six
+/// digits or more, and what they compute by the same law agrees to rounding.
+constexpr double kForceTolerance = 1e-6;
+
+void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
+  summary.lines.push_back(
+      fmt::format("contacts: {} read, {} kept, left out {} without force across a gap and {} that "
+                  "pull, moved to the nearest image {}",
+                  listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
+  if (listed.n_neighbors > 0)
+    summary.doubts.push_back(
+        fmt::format("{} of the {} contacts listed have a gap, no force and no attraction in the law: they are "
+                    "neighbours and are left out",
+                    listed.n_neighbors, listed.n_read));
+  if (listed.n_tensile > 0)
+    summary.doubts.push_back(
+        fmt::format("{} of the {} contacts listed pull, and are left out", listed.n_tensile, listed.n_read));
+  if (listed.n_other_image > 0)
+    summary.doubts.push_back(
+        fmt::format("{} of the {} images listed contradict the positions, as happens where these were wrapped "
+                    "into the cell: the nearest image is taken",
+                    listed.n_other_image, listed.n_read));
+}
+
+/// Stiffnesses that differ from the law's; where that is their mean, they do without contradicting it.
+void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
+  std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.doubts;
+  for (const std::string& difference : imported.listed_contacts.stiffness_differences)
+    said.push_back(difference);
+}
+
+void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& summary) {
+  summary.lines.push_back(fmt::format(
+      "of these {} have a gap, {} pull, {} are at their cap; normal forces differ from "
+      "the law by at most {:.1e} of their mean",
+      check.n_with_gap + check.n_distant, check.n_pulling, check.n_at_cap, check.largest_difference));
+  if (check.n_with_gap > 0)
+    summary.doubts.push_back(
+        fmt::format("{} contacts carry a force across a gap at which the law does not act", check.n_with_gap));
+  if (check.n_pulling > 0 && !cohesive)
+    summary.doubts.push_back(fmt::format("{} contacts pull, but the law has no adhesion", check.n_pulling));
+  if (check.n_beyond_cap > 0)
+    summary.doubts.push_back(
+        fmt::format("{} tangential forces or rolling moments are above the law's cap", check.n_beyond_cap));
+  if (check.n_different > 0)
+    summary.doubts.push_back(
+        fmt::format("{} normal forces differ from the law, by up to {:.2g} of their mean (grains {}): the law "
+                    "or a stiffness is wrong, or the file has too few digits",
+                    check.n_different, check.largest_difference, check.most_different));
+  if (check.n_missing > 0)
+    summary.doubts.push_back(
+        fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
+}
+
+/// A packing in which nothing touches has no network; most often its lengths are not those that were meant.
+template <int Dim>
+void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& summary) {
+  if (!packing.contacts.empty()) return;
+  const std::optional<NearestPair> nearest = nearest_pair(packing);
+  if (nearest && nearest->gap < 0.0) return;  // missing from a list, which is said elsewhere
+  constexpr double kHard = 1e-3, kDoubled = 0.1;
+  std::string cause = "are the radii and the cell in the same unit of length?";
+  std::string where;
+  if (nearest) {
+    const auto& radius = packing.grains.radius;
+    const double radii = radius[nearest->i] + radius[nearest->j];
+    if (nearest->gap <= kHard * radii)
+      cause = "hard grains at contact end a little apart; radii larger by more than half of this gap touch";
+    else if (std::abs(nearest->gap - radii) <= kDoubled * radii)
+      cause = "twice as large, the nearest would touch: are radii given as diameters?";
+    where =
+        fmt::format(" (the smallest gap is {:.3g}, {:.2g} of a mean diameter, of grains {}-{})", nearest->gap,
+                    nearest->gap / radii, packing.grains.name(nearest->i), packing.grains.name(nearest->j));
+  }
+  summary.doubts.push_back(fmt::format("no grains touch{}: {}", where, cause));
+}
+
+}  // namespace
+
+template <int Dim>
+ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
+  ConversionSummary summary;
+  if (imported.complete) return summary;
+  summary.doubts = imported.doubts;
+  ContactCheck check = check_contacts(state.packing, kForceTolerance);
+  if (imported.contacts_known) {
+    add_missing_contacts(state.packing, check);
+    add_list(imported.listed_contacts, check.n_contacts, summary);
+    add_stiffnesses(imported, summary);
+  }
+  add_contacts(check, state.packing.law.adheres(), summary);
+  const Mat<Dim> by_rows = state.stress.transpose();  // matrices are stored by columns
+  summary.lines.back() +=
+      fmt::format("; stress {:.6g}", fmt::join(by_rows.data(), by_rows.data() + Dim * Dim, " "));
+  add_absence_of_contacts(state.packing, summary);
+  if (const std::string faults = equilibrium_faults(state); !faults.empty())
+    summary.doubts.push_back("this state is not in equilibrium: " + faults);
+  return summary;
+}
+
+template ConversionSummary summarize(const Imported&, const State<2>&);
+template ConversionSummary summarize(const Imported&, const State<3>&);
+
+}  // namespace floc

@@ -1,0 +1,117 @@
+#include "floc/packing/law/contact_forces.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "floc/packing/law/law_response.h"
+#include "floc/packing/liquid/liquid.h"
+#include "floc/packing/locate.h"
+
+namespace floc {
+namespace {
+
+template <class Law, int Dim>
+void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
+  place(locate(packing, c), c);
+  respond_to_motion<Law, Dim>(law, packing.grains, SurfaceMotion<Dim>{}, c);
+}
+
+template <class Law, int Dim>
+bool interacts_at(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c) {
+  return law.template interacts<Dim>(pair_geometry(grains, c), packed_memory<Law, Dim>(c.memory));
+}
+
+/// Of the contacts with walls, or of those between grains alone.
+template <int Dim>
+void refresh_kind(Packing<Dim>& packing, bool with_walls) {
+  std::visit(
+      [&](const auto& law) {
+        for (Contact<Dim>& c : packing.contacts)
+          if (packing.is_wall(c.j) == with_walls) refresh(law, packing, c);
+        std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {
+          return packing.is_wall(c.j) == with_walls && !interacts_at(law, packing.grains, c);
+        });
+      },
+      compose_law(with_walls ? packing.wall_law : packing.law));
+}
+
+/// What was read lies a little beside the law, and the pull of an adhesive contact is none of its elastic
+/// force.
+template <class Law, int Dim>
+void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
+                std::optional<double> kt, double tolerance, Contact<Dim>& c) {
+  const double elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
+  auto memory = packed_memory<Law, Dim>(c.memory);
+  law.template set_elastic_force<Dim>(pair_geometry(grains, c), elastic_force, memory);
+  c.memory = unpacked_memory<Law, Dim>(memory);
+  c.distant = !touches(law, grains, c) && interacts_at(law, grains, c);
+  if (c.distant) {
+    // Of surfaces that have parted while they overlap, as such a law may have it.
+    if constexpr (Law::kRemembersOverlap) respond_to_motion<Law, Dim>(law, grains, SurfaceMotion<Dim>{}, c);
+    return;
+  }
+  c.elastic_force = elastic_force;
+  const ContactStiffness k = law.stiffness_at_force(pair_geometry(grains, c), c.elastic_force);
+  c.kn = kn.value_or(k.normal);
+  c.kt = Law::kHasFriction ? kt.value_or(k.tangential) : 0.0;
+  c.kr = k.rolling;
+  c.ktw = k.twisting;
+  law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, -c.twisting_moment,
+                              {c.kn, c.kt, c.kr, c.ktw}, memory);
+  set_mobilised(law, memory, tolerance, c);
+  c.memory = unpacked_memory<Law, Dim>(memory);
+}
+
+}  // namespace
+
+template <int Dim>
+void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact) {
+  std::visit([&](const auto& law) { refresh(law, packing, contact); },
+             compose_law(packing.is_wall(contact.j) ? packing.wall_law : packing.law));
+}
+
+template <int Dim>
+void refresh_contacts(Packing<Dim>& packing) {
+  refresh_kind(packing, false);
+  if (!packing.walls.empty()) refresh_kind(packing, true);
+}
+
+template <int Dim>
+bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  return std::visit([&](const auto& law) { return touches(law, packing.grains, contact); },
+                    compose_law(packing.is_wall(contact.j) ? packing.wall_law : packing.law));
+}
+
+template <int Dim>
+Mobilised mobilised(const Law& parameters, const Contact<Dim>& contact, double tolerance) {
+  if (contact.distant) return {};
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        return law.template mobilised<Dim>(contact.elastic_force, packed_memory<Law, Dim>(contact.memory),
+                                           tolerance);
+      },
+      compose_law(parameters));
+}
+
+template <int Dim>
+void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std::optional<double> kt,
+                      double tolerance, Contact<Dim>& contact) {
+  std::visit(
+      [&](const auto& law) {
+        set_forces(law, pull_off_force(packing, contact), packing.grains, kn, kt, tolerance, contact);
+      },
+      compose_law(packing.law));
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                               \
+  template void refresh_contact(const Packing<Dim>&, Contact<Dim>&);                                        \
+  template void refresh_contacts(Packing<Dim>&);                                                            \
+  template bool touches(const Packing<Dim>&, const Contact<Dim>&);                                          \
+  template Mobilised mobilised(const Law&, const Contact<Dim>&, double tolerance);                          \
+  template void set_given_forces(const Packing<Dim>&, std::optional<double>, std::optional<double>, double, \
+                                 Contact<Dim>&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

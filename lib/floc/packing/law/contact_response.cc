@@ -1,0 +1,163 @@
+#include "floc/packing/law/contact_response.h"
+
+#include <cassert>
+#include <variant>
+
+#include "floc/base/dual.h"
+#include "floc/packing/law/law_response.h"
+
+namespace floc {
+namespace {
+
+/// Derivatives are taken with springs longer by twice that: those at their cap are then beyond it.
+constexpr double kBeyondCap = 1.0 + 2e-12;
+/// And with surfaces that have moved by this, which is lost in any other motion: a spring of length zero under
+/// a cap of zero (surfaces that have parted) is beyond its cap then. The square of it is no underflow.
+constexpr double kTinyMotion = 1e-150;
+
+/// Factor of each number that contacts remember: springs are made longer, anything else is left as it is.
+template <int Dim>
+ContactMemory<Dim> spring_factors(const Law& law) {
+  ContactMemory<Dim> factor = ContactMemory<Dim>::Ones();
+  for (const RememberedQuantity& q : remembered_quantities(law, Dim))
+    if (q.declared.kind != MemoryKind::scalar) factor.segment(q.begin, q.size).setConstant(kBeyondCap);
+  return factor;
+}
+
+/// What a contact remembers, as dual numbers.
+template <class Law, int Dim>
+PackedMemory<Law::template kMemorySize<Dim>, Dual<kDofs<Dim>>> dual_memory(const ContactMemory<Dim>& all) {
+  PackedMemory<Law::template kMemorySize<Dim>, Dual<kDofs<Dim>>> memory;
+  if constexpr (Law::template kMemorySize<Dim> != 0)
+    for_each_memory<Law, Dim>([&](auto k, auto place) { memory.value[k] = Dual<kDofs<Dim>>(all[place]); });
+  return memory;
+}
+
+/// Numbers of a pair as dual numbers, which no motion changes.
+template <class Law, class T>
+typename Law::template PairParameters<T> constant(
+    [[maybe_unused]] const typename Law::template PairParameters<>& parameters) {
+  if constexpr (Law::kHoldsLiquid)
+    return {T(parameters.strength), T(parameters.decay), T(parameters.reach)};
+  else
+    return {};
+}
+
+/// Axes that surfaces roll about, as columns in the order of `ContactRows`: those of its rotations, the twist
+/// about the normal left out.
+Mat<1> rolling_axes(const Mat<2>&) {
+  return Mat<1>::Identity();
+}
+Mat<3> rolling_axes(const Mat<3>& frame) {
+  Mat<3> axes = frame;
+  axes.col(0).setZero();
+  return axes;
+}
+
+template <class Law, int Dim>
+ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& start,
+                               const ContactMemory<Dim>& factor, const SurfaceMotion<Dim>& surface,
+                               const Mat<Dim>& frame) {
+  constexpr int n = kDofs<Dim>;
+  using T = Dual<n>;
+  Eigen::Matrix<double, kShearComponents<Dim>, Dim - 1> tangents;
+  for (int t = 0; t < Dim - 1; ++t)
+    tangents.col(t) = to_shear<double>(Vec<Dim>(frame.col(0)), Vec<Dim>(frame.col(t + 1)));
+
+  const PairGeometry<> pair = pair_geometry(grains, start);
+  ContactMotion<Dim, T> motion{{T(pair.gap), T(pair.reduced_radius), T(pair.reduced_mass)},
+                               T(0),
+                               T(0),
+                               Shear<Dim, T>::Zero(),
+                               RotationVector<Dim, T>::Zero()};
+  motion.pair.gap.derivative[0] = -1.0;
+  for (int a = 0; a < kShearComponents<Dim>; ++a) {
+    motion.slip[a] = T(kBeyondCap * surface.slip[a] + kTinyMotion);
+    for (int t = 0; t < Dim - 1; ++t) motion.slip[a].derivative[1 + t] = tangents(a, t);
+  }
+  const Mat<kRotations<Dim>> rolling = rolling_axes(frame);
+  for (int a = 0; a < kRotations<Dim>; ++a) {
+    motion.relative_rotation[a] = T(kBeyondCap * surface.relative_rotation[a] + kTinyMotion);
+    for (int b = 0; b < kRotations<Dim>; ++b)
+      motion.relative_rotation[a].derivative[Dim + b] = -rolling(a, b);  // of i against j
+  }
+  if constexpr (Dim == 3) {
+    motion.twist = T(kBeyondCap * surface.twist + kTinyMotion);
+    motion.twist.derivative[Dim] = -1.0;
+  }
+  auto memory = dual_memory<Law, Dim>(factor.cwiseProduct(start.memory));
+  const auto parameters = pair_parameters(law, grains, start, packed_memory<Law, Dim>(start.memory));
+  const ContactForces<Dim, T> f = law.respond(motion, memory, constant<Law, T>(parameters));
+
+  ContactTangent<Dim> k = ContactTangent<Dim>::Zero();
+  const T normal = f.normal.force();
+  for (int b = 0; b < n; ++b) {
+    k(0, b) = normal.derivative[b];
+    for (int t = 0; t < Dim - 1; ++t)
+      for (int a = 0; a < kShearComponents<Dim>; ++a) k(1 + t, b) += tangents(a, t) * f.shear[a].derivative[b];
+    for (int c = 0; c < kRotations<Dim>; ++c)
+      for (int a = 0; a < kRotations<Dim>; ++a) k(Dim + c, b) -= rolling(a, c) * f.rolling[a].derivative[b];
+    if constexpr (Dim == 3) k(Dim, b) -= f.twisting.derivative[b];
+  }
+  return k;
+}
+
+}  // namespace
+
+template <int Dim>
+void transport_memory(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
+                      Contact<Dim>& contact, SurfaceMotion<Dim>& motion) {
+  if constexpr (Dim == 3) {
+    if (!contact.normal.isZero(0.0)) {
+      const auto carried = [&](const Vec<3>& v) {
+        return Vec<3>(transport<double>(v, contact.normal, normal, twist));
+      };
+      for (const RememberedQuantity& q : remembered)
+        if (q.size == Dim)
+          contact.memory.template segment<Dim>(q.begin) =
+              carried(contact.memory.template segment<Dim>(q.begin));
+      motion.slip = carried(motion.slip);
+      motion.relative_rotation = carried(motion.relative_rotation);
+    }
+  }
+  contact.normal = normal;
+}
+
+template <int Dim>
+void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> motion,
+             std::span<Contact<Dim>> contacts) {
+  assert(motion.size() == contacts.size());
+  std::visit(
+      [&](const auto& composed) {
+        for (std::size_t k = 0; k < contacts.size(); ++k)
+          respond_to_motion(composed, packing.grains, motion[k], contacts[k]);
+      },
+      compose_law(packing.law));
+}
+
+template <int Dim>
+void contact_tangents(const Packing<Dim>& packing, std::span<const Contact<Dim>> start,
+                      std::span<const SurfaceMotion<Dim>> motion, std::span<const Mat<Dim>> frame,
+                      std::span<ContactTangent<Dim>> tangent) {
+  assert(motion.size() == start.size() && frame.size() == start.size() && tangent.size() == start.size());
+  const ContactMemory<Dim> factor = spring_factors<Dim>(packing.law);
+  std::visit(
+      [&](const auto& composed) {
+        for (std::size_t k = 0; k < start.size(); ++k)
+          tangent[k] = tangent_of(composed, packing.grains, start[k], factor, motion[k], frame[k]);
+      },
+      compose_law(packing.law));
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                               \
+  template void transport_memory(const std::vector<RememberedQuantity>&, const Vec<Dim>&, double,           \
+                                 Contact<Dim>&, SurfaceMotion<Dim>&);                                       \
+  template void respond(const Packing<Dim>&, std::span<const SurfaceMotion<Dim>>, std::span<Contact<Dim>>); \
+  template void contact_tangents(const Packing<Dim>&, std::span<const Contact<Dim>>,                        \
+                                 std::span<const SurfaceMotion<Dim>>, std::span<const Mat<Dim>>,            \
+                                 std::span<ContactTangent<Dim>>);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -1,0 +1,55 @@
+#include "floc/packing/reduce_tilt.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "floc/geometry/tilt.h"
+#include "floc/packing/law/contact_forces.h"
+#include "floc/packing/require_periodic.h"
+#include "floc/packing/swap_sides.h"
+
+namespace floc {
+namespace {
+
+/// Brings grains into the cell. @return the image each was displaced to
+template <int Dim>
+std::vector<Vec<Dim, int>> wrap(const Cell<Dim>& cell, Grains<Dim>& grains) {
+  std::vector<Vec<Dim, int>> images;
+  std::vector<DoubleDoubleVec<Dim>> centres;
+  for (int i = 0; i < grains.size(); ++i) {
+    const Vec<Dim> s = cell.reduced(grains.position[i]);
+    images.push_back(-s.array().floor().matrix().template cast<int>());
+    centres.push_back(displaced<Dim>(grains.centre(i), cell, images.back()));
+  }
+  grains.set_centres(centres);
+  return images;
+}
+
+}  // namespace
+
+template <int Dim>
+void reduce_tilt(Packing<Dim>& packing, int axis) {
+  assert(axis > 0 && packing.cell.matrix.isLowerTriangular(0.0));
+  require_periodic(packing, "a lattice is reduced");
+  Cell<Dim>& cell = packing.cell;
+  const double side = cell.matrix(0, 0);
+  const double lengths = sides_in_tilt(cell.matrix(axis, 0), side);
+  if (lengths == 0.0) return;
+  cell.matrix(axis, 0) = std::fma(-lengths, side, cell.matrix(axis, 0));
+  cell.velocity.row(axis) -= lengths * cell.velocity.row(0);
+  const std::vector<Vec<Dim, int>> wrapped = wrap(cell, packing.grains);
+  const ContactMemory<Dim> parity = swap_parity<Dim>(packing.law);
+  for (Contact<Dim>& c : packing.contacts) {
+    c.image[0] += static_cast<int>(lengths) * c.image[axis];
+    c.image += wrapped[c.i] - wrapped[c.j];
+    if (!is_canonical(c)) swap_sides(parity, c);
+  }
+  std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);
+  refresh_contacts(packing);
+}
+
+template void reduce_tilt(Packing<2>&, int);
+template void reduce_tilt(Packing<3>&, int);
+
+}  // namespace floc

@@ -1,0 +1,127 @@
+#include "floc/run_directory/directory_lock.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace fs = std::filesystem;
+namespace {
+
+/// The processes of an ensemble that was killed end a moment after it: they are waited for, so often and so long.
+constexpr int kAttempts = 50;
+constexpr useconds_t kPause = 10'000;
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
+}
+
+/// What the holder wrote into the file; nothing if it has not come to it.
+std::string holder(int file) {
+  std::array<char, 512> text{};
+  const ssize_t n = ::pread(file, text.data(), text.size() - 1, 0);
+  return n > 0 ? std::string(text.data(), static_cast<std::size_t>(n)) : "another process";
+}
+
+/// Whether the name still leads to the open file: a holder removes it before it lets go.
+bool is_current(int file, const std::string& path) {
+  struct stat opened {
+  }, named{};
+  return ::fstat(file, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
+}
+
+/// Some file systems have no locks; nothing can be held there.
+bool has_no_locks(int error) {
+  return error == ENOTSUP || error == EOPNOTSUPP || error == ENOSYS || error == ENOLCK;
+}
+
+/// @throws InputError if there is more than a lock in a directory that is to be new
+void require_empty(const std::string& path, Existing existing, const std::string& runs) {
+  if (existing != Existing::refuse || !fs::is_directory(path)) return;
+  for (const auto& entry : fs::directory_iterator(path))
+    if (entry.path().filename() != DirectoryLock::kName)
+      throw InputError(path,
+                       fmt::format("is not empty: give --resume to continue the {} in it or --overwrite to "
+                                   "replace {}",
+                                   runs, runs == "run" ? "it" : "them"));
+}
+
+/// The path, once it is a directory that may be locked.
+const std::string& prepared(const std::string& path, Existing existing, const std::string& runs) {
+  if (path.empty()) throw InputError("\"\"", "expected the name of a directory, but it is empty");
+  if (path == "-") throw InputError(path, "is standard output, expected the name of a directory");
+  if (fs::exists(path) && !fs::is_directory(path)) throw InputError(path, "is a file, expected a directory");
+  // Of one that is held the holder is named.
+  if (!fs::exists(fs::path(path) / DirectoryLock::kName)) require_empty(path, existing, runs);
+  std::error_code failed;
+  fs::create_directories(path, failed);
+  if (failed) throw IoError(path, "cannot make the directory: " + failed.message());
+  return path;
+}
+
+}  // namespace
+
+DirectoryLock::DirectoryLock(const std::string& directory)
+    : directory_(directory), path_((fs::path(directory) / kName).string()) {
+  for (int attempt = 1;; ++attempt) {
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0) throw IoError(path_, std::string("cannot be written: ") + std::strerror(errno));
+    const bool locked = ::flock(file_, LOCK_EX | LOCK_NB) == 0;
+    if (!locked && has_no_locks(errno)) break;
+    if (locked && is_current(file_, path_)) break;
+    const std::string by = holder(file_);
+    ::close(file_);
+    file_ = -1;
+    if (attempt < kAttempts)
+      ::usleep(locked ? 0 : kPause);
+    else
+      throw InputError(directory,
+                       "is being written by " + by + ": expected a directory that no other run writes");
+  }
+  struct stat held {};
+  if (::stat(directory.c_str(), &held) == 0) device_ = held.st_dev, inode_ = held.st_ino;
+  const std::string text = fmt::format("process {} on {}", ::getpid(), host_name());
+  // It serves messages alone: a full disk is said where a state cannot be written.
+  if (::ftruncate(file_, 0) != 0 || ::pwrite(file_, text.data(), text.size(), 0) < 0) return;
+}
+
+DirectoryLock::~DirectoryLock() {
+  if (file_ < 0) return;
+  if (is_current(file_, path_)) ::unlink(path_.c_str());  // not that of another process
+  ::close(file_);
+}
+
+bool DirectoryLock::is_held() const {
+  struct stat named {};
+  const bool found = ::stat(directory_.c_str(), &named) == 0;
+  // Somebody who has removed the lock alone has left the directory; another lock is that of another process.
+  return found && named.st_dev == device_ && named.st_ino == inode_ &&
+         (is_current(file_, path_) || ::access(path_.c_str(), F_OK) != 0);
+}
+
+void DirectoryLock::require_held() const {
+  if (is_held()) return;
+  throw IoError(directory_,
+                "is no longer the directory that is being written: that one has been renamed or removed; "
+                "expected one that stays in place. What was saved before is where it has gone, and "
+                "--resume continues there");
+}
+
+ClaimedDirectory::ClaimedDirectory(const std::string& path, Existing existing, const std::string& runs)
+    : lock_(prepared(path, existing, runs)) {
+  // Another process may have come and gone since.
+  require_empty(path, existing, runs);
+}
+
+}  // namespace floc

@@ -1,0 +1,116 @@
+#include "floc/run_directory/energy_tracker.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <sstream>
+#include <utility>
+
+#include "floc/base/error.h"
+#include "floc/relaxation/dynamics.h"
+
+namespace floc {
+namespace {
+
+constexpr const char* kEnergyHeader =
+    "step,branch,P,time,phi,work,elastic,kinetic,viscous,sliding,scaling,removed,initial,error,"
+    "liquid,law,hysteresis";
+/// Columns before the terms of the account.
+constexpr int kLeading = 5;
+
+/// The account that a row holds.
+EnergyTerms terms_of(const std::string& row) {
+  std::istringstream fields(row);
+  std::string field;
+  for (int k = 0; k < kLeading; ++k) std::getline(fields, field, ',');
+  EnergyTerms t;
+  double error = 0.0;  // which follows from the others
+  for (double* term : {&t.work, &t.elastic, &t.kinetic, &t.viscous, &t.sliding, &t.scaling, &t.removed,
+                       &t.initial, &error, &t.liquid, &t.law, &t.hysteresis}) {
+    std::getline(fields, field, ',');
+    *term = std::strtod(field.c_str(), nullptr);
+  }
+  return t;
+}
+
+}  // namespace
+
+template <int Dim>
+EnergyTracker<Dim>::EnergyTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start)
+    : MotionTable<Dim>(file, kEnergyHeader, run.point()),
+      account_(std::move(start)),
+      time_(run.point().time + run.point().equilibration_time) {
+  const std::string last = this->last_row();
+  if (!last.empty()) account_.continue_from(terms_of(last));
+}
+
+template <int Dim>
+void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
+  const EnergyTerms& t = account_.terms();
+  this->add_row(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", this->place_of(run), time,
+                            solid_fraction(packing), t.work, t.elastic, t.kinetic, t.viscous, t.sliding,
+                            t.scaling, t.removed, t.initial, t.error(), t.liquid, t.law, t.hysteresis));
+}
+
+template <int Dim>
+void EnergyTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
+  const double time_step = time - std::exchange(time_, time);
+  if (run.point().aggregating) {  // clusters fly, and what they do inside them takes no part in the load
+    account_ = EnergyAccount<Dim>(packing);
+    return;
+  }
+  if (account_.law() != packing.law) account_.change_law(packing.law);
+  account_.advance(packing, time_step);
+  if (++n_steps_ % kStepsPerChunk == 0) add_row_of(run, packing, time);
+}
+
+template <int Dim>
+void EnergyTracker<Dim>::finish_step(const Run<Dim>& run) {
+  add_row_of(run, run.packing(), time_);
+}
+
+void require_energy_account(const RunOptions& options) {
+  if (options.assembly.box)
+    throw InputError("--track-energy",
+                     "the grains stand in a [box]; the energy account is kept in periodic cells only");
+  if (options.relaxation.finish != Finish::dynamic)
+    throw InputError("--track-energy",
+                     "Newton steps may complete the equilibria of this scene, and they follow no motion whose "
+                     "energy could be recorded; expected equilibrium.finish = \"dynamic\"");
+  for (const LoadStage& stage : options.load)
+    if (stage.shear != 0.0)
+      throw InputError("--track-energy",
+                       fmt::format("stage \"{}\" is a simple shear, between whose steps the lattice "
+                                   "is reduced; expected a scene without one",
+                                   stage.name));
+  if (options.assembly.vibration && options.assembly.protocol != AssemblyOptions::Protocol::state)
+    throw InputError(
+        "--track-energy",
+        "assembly.vibration moves the grains between two equilibria, by no force whose work could be "
+        "recorded; expected a scene without it");
+}
+
+template <int Dim>
+std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
+                                                 const RunDirectory& directory) {
+  require_energy_account(options);
+  // A step may begin with another law than the state before it has.
+  const RunPoint& point = run.point();
+  const bool at_a_state = point.step > 0 && point.equilibration.empty();
+  auto tracker = std::make_unique<EnergyTracker<Dim>>(
+      directory.energy_table(), run, at_a_state ? directory.start_of<Dim>(point.step) : run.packing());
+  constexpr double kEveryStep = 0.0;
+  run.set_observer({kEveryStep, [&run, recorder = tracker.get()](const Packing<Dim>& packing, double time) {
+                      recorder->record(run, packing, time);
+                    }});
+  return tracker;
+}
+
+#define FLOC_INSTANTIATE(Dim)        \
+  template class EnergyTracker<Dim>; \
+  template std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>&, const RunOptions&, const RunDirectory&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

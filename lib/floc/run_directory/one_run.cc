@@ -1,0 +1,114 @@
+#include "floc/run_directory/one_run.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/read_file.h"
+#include "floc/io/state_file.h"
+
+namespace floc {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::uintmax_t kLargestOpened = 16 << 20;  // bytes
+
+/// What all states of a run share, and the step of one.
+struct Origin {
+  int dimension;
+  std::uint64_t seed;
+  std::string scene;
+  int step;
+};
+
+/// Of a state; none of one that is too large to be opened for this.
+std::optional<Origin> origin_of(const std::string& file) {
+  if (fs::file_size(file) > kLargestOpened) return std::nullopt;
+  return std::visit(
+      []<int Dim>(const State<Dim>& s) {
+        return Origin{Dim, s.provenance.seed, s.scene, s.path.step};
+      },
+      read_state(file));
+}
+
+void require_same_scene(const Origin& found, const Origin& expected, const std::string& file,
+                        const std::string& reference) {
+  if (found.dimension != expected.dimension || found.scene != expected.scene)
+    throw InputError(
+        file,
+        fmt::format("was made from a different scene than {}: expected the states of one run", reference));
+}
+
+/// A path.csv that was cut has a last line without its end.
+void require_whole_table(const std::string& directory) {
+  const std::string table = (fs::path(directory) / "path.csv").string();
+  if (!fs::exists(table)) return;
+  const std::string text = read_file(table);
+  if (!text.empty() && text.back() != '\n')
+    throw InputError(table, "its last row is incomplete; floc run --resume restores it from the state");
+}
+
+}  // namespace
+
+std::string state_file(const std::string& directory, int step) {
+  return (fs::path(directory) / fmt::format("state-{:04d}.h5", step)).string();
+}
+
+std::map<int, std::string> numbered_states(const std::string& directory) {
+  std::map<int, std::string> states;
+  if (!fs::is_directory(directory)) return states;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("state-") || !name.ends_with(".h5")) continue;
+    const auto step = parse_number<int>(std::string_view(name).substr(6, name.size() - 9));
+    if (step && entry.path() == state_file(directory, *step)) states[*step] = entry.path().string();
+  }
+  return states;
+}
+
+void require_one_run(const std::string& directory) {
+  const std::map<int, std::string> states = numbered_states(directory);
+  std::optional<Origin> first;
+  int expected = 0;
+  for (const auto& [step, file] : states) {
+    if (step != expected)
+      throw InputError(state_file(directory, expected),
+                       fmt::format("is missing, but there is {}: expected the states of a run from 0 on",
+                                   fs::path(file).filename().string()));
+    ++expected;
+    const std::optional<Origin> origin = origin_of(file);
+    if (!origin) continue;
+    if (origin->step != step)
+      throw InputError(file,
+                       fmt::format("is state {} of its run, not {} as its name says", origin->step, step));
+    if (!first) first = origin;
+    if (origin->dimension != first->dimension)
+      throw InputError(file, fmt::format("is not {}D as {} is: expected the states of one run",
+                                         first->dimension, states.begin()->second));
+    require_same_scene(*origin, *first, file, "the states before it");
+    if (origin->seed != first->seed)
+      throw InputError(
+          file, fmt::format("was made with seed {}, the states before it with {}: expected the states of "
+                            "one run",
+                            origin->seed, first->seed));
+  }
+}
+
+void require_one_ensemble(const std::vector<std::string>& directories) {
+  std::optional<Origin> first;
+  for (const std::string& directory : directories) {
+    require_one_run(directory);
+    require_whole_table(directory);
+    const std::string file = state_file(directory, 0);
+    const std::optional<Origin> origin = fs::exists(file) ? origin_of(file) : std::nullopt;
+    if (!origin) continue;
+    if (!first) first = origin;
+    require_same_scene(*origin, *first, file, "the samples before it");
+  }
+}
+
+}  // namespace floc

@@ -1,0 +1,202 @@
+#include "floc/run_directory/run_directory.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "floc/base/error.h"
+#include "floc/base/read_file.h"
+#include "floc/base/sha256.h"
+#include "floc/io/atomic_file.h"
+#include "floc/run_directory/checkpoint.h"
+#include "floc/run_directory/path_row.h"
+
+namespace floc {
+namespace fs = std::filesystem;
+namespace {
+
+/// Cells of a row of csv, whose names of branches may be quoted.
+int n_cells(const std::string& row) {
+  int n = 1;
+  bool quoted = false;
+  for (const char c : row) {
+    quoted ^= c == '"';
+    n += c == ',' && !quoted;
+  }
+  return n;
+}
+
+/// Reads a state of a run. @throws InputError for one of another dimension
+template <int Dim>
+State<Dim> read_run_state(const std::string& file) {
+  AnyState any = read_state(file);
+  if (State<Dim>* state = std::get_if<State<Dim>>(&any)) return std::move(*state);
+  throw InputError(file,
+                   fmt::format("dimension = {}: expected a state of a run in {}D", Dim == 2 ? 3 : 2, Dim));
+}
+
+}  // namespace
+
+RunDirectory::RunDirectory(const std::string& path, Existing existing, const RunOptions& options)
+    : path_(path),
+      claim_(path, existing, "run"),
+      dimension_(options.dimension),
+      boxed_(options.assembly.box.has_value()) {
+  std::error_code failed;
+  fs::create_directories(fs::path(path) / "checkpoint", failed);
+  if (failed) throw IoError(path, "cannot make the directory: " + failed.message());
+  if (existing == Existing::overwrite) {
+    for (const auto& [step, file] : numbered_states(path)) fs::remove(file);
+    fs::remove(path_table());
+    fs::remove(contact_table());
+    fs::remove(energy_table());
+    remove_checkpoint();
+  }
+  require_one_run(path);
+  if (count_states() > 0)
+    check_scene(state_path(0), options);
+  else if (fs::exists(checkpoint_path()))
+    check_scene(checkpoint_path(), options);
+}
+
+void RunDirectory::check_scene(const std::string& file, const RunOptions& options) const {
+  std::visit(
+      [&](const auto& state) {
+        if (state.scene != options.text || state.provenance.seed != options.seed)
+          throw InputError(file,
+                           fmt::format("was made with another scene or seed ({} here, {} there): a run can "
+                                       "only be continued with the scene, settings and seed it began with",
+                                       options.seed, state.provenance.seed));
+      },
+      read_state(file));
+}
+
+std::string RunDirectory::state_path(int step) const {
+  return state_file(path_, step);
+}
+std::string RunDirectory::path_table() const {
+  return path_ + "/path.csv";
+}
+std::string RunDirectory::contact_table() const {
+  return path_ + "/contacts.csv";
+}
+std::string RunDirectory::energy_table() const {
+  return path_ + "/energy.csv";
+}
+
+template <int Dim>
+Packing<Dim> RunDirectory::start_of(int step) const {
+  return read_run_state<Dim>(state_path(step - 1)).packing;
+}
+
+std::string RunDirectory::checkpoint_path() const {
+  return path_ + "/checkpoint/checkpoint.h5";
+}
+
+int RunDirectory::count_states() const {
+  int n = 0;
+  while (fs::exists(state_path(n))) ++n;
+  return n;
+}
+
+template <int Dim>
+std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
+  read_rows();
+  std::optional<ReachedPoint<Dim>> reached;
+  const int n_states = count_states();
+  for (int step = 0; step < n_states; ++step) {
+    if (rows_.contains(step) && step + 1 < n_states) continue;
+    State<Dim> state = read_run_state<Dim>(state_path(step));
+    // The time its step took died with the process that measured it.
+    if (!rows_.contains(step)) rows_[step] = row_of(state, std::nullopt);
+    if (step + 1 == n_states)
+      reached =
+          ReachedPoint<Dim>{point_after(state, sha256_of_file(state_path(step))), std::move(state.packing)};
+  }
+  rows_.erase(rows_.lower_bound(n_states), rows_.end());
+  if (n_states > 0) write_rows();
+  if (fs::exists(checkpoint_path())) {
+    RunPoint inside = parse_progress(read_progress(checkpoint_path()), checkpoint_path());
+    if (inside.step >= n_states)
+      reached = ReachedPoint<Dim>{std::move(inside), read_run_state<Dim>(checkpoint_path()).packing};
+  }
+  return reached;
+}
+
+/// Lengths of the axes in a state that is saved, or is being saved.
+template <int Dim>
+Vec<Dim> RunDirectory::sides_of(int step) {
+  std::vector<double>& sides = sides_[step];
+  if (sides.empty()) {
+    const Mat<Dim> cell = read_run_state<Dim>(state_path(step)).packing.cell.matrix;
+    for (int a = 0; a < Dim; ++a) sides.push_back(cell(a, a));
+  }
+  return Eigen::Map<const Vec<Dim>>(sides.data());
+}
+
+template <int Dim>
+std::string RunDirectory::row_of(const State<Dim>& state, std::optional<double> seconds) {
+  const int step = state.path.step;
+  const Vec<Dim> sides = state.packing.cell.matrix.diagonal();
+  sides_[step].assign(sides.begin(), sides.end());
+  PathReference<Dim> reference{sides_of<Dim>(0), {}};
+  if (step > 0) reference.sides_before = sides_of<Dim>(step - 1);
+  return path_row(state, reference, seconds, fs::path(state_path(step)).filename());
+}
+
+template <int Dim>
+std::string RunDirectory::save(const State<Dim>& state, std::optional<double> seconds) {
+  require_held();
+  const std::string file = state_path(state.path.step);
+  write_state(file, state);
+  rows_[state.path.step] = row_of(state, seconds);
+  write_rows();
+  return sha256_of_file(file);
+}
+
+template <int Dim>
+void RunDirectory::save_checkpoint(const State<Dim>& state, const RunPoint& point) {
+  require_held();
+  write_state(checkpoint_path(), state, progress_text(point));
+}
+
+void RunDirectory::remove_checkpoint() {
+  require_held();
+  fs::remove(checkpoint_path());
+}
+
+void RunDirectory::read_rows() {
+  if (!fs::exists(path_table())) return;
+  std::istringstream in(read_file(path_table()));
+  std::string line;
+  if (!std::getline(in, line)) return;
+  if (in.eof()) return;  // a header that is cut
+  if (line != path_header(dimension_, boxed_))
+    throw InputError(path_table() + ":1", "columns are not those of this version of floc: " + line);
+  const int n_columns = n_cells(line);
+  while (std::getline(in, line)) {
+    int step = -1;
+    std::istringstream first(line);
+    // A row that is cut, without its end or some of its cells, is made again of its state.
+    const bool whole = !in.eof() && n_cells(line) == n_columns;
+    if (whole && first >> step && step >= 0) rows_[step] = line;
+  }
+}
+
+void RunDirectory::write_rows() const {
+  std::string text = path_header(dimension_, boxed_) + "\n";
+  for (const auto& [step, line] : rows_) text += line + "\n";
+  write_bytes_atomically(path_table(), text);
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                        \
+  template std::optional<ReachedPoint<Dim>> RunDirectory::resume_point<Dim>();       \
+  template std::string RunDirectory::save(const State<Dim>&, std::optional<double>); \
+  template void RunDirectory::save_checkpoint(const State<Dim>&, const RunPoint&);   \
+  template Packing<Dim> RunDirectory::start_of<Dim>(int) const;
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -1,0 +1,68 @@
+#include "floc/tables/column_reference.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "column_text.h"
+#include "floc/base/parse_number.h"
+
+namespace floc {
+namespace {
+
+constexpr std::string_view kHeading = "## ";
+constexpr std::string_view kOnTerminal = "On a terminal: ";
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.emplace_back(trimmed(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// Reads the headings, the lines "On a terminal" and the rows "| name | unit | meaning |".
+std::vector<DescribedTable> parse_reference(const std::string& text) {
+  std::vector<DescribedTable> tables;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(kHeading)) tables.push_back({line.substr(kHeading.size()), {}, {}});
+    if (tables.empty()) continue;
+    if (line.starts_with(kOnTerminal))
+      tables.back().on_terminal = split(std::string_view(line).substr(kOnTerminal.size()), ',');
+    if (!line.starts_with("| ") || line.starts_with("| column |")) continue;
+    const std::vector<std::string> cells = split(line, '|');  // an empty one before the first bar
+    tables.back().columns.push_back({cells.at(1), cells.at(2), cells.at(3)});
+  }
+  return tables;
+}
+
+bool describes(const DescribedTable& table, const std::string& column) {
+  return std::ranges::any_of(table.columns,
+                             [&](const DescribedColumn& c) { return stands_for(c.name, column); });
+}
+
+}  // namespace
+
+const std::vector<DescribedTable>& described_tables() {
+  static const std::vector<DescribedTable> tables = parse_reference(kColumnText);
+  return tables;
+}
+
+const DescribedTable* table_with(const std::vector<std::string>& columns) {
+  const DescribedTable* smallest = nullptr;
+  for (const DescribedTable& table : described_tables())
+    if (std::ranges::all_of(columns, [&](const std::string& c) { return describes(table, c); }) &&
+        (smallest == nullptr || table.columns.size() < smallest->columns.size()))
+      smallest = &table;
+  return smallest;
+}
+
+bool stands_for(const std::string& pattern, const std::string& name) {
+  return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+}  // namespace floc

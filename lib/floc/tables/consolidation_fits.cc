@@ -1,0 +1,247 @@
+#include "floc/tables/consolidation_fits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+constexpr LeftOutStep kLeftOut[] = {
+    {PathStep::zero_pressure, "zero_pressure", "at P* = 0"},
+    {PathStep::unloading, "unloading", "of unloading"},
+    {PathStep::reloading, "reloading", "of reloading"},
+    {PathStep::later_virgin, "later_virgin",
+     "of later loading beyond the largest pressure before (--loading virgin includes them)"},
+    {PathStep::hold, "hold", "at constant pressure"},
+    {PathStep::test, "test", "of tests with a driven axis"},
+    {PathStep::first_loading, "before_loading", "before the branch \"load\""},
+};
+
+/// --P0 X: the window starts at the pressure of the curve that is nearest to X.
+void start_at_P0(double P0, const ConsolidationCurve& curve, ConsolidationOptions& options) {
+  if (P0 <= 0.0 || curve.P_star.empty()) return;
+  const auto distance = [P0](double P) { return std::abs(std::log(P / P0)); };
+  const double nearest = *std::min_element(curve.P_star.begin(), curve.P_star.end(),
+                                           [&](double a, double b) { return distance(a) < distance(b); });
+  options.window = {nearest, curve.P_star.back()};
+}
+
+const char* word_for(Weighting weighting) {
+  switch (weighting) {
+    case Weighting::uniform:
+      return "uniform";
+    case Weighting::scatter:
+      return "scatter";
+    default:
+      return "relative";
+  }
+}
+
+/// Pressures between which a change lies, and over which its probable places range.
+Json change_as_json(const std::optional<ChangePoint>& change, const ConsolidationCurve& curve) {
+  if (!change) return nullptr;
+  const auto pressure = [&](int i) {
+    return i < 0 || i >= static_cast<int>(curve.P_star.size())
+               ? Json(nullptr)
+               : Json(curve.P_star[static_cast<std::size_t>(i)]);
+  };
+  return {{"after", pressure(change->first - 1)},
+          {"before", pressure(change->first)},
+          {"low95", pressure(change->low95 - 1)},
+          {"high95", pressure(change->high95)},
+          {"probability", change->places.empty() ? Json(nullptr) : Json(change->places.front().probability)}};
+}
+
+/// Table rows (of a mean: indices of its pressures) of points first to end.
+Json rows_of(const ConsolidationSample& sample, int first, int end) {
+  Json rows = Json::array();
+  for (int i = first; i < end; ++i)
+    rows.push_back(sample.loading.rows.empty() ? i : sample.loading.rows[static_cast<std::size_t>(i)]);
+  return rows;
+}
+
+Json regimes_as_json(const ConsolidationSample& sample, const ConsolidationFit& fit) {
+  if (!fit.regimes) return nullptr;
+  const Regimes& r = *fit.regimes;
+  const auto n = static_cast<int>(sample.loading.curve.phi.size());
+  return {{"plateau_end", change_as_json(r.plateau_end, sample.loading.curve)},
+          {"onset_of_III", change_as_json(r.onset_three, sample.loading.curve)},
+          {"rows_I", rows_of(sample, 0, r.n_plateau)},
+          {"rows_II", rows_of(sample, r.n_plateau, r.end_of_two)},
+          {"rows_III", rows_of(sample, r.end_of_two, n)}};
+}
+
+}  // namespace
+
+std::span<const LeftOutStep> left_out_steps() {
+  return kLeftOut;
+}
+
+std::vector<int> left_out(const ConsolidationSample& sample, PathStep step) {
+  const std::vector<int>& kept = sample.loading.rows;
+  std::vector<int> rows;
+  for (int i = 0; i < static_cast<int>(sample.steps.size()); ++i)
+    if (sample.steps[static_cast<std::size_t>(i)] == step &&
+        std::find(kept.begin(), kept.end(), i) == kept.end())
+      rows.push_back(i);
+  return rows;
+}
+
+ConsolidationSample consolidation_sample(const PathTable& path, const ConsolidationFitOptions& asked) {
+  return {path.name, first_loading(path.rows, asked.loading == "virgin"), path_steps(path.rows), path.unit,
+          path.stress};
+}
+
+ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked) {
+  ConsolidationOptions options;
+  options.law = asked.law == "log"     ? ConsolidationLaw::log
+                : asked.law == "power" ? ConsolidationLaw::power
+                                       : ConsolidationLaw::full;
+  if (!asked.window.empty()) {
+    options.window = {asked.window[0], asked.window[1]};
+    if (!(0 < options.window->first && options.window->first < options.window->second))
+      throw InputError("--window", fmt::format("{},{}: expected two positive pressures P*, the lower one first",
+                                               asked.window[0], asked.window[1]));
+  }
+  options.hold_P0 = asked.protocol == "published";
+  if (options.hold_P0 && options.law != ConsolidationLaw::full)
+    throw InputError("--protocol published", "fits the full law; expected --law full, or no --law");
+  options.weighting = asked.weights == "uniform"    ? Weighting::uniform
+                      : asked.weights == "relative" ? Weighting::relative
+                                                    : Weighting::automatic;
+  options.loss = asked.loss == "huber" ? Loss::huber : asked.loss == "cauchy" ? Loss::cauchy : Loss::squared;
+  options.n_bootstrap = asked.n_bootstrap;
+  options.seed = asked.seed;
+  return options;
+}
+
+std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> samples, bool only_pooled) {
+  if (samples.size() < 2) return samples;
+  std::vector<ConsolidationCurve> curves;
+  for (const ConsolidationSample& s : samples) curves.push_back(s.loading.curve);
+  ConsolidationSample pooled{
+      "pooled", {mean_curve(curves), {}}, {}, samples.front().unit, samples.front().stress};
+  if (only_pooled) return {pooled};
+  samples.push_back(std::move(pooled));
+  return samples;
+}
+
+ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFitOptions& asked,
+                        const ConsolidationOptions& options) {
+  ConsolidationOptions own = options;
+  if (asked.weights == "scatter" && sample.loading.curve.samples.cols() > 1) own.weighting = Weighting::scatter;
+  start_at_P0(asked.P0, sample.loading.curve, own);
+  return fit_consolidation(sample.loading.curve, own);
+}
+
+ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs, const ConsolidationFitOptions& asked,
+                                   const ColumnNames& columns) {
+  const ConsolidationOptions options = consolidation_options(asked);
+  const OedometerPressure stress = asked.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven;
+  std::vector<PathTable> paths;
+  for (const std::string& input : inputs)
+    for (const std::string& table : tables_of(input)) {
+      paths.push_back(read_path(table, columns, {"P_star"}, stress));
+      convert_pressures(paths.front(), paths.back());
+    }
+  std::vector<ConsolidationSample> samples;
+  for (const PathTable& path : paths) samples.push_back(consolidation_sample(path, asked));
+  if (samples.empty()) throw InputError("fit", "has no table: expected one or more");
+  return fit_of(with_pooled(std::move(samples), options.hold_P0).back(), asked, options);
+}
+
+const char* limit_of(const ErrorParts& parts, const ConsolidationFit& fit) {
+  if (parts.regimes > parts.scatter) return "regimes";
+  return fit.errors_from_samples ? "samples" : "points";
+}
+
+Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
+             const ConsolidationFitOptions& asked) {
+  Json object;
+  object["sample"] = sample.name;
+  object["law"] = asked.law;
+  object["protocol"] = asked.protocol.empty() ? "automatic" : asked.protocol;
+  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
+  object["window"] = fit.found() ? Json{fit.window_low, fit.window_high} : Json(nullptr);
+  object["pressure_unit"] = sample.unit.empty() ? Json(nullptr) : Json(sample.unit);
+  object["stress"] = sample.stress.empty() ? Json(nullptr) : Json(sample.stress);
+  object["n_points"] = fit.used.size();
+  object["n_plateau"] = fit.n_plateau;
+  object["parameters"] = parameters_as_json(fit.parameters);
+  object["correlation"] = Json::object();
+  for (std::size_t i = 0; i < fit.correlated.size(); ++i)
+    for (std::size_t j = 0; j < fit.correlated.size(); ++j)
+      object["correlation"][fit.correlated[i]][fit.correlated[j]] = number_or_null(fit.correlation(i, j));
+  object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
+  object["weights"] = word_for(fit.weighting);
+  object["loss"] = asked.loss;
+  object["errors_from"] = fit.errors_from_samples ? "samples" : "residuals";
+  object["error_budget"] = Json::object();
+  for (const ErrorParts& parts : fit.error_parts)
+    object["error_budget"][parts.name] = {{"scatter", number_or_null(parts.scatter)},
+                                          {"regimes", number_or_null(parts.regimes)},
+                                          {"limited_by", limit_of(parts, fit)}};
+  object["profiled"] = fit.profiled;
+  object["bootstrap"] = asked.n_bootstrap > 0
+                            ? Json{{"n", fit.n_bootstrapped}, {"parameters", parameters_as_json(fit.bootstrap)}}
+                            : Json(nullptr);
+  object["regimes"] = fit.found() ? regimes_as_json(sample, fit) : Json(nullptr);
+  object["window_shifts"] = Json::array();
+  for (const WindowShift& s : fit.window_shifts)
+    object["window_shifts"].push_back({{"change", s.change}, {"lambda", number_or_null(s.lambda)}});
+  object["rows_used"] = Json::array();
+  object["P_star_used"] = Json::array();
+  for (const int i : fit.used) {
+    if (!sample.loading.rows.empty()) object["rows_used"].push_back(sample.loading.rows[i]);
+    object["P_star_used"].push_back(sample.loading.curve.P_star[i]);
+  }
+  object["rows_left_out"] = Json::object();
+  for (const LeftOutStep& s : kLeftOut)
+    if (const std::vector<int> rows = left_out(sample, s.step); !rows.empty())
+      object["rows_left_out"][s.key] = rows;
+  object["warnings"] = fit.warnings;
+  return object;
+}
+
+Table consolidation_table(const ConsolidationFitOptions& asked) {
+  Table table{{"sample", "law", "parameter", "value", "stderr", "low95", "high95", "identified", "unit",
+               "P_star_low", "P_star_high", "n_points", "rms"},
+              {}};
+  if (asked.n_bootstrap > 0)
+    for (const char* column : {"bootstrap_stderr", "bootstrap_low95", "bootstrap_high95"})
+      table.columns.emplace_back(column);
+  table.columns.emplace_back("stress");
+  return table;
+}
+
+void add_rows(const ConsolidationSample& sample, const ConsolidationFit& fit,
+              const ConsolidationFitOptions& asked, Table& table) {
+  const auto bootstrapped = [&](const std::string& name) -> std::optional<FittedParameter> {
+    for (const FittedParameter& p : fit.bootstrap)
+      if (p.name == name) return p;
+    return std::nullopt;
+  };
+  for (const FittedParameter& p : fit.parameters) {
+    std::vector<TableValue> row = {sample.name, asked.law, p.name};
+    for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
+    const bool is_pressure = p.name == "P0_star" || p.name == "P1_star";
+    row.push_back(is_pressure && !sample.unit.empty() ? TableValue(sample.unit) : TableValue());
+    for (const TableValue& cell : std::vector<TableValue>{fit.window_low, fit.window_high,
+                                                          static_cast<std::int64_t>(fit.used.size()), fit.rms})
+      row.push_back(cell);
+    if (asked.n_bootstrap > 0) {
+      const auto b = bootstrapped(p.name);
+      row.push_back(b ? or_undefined(b->standard_error) : TableValue());
+      row.push_back(b ? or_undefined(b->low95) : TableValue());
+      row.push_back(b ? or_undefined(b->high95) : TableValue());
+    }
+    row.push_back(or_undefined(sample.stress));
+    table.rows.push_back(std::move(row));
+  }
+}
+
+}  // namespace floc

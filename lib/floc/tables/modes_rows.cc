@@ -1,0 +1,151 @@
+#include "floc/tables/modes_rows.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
+
+#include "floc/elasticity/mechanisms.h"
+#include "floc/elasticity/modes.h"
+#include "floc/elasticity/moduli.h"
+#include "floc/packing/equilibrium_check.h"
+#include "floc/packing/require_periodic.h"
+
+namespace floc {
+namespace {
+
+void add_free_motions(const std::string& file, const FreeMotions& free, std::vector<ModeRow>& rows) {
+  using Kind = std::pair<FreeMotionKind, const char*>;
+  for (const auto& [kind, name] : std::array<Kind, 5>{{{FreeMotionKind::rattler, "rattler"},
+                                                       {FreeMotionKind::translation, "translation"},
+                                                       {FreeMotionKind::rotation, "rotation"},
+                                                       {FreeMotionKind::roll, "roll"},
+                                                       {FreeMotionKind::spin, "spin"}}}) {
+    ModeRow row;
+    row.file = file;
+    row.kind = name;
+    row.count = free.count(kind);
+    if (row.count > 0) rows.push_back(row);
+  }
+}
+
+void add_strain_mechanisms(const std::string& file, const StrainMechanisms& found, std::vector<ModeRow>& rows,
+                           const Remarks& remarks) {
+  for (Eigen::Index m = 0; m < found.strains.cols(); ++m) {
+    ModeRow row;
+    row.file = file;
+    row.kind = "strain mechanism";
+    row.eigenvalue = 0.0;
+    row.strain = found.strains.col(m);
+    rows.push_back(row);
+  }
+  if (!found.vanishing.empty())
+    remarks.warn(file, fmt::format("mechanisms strain the cell at no cost; moduli that vanish: {}",
+                                   fmt::join(found.vanishing, ", ")));
+}
+
+template <int Dim>
+void add_modes(const std::string& file, const Grains<Dim>& grains, const SoftModes<Dim>& soft,
+               std::vector<ModeRow>& rows) {
+  for (const Mode<Dim>& mode : soft.modes) {
+    ModeRow row;
+    row.file = file;
+    row.kind = name_of(mode.kind);
+    row.eigenvalue = mode.eigenvalue;
+    row.with_prestress = mode.with_prestress;
+    row.participation = mode.participation;
+    row.softens_B = mode.softens_B;
+    row.softens_G = mode.softens_G;
+    row.coupling = mode.coupling;
+    for (const int i : mode.grains) row.grains.push_back(grains.name(i));
+    rows.push_back(row);
+  }
+}
+
+template <int Dim>
+std::vector<std::string> words_on(const ContactNetwork<Dim>& network, const Moduli& moduli,
+                                  const SoftModes<Dim>& soft) {
+  std::vector<std::string> words;
+  if (moduli.response.n_mechanisms > 0)
+    words.push_back(fmt::format(
+        "{} mechanism(s) of the grains, {} of them due to how the contacts are "
+        "connected, the others due to where the grains are",
+        moduli.response.n_mechanisms, structural_mechanisms(network, StrainSet::diagonal).n_mechanisms));
+  const int listed = static_cast<int>(std::count_if(soft.modes.begin(), soft.modes.end(),
+                                                    [](const auto& m) { return m.kind != ModeKind::elastic; }));
+  if (soft.n_below_near_bound > 0)
+    words.push_back(
+        fmt::format("{} mode(s) below max |F_N|/r = {:.3g}, {} listed: prestress may matter; without "
+                    "it B = {:.6g}, G = {:.6g}, with it {:.6g}, {:.6g}",
+                    soft.n_below_near_bound, soft.near_bound, listed, *moduli.B_without_prestress,
+                    *moduli.G_without_prestress, moduli.B, moduli.G));
+  return words;
+}
+
+TableValue entry(const Eigen::VectorXd& values, int a) {
+  if (a >= values.size()) return {};
+  return values[a];
+}
+
+TableValue list(const std::vector<std::int64_t>& grains) {
+  if (grains.empty()) return {};
+  return fmt::format("{}", fmt::join(grains, " "));
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<std::string> add_modes_rows(const std::string& file, const State<Dim>& state,
+                                        std::optional<int> count, std::vector<ModeRow>& rows,
+                                        const Remarks& remarks) {
+  const Packing<Dim>& packing = state.packing;
+  require_periodic(packing, "modes are found", file);
+  if (const std::string faults = equilibrium_faults(state); !faults.empty())
+    remarks.warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
+  ModuliOptions options;
+  options.prestress = true;
+  const ContactNetwork<Dim> network = options.loaded_network(packing);
+  const Moduli moduli = elastic_moduli(packing, options);
+  ModeOptions mode_options;
+  mode_options.count = count;
+  const SoftModes<Dim> soft = soft_modes(network, mode_options);
+  add_free_motions(file, soft.free, rows);
+  add_strain_mechanisms(file,
+                        strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)),
+                        rows, remarks);
+  add_modes(file, packing.grains, soft, rows);
+  if (!soft.complete) remarks.warn(file, "copies of multiple eigenvalues are missing among the modes");
+  return words_on(network, moduli, soft);
+}
+
+std::vector<Column<ModeRow>> modes_columns(const std::vector<ModeRow>& rows) {
+  int dimension = 2;
+  for (const ModeRow& r : rows)
+    dimension = std::max({dimension, static_cast<int>(r.coupling.size()), static_cast<int>(r.strain.size())});
+  std::vector<Column<ModeRow>> columns{
+      {"file", [](const ModeRow& r) { return r.file; }},
+      {"kind", [](const ModeRow& r) { return r.kind; }},
+      {"count", [](const ModeRow& r) { return r.count; }},
+      {"eigenvalue", [](const ModeRow& r) { return or_undefined(r.eigenvalue); }},
+      {"eigenvalue_prestress", [](const ModeRow& r) { return or_undefined(r.with_prestress); }},
+      {"participation", [](const ModeRow& r) { return or_undefined(r.participation); }},
+      {"softens_B", [](const ModeRow& r) { return or_undefined(r.softens_B); }},
+      {"softens_G", [](const ModeRow& r) { return or_undefined(r.softens_G); }}};
+  for (int a = 0; a < dimension; ++a)
+    columns.emplace_back(fmt::format("coupling{}", a + 1),
+                         [a](const ModeRow& r) { return entry(r.coupling, a); });
+  for (int a = 0; a < dimension; ++a)
+    columns.emplace_back(fmt::format("strain{}", a + 1), [a](const ModeRow& r) { return entry(r.strain, a); });
+  columns.emplace_back("grains", [](const ModeRow& r) { return list(r.grains); });
+  return columns;
+}
+
+template std::vector<std::string> add_modes_rows(const std::string&, const State<2>&, std::optional<int>,
+                                                 std::vector<ModeRow>&, const Remarks&);
+template std::vector<std::string> add_modes_rows(const std::string&, const State<3>&, std::optional<int>,
+                                                 std::vector<ModeRow>&, const Remarks&);
+
+}  // namespace floc

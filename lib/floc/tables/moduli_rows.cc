@@ -1,0 +1,315 @@
+#include "floc/tables/moduli_rows.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "floc/base/error.h"
+#include "floc/base/free_memory.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/processor_seconds.h"
+#include "floc/elasticity/mechanisms.h"
+#include "floc/elasticity/modes.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/law/stiffness_check.h"
+#include "floc/packing/wall_forces.h"
+#include "floc/structure/coordination.h"
+
+namespace floc {
+namespace {
+
+/// What a state is, beside its moduli.
+template <int Dim>
+ModuliRow described(const std::string& file, const State<Dim>& state) {
+  const Packing<Dim>& packing = state.packing;
+  ModuliRow row;
+  row.file = file;
+  row.units = state.units;
+  row.dimension = Dim;
+  row.n_grains = packing.grains.size();
+  const Coordination counted = coordination(packing, 0.0);
+  row.n_contacts = counted.n_contacts;
+  row.n_distant = counted.n_distant;
+  row.z = counted.z;
+  row.solid_fraction = solid_fraction(packing);
+  row.pressure = static_stress(packing).trace() / Dim;
+  row.reduced_pressure = reduced_pressure(packing, row.pressure);
+  row.wall_pressure = mean_wall_pressure(packing);
+  return row;
+}
+
+/// A state may have been asked for an equilibrium that its numbers cannot hold.
+template <int Dim>
+void warn_of_rounding(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
+  const RoundingFloor floor = rounding_floor(state.packing, state.target_stress);
+  if (floor.force >= state.tolerance.force || floor.stress >= state.tolerance.stress)
+    remarks.warn(
+        file,
+        fmt::format("rounding of its positions leaves net forces of {:.1e} F1 and a stress of {:.1e} F1/a, not "
+                    "below the tolerances of {:.1e} and {:.1e}",
+                    floor.force, floor.stress, state.tolerance.force, state.tolerance.stress),
+        std::max(floor.force / state.tolerance.force, floor.stress / state.tolerance.stress));
+}
+
+/// Moduli are those of the stiffnesses that the state has, also where its law gives others.
+template <int Dim>
+void warn_of_stiffnesses(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
+  const std::string differences = stiffness_differences(state.packing);
+  if (!differences.empty()) remarks.warn(file, differences, first_number(differences));
+}
+
+/// What the contact network says beside the moduli of a row; increments of its contacts where they are asked
+/// for.
+template <int Dim>
+void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row, Table* increments,
+                 const Remarks& remarks) {
+  const Packing<Dim>& packing = state.packing;
+  if (row.rolling_stiffness) options.rolling_stiffness = row.rolling_stiffness;
+  const ContactNetwork<Dim> network = options.loaded_network(packing);
+  const ContactMechanics<Dim> contacts = contact_mechanics(network, row.moduli);
+  row.network = network_mechanics(packing, network, row.moduli, contacts);
+  row.budget = error_budget(state, network, row.moduli, contacts.isotropic ? &*contacts.isotropic : nullptr);
+  if (increments != nullptr) add_increments(row.file, packing, network, contacts, *increments);
+  const ElasticResponse& response = row.moduli.response;
+  const auto vanishing = strain_mechanisms<Dim>(response, affine_stiffness(network, options.strains)).vanishing;
+  if (!vanishing.empty())
+    remarks.warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
+  row.n_near_mechanisms = count_near_mechanisms(network, response, options.largest_factor);
+  if (options.prestress || row.n_near_mechanisms.value_or(0) > 0) {
+    const Moduli with = options.prestress ? row.moduli
+                                          : prestressed_moduli(network, network_load(packing, options.unloaded),
+                                                               options, row.moduli);
+    if (with.failure.empty()) row.B_prestress = with.B, row.G_prestress = with.G;
+  }
+  row.moduli.response = {};  // rows are kept until all are printed
+}
+
+/// The options with one of the rolling stiffnesses asked for, or with none.
+ModuliOptions with_rolling(ModuliOptions options, std::optional<double> rolling_stiffness) {
+  if (rolling_stiffness) options.rolling_stiffness = rolling_stiffness;
+  return options;
+}
+
+std::vector<std::optional<double>> rolling_of(const ModuliTableOptions& options) {
+  if (options.rolling_stiffness.empty()) return {std::nullopt};
+  return {options.rolling_stiffness.begin(), options.rolling_stiffness.end()};
+}
+
+/// @throws InputError where the state has no bounds to take the moduli from, NoResult where there are none for
+/// another reason
+void require_moduli(const std::string& file, const Moduli& moduli) {
+  if (moduli.failure.empty()) return;
+  if (moduli.method == ModuliMethod::bounds)
+    throw InputError(file, fmt::format("--method bounds: expected another method, because {}", moduli.failure));
+  throw NoResult("no moduli: " + moduli.failure);
+}
+
+bool by_factor(const ModuliTableOptions& options) {
+  return options.moduli.method == ModuliMethod::factor && !options.accuracy;
+}
+
+/// The options with the size that a factor may have: the rest of the memory is for its matrix and workspace.
+ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
+  constexpr double kShare = 0.7;
+  if (options.solver == ModuliSolver::automatic && by_factor(options))
+    options.moduli.largest_factor = options.memory.value_or(kShare * free_memory());
+  return options;
+}
+
+/// Moduli of a packing by PETSc.
+template <int Dim>
+Moduli by_petsc(const Packing<Dim>& packing, const ModuliOptions& options, ParallelSolver& solver) {
+  return elastic_moduli(options.loaded_network(packing), packing.grains.position,
+                        network_load(packing, options.unloaded), options, solver);
+}
+
+}  // namespace
+
+ModuliRows::ModuliRows(const ModuliTableOptions& options)
+    : options_(with_largest_factor(options)),
+      plane_(options_.moduli),
+      space_(options_.moduli),
+      last_row_(processor_seconds()) {}
+
+/// Where the factor is predicted to be too large.
+template <int Dim>
+std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Packing<Dim>& packing,
+                                               double bytes, const ModuliOptions& options,
+                                               const Remarks& remarks) {
+  const std::string size = fmt::format("a factor would take {:.3g} GB, more than the {:.3g} GB it may take",
+                                       bytes / 1e9, options.largest_factor / 1e9);
+  std::vector<Moduli> all;
+  if (!has_parallel_solver()) {
+    remarks.warn(file, size + ", and this floc was built without PETSc, which needs none: trying anyway",
+                 bytes);
+    ModuliOptions unlimited = options;
+    unlimited.largest_factor = std::numeric_limits<double>::infinity();
+    for (const auto& rolling : rolling_of(options_))
+      all.push_back(elastic_moduli(packing, with_rolling(unlimited, rolling)));
+    return all;
+  }
+  remarks.remark(file, size + ": solved without one (--solver petsc)", bytes);
+  if (!solver_) solver_ = load_parallel_solver();
+  for (const auto& rolling : rolling_of(options_))
+    all.push_back(by_petsc(packing, with_rolling(options, rolling), *solver_));
+  return all;
+}
+
+template <int Dim>
+std::vector<Moduli> ModuliRows::compute(const std::string& file, const State<Dim>& state,
+                                        ModuliOptions& options, const Remarks& remarks) {
+  options.unloaded = state.target_stress.isZero(0.0);
+  std::vector<Moduli> all;
+  if (options_.accuracy)
+    all = {moduli_within(state.packing, options, *options_.accuracy)};
+  else if (!options_.rolling_stiffness.empty())
+    all = elastic_moduli(state.packing, options, options_.rolling_stiffness);
+  else if constexpr (Dim == 2)
+    all = {plane_.next(state.packing, options.unloaded)};
+  else
+    all = {space_.next(state.packing, options.unloaded)};
+  if (all.front().factor_bytes > 0.0)
+    all = without_factor(file, state.packing, all.front().factor_bytes, options, remarks);
+  for (const Moduli& moduli : all) require_moduli(file, moduli);
+  return all;
+}
+
+template <int Dim>
+std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>& state, Table* increments,
+                                      const Remarks& remarks) {
+  const ModuliRow description = described(file, state);
+  warn_of_rounding(file, state, remarks);
+  warn_of_stiffnesses(file, state, remarks);
+  ModuliOptions options = options_.moduli;
+  const double start = processor_seconds();
+  const std::vector<Moduli> moduli = compute(file, state, options, remarks);
+  const double seconds = processor_seconds() - start;
+  std::vector<ModuliRow> rows(moduli.size(), description);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].moduli = moduli[k];
+    rows[k].rolling_stiffness = rolling_of(options_)[k];
+    rows[k].mean_field =
+        mean_field_estimates(with_rolling(options, rows[k].rolling_stiffness).loaded_network(state.packing),
+                             description.z, description.solid_fraction);
+    rows[k].seconds = seconds / static_cast<double>(rows.size());
+    if (by_factor(options_) && moduli[k].method != ModuliMethod::petsc)
+      add_network(state, options, rows[k], increments, remarks);
+    for (const std::string& warning : moduli[k].warnings) remarks.warn(file, warning, first_number(warning));
+  }
+  const double since_last_row = processor_seconds() - last_row_;
+  for (ModuliRow& row : rows) row.seconds_row = since_last_row / static_cast<double>(rows.size());
+  last_row_ += since_last_row;
+  return rows;
+}
+
+template <int Dim>
+std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> state,
+                                            const ModuliTableOptions& asked, ParallelSolver& solver,
+                                            const Remarks& remarks) {
+  const double began = processor_seconds();
+  ModuliOptions options = asked.moduli;
+  options.unloaded = state.target_stress.isZero(0.0);
+  const bool speaks = solver.rank() == 0;
+  if (speaks) {
+    warn_of_rounding(file, state, remarks);
+    warn_of_stiffnesses(file, state, remarks);
+  }
+  Packing<Dim>& packing = state.packing;
+  const ModuliRow description = described(file, state);
+  const NetworkLoad<Dim> load = network_load(packing, options.unloaded);
+  std::vector<ModuliRow> rows;
+  for (const auto& rolling : rolling_of(asked)) {
+    const ModuliOptions chosen = with_rolling(options, rolling);
+    const ContactNetwork<Dim> network = chosen.loaded_network(packing);
+    if (rows.size() + 1 == rolling_of(asked).size()) packing.contacts = {};
+    const double start = processor_seconds();
+    ModuliRow& row = rows.emplace_back(description);
+    row.moduli = elastic_moduli(network, packing.grains.position, load, chosen, solver);
+    require_moduli(file, row.moduli);
+    row.seconds = processor_seconds() - start;
+    row.rolling_stiffness = rolling;
+    row.mean_field = mean_field_estimates(network, description.z, description.solid_fraction);
+    if (speaks)
+      for (const std::string& warning : row.moduli.warnings) remarks.warn(file, warning, first_number(warning));
+  }
+  for (ModuliRow& row : rows)
+    row.seconds_row = (processor_seconds() - began) / static_cast<double>(rows.size());
+  return rows;
+}
+
+std::vector<std::string> ModuliTableOptions::validate() const {
+  std::vector<std::string> faults = moduli.validate();
+  for (const double kr : rolling_stiffness)
+    for (const std::string& fault : with_rolling(moduli, kr).validate()) faults.push_back(fault);
+  if (increments && moduli.method != ModuliMethod::factor)
+    faults.push_back(
+        "increments: expects --method factor, because the forces of the other methods are approximate");
+  if (increments && rolling_stiffness.size() > 1)
+    faults.push_back(
+        "increments: expects at most one rolling stiffness, because each contact has one set of forces in the "
+        "file");
+  if (accuracy)
+    for (const std::string& fault : accuracy->validate()) faults.push_back(fault);
+  if (increments && accuracy) faults.push_back("increments: expects --method factor in place of --accuracy");
+  if (solver != ModuliSolver::petsc) return faults;
+  if (!by_factor(*this))
+    faults.push_back("solver petsc: expected without --method and --accuracy; --tolerance sets its accuracy");
+  if (increments)
+    faults.push_back(
+        "increments: expects --solver cholmod, because the forces of the other solvers are approximate");
+  return faults;
+}
+
+std::optional<ModuliAccuracy> moduli_accuracy(const std::vector<std::string>& texts) {
+  if (texts.empty()) return std::nullopt;
+  ModuliAccuracy accuracy;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string name = equals == std::string::npos ? "" : text.substr(0, equals);
+    const auto error = parse_number<double>(equals == std::string::npos ? text : text.substr(equals + 1));
+    if (!error || (!name.empty() && name != "B" && name != "G"))
+      throw InputError("floc moduli",
+                       fmt::format("--accuracy {}: expected X, B=X or G=X with X a relative error", text));
+    if (name != "G") accuracy.B = *error;
+    if (name != "B") accuracy.G = *error;
+  }
+  return accuracy;
+}
+
+void require_strains(const std::string& file, const AnyState& any, StrainSet strains) {
+  if (strains == StrainSet::full &&
+      std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))
+    throw InputError(file, "has walls, which cannot shear the grains: expected --strains diagonal");
+}
+
+std::string accuracy_fault(const ModuliRow& row, const std::optional<ModuliAccuracy>& accuracy) {
+  if (!accuracy || accuracy->met_by(row.moduli)) return "";
+  return fmt::format(
+      "no method gives B and G as accurately as asked: the error bounds of the factor are {:.1e} of {:.6g} and "
+      "{:.1e} of {:.6g}",
+      row.moduli.B_error, row.moduli.B, row.moduli.G_error, row.moduli.G);
+}
+
+Table moduli_table(const ModuliTableOptions& options, const std::vector<ModuliRow>& rows) {
+  return to_table(moduli_columns({!options.rolling_stiffness.empty(), options.moduli.prestress}, rows), rows);
+}
+
+Table moduli_table(const AnyState& state, const ModuliTableOptions& options, const std::string& file,
+                   const Remarks& remarks) {
+  for (const std::string& fault : options.validate()) throw InputError("floc moduli", "--" + fault);
+  require_strains(file, state, options.moduli.strains);
+  ModuliRows computation(options);
+  return moduli_table(
+      options, std::visit([&](const auto& s) { return computation.of(file, s, nullptr, remarks); }, state));
+}
+
+template std::vector<ModuliRow> ModuliRows::of(const std::string&, const State<2>&, Table*, const Remarks&);
+template std::vector<ModuliRow> ModuliRows::of(const std::string&, const State<3>&, Table*, const Remarks&);
+template std::vector<ModuliRow> parallel_moduli_rows(const std::string&, State<2>, const ModuliTableOptions&,
+                                                     ParallelSolver&, const Remarks&);
+template std::vector<ModuliRow> parallel_moduli_rows(const std::string&, State<3>, const ModuliTableOptions&,
+                                                     ParallelSolver&, const Remarks&);
+
+}  // namespace floc

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include "floc/tables/network_rows.h"
+
+namespace floc {
+namespace {
+
+/// A count of a part of the row that may be left out.
+template <class Part>
+auto count_of(std::optional<Part> NetworkRow::*part, int Part::*number) {
+  return [=](const NetworkRow& r) { return r.*part ? count((*(r.*part)).*number) : TableValue{}; };
+}
+
+/// A number of the mechanics, which may be left out or not defined.
+auto number_of(std::optional<double> NetworkMechanics::*number) {
+  return [=](const NetworkRow& r) { return r.mechanics ? or_undefined((*r.mechanics).*number) : TableValue{}; };
+}
+
+std::vector<Column<NetworkRow>> carrying_columns() {
+  using Row = NetworkRow;
+  std::vector<Column<Row>> columns = {
+      {"n_carrying", [](const Row& r) { return count(r.carrying.n_contacts); }},
+      {"z_carrying", [](const Row& r) { return r.carrying.z; }},
+      {"x0_carrying", [](const Row& r) { return r.carrying.x0; }},
+      {"x2", [](const Row& r) { return r.carrying.x2; }},
+      {"z_star_carrying", [](const Row& r) { return r.carrying.z_star; }},
+      {"z_star_star", [](const Row& r) { return or_undefined(r.carrying.z_star_star); }},
+      {"hyperstaticity", count_of(&Row::hyperstaticity, &Indeterminacy::degree)},
+      {"n_null_modes", count_of(&Row::hyperstaticity, &Indeterminacy::n_null_modes)},
+      {"Z_1_3", [](const Row& r) { return r.carrying.Z_third; }},
+      {"Z_5_3", [](const Row& r) { return r.carrying.Z_five_thirds; }},
+      {"Z_2", [](const Row& r) { return r.carrying.Z2; }},
+      {"M1_carrying", [](const Row& r) { return r.carrying.M1; }},
+      {"M2_carrying", [](const Row& r) { return r.carrying.M2; }},
+      {"sliding_share", [](const Row& r) { return r.carrying.sliding_share; }},
+      {"energy_per_grain", [](const Row& r) { return r.energy; }},
+      {"p_max", [](const Row& r) { return or_undefined(r.contact_pressure); }},
+      {"stress_spread", [](const Row& r) { return r.stress_spread; }}};
+  const std::pair<const char*, Eigen::MatrixXd CarryingForces::*> fabrics[] = {
+      {"fabric", &CarryingForces::fabric},
+      {"strong_fabric", &CarryingForces::strong_fabric},
+      {"weak_fabric", &CarryingForces::weak_fabric}};
+  for (const auto& [name, fabric] : fabrics)
+    for (int a = 0; a < 3; ++a)
+      for (int b = a; b < 3; ++b)
+        columns.emplace_back(fmt::format("{}{}{}", name, a + 1, b + 1), [a, b, fabric = fabric](const Row& r) {
+          return b < r.dimension ? TableValue{(r.carrying.*fabric)(a, b)} : TableValue{};
+        });
+  return columns;
+}
+
+std::vector<Column<NetworkRow>> counted_columns() {
+  using Row = NetworkRow;
+  return {{"file", [](const Row& r) { return r.file; }},
+          {"dimension", [](const Row& r) { return count(r.dimension); }},
+          {"n_grains", [](const Row& r) { return count(r.n_grains); }},
+          {"n_contacts", [](const Row& r) { return count(r.coordination.n_contacts); }},
+          {"n_distant", [](const Row& r) { return count(r.coordination.n_distant); }},
+          {"P", [](const Row& r) { return r.pressure; }},
+          {"P_star", [](const Row& r) { return r.reduced_pressure; }},
+          {"phi", [](const Row& r) { return r.solid_fraction; }},
+          {"z", [](const Row& r) { return r.coordination.z; }},
+          {"z_plus", [](const Row& r) { return r.coordination.z_plus; }},
+          {"z_minus", [](const Row& r) { return r.coordination.z_minus; }},
+          {"z_zero", [](const Row& r) { return r.coordination.z_zero; }},
+          {"z_with_distant",
+           [](const Row& r) { return r.coordination.z + 2.0 * r.coordination.n_distant / r.n_grains; }},
+          {"n_rattlers", [](const Row& r) { return count(r.coordination.n_rattlers); }},
+          {"x0", [](const Row& r) { return r.coordination.rattler_fraction; }},
+          {"z_star", [](const Row& r) { return r.coordination.z_star; }},
+          {"x22", [](const Row& r) { return r.coordination.x22; }}};
+}
+
+std::vector<Column<NetworkRow>> force_columns() {
+  using Row = NetworkRow;
+  return {{"mean_normal_force", [](const Row& r) { return r.moments.mean_normal; }},
+          {"largest_normal_force", [](const Row& r) { return r.moments.largest; }},
+          {"moment_2", [](const Row& r) { return r.moments.Z[0]; }},
+          {"moment_3", [](const Row& r) { return r.moments.Z[1]; }},
+          {"moment_4", [](const Row& r) { return r.moments.Z[2]; }},
+          {"M1", [](const Row& r) { return r.moments.M1; }},
+          {"M2", [](const Row& r) { return r.moments.M2; }},
+          {"pressed_share", [](const Row& r) { return r.phases.positive.share; }},
+          {"pressed_mean", [](const Row& r) { return r.phases.positive.mean; }},
+          {"pressed_largest", [](const Row& r) { return count(r.phases.positive.largest_cluster); }},
+          {"pressed_percolates", [](const Row& r) { return count(r.phases.positive.n_directions); }},
+          {"pulled_share", [](const Row& r) { return r.phases.negative.share; }},
+          {"pulled_mean", [](const Row& r) { return r.phases.negative.mean; }},
+          {"pulled_largest", [](const Row& r) { return count(r.phases.negative.largest_cluster); }},
+          {"pulled_percolates", [](const Row& r) { return count(r.phases.negative.n_directions); }}};
+}
+
+std::vector<Column<NetworkRow>> mechanics_columns() {
+  using Row = NetworkRow;
+  using Mechanics = NetworkMechanics;
+  return {{"indeterminacy",
+           [](const Row& r) { return r.mechanics ? count(r.mechanics->indeterminacy.degree) : TableValue{}; }},
+          {"n_dead_ends", count_of(&Row::mechanics, &Mechanics::n_dead_ends)},
+          {"n_components", count_of(&Row::mechanics, &Mechanics::n_components)},
+          {"n_percolating", count_of(&Row::mechanics, &Mechanics::n_percolating)},
+          {"energy_share_95", number_of(&Mechanics::energy_share_95)},
+          {"energy_share_95_deviatoric", number_of(&Mechanics::energy_share_95_deviatoric)},
+          {"backbone_share", number_of(&Mechanics::backbone_share)},
+          {"scalar_backbone_share", number_of(&Mechanics::scalar_backbone_share)},
+          {"correlation_normal", [](const Row& r) { return or_undefined(r.correlation.normal); }},
+          {"correlation_size", [](const Row& r) { return or_undefined(r.correlation.size); }},
+          {"seconds", [](const Row& r) { return r.seconds; }},
+          {"units", [](const Row& r) { return r.units; }}};
+}
+
+}  // namespace
+
+std::vector<Column<NetworkRow>> network_columns(const NetworkTableOptions& options) {
+  std::vector<Column<NetworkRow>> columns = counted_columns();
+  for (const auto& more : {force_columns(), mechanics_columns(), carrying_columns()})
+    columns.insert(columns.end(), more.begin(), more.end());
+  for (const auto& [name, value] : bond_columns(options.bonds))
+    columns.emplace_back(name, [value = value](const NetworkRow& r) { return value(r.bonds); });
+  columns.emplace_back("p_wall", [](const NetworkRow& r) { return or_undefined(r.wall_pressure); });
+  return columns;
+}
+
+}  // namespace floc

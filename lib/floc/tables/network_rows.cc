@@ -1,0 +1,196 @@
+#include "floc/tables/network_rows.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "floc/base/processor_seconds.h"
+#include "floc/elasticity/mechanisms.h"
+#include "floc/network/carrying_structure.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/equilibrium_check.h"
+#include "floc/packing/wall_forces.h"
+#include "floc/structure/elastic_energy.h"
+#include "floc/structure/particle_stress.h"
+
+namespace floc {
+namespace {
+
+constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
+
+/// The degree of hyperstaticity of the force-carrying structure.
+/// @param network, response  of all contacts that carry or might, taken over where they are the same
+template <int Dim>
+Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
+                             const ContactNetwork<Dim>& network, const ElasticResponse& response) {
+  const bool same = held.contacts.size() == network.contacts.size() &&
+                    std::ranges::equal(held.contacts, network.contacts, {}, {}, &NetworkContact<Dim>::source);
+  if (same) return force_indeterminacy(network, response);
+  const ContactNetwork<Dim> carrying = carrying_network(packing, held);
+  return force_indeterminacy(carrying, elastic_response(carrying, {}));
+}
+
+/// What needs the moduli.
+template <int Dim>
+void add_mechanics(const State<Dim>& state, const CarryingStructure& held, double tolerance, NetworkRow& row,
+                   const Remarks& remarks) {
+  ModuliOptions options;
+  options.force_tolerance = tolerance;
+  options.unloaded = state.target_stress.isZero(0.0);
+  const ContactNetwork<Dim> network = options.loaded_network(state.packing);
+  const Moduli moduli = elastic_moduli(state.packing, options);
+  const ContactMechanics<Dim> contacts = contact_mechanics(network, moduli);
+  row.mechanics = network_mechanics(state.packing, network, moduli, contacts);
+  row.hyperstaticity = hyperstaticity(state.packing, held, network, moduli.response);
+  if (contacts.isotropic) row.correlation = force_correlation(network, contacts.isotropic->increments);
+  const auto vanishing =
+      strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)).vanishing;
+  if (!vanishing.empty())
+    remarks.warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
+}
+
+/// The same grains held, without the contacts that hold them to walls.
+template <int Dim>
+CarryingStructure between_grains(const Packing<Dim>& packing, CarryingStructure held) {
+  const auto on_wall = [&](int k) { return packing.is_wall(packing.contacts[k].j); };
+  for (const int k : held.contacts)
+    if (on_wall(k)) --held.degree[packing.contacts[k].i];
+  std::erase_if(held.contacts, on_wall);
+  return held;
+}
+
+template <int Dim>
+void add_contacts_and_stress(const Packing<Dim>& packing, NetworkRow& row) {
+  row.energy = elastic_energy_per_grain(packing);
+  if constexpr (Dim == 3) row.contact_pressure = largest_contact_pressure(packing);
+  const Vec<Dim> stress = static_stress(packing).diagonal();
+  row.stress_spread = stress.maxCoeff() - stress.minCoeff();
+}
+
+void add_distribution(const std::string& file, ForceKind kind, const ForceDistribution& d, Table& table,
+                      const Remarks& remarks) {
+  if (d.n_outside > 0)
+    remarks.warn(file, outside_bins(d, name_of(kind) + " forces", "--bin-width or another --unit"),
+                 static_cast<double>(d.n_outside));
+  for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
+    table.rows.push_back(
+        {file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b), d.n_outside});
+}
+
+/// Force of a pressure that is no more than equilibrium leaves of zero.
+template <int Dim>
+double least_pressure_force(const State<Dim>& state) {
+  return state.tolerance.stress * force_scale(state.packing, state.target_stress).force;
+}
+
+/// Why there is no unit for the normal forces of a state.
+const char* why_no_unit(ForceUnit unit) {
+  switch (unit) {
+    case ForceUnit::pull_off:
+      return "F0 = 0, take --unit mean";
+    case ForceUnit::pressure:
+      return "P is not positive beyond rounding and the tolerance of equilibrium, take --unit mean";
+    default:
+      return "all are zero but for rounding";
+  }
+}
+
+template <int Dim>
+void add_distributions(const std::string& file, const State<Dim>& state, const NetworkTableOptions& options,
+                       NetworkTables& side, const Remarks& remarks) {
+  const Packing<Dim>& packing = state.packing;
+  const ForceUnit unit = options.unit;
+  const bool no_pressure =
+      unit == ForceUnit::pressure && pressure_force(packing) <= least_pressure_force(state);
+  for (const ForceKind kind : kForceKinds) {
+    const double size = no_pressure ? 0.0 : force_unit(packing, kind, unit);
+    const ForceDistribution d = distribution_of(contact_forces(packing, kind), size, options.bin_width);
+    if (d.n == 0 && kind == ForceKind::normal)
+      remarks.warn(file, fmt::format("no unit for the normal forces: {}", why_no_unit(unit)));
+    add_distribution(file, kind, d, side.distributions, remarks);
+    side.pooled[kind].add(d);
+  }
+}
+
+template <int Dim>
+void add_pressures(const std::string& file, const Packing<Dim>& packing, const std::vector<Mat<Dim>>& stress,
+                   Table& table) {
+  std::vector<std::string> names = {"file", "grain"};
+  for (int a = 1; a <= Dim; ++a) names.push_back(fmt::format("x{}", a));
+  names.insert(names.end(), {"radius", "pressure"});
+  for (int a = 1; a <= Dim; ++a)
+    for (int b = 1; b <= Dim; ++b) names.push_back(fmt::format("stress{}{}", a, b));
+  expect_columns(file, names, table);
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    std::vector<TableValue> values = {file, packing.grains.name(i)};
+    for (int a = 0; a < Dim; ++a) values.emplace_back(packing.grains.position[i][a]);
+    values.emplace_back(packing.grains.radius[i]);
+    values.emplace_back(stress[i].trace() / Dim);
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < Dim; ++b) values.emplace_back(stress[i](a, b));
+    table.rows.push_back(std::move(values));
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkTableOptions& options,
+                       NetworkTables& side, const Remarks& remarks) {
+  const double start = processor_seconds();
+  const Packing<Dim>& packing = state.packing;
+  if (const std::string faults = equilibrium_faults(state); !faults.empty())
+    remarks.warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
+  NetworkRow row;
+  row.file = file;
+  row.units = state.units;
+  row.dimension = Dim;
+  row.n_grains = packing.grains.size();
+  row.pressure = static_stress(packing).trace() / Dim;
+  row.reduced_pressure = reduced_pressure(packing, row.pressure);
+  row.wall_pressure = mean_wall_pressure(packing);
+  row.solid_fraction = solid_fraction(packing);
+  const double tolerance = options.zero_force.value_or(state.tolerance.force);
+  const double zero_force = tolerance * force_scale(packing, state.target_stress).force;
+  row.coordination = coordination(packing, zero_force);
+  row.moments = force_moments(packing);
+  const std::vector<Mat<Dim>> stress = particle_stress(packing);
+  std::vector<double> pressure;
+  for (const Mat<Dim>& s : stress) pressure.push_back(s.trace() / Dim);
+  row.phases = pressure_phases(contact_network(packing), pressure);
+  const CarryingStructure held =
+      carrying_structure(packing, zero_force, options.least_contacts.value_or(least_contacts(packing)));
+  row.carrying = carrying_forces(packing, between_grains(packing, held));
+  if (options.mechanics && packing.walls.empty()) add_mechanics(state, held, tolerance, row, remarks);
+  add_contacts_and_stress(packing, row);
+  row.bonds = bond_row(file, packing, pressure, {zero_force, least_pressure_force(state)}, options.bonds,
+                       side.bonds, remarks);
+  if (options.distributions) add_distributions(file, state, options, side, remarks);
+  if (options.pressures) add_pressures(file, packing, stress, side.pressures);
+  row.seconds = processor_seconds() - start;
+  return row;
+}
+
+Table network_table(const AnyState& state, const NetworkTableOptions& options, const std::string& file,
+                    NetworkTables* further, const Remarks& remarks) {
+  NetworkTables side;
+  NetworkTables& kept = further == nullptr ? side : *further;
+  const NetworkRow row =
+      std::visit([&](const auto& s) { return network_row(file, s, options, kept, remarks); }, state);
+  return to_table(network_columns(options), {row});
+}
+
+void add_pooled(const NetworkTableOptions& options, std::size_t n_states, NetworkTables& side,
+                const Remarks& remarks) {
+  add_pooled(options.bonds, n_states, side.bonds, remarks);
+  if (n_states < 2) return;
+  for (const auto& [kind, distribution] : side.pooled)
+    add_distribution("pooled", kind, distribution, side.distributions, remarks);
+}
+
+template NetworkRow network_row(const std::string&, const State<2>&, const NetworkTableOptions&, NetworkTables&,
+                                const Remarks&);
+template NetworkRow network_row(const std::string&, const State<3>&, const NetworkTableOptions&, NetworkTables&,
+                                const Remarks&);
+
+}  // namespace floc

@@ -1,0 +1,367 @@
+#include "floc/tables/structure_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "floc/base/error.h"
+#include "floc/base/processor_seconds.h"
+#include "floc/network/rattlers.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/require_periodic.h"
+#include "floc/structure/axis_profile.h"
+#include "floc/structure/coordination.h"
+#include "floc/structure/coverage.h"
+#include "floc/structure/gap_coordination.h"
+#include "floc/structure/pair_correlation.h"
+#include "floc/structure/particle_stress.h"
+#include "floc/structure/pores.h"
+#include "floc/structure/porosity_probe.h"
+#include "floc/structure/pushed_rattlers.h"
+#include "floc/structure/voronoi.h"
+#include "floc/tables/column.h"
+
+namespace floc {
+namespace {
+
+ScatteringFit fit_of(const Scattering& s, const StructureTableOptions& options, double diameter) {
+  std::vector<ScatteredPoint> points;
+  for (std::size_t b = 0; b < s.k.size(); ++b) points.push_back({s.k[b], s.I[b], s.n_vectors[b]});
+  const double unit = 2.0 * std::numbers::pi / diameter;
+  return fit_scattering(points, options.fit_range[0] * unit, options.fit_range[1] * unit);
+}
+
+/// Says what a fit could not do, and adds the intensity to its table.
+void report(const std::string& file, const Scattering& s, const ScatteringFit& fit, Table& table,
+            const Remarks& remarks) {
+  if (!fit.found()) remarks.remark(file, "no fit of I(k): " + fit.refusal);
+  for (const std::string& warning : fit.warnings) remarks.warn(file, warning, first_number(warning));
+  const bool drawn = fit.found() && std::all_of(fit.parameters.begin(), fit.parameters.end(),
+                                                [](const FittedParameter& p) { return p.value.has_value(); });
+  for (std::size_t b = 0; b < s.k.size(); ++b) {
+    const bool used = drawn && s.k[b] >= fit.low && s.k[b] <= fit.high;
+    table.rows.push_back(
+        {file, s.k[b], s.I[b], s.n_vectors[b],
+         used ? TableValue{scattered_intensity(*fit.parameters[0].value, *fit.parameters[1].value,
+                                               *fit.parameters[2].value, s.k[b])}
+              : TableValue{}});
+  }
+}
+
+/// The fit of a state's I(k), and its table.
+void add_fit(const Scattering& s, double diameter, const StructureTableOptions& options, Series& series,
+             StructureRow& row, const Remarks& remarks) {
+  row.fit = fit_of(s, options, diameter);
+  report(row.file, s, *row.fit, series.intensity, remarks);
+}
+
+/// The average over states, binned like the first of them.
+ScatteringAverage& average_in(Series& series, const std::vector<double>& edges, double diameter) {
+  if (!series.average) {
+    series.diameter = diameter;
+    series.average.emplace(edges);
+  }
+  return *series.average;
+}
+
+void add_scattering(const Packing<2>& packing, const StructureTableOptions& options, Series& series,
+                    StructureRow& row, const Remarks& remarks) {
+  const ScatteringMesh mesh = scattering_mesh(packing, options.scattering);
+  const Packing<2> shortest = in_shortest_cell(packing);
+  const double diameter = largest_diameter(packing.grains);
+  row.mesh_spacing = mesh.spacing;
+  row.mesh = mesh.size(shortest.cell);
+  const CoverageMap coverage = coverage_map(shortest, row.mesh);
+  ScatteringAverage alone(mesh.edges);
+  alone.add(shortest.cell, coverage);
+  add_fit(alone.result(), diameter, options, series, row, remarks);
+  if (!options.average) return;
+  if (!series.average) series.mean.mesh_spacing = mesh.spacing;
+  average_in(series, mesh.edges, diameter).add(shortest.cell, coverage);
+}
+
+void add_scattering(const Packing<3>& packing, const StructureTableOptions& options, Series& series,
+                    StructureRow& row, const Remarks& remarks) {
+  const double diameter = largest_diameter(packing.grains);
+  const std::vector<double> edges = scattering_edges(packing, options.scattering);
+  ScatteringAverage alone(edges);
+  alone.add(packing, options.scattering.most_vectors);
+  add_fit(alone.result(), diameter, options, series, row, remarks);
+  if (options.average) average_in(series, edges, diameter).add(packing, options.scattering.most_vectors);
+}
+
+/// Gives a table that no state has filled the columns of a dimension.
+void choose_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
+  if (table.rows.empty()) table.columns.clear();
+  expect_columns(file, names, table);
+}
+
+void add_pores(const Packing<2>& packing, const StructureTableOptions& options, Series& series,
+               StructureRow& row, const Remarks& remarks) {
+  const Pores pores = find_pores(packing);
+  if (!pores.refusal.empty()) {
+    remarks.warn(row.file, pores.refusal);
+    return;
+  }
+  row.n_pores = static_cast<std::int64_t>(pores.pores.size());
+  row.unbounded = pores.unbounded;
+  if (pores.unbounded) remarks.warn(row.file, "a pore winds around the cell: it has no size and is left out");
+  if (!pores.pores.empty()) row.pore_size = pores.size, row.pore_mean_area = pores.mean_area;
+  if (options.pores) {
+    choose_columns(row.file, kPoreColumns, series.pores);
+    for (const Pore& p : pores.pores)
+      series.pores.rows.push_back({row.file, p.centre[0], p.centre[1], p.area, p.gyration_radius,
+                                   static_cast<std::int64_t>(p.grains.size())});
+  }
+  series.pore_area += pores.total_area;
+  series.pore_second_moment += pores.total_area * pores.size * pores.size;
+  series.mean.n_pores = series.mean.n_pores.value_or(0) + *row.n_pores;
+}
+
+void require_map_size(const std::vector<int>& size) {
+  for (const int side : size) require_in_range("map_size", side, kMapSide);
+  if (!kMapCells.holds(std::int64_t{size[0]} * size[1]))
+    throw InputError(
+        "", fmt::format("map_size = {},{}: expected at most {} mesh cells", size[0], size[1], kMapCells.most));
+}
+
+void add_map(const std::string& file, const Packing<2>& packing, const StructureTableOptions& options,
+             Table& table) {
+  choose_columns(file, kMapColumns, table);
+  require_map_size(options.map_size);
+  const CoverageMap map = coverage_map(packing, {options.map_size[0], options.map_size[1]});
+  for (int k1 = 0; k1 < map.size[0]; ++k1)
+    for (int k2 = 0; k2 < map.size[1]; ++k2) {
+      const Vec<2> middle((k1 + 0.5) / map.size[0], (k2 + 0.5) / map.size[1]);
+      const Vec<2> x = packing.cell.matrix.transpose() * middle;
+      table.rows.push_back({file, count(k1), count(k2), x[0], x[1], map(k1, k2)});
+    }
+}
+
+LocalStructure local_structure(const VoronoiTessellation& voronoi) {
+  LocalStructure out;
+  const auto n = static_cast<double>(voronoi.solid_fraction.size());
+  for (const double phi : voronoi.solid_fraction) out.mean += phi / n;
+  for (const double phi : voronoi.solid_fraction) out.deviation += (phi - out.mean) * (phi - out.mean) / n;
+  out.deviation = std::sqrt(out.deviation);
+  out.n_voids = static_cast<std::int64_t>(voronoi.voids.size());
+  for (const VoidBall& ball : voronoi.voids) {
+    out.mean_void += ball.radius / static_cast<double>(out.n_voids);
+    out.largest_void = std::max(out.largest_void, ball.radius);
+  }
+  return out;
+}
+
+void add_voronoi(const Packing<3>& packing, const StructureTableOptions& options, Series& series,
+                 StructureRow& row) {
+  const VoronoiTessellation voronoi = voronoi_tessellation(packing);
+  row.local = local_structure(voronoi);
+  if (options.pores) {
+    choose_columns(row.file, {"file", "x1", "x2", "x3", "radius"}, series.pores);
+    for (const VoidBall& ball : voronoi.voids)
+      series.pores.rows.push_back({row.file, ball.centre[0], ball.centre[1], ball.centre[2], ball.radius});
+  }
+  if (!options.map) return;
+  choose_columns(row.file, {"file", "grain", "x1", "x2", "x3", "voronoi_volume", "solid_fraction"}, series.map);
+  for (int i = 0; i < packing.grains.size(); ++i) {
+    const Vec<3>& x = packing.grains.position[i];
+    series.map.rows.push_back(
+        {row.file, packing.grains.name(i), x[0], x[1], x[2], voronoi.volume[i], voronoi.solid_fraction[i]});
+  }
+}
+
+/// What lengths are multiplied by to compare a packing with the first one: (Phi/Phi0)^(1/Dim).
+template <int Dim>
+double rescaling(const Packing<Dim>& packing, const Series& series) {
+  return std::pow(solid_fraction(packing) / *series.reference_phi, 1.0 / Dim);
+}
+
+template <int Dim>
+void add_pairs(const std::string& file, const Packing<Dim>& packing, const StructureTableOptions& options,
+               Series& series) {
+  constexpr double kBinsPerDiameter = 50.0;
+  require_in_range("reach", options.reach, kPairReach);
+  const double reach = options.reach * largest_diameter(packing.grains);
+  const PairCorrelation found =
+      pair_correlation(packing, reach, static_cast<int>(std::ceil(options.reach * kBinsPerDiameter)));
+  const double scale = rescaling(packing, series);
+  for (int b = 0; b < static_cast<int>(found.g.size()); ++b)
+    series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
+}
+
+/// Gaps from none over 1e-6 to 1 largest diameters, ten a decade.
+std::vector<double> gaps_of(double diameter) {
+  std::vector<double> gaps = {0.0};
+  for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
+  return gaps;
+}
+
+/// Rattlers by the tolerance that the state was brought to equilibrium with.
+template <int Dim>
+std::vector<bool> rattlers_of(const State<Dim>& state) {
+  return find_rattlers(state.packing,
+                       state.tolerance.force * force_scale(state.packing, state.target_stress).force);
+}
+
+template <int Dim>
+void add_gaps(const std::string& file, const State<Dim>& state, Series& series) {
+  const Packing<Dim>& packing = state.packing;
+  const double a = largest_diameter(packing.grains);
+  const std::vector<double> gaps = gaps_of(a);
+  const std::vector<double> z = gap_coordination(packing, gaps);
+  const std::vector<double> pushed = gap_coordination(with_pushed_rattlers(packing, rattlers_of(state)), gaps);
+  const double scale = rescaling(packing, series);
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+    series.gaps.rows.push_back({file, gaps[k], z[k], pushed[k], scale * (a + gaps[k]) - a});
+}
+
+/// 1/Phi - 1, undefined where there is nothing solid.
+TableValue void_ratio(double solid_fraction) {
+  return solid_fraction > 0.0 ? TableValue{1.0 / solid_fraction - 1.0} : TableValue{};
+}
+
+template <int Dim>
+void add_porosity(const std::string& file, const Packing<Dim>& packing, const StructureTableOptions& options,
+                  Table& table) {
+  for (const PorosityProbe& probe : porosity_probes(packing, options.n_probes))
+    table.rows.push_back({file, probe.half_side, void_ratio(probe.in_cube), 1.0 - probe.in_cube,
+                          probe.in_cell ? void_ratio(*probe.in_cell) : TableValue{},
+                          probe.in_cell ? TableValue{1.0 - *probe.in_cell} : TableValue{}});
+}
+
+/// Contacts that touch, of each grain; with walls too.
+template <int Dim>
+std::vector<double> contacts_of_each(const Packing<Dim>& packing) {
+  std::vector<double> n(packing.grains.size(), 0.0);
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (c.distant) continue;
+    ++n[c.i];
+    if (!packing.is_wall(c.j)) ++n[c.j];
+  }
+  return n;
+}
+
+template <int Dim>
+void add_profile(const std::string& file, const Packing<Dim>& packing, const StructureTableOptions& options,
+                 Table& table) {
+  const int axis = options.profile_axis.value_or(Dim - 1);
+  if (axis >= Dim) throw InputError(file, "is 2D and has no axis z: --profile-axis is x or y");
+  std::vector<std::vector<double>> values = {contacts_of_each(packing)};
+  if (packing.walls.empty()) values.push_back(particle_pressure(packing));
+  for (const ProfileSlice& s : axis_profile(packing, axis, options.n_slices, values))
+    table.rows.push_back({file, s.low, s.high, s.solid_fraction, void_ratio(s.solid_fraction),
+                          count(s.n_grains), s.mean[0],
+                          s.mean.size() > 1 ? TableValue{s.mean[1]} : TableValue{}});
+}
+
+template <int Dim>
+void add_prediction(const std::string& file, const State<Dim>& state, Series& series) {
+  if (std::holds_alternative<std::monostate>(series.affine))
+    series.affine = AffineReference<Dim>(state.packing, rattlers_of(state));
+  const auto* reference = std::get_if<AffineReference<Dim>>(&series.affine);
+  if (reference == nullptr)
+    throw InputError(file,
+                     "differs in dimension from the first state, from which no prediction follows for it");
+  const double phi = solid_fraction(state.packing);
+  const AffinePrediction p = reference->at(phi);
+  series.prediction.rows.push_back({series.reference, file, phi, static_stress(state.packing).trace() / Dim,
+                                    coordination(state.packing, 0.0).z, p.pressure, p.z, p.z_pushed});
+}
+
+/// What is worked out with the periodic images of the grains.
+template <int Dim>
+void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOptions& options, Series& series,
+                            StructureRow& row, const Remarks& remarks) {
+  add_scattering(packing, options, series, row, remarks);
+  if constexpr (Dim == 2) {
+    add_pores(packing, options, series, row, remarks);
+    if (options.map) add_map(row.file, packing, options, series.map);
+  } else {
+    add_voronoi(packing, options, series, row);
+  }
+}
+
+/// Between walls there are no such images. @throws InputError naming a table that needs them
+template <int Dim>
+void refuse_periodic_tables(const Packing<Dim>& packing, const StructureTableOptions& options,
+                            const std::string& file) {
+  for (const auto& [table, asked] : {std::pair{"I(k) is measured", options.intensity},
+                                     {"coordination against the gap is measured", options.gaps},
+                                     {"pores are found", options.pores},
+                                     {"a map is made", options.map},
+                                     {"a prediction is made", options.prediction}})
+    if (asked) require_periodic(packing, table, file);
+  if (options.average) require_periodic(packing, "an average is taken", file);
+}
+
+}  // namespace
+
+std::vector<std::string> StructureTableOptions::validate() const {
+  std::vector<std::string> faults;
+  if (fit_range.size() != 2 || !(fit_range[0] < fit_range[1]))
+    faults.push_back("fit-range: expected LOW,HIGH with LOW < HIGH");
+  return faults;
+}
+
+template <int Dim>
+StructureRow structure_row(const std::string& file, const State<Dim>& state,
+                           const StructureTableOptions& options, Series& series, const Remarks& remarks) {
+  const double start = processor_seconds();
+  const Packing<Dim>& packing = state.packing;
+  if (series.dimension == 0) series.dimension = Dim;
+  if (options.average && series.dimension != Dim)
+    throw InputError(
+        file, "differs in dimension from the states before it: an average takes states of one dimension");
+  StructureRow row;
+  row.file = file;
+  row.dimension = Dim;
+  row.n_grains = packing.grains.size();
+  row.reduced_pressure = reduced_pressure(packing, static_stress(packing).trace() / Dim);
+  row.solid_fraction = solid_fraction(packing);
+  if (packing.walls.empty())
+    add_periodic_structure(packing, options, series, row, remarks);
+  else
+    refuse_periodic_tables(packing, options, file);
+  if (!series.reference_phi) series.reference = file, series.reference_phi = row.solid_fraction;
+  if (options.pairs) add_pairs(file, packing, options, series);
+  if (options.gaps) add_gaps(file, state, series);
+  if (options.prediction) add_prediction(file, state, series);
+  if (options.porosity) add_porosity(file, packing, options, series.porosity);
+  if (options.profile) add_profile(file, packing, options, series.profile);
+  row.seconds = processor_seconds() - start;
+  return row;
+}
+
+StructureRow averaged(const std::vector<StructureRow>& rows, const StructureTableOptions& options,
+                      Series& series, const Remarks& remarks) {
+  StructureRow mean = series.mean;
+  mean.file = "average";
+  const auto n = static_cast<double>(rows.size());
+  for (const StructureRow& row : rows) {
+    mean.dimension = row.dimension;
+    mean.n_grains += row.n_grains;
+    mean.reduced_pressure += row.reduced_pressure / n;
+    mean.solid_fraction += row.solid_fraction / n;
+    mean.unbounded = mean.unbounded || row.unbounded;
+    mean.seconds += row.seconds;
+  }
+  const Scattering s = series.average->result();
+  mean.fit = fit_of(s, options, series.diameter);
+  report(mean.file, s, *mean.fit, series.intensity, remarks);
+  if (series.pore_area > 0.0) {
+    mean.pore_size = std::sqrt(series.pore_second_moment / series.pore_area);
+    mean.pore_mean_area = series.pore_area / static_cast<double>(*mean.n_pores);
+  }
+  return mean;
+}
+
+template StructureRow structure_row(const std::string&, const State<2>&, const StructureTableOptions&, Series&,
+                                    const Remarks&);
+template StructureRow structure_row(const std::string&, const State<3>&, const StructureTableOptions&, Series&,
+                                    const Remarks&);
+
+}  // namespace floc

@@ -1,0 +1,192 @@
+#include "floc/tradeoff/comparison.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+
+#include "floc/fitting/student_t.h"
+#include "floc/tradeoff/fitted_path.h"
+
+namespace floc {
+namespace {
+
+constexpr double kQuantile = 0.95;
+constexpr double kConfidence = 0.95;
+/// Changes of the solid fraction that elasticity explains: so many times dP/B, and what Newton refinement
+/// moves.
+constexpr double kElastic = 3.0;
+constexpr double kStill = 1e-5;
+
+/// Probability of at most k of n independent values below the quantile.
+double at_most(int k, int n) {
+  double sum = 0.0;
+  for (int j = 0; j <= k; ++j)
+    sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(j + 1.0) - std::lgamma(n - j + 1.0) +
+                    j * std::log(kQuantile) + (n - j) * std::log1p(-kQuantile));
+  return sum;
+}
+
+double relative_difference(int k, const Observation& x, const Observation& reference) {
+  const auto at = static_cast<std::size_t>(k);
+  const double size = size_of(k, x, reference);
+  const double difference = x[at] - reference[at];
+  return difference == 0.0 ? 0.0 : difference / size;
+}
+
+/// Whether the step from one state to the next is elastic.
+bool is_elastic(const ObservedState& from, const ObservedState& to) {
+  const double change = std::abs(std::log(to.observation[kPhi] / from.observation[kPhi]));
+  const double step = std::abs(to.state.target_stress.mean() - from.state.target_stress.mean());
+  const double modulus = std::min(from.observation[kB], to.observation[kB]);
+  return change <= kStill + (modulus > 0.0 ? kElastic * step / modulus : 0.0);
+}
+
+/// Mean of finite values over the k below n for which `counts(k)`.
+double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
+                 const std::function<double(std::size_t)>& value) {
+  double sum = 0.0;
+  int used = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!counts(k)) continue;
+    const double at = value(k);
+    if (!std::isfinite(at)) continue;
+    sum += at;
+    ++used;
+  }
+  return sum / used;  // not a number where there is none
+}
+
+/// Mean over the states that count of how far a path is off.
+double mean_difference(int k, const SamplePath& reference, const SamplePath& path,
+                       const std::function<bool(std::size_t)>& counts) {
+  return mean_over(path.states.size(), counts, [&](std::size_t i) {
+    return relative_difference(k, path.states[i].observation, reference.states[i].observation);
+  });
+}
+
+void add_fitted(const std::vector<const SamplePath*>& references, const std::vector<const SamplePath*>& paths,
+                const std::optional<PressureWindow>& window, ObservableErrors& out) {
+  if (!window) return;
+  const auto fitted = compare_fits(references, paths, *window);
+  for (std::size_t p = 0; p < fitted.size(); ++p) out[kObservables + p].mean = fitted[p];
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> errors) {
+  std::erase_if(errors, [](double e) { return !std::isfinite(e); });
+  std::sort(errors.begin(), errors.end());
+  const int n = static_cast<int>(errors.size());
+  if (n == 0) return {};
+  const auto value = [&](int rank) { return errors[static_cast<std::size_t>(std::min(rank, n) - 1)]; };
+  int high = std::max(1, static_cast<int>(std::ceil(kQuantile * n)));
+  const double error = value(high);
+  while (high < n && at_most(high - 1, n) < kConfidence) ++high;
+  return {error, value(high), n};
+}
+
+MeanDifference mean_of(const std::vector<double>& differences) {
+  MeanDifference out;
+  double sum = 0.0, squares = 0.0;
+  for (const double d : differences)
+    if (std::isfinite(d)) sum += d, ++out.n;
+  if (out.n == 0) return out;
+  out.difference = sum / out.n;
+  for (const double d : differences)
+    if (std::isfinite(d)) squares += (d - out.difference) * (d - out.difference);
+  out.standard_error = std::sqrt(squares / ((out.n - 1.0) * out.n));
+  out.error95 = out.n > 1 ? student_t_95(out.n - 1) * out.standard_error : out.standard_error;
+  return out;
+}
+
+std::vector<bool> before_collapse(const SamplePath& reference, const SamplePath& path) {
+  std::vector<bool> before(path.states.size(), false);
+  for (std::size_t k = 1; k < path.states.size(); ++k) {
+    if (path.states[k].stage < 0) continue;
+    const bool first = path.states[k].stage != path.states[k - 1].stage;
+    const ObservedState& start = first ? reference.states[k - 1] : path.states[k - 1];
+    before[k] = (first || before[k - 1]) && is_elastic(reference.states[k - 1], reference.states[k]) &&
+                is_elastic(start, path.states[k]) && path.states[k].touching == reference.states[k].touching;
+  }
+  return before;
+}
+
+ObservableErrors compare(const std::vector<const SamplePath*>& references,
+                         const std::vector<const SamplePath*>& paths,
+                         const std::optional<PressureWindow>& window) {
+  ObservableErrors out;
+  std::vector<std::vector<bool>> together;
+  for (std::size_t s = 0; s < paths.size(); ++s) together.push_back(before_collapse(*references[s], *paths[s]));
+  for (int k = 0; k < kObservables; ++k) {
+    std::vector<double> before, after, means;
+    for (std::size_t s = 0; s < paths.size(); ++s) {
+      const SamplePath &reference = *references[s], &path = *paths[s];
+      const std::vector<bool>& same = together[s];
+      for (std::size_t i = 0; i < path.states.size(); ++i) {
+        const ObservedState& state = path.states[i];
+        const Observation& truth = same[i] ? reference.states[i].observation : state.settled;
+        (same[i] ? before : after).push_back(std::abs(relative_difference(k, state.observation, truth)));
+      }
+      means.push_back(mean_difference(k, reference, path, [&](std::size_t i) { return !same[i]; }));
+    }
+    out[static_cast<std::size_t>(k)] = {spread_of(before), spread_of(after), mean_of(means)};
+  }
+  add_fitted(references, paths, window, out);
+  return out;
+}
+
+ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
+                               const std::vector<const SamplePath*>& paths,
+                               const std::optional<PressureWindow>& window) {
+  ObservableErrors out;
+  for (int k = 0; k < kObservables; ++k) {
+    std::vector<double> means;
+    for (std::size_t s = 0; s < paths.size(); ++s)
+      means.push_back(mean_difference(k, *references[s], *paths[s], [](std::size_t) { return true; }));
+    out[static_cast<std::size_t>(k)].mean = mean_of(means);
+  }
+  add_fitted(references, paths, window, out);
+  return out;
+}
+
+ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
+                                const std::vector<std::vector<Observation>>& observations) {
+  ObservableErrors out;
+  for (const int k : {kB, kG, kBReuss}) {
+    std::vector<double> errors;
+    for (std::size_t s = 0; s < observations.size(); ++s)
+      for (std::size_t i = 0; i < observations[s].size(); ++i)
+        errors.push_back(
+            std::abs(relative_difference(k, observations[s][i], references[s]->states[i].observation)));
+    out[static_cast<std::size_t>(k)].before = spread_of(errors);
+  }
+  return out;
+}
+
+ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n) {
+  ObservableErrors out;
+  const std::size_t n_states = references.front()->states.size();
+  for (std::size_t k = 0; k < kObservables; ++k) {
+    // Mean over the samples, state by state, that each sample is held against.
+    std::vector<double> mean(n_states);
+    for (std::size_t i = 0; i < n_states; ++i)
+      mean[i] = mean_over(
+          references.size(), [](std::size_t) { return true; },
+          [&](std::size_t s) { return references[s]->states[i].observation[k]; });
+    std::vector<double> deviations;
+    for (const SamplePath* path : references)
+      deviations.push_back(mean_over(
+          n_states, [&](std::size_t i) { return mean[i] != 0.0; },
+          [&](std::size_t i) { return path->states[i].observation[k] / mean[i] - 1.0; }));
+    out[k].mean = mean_of(deviations);
+    out[k].mean.difference = 0.0;
+    const double fewer = std::sqrt(static_cast<double>(out[k].mean.n) / n);
+    out[k].mean.standard_error *= fewer;
+    out[k].mean.error95 *= fewer;
+    out[k].mean.n = n;
+  }
+  return out;
+}
+
+}  // namespace floc

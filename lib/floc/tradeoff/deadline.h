@@ -1,0 +1,21 @@
+#pragma once
+
+#include "floc/base/processor_seconds.h"
+
+namespace floc {
+
+/// An amount of processor time after which a study has to end. On a free core that is wall time; on a busy one,
+/// or while the process is suspended, waiting does not count.
+class Deadline {
+ public:
+  /// @param seconds  of processor time from now on
+  explicit Deadline(double seconds) : end_(processor_seconds() + seconds) {}
+  /// Seconds that are left; negative once it has passed.
+  double left() const { return end_ - processor_seconds(); }
+  bool passed() const { return left() <= 0.0; }
+
+ private:
+  double end_;
+};
+
+}  // namespace floc

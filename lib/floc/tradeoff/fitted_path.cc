@@ -1,0 +1,102 @@
+#include "floc/tradeoff/fitted_path.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "floc/fitting/consolidation.h"
+#include "floc/packing/equilibrium.h"
+
+namespace floc {
+namespace {
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMinSamples = 3;
+using Fitted = std::array<double, kFittedNames.size()>;
+
+/// States of the first loading: the last one assembled, then those of the first stage, if it goes up.
+std::vector<std::size_t> first_loading(const SamplePath& path) {
+  std::vector<std::size_t> at;
+  for (std::size_t k = 0; k < path.states.size() && path.states[k].stage <= 0; ++k) {
+    const double pressure = path.states[k].state.target_stress.mean();
+    if (path.states[k].stage < 0) at.clear();
+    if (!at.empty() && pressure <= path.states[at.back()].state.target_stress.mean()) return {};
+    if (pressure > 0.0) at.push_back(k);
+  }
+  return at;
+}
+
+/// Mean of 1/Phi of all samples but one.
+ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
+                                 std::optional<std::size_t> left_out) {
+  ConsolidationCurve curve;
+  const std::vector<std::size_t> states = first_loading(*paths.front());
+  const auto n = static_cast<Eigen::Index>(paths.size() - (left_out ? 1 : 0));
+  curve.samples.resize(static_cast<Eigen::Index>(states.size()), n);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const State<2>& state = paths.front()->states[states[k]].state;
+    curve.P_star.push_back(reduced_pressure<2>(state.packing, state.target_stress.mean()));
+    Eigen::Index column = 0;
+    for (std::size_t s = 0; s < paths.size(); ++s)
+      if (s != left_out)
+        curve.samples(static_cast<Eigen::Index>(k), column++) =
+            1.0 / paths[s]->states[states[k]].observation[kPhi];
+    curve.phi.push_back(1.0 / curve.samples.row(static_cast<Eigen::Index>(k)).mean());
+  }
+  return curve;
+}
+
+/// lambda, alpha and Phi_max of the full law on a window.
+Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
+  std::vector<double> log_P, y;
+  for (std::size_t k = 0; k < curve.P_star.size(); ++k)
+    if (window.first <= curve.P_star[k] && curve.P_star[k] <= window.second)
+      log_P.push_back(std::log(curve.P_star[k])), y.push_back(1.0 / curve.phi[k]);
+  Fitted values;
+  values.fill(kUndefined);
+  const auto n = static_cast<Eigen::Index>(y.size());
+  if (n <= n_parameters(ConsolidationLaw::full)) return values;
+  const auto solution = solve_law(
+      ConsolidationLaw::full,
+      {Eigen::VectorXd::Map(log_P.data(), n), Eigen::VectorXd::Map(y.data(), n), Eigen::VectorXd::Ones(n)});
+  if (solution) values = {std::exp(solution->theta[0]), std::exp(solution->theta[1]), 1.0 / solution->theta[2]};
+  return values;
+}
+
+}  // namespace
+
+std::optional<PressureWindow> fit_window(const std::vector<const SamplePath*>& references) {
+  if (references.size() < kMinSamples || first_loading(*references.front()).empty()) return std::nullopt;
+  const ConsolidationFit whole = fit_consolidation(curve_without(references, std::nullopt), {});
+  if (!whole.found() || whole.reported_law != ConsolidationLaw::full) return std::nullopt;
+  return PressureWindow(whole.window_low, whole.window_high);
+}
+
+std::array<MeanDifference, kFittedNames.size()> compare_fits(const std::vector<const SamplePath*>& references,
+                                                             const std::vector<const SamplePath*>& paths,
+                                                             const PressureWindow& window) {
+  std::array<MeanDifference, kFittedNames.size()> out;
+  const std::size_t n = references.size();
+  if (n < kMinSamples) return out;
+  const auto differences = [&](std::optional<std::size_t> left_out) {
+    const Fitted truth = fit(curve_without(references, left_out), window);
+    Fitted values = fit(curve_without(paths, left_out), window);
+    for (std::size_t p = 0; p < values.size(); ++p) values[p] = values[p] / truth[p] - 1.0;
+    return values;
+  };
+  const Fitted all = differences(std::nullopt);
+  std::vector<Fitted> without;
+  for (std::size_t s = 0; s < n; ++s) without.push_back(differences(s));
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    std::vector<double> values;
+    for (const Fitted& f : without) values.push_back(f[p]);
+    const MeanDifference spread = mean_of(values);
+    if (!std::isfinite(all[p]) || spread.n < static_cast<int>(n)) continue;
+    // Leaving out moves the mean (n - 1) times less than samples differ.
+    const auto scale = static_cast<double>(n - 1);
+    out[p] = {all[p], scale * spread.standard_error, scale * spread.error95, spread.n};
+  }
+  return out;
+}
+
+}  // namespace floc

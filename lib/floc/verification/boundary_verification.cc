@@ -1,0 +1,43 @@
+#include "floc/verification/boundary_verification.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "floc/packing/equilibrium.h"
+#include "floc/packing/wall_forces.h"
+
+namespace floc {
+
+template <int Dim>
+Criterion verify_boundary_motion(const State<Dim>& state) {
+  const Packing<Dim>& packing = state.packing;
+  const ForceScale scale = force_scale(packing, state.target_stress);
+  Criterion result{"boundary_motion", 0.0, state.tolerance.energy, true, ""};
+  std::string moving;
+  double energy = 0.0;
+  for (std::size_t w = 0; w < packing.walls.size(); ++w) {
+    const Wall<Dim>& wall = packing.walls[w];
+    if (follows_forces(wall))
+      energy += 0.5 * wall.mass * wall.velocity * wall.velocity;
+    else if (wall.velocity != 0.0)
+      moving += fmt::format("wall {}, which stands still, moves at {:.3g}; ", w, wall.velocity);
+  }
+  const Grains<Dim>& g = packing.grains;
+  const Mat<Dim> gradient = packing.cell.matrix.inverse() * packing.cell.velocity;
+  const Vec<Dim> centre = 0.5 * packing.cell.matrix.transpose() * Vec<Dim>::Ones();
+  if (packing.walls.empty())
+    for (int i = 0; i < g.size(); ++i)
+      energy += 0.5 * g.mass[i] * (gradient.transpose() * (g.position[i] - centre)).squaredNorm();
+  if (energy > 0.0) result.value = energy / (g.size() * scale.force * scale.length);
+  result.holds = moving.empty() && *result.value < result.limit;
+  if (!result.holds)
+    result.where = moving + (packing.walls.empty() ? "the cell still changes its shape (cell/velocity)"
+                                                   : "the walls still move (walls/velocity)");
+  return result;
+}
+
+template Criterion verify_boundary_motion(const State<2>&);
+template Criterion verify_boundary_motion(const State<3>&);
+
+}  // namespace floc

@@ -1,0 +1,177 @@
+#include "floc/verification/scene_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "floc/base/error.h"
+#include "floc/loading/load_path.h"
+#include "floc/loading/run_plan.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/wall_forces.h"
+#include "floc/scene/read_scene.h"
+#include "floc/scene/scene_mass.h"
+
+namespace floc {
+namespace {
+
+/// The masses stored against radii and the density that the scene gives: the largest relative difference.
+template <int Dim>
+Criterion check_mass(const std::string& file, const State<Dim>& state) {
+  constexpr double kRelative = 1e-12;
+  Criterion result{"mass", 0.0, kRelative, true, ""};
+  const auto per_cube = mass_per_cubed_diameter(state.scene, Dim, file + ": scene");
+  if (!per_cube) return result;
+  const Grains<Dim>& g = state.packing.grains;
+  for (int i = 0; i < g.size(); ++i) {
+    const double expected = *per_cube * std::pow(2.0 * g.radius[i], Dim);
+    const double error = std::abs(g.mass[i] - expected) / expected;
+    if (error <= result.value) continue;
+    result.value = error;
+    result.where = fmt::format(
+        "mass {:.6g} of grain {}, whose radius is {:.6g}, is not the {:.6g} that follows from the scene's "
+        "density",
+        g.mass[i], g.name(i), g.radius[i], expected);
+  }
+  result.holds = result.value <= kRelative;
+  return result;
+}
+
+/// The scene of a state. None without one, nor where it cannot be read, as without a state that it starts from.
+/// @param why_not  set to the reason
+std::optional<Scene> scene_of(const std::string& file, const std::string& text, std::string& why_not) {
+  if (text.empty()) return std::nullopt;
+  try {
+    return parse_scene(text, "its scene", std::filesystem::path(file).parent_path().string());
+  } catch (const InputError& error) {
+    why_not = fmt::format("not compared: {}", error.what());
+    return std::nullopt;
+  }
+}
+
+/// In units of F1 and the largest diameter: whatever is out of balance by so much is not near an equilibrium.
+constexpr double kLargestTolerance = 10.0;
+
+/// @param expected  none without a scene
+Criterion check_tolerances(const EquilibriumTolerance& t, const std::optional<EquilibriumTolerance>& expected) {
+  struct Named {
+    const char* name;
+    double EquilibriumTolerance::*member;
+  };
+  constexpr Named kAll[] = {{"force", &EquilibriumTolerance::force},
+                            {"moment", &EquilibriumTolerance::moment},
+                            {"stress", &EquilibriumTolerance::stress},
+                            {"energy", &EquilibriumTolerance::energy}};
+  int n_wrong = 0;
+  std::string where;
+  for (const auto& [name, member] : kAll) {
+    const double value = t.*member;
+    if (expected ? value == *expected.*member : value > 0.0 && value <= kLargestTolerance) continue;
+    ++n_wrong;
+    where += fmt::format("{}{} is recorded as {:g}, {}", where.empty() ? "" : "; ", name, value,
+                         expected ? fmt::format("the scene says {:g}", *expected.*member)
+                                  : fmt::format("expected a number in (0, {:g}]", kLargestTolerance));
+  }
+  return {"tolerances", static_cast<double>(n_wrong), 0.0, n_wrong == 0, where};
+}
+
+/// What differs from the scene, in words.
+class Differences {
+ public:
+  template <class Value>
+  void compare(const char* name, const Value& recorded, const Value& of_scene) {
+    if (recorded != of_scene)
+      add(fmt::format("{} is recorded as {}, the scene says {}", name, recorded, of_scene));
+  }
+  /// Of numbers that the compiler may round otherwise.
+  void compare_number(const std::string& name, double recorded, double of_scene) {
+    constexpr double kRelative = 1e-12;
+    if (std::abs(recorded - of_scene) > kRelative * std::abs(of_scene))
+      add(fmt::format("{} is recorded as {:.9g}, the scene says {:.9g}", name, recorded, of_scene));
+  }
+  void add(const std::string& what) { words_ += (n_++ == 0 ? "" : "; ") + what; }
+  Criterion criterion() const { return {"scene", static_cast<double>(n_), 0.0, n_ == 0, words_}; }
+
+ private:
+  std::string words_;
+  int n_ = 0;
+};
+
+template <int Dim>
+void compare_load(const State<Dim>& state, const PlannedEquilibrium& planned, Differences& found) {
+  const Turn& turn = state.path.turn;
+  found.compare("path/control", turn.control, planned.is_isotropic() ? std::string() : planned.control);
+  if (planned.is_isotropic() != turn.empty()) return;
+  if (planned.is_isotropic()) {
+    for (int a = 0; a < Dim; ++a)
+      found.compare_number(fmt::format("equilibrium/target of axis {}", a + 1), state.target_stress[a],
+                           planned.pressure);
+    return;
+  }
+  found.compare("path/axis", turn.axis + 1, planned.axis + 1);
+  found.compare_number("path/turn_shear", turn.shear, planned.shear);
+  const auto load = load_target<Dim>(planned.axes, turn);
+  for (int a = 0; a < Dim; ++a) {
+    found.compare_number(fmt::format("equilibrium/target_side of axis {}", a + 1), state.target_side[a],
+                         load.side[a]);
+    if (!load.strained(a))
+      found.compare_number(fmt::format("equilibrium/target of axis {}", a + 1), state.target_stress[a],
+                           load.stress[a]);
+  }
+}
+
+template <int Dim>
+void compare_walls(const Packing<Dim>& packing, const PlannedEquilibrium& planned, const Scene& scene,
+                   Differences& found) {
+  const auto& box = scene.assembly.box;
+  if (packing.walls.empty() == box.has_value())
+    return found.add("the scene and the state differ in having walls");
+  if (!box) return;
+  if (packing.wall_law != wall_law(planned.law, *box)) found.add("wall_law is not that of the scene");
+  for (std::size_t w = 0; w < packing.walls.size(); ++w) {
+    const Wall<Dim>& wall = packing.walls[w];
+    const bool follows = box->boundary[wall.axis] == BoxSide::walls;
+    if (box->boundary[wall.axis] == BoxSide::periodic || follows != follows_forces(wall))
+      found.add(fmt::format("wall {} is not of the kind that the scene says", w));
+    else if (follows)
+      found.compare_number(fmt::format("walls/mass of wall {}", w), wall.mass,
+                           box->mass * largest_mass(packing.grains));
+  }
+}
+
+template <int Dim>
+Criterion check_scene(const State<Dim>& state, const Scene& scene) {
+  Differences found;
+  found.compare("units", state.units, scene.units);
+  const auto plan = plan_run(scene.assembly, scene.law, scene.load, Dim);
+  if (state.path.step < 0 || state.path.step >= static_cast<int>(plan.size())) {
+    found.add(fmt::format("path/step is recorded as {}, the scene has states 0 to {}", state.path.step,
+                          plan.size() - 1));
+    return found.criterion();
+  }
+  const PlannedEquilibrium& planned = plan[static_cast<std::size_t>(state.path.step)];
+  found.compare("path/branch", state.path.branch, planned.branch);
+  if (state.packing.law != planned.law) found.add("law is not that of the scene at this step");
+  compare_load(state, planned, found);
+  compare_walls(state.packing, planned, scene, found);
+  return found.criterion();
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Criterion> check_against_scene(const std::string& file, const State<Dim>& state) {
+  std::string why_not;
+  const std::optional<Scene> scene = scene_of(file, state.scene, why_not);
+  std::optional<EquilibriumTolerance> tolerance;
+  if (scene) tolerance = scene->relaxation.tolerance;
+  return {check_mass(file, state), check_tolerances(state.tolerance, tolerance),
+          scene ? check_scene(state, *scene) : Criterion{"scene", std::nullopt, 0.0, true, why_not}};
+}
+
+template std::vector<Criterion> check_against_scene(const std::string&, const State<2>&);
+template std::vector<Criterion> check_against_scene(const std::string&, const State<3>&);
+
+}  // namespace floc

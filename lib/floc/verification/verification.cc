@@ -1,0 +1,468 @@
+#include "floc/verification/verification.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "floc/elasticity/stability.h"
+#include "floc/neighbors/spread_liquid.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/contact_order.h"
+#include "floc/packing/law/contact_forces.h"
+#include "floc/packing/law/stiffness_check.h"
+#include "floc/packing/liquid/liquid.h"
+#include "floc/packing/wall_forces.h"
+#include "floc/verification/contact_check.h"
+
+namespace floc {
+namespace {
+
+/// What identifies a pair, the same whichever of its grains, or of opposite images, comes first.
+using PairIdentity = std::tuple<int, int, std::vector<int>>;
+
+template <class Pair>
+PairIdentity identity(Pair pair) {
+  pair = canonical(std::move(pair));
+  return {pair.i, pair.j, {pair.image.begin(), pair.image.end()}};
+}
+
+constexpr std::size_t kMaxListed = 5;  ///< how many violations a message names
+
+/// What violates a criterion, and by how much.
+class Violations {
+ public:
+  void add(double how_bad, std::string name) { found_.emplace_back(how_bad, std::move(name)); }
+
+  std::string worst_first() {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text;
+    for (std::size_t k = 0; k < std::min(kMaxListed, found_.size()); ++k)
+      text += fmt::format("{}{}", k == 0 ? "" : ", ", found_[k].second);
+    if (found_.size() > kMaxListed) text += fmt::format(" and {} more", found_.size() - kMaxListed);
+    return text;
+  }
+
+ private:
+  std::vector<std::pair<double, std::string>> found_;
+};
+
+template <int Dim>
+std::string name_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  const Grains<Dim>& g = packing.grains;
+  if (packing.is_wall(c.j)) return fmt::format("grain {} and wall {}", g.name(c.i), c.j - g.size());
+  return fmt::format("grains {}-{}", g.name(c.i), g.name(c.j));
+}
+
+template <int Dim>
+Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
+  Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
+  Violations violations;
+  for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
+    const Contact<Dim>& c = stored.contacts[k];
+    const Contact<Dim>& r = recomputed.contacts[k];
+    const double error =
+        std::max(std::abs(c.gap - r.gap), (c.normal - r.normal).norm() * branch(recomputed, r).norm());
+    result.value = std::max(*result.value, error);
+    if (!(error <= result.limit))
+      violations.add(error, fmt::format("{} by {:.2g}", name_of(recomputed, c), error));
+  }
+  result.where = violations.worst_first();
+  result.holds = result.where.empty();
+  return result;
+}
+
+template <int Dim>
+Criterion check_list(const Packing<Dim>& recomputed) {
+  const double open = distance_error(recomputed);
+  Violations violations;
+  std::set<std::pair<PairIdentity, int>> listed;
+  int n_wrong = 0;
+  const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
+  for (const Contact<Dim>& c : recomputed.contacts) {
+    if (!listed.insert({identity(c), c.key}).second) wrong(name_of(recomputed, c) + " listed twice");
+    if (c.distant && c.gap >= law_of(recomputed, c).range() + open && bridge_volume(recomputed, c) == 0.0)
+      wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(recomputed, c), c.gap));
+  }
+  // Several contacts of a pair have the keys 0, 1, ...
+  for (const Contact<Dim>& c : recomputed.contacts)
+    if (c.key < 0 || (c.key > 0 && !listed.contains({identity(c), c.key - 1})))
+      wrong(fmt::format("{} listed with key {}", name_of(recomputed, c), c.key));
+  for (const Contact<Dim>& c : missing_contacts(recomputed, open))
+    wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(recomputed, c), c.gap));
+  return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
+}
+
+/// The liquid of a state: it is all there, and stays where it is when it is shared out once more, but for the
+/// bridges that the state says would change.
+template <int Dim>
+Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) {
+  if (!holds_liquid(recomputed)) return {"liquid", 0.0, 0.0, true, ""};
+  constexpr double kRelative = 1e-12;
+  const double all = BridgeSearch(*recomputed.law.liquid(), recomputed.grains.radius).liquid();
+  double sum = 0.0;
+  for (const Contact<Dim>& c : recomputed.contacts) sum += std::abs(bridge_volume(recomputed, c));
+  Packing<Dim> shared = recomputed;
+  const int n_changed = spread_liquid(shared).n_changed();
+  const int recorded = std::max(state.n_bridges_unsettled, 0);
+  std::string where;
+  if (sum != 0.0 && !(std::abs(sum - all) <= kRelative * all))
+    where = fmt::format("bridges hold {:.6g}, the law says {:.6g}", sum, all);
+  if (n_changed != recorded)
+    where +=
+        fmt::format("{}{} bridges would change, {} recorded", where.empty() ? "" : ", ", n_changed, recorded);
+  return {"liquid", static_cast<double>(n_changed), static_cast<double>(recorded), where.empty(), where};
+}
+
+/// What positions leave open of a force.
+template <int Dim>
+double force_error(const Packing<Dim>& packing) {
+  double largest = 0.0;
+  double stiffest = 0.0;
+  for (const Contact<Dim>& c : packing.contacts) {
+    largest = std::max(largest, c.elastic_force);
+    stiffest = std::max(stiffest, std::abs(c.kn));
+  }
+  return stiffest * distance_error(packing) + 1e-12 * largest;
+}
+
+/// How far a stiffness may be from the law's, relative. That of surfaces that touch is a constant, or follows from
+/// the elastic force by a root, which some roundings hold to 1e-15: also after a change of units. That of a
+/// distant attraction follows its gap: kn over the force is the rate at which the force falls with the gap, and
+/// kn itself falls at up to three times that rate.
+template <int Dim>
+double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  constexpr double kRelative = 1e-12;
+  constexpr double kSteepest = 3.0;
+  if (!c.distant || c.normal_force == 0.0) return kRelative;
+  return kRelative + kSteepest * std::abs(c.kn / c.normal_force) * distance_error(packing);
+}
+
+/// The first of the stiffnesses stored that is not the law's, in words; empty if all are.
+template <int Dim>
+std::string wrong_stiffness(const Packing<Dim>& packing, const Contact<Dim>& stored, double tolerance) {
+  const Stiffnesses found = stiffnesses(stored), by_law = law_stiffnesses(packing, stored);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (differ(found[k], by_law[k], tolerance))
+      return fmt::format("{} = {:.17g}, the law gives {:.17g}", kStiffnessNames[k], found[k], by_law[k]);
+  return "";
+}
+
+template <int Dim>
+Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
+  Criterion result{"law", 0.0, force_error(recomputed), true, ""};
+  Violations violations;
+  for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
+    const Contact<Dim>& c = stored.contacts[k];
+    const Contact<Dim>& r = recomputed.contacts[k];
+    const double arm = (r.arm_i - r.arm_j).norm();
+    const double error =
+        std::max({std::abs(c.normal_force - r.normal_force), std::abs(c.elastic_force - r.elastic_force),
+                  (c.shear_force - r.shear_force).norm(), (c.rolling_moment - r.rolling_moment).norm() / arm,
+                  std::abs(c.twisting_moment - r.twisting_moment) / arm});
+    result.value = std::max(*result.value, error);
+    std::string state = wrong_stiffness(recomputed, c, stiffness_tolerance(recomputed, r));
+    if (!state.empty()) state = "a stiffness: " + state;
+    if (c.distant != r.distant)
+      state = fmt::format("being stored as {}, at a gap of {:.2g}", c.distant ? "distant" : "touching", r.gap);
+    if (!(error <= result.limit))
+      violations.add(error, fmt::format("{} by {:.2g}", name_of(recomputed, c), error));
+    else if (!state.empty())
+      violations.add(0.0, fmt::format("{} by {}", name_of(recomputed, c), state));
+  }
+  result.where = violations.worst_first();
+  result.holds = result.where.empty();
+  result.by_value = !(result.value <= result.limit);
+  return result;
+}
+
+/// Grains whose net force or moment, measured in unit(grain), is not below `limit`.
+template <int Dim, class Vector, class Unit>
+std::string unbalanced(const Grains<Dim>& grains, const std::vector<Vector>& net, const Unit& unit,
+                       double limit) {
+  Violations violations;
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    const double value = net[i].norm() / unit(static_cast<int>(i));
+    if (value >= limit)
+      violations.add(value, fmt::format("grain {} with {:.2g}", grains.name(static_cast<int>(i)), value));
+  }
+  return violations.worst_first();
+}
+
+template <int Dim>
+void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
+                     std::vector<Criterion>& criteria) {
+  const Residuals r = residuals(recomputed, state.target_stress, stress);
+  const EquilibriumTolerance& t = state.tolerance;
+  const Balance<Dim> net = net_forces(recomputed);
+  const GrainScales<Dim> scales(recomputed, state.target_stress);
+  const auto add = [&](const char* name, double value, double limit, std::string where) {
+    criteria.push_back({name, value, limit, value < limit, value < limit ? "" : std::move(where)});
+  };
+  add("force", r.force, t.force,
+      unbalanced(
+          recomputed.grains, net.force, [&](int i) { return scales.of(i).force; }, t.force));
+  add("moment", r.moment, t.moment,
+      unbalanced(
+          recomputed.grains, net.moment, [&](int i) { return scales.of(i).force * scales.of(i).length; },
+          t.moment));
+  std::string stresses;
+  const bool boxed = !recomputed.walls.empty();
+  const Vec<Dim> on_walls = wall_pressure(recomputed);
+  for (int a = 0; a < Dim; ++a)
+    stresses += fmt::format("{}{}_{} = {:.6g} against {:.6g}", a == 0 ? "" : ", ",
+                            boxed ? "pressure on the walls" : "sigma", a + 1,
+                            boxed ? on_walls[a] : stress(a, a), state.target_stress[a]);
+  add("stress", r.stress, t.stress, stresses);
+  add("energy", r.energy, t.energy, "the grains still move");
+}
+
+/// The offset of a sheared lattice vector, against the one imposed, over the length of its axis.
+template <int Dim>
+void check_offset(const State<Dim>& state, double limit, Criterion& result) {
+  if (!state.target_offset) return;
+  const auto [axis, imposed] = *state.target_offset;
+  const Mat<Dim>& lattice = state.packing.cell.matrix;
+  const double error = std::abs(lattice(axis, 0) - imposed) / lattice(axis, axis);
+  result.value = std::max(*result.value, error);
+  if (!(error <= limit))
+    result.where += fmt::format("{}offset of L{} = {:.17g} against {:.17g}", result.where.empty() ? "" : ", ",
+                                axis + 1, lattice(axis, 0), imposed);
+}
+
+/// The lengths imposed on axes, which motion reaches but for rounding, and how far the lattice is sheared.
+template <int Dim>
+void check_lengths(const State<Dim>& state, std::vector<Criterion>& criteria) {
+  if (state.target_side.isZero(0.0)) return;
+  constexpr double kRelative = 1e-12;
+  Criterion result{"length", 0.0, kRelative, true, ""};
+  for (int a = 0; a < Dim; ++a) {
+    const double imposed = state.target_side[a];
+    if (imposed == 0.0) continue;
+    const double length = state.packing.cell.matrix(a, a);
+    const double error = std::abs(length / imposed - 1.0);
+    result.value = std::max(*result.value, error);
+    if (!(error <= kRelative))
+      result.where += fmt::format("{}L{} = {:.17g} against {:.17g}", result.where.empty() ? "" : ", ", a + 1,
+                                  length, imposed);
+  }
+  check_offset(state, kRelative, result);
+  result.holds = result.where.empty();
+  criteria.push_back(std::move(result));
+}
+
+/// The components of a stress, row by row.
+template <int Dim>
+std::string components(const Mat<Dim>& stress) {
+  std::string text;
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", stress(a, b));
+  return text;
+}
+
+/// The stress that the file records, against that of the forces recomputed, in units of the mean stress.
+template <int Dim>
+Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& recomputed,
+                                const Mat<Dim>& stress) {
+  constexpr double kRelative = 1e-10;
+  double lengths = 0.0;    // of all branches
+  double magnitude = 0.0;  // of the virial, without signs
+  for (const Contact<Dim>& c : recomputed.contacts) {
+    const double length = branch(recomputed, c).norm();
+    lengths += length;
+    magnitude += std::abs(c.normal_force) * length;
+  }
+  const double volume = recomputed.cell.volume();
+  // At zero pressure tensions and compressions cancel; rounding then is relative to what cancels.
+  const double scale = std::max(std::abs(stress.trace() / Dim), 1e-5 * magnitude / (Dim * volume));
+  const double error = (state.stress - stress).cwiseAbs().maxCoeff();
+  // Normal and tangential force may each be off by what the law's criterion grants.
+  const double limit = kRelative * scale + 2.0 * force_error(recomputed) * lengths / volume;
+  const bool holds = error <= limit;
+  const double unit = scale > 0.0 ? scale : 1.0;
+  return {"mean_stress", error / unit, limit / unit, holds,
+          holds ? ""
+                : fmt::format("recorded {}, recomputed {}", components<Dim>(state.stress), components(stress))};
+}
+
+/// The forces across the faces of the cell, against the stress. What net forces may leave of the difference
+/// (see boundary_stress()) is counted for each grain up to the tolerance of forces only: beyond it there is no
+/// balance.
+template <int Dim>
+Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress) {
+  const Grains<Dim>& g = recomputed.grains;
+  const Balance<Dim> net = net_forces(recomputed);
+  const double largest = state.tolerance.force * force_scale(recomputed, state.target_stress).force;
+  Vec<Dim> centre = Vec<Dim>::Zero();
+  if (recomputed.walls.empty())
+    for (const Vec<Dim>& x : g.position) centre += x / g.size();
+  double open = 0.0;  // force * length
+  for (int i = 0; i < g.size(); ++i)
+    open += std::min(net.force[i].norm(), largest) * (g.position[i] - centre).norm();
+  double rounded = 0.0;
+  for (const Contact<Dim>& c : recomputed.contacts) {
+    const double force = std::abs(c.normal_force) + c.shear_force.norm();
+    const double to_j = recomputed.is_wall(c.j) ? branch(recomputed, c).norm() : g.position[c.j].norm();
+    rounded += force * (recomputed.cell.shift(c.image).norm() + g.position[c.i].norm() + to_j);
+  }
+  const Mat<Dim> across = boundary_stress(recomputed);
+  const double volume = recomputed.cell.volume();
+  const double limit = (open + 64.0 * std::numeric_limits<double>::epsilon() * rounded) / volume;
+  const double error = (across - stress).cwiseAbs().maxCoeff();
+  const bool holds = error <= limit;
+  return {"boundary_balance", error, limit, holds,
+          holds ? "" : fmt::format("across the faces {}, stress {}", components(across), components(stress))};
+}
+
+/// What the file records besides its forces, against what these give: the number and the first of what differs.
+class Record {
+ public:
+  /// @param rounding  what rounding of the positions leaves open of the value
+  void compare(const char* name, double recorded, double found, double rounding) {
+    constexpr double kRelative = 1e-6;  // rounding of another compiler's sums
+    if (recorded == found || std::abs(recorded - found) <= kRelative * std::max(recorded, found) + rounding)
+      return;
+    wrong(fmt::format("{} recorded as {:.3g}, found {:.3g}", name, recorded, found));
+  }
+  void wrong(std::string what) { found_.add(0.0, std::move(what)), ++n_; }
+
+  Criterion criterion() { return {"recorded", static_cast<double>(n_), 0.0, n_ == 0, found_.worst_first()}; }
+
+ private:
+  Violations found_;
+  int n_ = 0;
+};
+
+/// A flag may differ from its spring by this much, relative: files of other programs print six digits or more.
+constexpr double kFlagTolerance = 1e-5;
+/// A spring this close to its cap, relative, is at it for every program.
+constexpr double kAtCap = 1e-13;
+
+template <int Dim>
+void compare_flags(const Packing<Dim>& stored, Record& record) {
+  const auto compare = [&](const Contact<Dim>& c, const char* flag, bool recorded, bool near, bool at) {
+    if (recorded ? !near : at)
+      record.wrong(fmt::format("{} recorded as {}{}", name_of(stored, c), recorded ? "" : "not ", flag));
+  };
+  for (const Contact<Dim>& c : stored.contacts) {
+    const Law& law = law_of(stored, c);
+    const Mobilised near = mobilised(law, c, kFlagTolerance), at = mobilised(law, c, kAtCap);
+    compare(c, "sliding", c.sliding, near.sliding, at.sliding);
+    compare(c, "yielding in rolling", c.rolling_yield, near.rolling, at.rolling);
+    compare(c, "yielding in twisting", c.twisting_yield, near.twisting, at.twisting);
+  }
+}
+
+/// The grains that are recorded as the worst, whose residuals are to be those of the worst found.
+/// @param rounding  of residuals
+template <int Dim>
+void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recomputed, const Residuals& found,
+                          double rounding, Record& record) {
+  const Balance<Dim> net = net_forces(recomputed);
+  const GrainScales<Dim> scales(recomputed, state.target_stress);
+  if (!(scales.of_packing().force > 0.0)) return;
+  const auto compare = [&](const char* name, int i, double largest, const auto& residual) {
+    if (i >= recomputed.grains.size())
+      record.wrong(fmt::format("{} recorded as {}, expected a grain", name, i));
+    else if (i >= 0)  // a file need not say it
+      record.compare(name, residual(i), largest, rounding);
+  };
+  compare("the residual of worst_force_grain", state.residuals.worst_force_grain, found.force,
+          [&](int i) { return net.force[i].norm() / scales.of(i).force; });
+  compare("the residual of worst_moment_grain", state.residuals.worst_moment_grain, found.moment,
+          [&](int i) { return net.moment[i].norm() / (scales.of(i).force * scales.of(i).length); });
+}
+
+/// What walls bear and how the sides of a box move, against contacts and walls.
+template <int Dim>
+void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Record& record) {
+  const std::vector<double> found = wall_forces(recomputed);
+  const double open = static_cast<double>(recomputed.contacts.size()) * force_error(recomputed);
+  for (std::size_t w = 0; w < state.wall_force.size(); ++w)
+    record.compare("walls/force", state.wall_force[w], found[w], open);
+  for (int a = 0; a < Dim; ++a) {
+    if (!between_walls(recomputed.walls, a)) continue;
+    double rate = 0.0, speed = 0.0;
+    for (const Wall<Dim>& wall : recomputed.walls)
+      if (wall.axis == a) rate += wall.side * wall.velocity, speed += std::abs(wall.velocity);
+    record.compare("cell/velocity", recomputed.cell.velocity(a, a), rate, 1e-12 * speed);
+  }
+}
+
+template <int Dim>
+void compare_orientations(const Grains<Dim>& grains, Record& record) {
+  constexpr double kRounding = 1e-9;  // of the motion of many steps
+  if constexpr (Dim == 3)
+    for (int i = 0; i < grains.size(); ++i)
+      if (!(std::abs(grains.orientation[i].norm() - 1.0) <= kRounding))
+        record.wrong(
+            fmt::format("the orientation of grain {} recorded with norm {:.9g}, not as a unit quaternion",
+                        grains.name(i), grains.orientation[i].norm()));
+}
+
+/// The residuals, the number of negative eigenvalues and the flags that the file records.
+template <int Dim>
+Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
+                       const Stability& tested) {
+  Record record;
+  const Residuals found = residuals(recomputed, state.target_stress, stress);
+  const ForceScale scale = force_scale(recomputed, state.target_stress);
+  constexpr double kContacts = 8.0;  // whose roundings add up on a grain
+  const double open = scale.force > 0.0 ? kContacts * force_error(recomputed) / scale.force : 0.0;
+  record.compare("residuals.force", state.residuals.force, found.force, open);
+  record.compare("residuals.moment", state.residuals.moment, found.moment, open);
+  double lengths = 0.0;
+  for (const Contact<Dim>& c : recomputed.contacts) lengths += branch(recomputed, c).norm();
+  // The residual of a box is in units of the pressure.
+  const bool by_pressure = !recomputed.walls.empty() && state.target_stress.mean() > 0.0;
+  const double unit = by_pressure ? state.target_stress.mean() : scale.force / std::pow(scale.length, Dim - 1);
+  record.compare(
+      "residuals.stress", state.residuals.stress, found.stress,
+      unit > 0.0 ? kContacts * force_error(recomputed) * lengths / (recomputed.cell.volume() * unit) : 0.0);
+  record.compare("residuals.energy", state.residuals.energy, found.energy, 0.0);
+  if (state.n_negative >= 0 && tested.n_negative && state.n_negative != *tested.n_negative)
+    record.wrong(fmt::format("n_negative recorded as {}, found {}", state.n_negative, *tested.n_negative));
+  compare_worst_grains(state, recomputed, found, open, record);
+  compare_flags(state.packing, record);
+  compare_walls(state, recomputed, record);
+  compare_orientations(recomputed.grains, record);
+  return record.criterion();
+}
+
+Criterion check_stability(const Stability& found) {
+  const bool holds = found.may_be_stable();
+  std::string where = found.note;
+  if (!holds && where.empty())
+    where = fmt::format("{} negative eigenvalues of the stiffness matrix", *found.n_negative);
+  return {"stability", found.n_negative, 0.0, holds, where};
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Criterion> verify_equilibrium(const State<Dim>& state) {
+  Packing<Dim> recomputed = state.packing;
+  for (Contact<Dim>& c : recomputed.contacts) refresh_contact(recomputed, c);
+  std::vector<Criterion> criteria = {check_geometry(state.packing, recomputed), check_list(recomputed),
+                                     check_law(state.packing, recomputed)};
+  const Mat<Dim> stress = static_stress(recomputed);
+  check_residuals(state, recomputed, stress, criteria);
+  check_lengths(state, criteria);
+  criteria.push_back(check_recorded_stress(state, recomputed, stress));
+  const Stability found = stability_at_rest(recomputed);
+  criteria.push_back(check_stability(found));
+  criteria.push_back(check_boundary(state, recomputed, stress));
+  criteria.push_back(check_record(state, recomputed, stress, found));
+  criteria.push_back(check_liquid(state, recomputed));
+  return criteria;
+}
+
+template std::vector<Criterion> verify_equilibrium(const State<2>&);
+template std::vector<Criterion> verify_equilibrium(const State<3>&);
+
+}  // namespace floc

@@ -72,7 +72,7 @@ double ExplicitDynamics<Dim>::list_cost_share() const {
 /// halves of each grain's own skin, and the affine shrinking.
 template <int Dim>
 double ExplicitDynamics<Dim>::consumed_skin() const {
-  return std::max(moved_ * skin_, 2.0 * walls_.moved_since_mark()) +
+  return std::max(moved_ * skin_, 2.0 * cell_.walls().moved_since_mark()) +
          shrink_since_list() * (largest_diameter_ + interactions_[0].range() + skin_) / kMinSkinShare;
 }
 
@@ -123,17 +123,6 @@ double ExplicitDynamics<Dim>::shrink_since_list() const {
   return (list_stretch_ - Mat<Dim>::Identity()).norm();
 }
 
-/// Displacement of an image.
-template <int Dim>
-Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const {
-  Vec<Dim> shift;
-  for (int a = 0; a < Dim; ++a) {
-    shift[a] = image[a] * lattice_(a, a);
-    for (int b = a + 1; b < Dim; ++b) shift[a] += image[b] * lattice_(a, b);
-  }
-  return shift;
-}
-
 /// The list holds too many pairs out of range, or a pair outside it might interact, for all that is known of motion.
 template <int Dim>
 bool ExplicitDynamics<Dim>::list_is_stale() const {
@@ -171,7 +160,7 @@ template <int Dim>
 double ExplicitDynamics<Dim>::out_of_range_share(const std::vector<NeighborPair<Dim>>& pairs) const {
   std::size_t out_of_range = 0;
   for (const NeighborPair<Dim>& p : pairs) {
-    const Vec<Dim> shift = image_shift(p.image);
+    const Vec<Dim> shift = cell_.image_shift(p.image);
     double squared = 0.0;
     for (int a = 0; a < Dim; ++a) {
       const double r = grains_.x[a][p.j] - grains_.x[a][p.i] + shift[a];
@@ -220,14 +209,14 @@ void ExplicitDynamics<Dim>::build_lists(const std::vector<Pairs>& further) {
   }
   sweep_plan_ = {interactions_[0].pairs(), n_blocks(), threads_, blocks_of_group()};
   sums_of_rows_ = {lists, interactions_[0].rows(), grains_.size(), sweep_plan_};
-  if (!walls_.empty()) {
+  if (!cell_.walls().empty()) {
     interactions_[1].set_rows(sums_of_rows_.rows_with_walls());
-    list_pairs_of_walls();
+    cell_.list_pairs_of_walls(interactions_[1].pairs());
   }
-  walls_.mark();
+  cell_.mark_walls();
   x_list_ = grains_.x;
   grain_view_ = grains_.view(x_list_, inverse_skin_squared_);
-  lattice_at_list_ = lattice_;
+  lattice_at_list_ = cell_.lattice();
   list_stretch_.setIdentity();
   moved_ = 0.0;
   rounding_ = kRoundings * furthest(x_list_) / (0.5 * kMinSkinShare * skin_);
@@ -260,13 +249,14 @@ template <int Dim>
 std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(const Interaction<Dim>& interaction,
                                                                   const Grains<Dim>& now) const {
   const double range = interaction.range();
-  if (interaction.partner() == Partner::wall) return find_wall_pairs(walls_.walls(), now, range + 0.5 * skin_);
-  return find_pairs(search_cell(cell(), walls_.walls(), largest_diameter_ + range + skin_), now, range);
+  if (interaction.partner() == Partner::wall)
+    return find_wall_pairs(cell_.walls().walls(), now, range + 0.5 * skin_);
+  return find_pairs(search_cell(cell_.cell(), cell_.walls().walls(), largest_diameter_ + range + skin_), now,
+                    range);
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                           \
   template double ExplicitDynamics<Dim>::skin() const;                                                  \
-  template Vec<Dim> ExplicitDynamics<Dim>::image_shift(const Vec<Dim, int>& image) const;               \
   template bool ExplicitDynamics<Dim>::list_is_stale() const;                                           \
   template void ExplicitDynamics<Dim>::bound_motion();                                                  \
   template void ExplicitDynamics<Dim>::take_measured_motion();                                          \

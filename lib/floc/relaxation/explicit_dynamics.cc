@@ -8,7 +8,7 @@
 #include "floc/neighbors/space_order.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
-#include "floc/packing/law/contact_forces.h"
+#include "floc/relaxation/kernel_matrix.h"
 #include "floc/relaxation/thread_team.h"
 
 namespace floc {
@@ -27,12 +27,6 @@ LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control
              : LatticeShape::triangular;
 }
 
-template <int Dim>
-void copy(const Mat<Dim>& from, double (&to)[Dim][Dim]) {
-  for (int a = 0; a < Dim; ++a)
-    for (int b = 0; b < Dim; ++b) to[a][b] = from(a, b);
-}
-
 }  // namespace
 
 template <int Dim>
@@ -41,25 +35,13 @@ ExplicitDynamics<Dim>::ExplicitDynamics(Packing<Dim>& packing, const BoundaryCon
     : law_(packing.law),
       wall_law_(packing.wall_law),
       holds_liquid_(settings.holds_liquid),
-      control_(control),
-      walls_(packing.walls),
-      pairs_of_wall_(packing.walls.size()),
-      force_on_wall_(packing.walls.size(), 0.0),
+      cell_(packing.cell, packing.walls, control),
       dt_(settings.time_step),
       skin_(settings.skin),
       threads_(settings.threads),
       largest_diameter_(largest_diameter(packing.grains)),
       skin_unit_(skin_length_unit(packing.grains.radius)),
-      grains_(packing.grains, space_order(packing.cell, packing.grains)),
-      lattice_(packing.cell.matrix.transpose()),
-      lattice_rate_(packing.cell.velocity.transpose()) {
-  for (int a = 0; a < Dim; ++a)
-    if (walls_.bounds(a)) lattice_rate_(a, a) = 0.0;
-  for (int k = 0; k < kSymmetric<Dim>; ++k) {
-    const auto [a, b] = component_axes<Dim>(k);
-    lattice_under_stress_ |= control.imposed[k] == Imposed::stress && moves_with_lattice(a, b);
-  }
-  strain_rate_ = right_quotient<Dim>(lattice_rate_, lattice_);
+      grains_(packing.grains, space_order(packing.cell, packing.grains)) {
   add_interactions(packing, settings.instructions, shape_of(packing.cell, control));
   sums_.resize(n_blocks());
   motion_of_block_.resize(n_blocks());
@@ -75,7 +57,7 @@ template <int Dim>
 void ExplicitDynamics<Dim>::add_interactions(const Packing<Dim>& packing, InstructionSet instructions,
                                              LatticeShape shape) {
   std::vector<Law> parameters = {packing.law};
-  if (!walls_.empty()) parameters.push_back(packing.wall_law);
+  if (!packing.walls.empty()) parameters.push_back(packing.wall_law);
   const auto laws = laws_of_same_rows(parameters);
   for (std::size_t k = 0; k < laws.size(); ++k)
     interactions_.emplace_back(k == 0 ? Partner::grain : Partner::wall, parameters[k], laws[k],
@@ -155,36 +137,15 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
   });
 }
 
-/// Half kick of the lattice, and how this step's drift deforms it. In reduced coordinates s' = h^-1 v with h at
-/// mid-step, which keeps the scheme symmetric in time.
 template <int Dim>
 void ExplicitDynamics<Dim>::begin_step() {
-  follow_way();
-  kick_boundary();
-  const Mat<Dim> middle = lattice_ + 0.5 * dt_ * lattice_rate_;
-  const Mat<Dim> next = lattice_ + dt_ * lattice_rate_;
-  strain_rate_ = right_quotient<Dim>(lattice_rate_, middle);
-  copy<Dim>(right_quotient<Dim>(next, lattice_), drift_.stretch);
-  copy<Dim>(dt_ * right_quotient<Dim>(next, middle), drift_.drift);
-  lattice_ = next;
-  list_stretch_ = right_quotient<Dim>(lattice_, lattice_at_list_);
-  kick_ = kick_over(0.5 * dt_);
+  cell_.advance_strain_ramp(dt_);
+  cell_.kick(0.5 * dt_, sums_);
+  drift_ = cell_.drift(dt_);
+  kick_ = cell_.kick_of_grains(0.5 * dt_);
+  list_stretch_ = right_quotient<Dim>(cell_.lattice(), lattice_at_list_);
   bound_motion();
-  walls_.drift(dt_);
-  time_ += dt_;
   ++steps_since_list_;
-}
-
-template <int Dim>
-Kick<Dim> ExplicitDynamics<Dim>::kick_over(double half_step) const {
-  // v' = F/m - h' h^-1 v, the second term taken at the middle of the half step.
-  const Mat<Dim> drag = 0.5 * half_step * strain_rate_;
-  const Mat<Dim> one = Mat<Dim>::Identity();
-  const Mat<Dim> gain = right_quotient<Dim>(one, Mat<Dim>(one + drag));
-  Kick<Dim> kick{half_step, {}, {}};
-  copy<Dim>(gain, kick.gain);
-  copy<Dim>(upper_product<Dim>(one - drag, gain), kick.keep);
-  return kick;
 }
 
 template <int Dim>
@@ -195,17 +156,9 @@ void ExplicitDynamics<Dim>::kick_and_drift(int block, Rotation stands) {
 template <int Dim>
 void ExplicitDynamics<Dim>::measure_motion(int block) {
   double list_stretch[Dim][Dim];
-  copy<Dim>(list_stretch_, list_stretch);
+  copy_matrix<Dim>(list_stretch_, list_stretch);
   motion_of_block_[block] =
       std::sqrt(interactions_[0].kernels().motion_squared(grain_view_, block * kGrainBlock, list_stretch));
-}
-
-template <int Dim>
-PairCell<Dim> ExplicitDynamics<Dim>::pair_cell(double slip_time) const {
-  PairCell<Dim> cell{{}, {}, slip_time, walls_.view()};
-  copy<Dim>(lattice_, cell.lattice);
-  copy<Dim>(strain_rate_, cell.strain_rate);
-  return cell;
 }
 
 /// Those whose pairs are computed in one pass: as many for each thread, and nearly equal.
@@ -220,14 +173,15 @@ int ExplicitDynamics<Dim>::blocks_of_group() const {
 template <int Dim>
 void ExplicitDynamics<Dim>::sweep(int thread, double slip_time, std::optional<Rotation> undrifted,
                                   Rotation to) {
-  const PairCell<Dim> cell = pair_cell(slip_time);
+  const PairCell<Dim> cell = cell_.pair_cell(slip_time);
   for (int group = sweep_plan_.first_group(thread); group < sweep_plan_.first_group(thread + 1); ++group) {
     if (undrifted)
       for (const int b : sweep_plan_.drifting_for(group)) kick_and_drift(b, *undrifted);
     const int first = sweep_plan_.first_block(group), last = sweep_plan_.first_block(group + 1);
     const PairView<Dim> pairs = pairs_of_group(group);
     interactions_[0].compute(pairs, first, last, grain_view_, cell);
-    if (!walls_.empty()) interactions_[1].compute(interactions_[1].view(), first, last, grain_view_, cell);
+    if (!cell_.walls().empty())
+      interactions_[1].compute(interactions_[1].view(), first, last, grain_view_, cell);
     for (int b = first; b < last; ++b)
       if (!sweep_plan_.is_shared(b)) sum_and_kick(pairs, b, to);
   }
@@ -248,8 +202,8 @@ PairView<Dim> ExplicitDynamics<Dim>::pairs_of_group(int group) {
 template <int Dim>
 void ExplicitDynamics<Dim>::sum_and_kick(const PairView<Dim>& pairs, int block, Rotation to) {
   interactions_[0].kernels().sum_and_kick(grain_view_, pairs, sums_of_rows_.plan(block), block * kGrainBlock,
-                                          pair_cell(0.0), kick_, to, sums_[block]);
-  if (lattice_under_stress_ && !walls_.empty()) add_wall_virial(block);
+                                          cell_.pair_cell(0.0), kick_, to, sums_[block]);
+  if (cell_.follows_stress().any() && !cell_.walls().empty()) add_wall_virial(block);
 }
 
 /// The kernel sums forces on grains times their positions: along the periodic axes, to which walls are parallel,
@@ -264,22 +218,22 @@ void ExplicitDynamics<Dim>::add_wall_virial(int block) {
     const double* on_wall = interaction.view().row + static_cast<std::ptrdiff_t>(size_of_row) * p + force;
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < Dim; ++b)
-        if (moves_with_lattice(a, b)) sums_[block].virial[a][b] += on_wall[a] * grains_.x[b][pairs.i(p)];
+        if (cell_.follows_stress()(a, b)) sums_[block].virial[a][b] += on_wall[a] * grains_.x[b][pairs.i(p)];
   }
 }
 
 template <int Dim>
 void ExplicitDynamics<Dim>::end_step(Motion motion) {
-  sum_forces_on_walls();
-  kick_boundary();
+  cell_.sum_forces_on_walls(interactions_.back());
+  cell_.kick(0.5 * dt_, sums_);
   if (motion != Motion::power_control) return;
   double twice_kinetic = 0.0;
   for (const BlockSums<Dim>& s : sums_) {
     for (int a = 0; a < Dim; ++a) twice_kinetic += s.momentum_flux[a][a];
     twice_kinetic += s.rotation;
   }
-  if (control_.any_stress()) twice_kinetic += control_.mass * lattice_rate_.squaredNorm();
-  twice_kinetic += walls_.twice_kinetic_energy();
+  twice_kinetic += cell_.twice_kinetic_energy_of_lattice();
+  twice_kinetic += cell_.walls().twice_kinetic_energy();
   if (twice_kinetic < kinetic_) {
     for (auto& component : grains_.v) std::fill(component.begin(), component.end(), 0.0);
     for (auto& component : grains_.spin) std::fill(component.begin(), component.end(), 0.0);
@@ -287,9 +241,7 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
       for (auto& row : s.momentum_flux) std::fill(std::begin(row), std::end(row), 0.0);
       s.rotation = 0.0;
     }
-    lattice_rate_.setZero();
-    walls_.stop();
-    impose_rates();
+    cell_.stop();
     twice_kinetic = 0.0;
   }
   kinetic_ = twice_kinetic;
@@ -298,18 +250,18 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
 /// Forces of the present positions and velocities, histories untouched but for their caps.
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
-  kick_ = kick_over(0.0);
+  kick_ = cell_.kick_of_grains(0.0);
   for (int thread = 0; thread < sweep_plan_.n_threads(); ++thread)
     sweep(thread, 0.0, std::nullopt, Rotation::at_end);
   for (int thread = 0; thread < sweep_plan_.n_threads(); ++thread) sum_shared_blocks(thread, Rotation::at_end);
   moved_ = std::numeric_limits<double>::infinity();  // a kick of no time tells nothing of the next speeds
-  sum_forces_on_walls();
+  cell_.sum_forces_on_walls(interactions_.back());
 }
 
 template <int Dim>
 bool ExplicitDynamics<Dim>::finite() const {
-  bool all = lattice_.allFinite() && lattice_rate_.allFinite() && sides().allFinite();
-  const double furthest = kFurthest * sides().cwiseAbs().minCoeff();
+  bool all = cell_.finite();
+  const double furthest = kFurthest * cell_.shortest_side();
   for (const auto& component : grains_.x)
     for (const double x : component) all = all && std::abs(x) < furthest;
   return all;
@@ -327,12 +279,12 @@ template <int Dim>
 Packing<Dim> ExplicitDynamics<Dim>::packing() const {
   Packing<Dim> out;
   out.law = law_;
-  out.walls = walls_.walls();
+  out.walls = cell_.walls().walls();
   out.wall_law = wall_law_;
   // Centres without low parts: motion ends at the rounding of a double.
   out.grains = Grains<Dim>::with_size(grains_.size());
   out.grains.id = grains_.id;
-  out.cell = cell();
+  out.cell = cell_.cell();
   std::vector<Vec<Dim, int>> wrap(grains_.size());
   for (int k = 0; k < grains_.size(); ++k) {
     const int i = grains_.index[k];
@@ -341,14 +293,7 @@ Packing<Dim> ExplicitDynamics<Dim>::packing() const {
       x[a] = grains_.x[a][k];
       out.grains.velocity[i][a] = grains_.v[a][k];
     }
-    wrap[k].setZero();
-    for (int b = Dim - 1; b >= 0; --b) {  // the last lattice vector alone reaches along the last axis
-      if (walls_.bounds(b)) continue;
-      const double cells = std::floor(x[b] / lattice_(b, b));
-      wrap[k][b] = -static_cast<int>(cells);
-      for (int a = 0; a <= b; ++a)
-        if (lattice_(a, b) != 0.0) x[a] -= cells * lattice_(a, b);
-    }
+    wrap[k] = cell_.wrap(x);
     for (int a = 0; a < kRotations<Dim>; ++a) out.grains.angular_velocity[i][a] = grains_.spin[a][k];
     out.grains.orientation[i] = grains_.orientation_of(k);
     out.grains.radius[i] = grains_.radius[k];
@@ -374,11 +319,11 @@ void ExplicitDynamics<Dim>::append_contacts(const Interaction<Dim>& interaction,
     const double reach = pairs.radii(p) + interaction.range();
     const bool wet = !pairs.bridge_volume().empty() && pairs.bridge_volume()[p] != 0.0;
     if (with_walls) {
-      const Wall<Dim>& wall = walls_.walls()[key.j];
+      const Wall<Dim>& wall = cell_.walls().walls()[key.j];
       if (wall.side * (wall.position - grains_.x[wall.axis][key.i]) >= reach) continue;
       key = {grains_.index[key.i], grains_.size() + key.j, key.image, key.key};
     } else {
-      const Vec<Dim> shift = image_shift(key.image);
+      const Vec<Dim> shift = cell_.image_shift(key.image);
       Vec<Dim> r;
       for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][key.j] - grains_.x[a][key.i] + shift[a];
       if (r.squaredNorm() >= reach * reach && !wet) continue;

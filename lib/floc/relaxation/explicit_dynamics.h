@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "floc/packing/liquid/liquid.h"
+#include "floc/packing/liquid.h"
+#include "floc/relaxation/cell_motion.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/interaction.h"
 #include "floc/relaxation/row_sums.h"
 #include "floc/relaxation/sweep_plan.h"
-#include "floc/relaxation/wall_motion.h"
 
 namespace floc {
 
@@ -51,21 +51,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   std::vector<Pairs> further_contacts() const;
   void add_interactions(const Packing<Dim>& packing, InstructionSet instructions, LatticeShape shape);
   void load_memory(const std::vector<History>& histories);
-  Vec<Dim> sides() const;
-  Cell<Dim> cell() const;
-  /// Whether a component of the boundary belongs to the lattice, and not to walls.
-  bool moves_with_lattice(int a, int b) const { return !walls_.bounds(a) && !walls_.bounds(b); }
-  void kick_boundary();
-  void kick_lattice();
-  void list_pairs_of_walls();
-  void sum_forces_on_walls();
-  void kick_walls();
-  void follow_way();
-  void impose_rates();
-  Mat<Dim> lattice_force() const;
   void begin_step();
-  PairCell<Dim> pair_cell(double slip_time) const;
-  Kick<Dim> kick_over(double half_step) const;
   void kick_and_drift(int block, Rotation stands);
   int blocks_of_group() const;
   /// @param undrifted  how the rotation of the grains stands, where they are still to drift, each block just before
@@ -85,7 +71,6 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double min_skin() const;
   std::vector<double> skin_shares() const;
   double shrink_since_list() const;
-  Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   bool list_is_stale() const;
   double out_of_range_share(const std::vector<NeighborPair<Dim>>& pairs) const;
   void renew_list();
@@ -107,13 +92,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   Law law_, wall_law_;
   bool holds_liquid_;
   std::deque<Interaction<Dim>> interactions_;  ///< between grains first, then with walls
-  BoundaryControl<Dim> control_;
-  bool lattice_under_stress_ = false;  ///< some component of it, whose load the virial has to balance
-  WallMotion<Dim> walls_;
-  std::vector<std::vector<int>> pairs_of_wall_;
-  std::vector<double> force_on_wall_;  ///< outwards, of the last pairs computed
+  CellMotion<Dim> cell_;
   double dt_;
-  double time_ = 0.0;  ///< since this was made
   double skin_;
   int threads_;
   double largest_diameter_;
@@ -123,12 +103,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   GrainView<Dim> grain_view_;
   SweepPlan sweep_plan_;
   RowSums<Dim> sums_of_rows_;
-  // The lattice vectors are columns here: upper triangular matrices, diagonal for a rectangular cell.
-  // Along an axis between walls the lattice rests: grains there do not follow its deformation.
-  Mat<Dim> lattice_, lattice_rate_;  ///< h and h'
-  Mat<Dim> strain_rate_;             ///< velocity gradient h' h^-1 at mid-step
-  Kick<Dim> kick_;                   ///< of each half of this step
-  Drift<Dim> drift_{};               ///< of this step
+  Kick<Dim> kick_;      ///< of each half of this step
+  Drift<Dim> drift_{};  ///< of this step
   std::vector<BlockSums<Dim>> sums_;
   double kinetic_ = 0.0;  ///< total kinetic energy with the cell's, for the power control
 

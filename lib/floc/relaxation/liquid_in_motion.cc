@@ -37,7 +37,7 @@ double ExplicitDynamics<Dim>::reach_of_liquid() const {
 
 template <int Dim>
 double ExplicitDynamics<Dim>::gap_of(const NeighborPair<Dim>& pair) const {
-  const Vec<Dim> shift = image_shift(pair.image);
+  const Vec<Dim> shift = cell_.image_shift(pair.image);
   Vec<Dim> r;
   for (int a = 0; a < Dim; ++a) r[a] = grains_.x[a][pair.j] - grains_.x[a][pair.i] + shift[a];
   return r.norm() - (grains_.radius[pair.i] + grains_.radius[pair.j]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "floc/packing/wall_forces.h"
@@ -9,7 +10,8 @@
 namespace floc {
 
 template <int Dim>
-WallMotion<Dim>::WallMotion(std::vector<Wall<Dim>> walls) : walls_(std::move(walls)), marked_(walls_) {
+WallMotion<Dim>::WallMotion(std::vector<Wall<Dim>> walls)
+    : walls_(std::move(walls)), marked_(walls_), pairs_of_wall_(walls_.size()), force_(walls_.size(), 0.0) {
   for (const Wall<Dim>& wall : walls_) between_[wall.axis] = true;
   for (int a = 0; a < Dim; ++a)
     for (const Wall<Dim>& wall : walls_) normal_[a].push_back(wall.normal()[a]);
@@ -44,13 +46,31 @@ WallView<Dim> WallMotion<Dim>::view() const {
 }
 
 template <int Dim>
-void WallMotion<Dim>::kick(double half_step, const BoundaryControl<Dim>& control,
-                           const std::vector<double>& force, const Vec<Dim>& area) {
+void WallMotion<Dim>::list_pairs(const PairArrays<Dim>& pairs) {
+  pairs_of_wall_.assign(walls_.size(), {});
+  for (int p = 0; p < pairs.size(); ++p)
+    if (!pairs.padding(p)) pairs_of_wall_[pairs.j(p)].push_back(p);
+}
+
+template <int Dim>
+void WallMotion<Dim>::sum_forces(const Interaction<Dim>& interaction) {
+  const std::ptrdiff_t size_of_row = row_size<Dim>(interaction.rows());
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const Wall<Dim>& wall = walls_[w];
+    const double* const normal = interaction.view().row + force_in_row<Dim>(interaction.rows()) + wall.axis;
+    double sum = 0.0;
+    for (const int p : pairs_of_wall_[w]) sum += normal[size_of_row * p];
+    force_[w] = wall.side * sum;
+  }
+}
+
+template <int Dim>
+void WallMotion<Dim>::kick(double half_step, const BoundaryControl<Dim>& control, const Vec<Dim>& area) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall<Dim>& wall = walls_[w];
     const double load = control.target[wall.axis];
     if (control.imposed[wall.axis] == Imposed::stress)
-      wall.velocity += half_step / wall.mass * wall.side * (force[w] - load * area[wall.axis]);
+      wall.velocity += half_step / wall.mass * wall.side * (force_[w] - load * area[wall.axis]);
     else
       wall.velocity = -0.5 * wall.side * load * distance(wall.axis);
   }

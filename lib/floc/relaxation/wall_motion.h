@@ -5,6 +5,7 @@
 
 #include "floc/packing/wall.h"
 #include "floc/relaxation/boundary_control.h"
+#include "floc/relaxation/interaction.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
 namespace floc {
@@ -28,11 +29,14 @@ class WallMotion {
   /// What the kernels read; valid until the walls move.
   WallView<Dim> view() const;
 
-  /// Half a step of acceleration.
-  /// @param force  with which the grains push each wall outwards (force)
-  /// @param area   of the walls of each axis (length^(Dim-1))
-  void kick(double half_step, const BoundaryControl<Dim>& control, const std::vector<double>& force,
-            const Vec<Dim>& area);
+  /// Lists the pairs of each wall, after a new list of the pairs of grains with walls.
+  void list_pairs(const PairArrays<Dim>& pairs);
+  /// Sums the forces with which the grains push each wall outwards, in the order of its pairs.
+  void sum_forces(const Interaction<Dim>& interaction);
+
+  /// Half a step of acceleration by the forces that were summed last.
+  /// @param area  of the walls of each axis (length^(Dim-1))
+  void kick(double half_step, const BoundaryControl<Dim>& control, const Vec<Dim>& area);
   void drift(double time_step);
   void stop();
   double twice_kinetic_energy() const;
@@ -46,6 +50,8 @@ class WallMotion {
   void set_arrays();
 
   std::vector<Wall<Dim>> walls_, marked_;
+  std::vector<std::vector<int>> pairs_of_wall_;
+  std::vector<double> force_;  ///< on each wall, outwards (force)
   std::array<bool, Dim> between_ = {};
   std::array<std::vector<double>, Dim> normal_;
   std::vector<double> level_, level_rate_;

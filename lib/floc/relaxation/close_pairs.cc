@@ -3,7 +3,6 @@
 #include <limits>
 #include <vector>
 
-#include "floc/packing/contact_order.h"
 #include "floc/relaxation/explicit_dynamics.h"
 
 /// Part of ExplicitDynamics: the lists of pairs that may interact, how wide they reach and how long they serve.
@@ -42,18 +41,6 @@ double stretch_bound(const double (&matrix)[Dim][Dim]) {
   return diagonal + others;
 }
 
-/// Adds to the pairs of a list, one for each two bodies, their further contacts.
-template <int Dim>
-void add_further(std::vector<NeighborPair<Dim>> further, std::vector<NeighborPair<Dim>>& pairs) {
-  if (further.empty()) return;
-  std::erase_if(further, [&](NeighborPair<Dim> first) {
-    first.key = 0;
-    return !std::binary_search(pairs.begin(), pairs.end(), first, precedes<NeighborPair<Dim>>);
-  });
-  pairs.insert(pairs.end(), further.begin(), further.end());
-  std::sort(pairs.begin(), pairs.end(), precedes<NeighborPair<Dim>>);
-}
-
 }  // namespace
 
 template <int Dim>
@@ -73,7 +60,8 @@ double ExplicitDynamics<Dim>::list_cost_share() const {
 template <int Dim>
 double ExplicitDynamics<Dim>::consumed_skin() const {
   return std::max(moved_ * skin_, 2.0 * cell_.walls().moved_since_mark()) +
-         shrink_since_list() * (largest_diameter_ + interactions_[0].range() + skin_) / kMinSkinShare;
+         shrink_since_list() * (largest_diameter_ + interactions_.between_grains().range() + skin_) /
+             kMinSkinShare;
 }
 
 /// Before the grains drift: x' - L' x_list = S (x - L x_list) + D v', where |v'| <= max(|keep|, |gain|) (|v| + |dt F/2m|)
@@ -133,11 +121,11 @@ bool ExplicitDynamics<Dim>::list_is_stale() const {
 template <int Dim>
 void ExplicitDynamics<Dim>::adapt_skin() {
   if (shares_liquid()) {  // its skin decides when that happens, and must not follow what lists cost
-    skin_ = std::clamp(kSkinOfReach * interactions_[0].range(), kMinSkinOfLiquid * skin_unit_,
+    skin_ = std::clamp(kSkinOfReach * interactions_.between_grains().range(), kMinSkinOfLiquid * skin_unit_,
                        0.5 * largest_diameter_);
     return;
   }
-  if (interactions_[0].pairs().size() == 0 || steps_since_list_ == 0) return;
+  if (interactions_.between_grains().pairs().size() == 0 || steps_since_list_ == 0) return;
   on_first_list_ = false;
   const double cost = list_cost_share();
   if (cost > out_of_range_share_)
@@ -166,7 +154,7 @@ double ExplicitDynamics<Dim>::out_of_range_share(const std::vector<NeighborPair<
       const double r = grains_.x[a][p.j] - grains_.x[a][p.i] + shift[a];
       squared += r * r;
     }
-    const double reach = grains_.radius[p.i] + grains_.radius[p.j] + interactions_[0].range();
+    const double reach = grains_.radius[p.i] + grains_.radius[p.j] + interactions_.between_grains().range();
     out_of_range += squared >= reach * reach;
   }
   return static_cast<double>(out_of_range) /
@@ -176,42 +164,28 @@ double ExplicitDynamics<Dim>::out_of_range_share(const std::vector<NeighborPair<
 template <int Dim>
 void ExplicitDynamics<Dim>::rebuild_list() {
   if (!finite()) return;  // the caller will ask; there are no neighbours to find
-  if (bridges_) interactions_[0].set_range(std::max(interactions_[0].range(), reach_of_liquid()));
-  build_lists(further_contacts());
+  if (bridges_)
+    interactions_.between_grains().set_range(
+        std::max(interactions_.between_grains().range(), reach_of_liquid()));
+  build_lists(interactions_.further_contacts());
   if (shares_liquid()) spread_liquid();
 }
 
-/// Contacts stay apart by their keys for as long as their bodies are close.
 template <int Dim>
-auto ExplicitDynamics<Dim>::further_contacts() const -> std::vector<Pairs> {
-  std::vector<Pairs> further;
-  for (const Interaction<Dim>& interaction : interactions_)
-    further.push_back(interaction.pairs().further_contacts());
-  return further;
-}
-
-template <int Dim>
-void ExplicitDynamics<Dim>::build_lists(const std::vector<Pairs>& further) {
+void ExplicitDynamics<Dim>::build_lists(const PairLists<Dim>& further) {
   if (!finite()) return;
   adapt_skin();
   sums_of_rows_ = RowSums<Dim>();  // of the lists that end here
-  std::vector<Pairs> close = close_pairs();
+  auto close = close_pairs();
   out_of_range_share_ = out_of_range_share(close[0]);
+  interactions_.set_pairs(std::move(close), further, grains_, dt_, blocks_of_group());
   std::vector<const PairArrays<Dim>*> lists;
-  for (std::size_t k = 0; k < interactions_.size(); ++k) {
-    Interaction<Dim>& interaction = interactions_[k];
-    add_further(further[k], close[k]);
-    interaction.drop_numbers();
-    interaction.set_pairs(
-        {close[k], interaction.partner(), grains_, interaction.law(), dt_, blocks_of_group()});
-    close[k] = Pairs();
-    lists.push_back(&interaction.pairs());
-  }
-  sweep_plan_ = {interactions_[0].pairs(), n_blocks(), threads_, blocks_of_group()};
-  sums_of_rows_ = {lists, interactions_[0].rows(), grains_.size(), sweep_plan_};
-  if (!cell_.walls().empty()) {
-    interactions_[1].set_rows(sums_of_rows_.rows_with_walls());
-    cell_.list_pairs_of_walls(interactions_[1].pairs());
+  for (const Interaction<Dim>& interaction : interactions_) lists.push_back(&interaction.pairs());
+  sweep_plan_ = {interactions_.between_grains().pairs(), n_blocks(), threads_, blocks_of_group()};
+  sums_of_rows_ = {lists, interactions_.between_grains().rows(), grains_.size(), sweep_plan_};
+  if (interactions_.with_walls()) {
+    interactions_.on_walls().set_rows(sums_of_rows_.rows_with_walls());
+    cell_.list_pairs_of_walls(interactions_.on_walls().pairs());
   }
   cell_.mark_walls();
   x_list_ = grains_.x;
@@ -226,7 +200,7 @@ void ExplicitDynamics<Dim>::build_lists(const std::vector<Pairs>& further) {
 /// Those of each interaction, by grains whose skins are as wide as the skin of the list and their speeds make
 /// them.
 template <int Dim>
-std::vector<std::vector<NeighborPair<Dim>>> ExplicitDynamics<Dim>::close_pairs() {
+PairLists<Dim> ExplicitDynamics<Dim>::close_pairs() {
   Grains<Dim> now;  // positions and radii alone
   now.position.resize(grains_.size());
   now.radius.resize(grains_.size());
@@ -238,7 +212,7 @@ std::vector<std::vector<NeighborPair<Dim>>> ExplicitDynamics<Dim>::close_pairs()
     now.radius[k] = grains_.radius[k] + skin;
     inverse_skin_squared_[k] = 1.0 / (skin * skin);
   }
-  std::vector<Pairs> close;
+  PairLists<Dim> close;
   for (const Interaction<Dim>& interaction : interactions_) close.push_back(close_pairs(interaction, now));
   return close;
 }
@@ -255,15 +229,14 @@ std::vector<NeighborPair<Dim>> ExplicitDynamics<Dim>::close_pairs(const Interact
                     range);
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                                           \
-  template double ExplicitDynamics<Dim>::skin() const;                                                  \
-  template bool ExplicitDynamics<Dim>::list_is_stale() const;                                           \
-  template void ExplicitDynamics<Dim>::bound_motion();                                                  \
-  template void ExplicitDynamics<Dim>::take_measured_motion();                                          \
-  template void ExplicitDynamics<Dim>::renew_list();                                                    \
-  template void ExplicitDynamics<Dim>::rebuild_list();                                                  \
-  template std::vector<std::vector<NeighborPair<Dim>>> ExplicitDynamics<Dim>::further_contacts() const; \
-  template void ExplicitDynamics<Dim>::build_lists(const std::vector<Pairs>&);
+#define FLOC_INSTANTIATE(Dim)                                  \
+  template double ExplicitDynamics<Dim>::skin() const;         \
+  template bool ExplicitDynamics<Dim>::list_is_stale() const;  \
+  template void ExplicitDynamics<Dim>::bound_motion();         \
+  template void ExplicitDynamics<Dim>::take_measured_motion(); \
+  template void ExplicitDynamics<Dim>::renew_list();           \
+  template void ExplicitDynamics<Dim>::rebuild_list();         \
+  template void ExplicitDynamics<Dim>::build_lists(const PairLists<Dim>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

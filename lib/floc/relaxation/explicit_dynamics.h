@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -9,7 +8,7 @@
 #include "floc/relaxation/cell_motion.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/grain_arrays.h"
-#include "floc/relaxation/interaction.h"
+#include "floc/relaxation/interactions.h"
 #include "floc/relaxation/row_sums.h"
 #include "floc/relaxation/sweep_plan.h"
 
@@ -34,23 +33,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double skin() const override;
 
  private:
-  using Pairs = std::vector<NeighborPair<Dim>>;
-  /// A contact of a packing in motion: the pair that it is among the grains of the blocks, and its memory.
-  struct History {
-    NeighborPair<Dim> pair;
-    bool on_wall;
-    bool swapped;  ///< the pair is the contact seen from its other grain
-    ContactMemory<Dim> memory;
-    int interaction() const { return on_wall ? 1 : 0; }
-  };
-
   int n_blocks() const { return (grains_.size() + kGrainBlock - 1) / kGrainBlock; }
 
-  std::vector<History> take_histories(Packing<Dim>& packing) const;
-  std::vector<Pairs> further_contacts(const std::vector<History>& histories) const;
-  std::vector<Pairs> further_contacts() const;
-  void add_interactions(const Packing<Dim>& packing, InstructionSet instructions, LatticeShape shape);
-  void load_memory(const std::vector<History>& histories);
   void begin_step();
   void kick_and_drift(int block, Rotation stands);
   int blocks_of_group() const;
@@ -76,22 +60,19 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void renew_list();
   void rebuild_list();
   /// @param further  contacts of each interaction beside the first one of their pair
-  void build_lists(const std::vector<Pairs>& further);
+  void build_lists(const PairLists<Dim>& further);
   bool shares_liquid() const { return bridges_.has_value() && !holds_liquid_; }
   void set_first_reach(const Packing<Dim>& packing);
   double reach_of_liquid() const;
   double gap_of(const NeighborPair<Dim>& pair) const;
   LiquidShares share_liquid();
   void spread_liquid();
-  std::vector<Pairs> close_pairs();
-  Pairs close_pairs(const Interaction<Dim>& interaction, const Grains<Dim>& now) const;
-  void append_contacts(const Interaction<Dim>& interaction, const std::vector<Vec<Dim, int>>& wrap,
-                       Packing<Dim>& out) const;
+  PairLists<Dim> close_pairs();
+  std::vector<NeighborPair<Dim>> close_pairs(const Interaction<Dim>& interaction, const Grains<Dim>& now) const;
   void adapt_skin();
 
   Law law_, wall_law_;
   bool holds_liquid_;
-  std::deque<Interaction<Dim>> interactions_;  ///< between grains first, then with walls
   CellMotion<Dim> cell_;
   double dt_;
   double skin_;
@@ -100,6 +81,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double skin_unit_;  ///< skin_length_unit()
 
   GrainArrays<Dim> grains_;
+  Interactions<Dim> interactions_;
   GrainView<Dim> grain_view_;
   SweepPlan sweep_plan_;
   RowSums<Dim> sums_of_rows_;

@@ -22,13 +22,13 @@ template <int Dim>
 void ExplicitDynamics<Dim>::set_first_reach(const Packing<Dim>& packing) {
   bridges_.emplace(*law_.liquid(), grains_.of_grains(grains_.radius));
   const double reach = kReachMargin * interaction_range(packing);
-  interactions_[0].set_range(holds_liquid_ ? reach : std::max(reach, bridges_->first_reach()));
+  interactions_.between_grains().set_range(holds_liquid_ ? reach : std::max(reach, bridges_->first_reach()));
 }
 
 /// The widest gap with liquid on it.
 template <int Dim>
 double ExplicitDynamics<Dim>::reach_of_liquid() const {
-  const PairArrays<Dim>& pairs = interactions_[0].pairs();
+  const PairArrays<Dim>& pairs = interactions_.between_grains().pairs();
   double reach = 0.0;
   for (int p = 0; p < pairs.size(); ++p)
     if (pairs.bridge_volume()[p] != 0.0) reach = std::max(reach, kReachMargin * gap_of(pairs.key(p)));
@@ -47,7 +47,7 @@ double ExplicitDynamics<Dim>::gap_of(const NeighborPair<Dim>& pair) const {
 template <int Dim>
 LiquidShares ExplicitDynamics<Dim>::share_liquid() {
   const CapillaryAdhesion& law = *law_.liquid();
-  const PairArrays<Dim>& pairs = interactions_[0].pairs();
+  const PairArrays<Dim>& pairs = interactions_.between_grains().pairs();
   LiquidShares shares =
       share_liquid_among(law, bridges_->liquid(), pairs.size(), [&](int p) -> std::optional<BridgeablePair> {
         if (pairs.padding(p)) return {};
@@ -55,20 +55,20 @@ LiquidShares ExplicitDynamics<Dim>::share_liquid() {
         if (!may_hold_liquid(law, gap, pairs.bridge_volume()[p])) return {};
         return BridgeablePair{gap, 2.0 * reduced(grains_.radius[pairs.i(p)], grains_.radius[pairs.j(p)])};
       });
-  std::copy(shares.volume.begin(), shares.volume.end(), interactions_[0].bridge_volume().begin());
+  std::copy(shares.volume.begin(), shares.volume.end(), interactions_.between_grains().bridge_volume().begin());
   return shares;
 }
 
 /// Shares the liquid out, over a list that reaches far enough.
 template <int Dim>
 void ExplicitDynamics<Dim>::spread_liquid() {
-  Interaction<Dim>& grains = interactions_[0];
+  Interaction<Dim>& grains = interactions_.between_grains();
   LiquidShares shares = share_liquid();
   if (law_.liquid()->formation == BridgeFormation::gap) {
     for (double wider = bridges_->wider(grains.range(), shares); wider > grains.range();
          wider = bridges_->wider(grains.range(), shares)) {
       grains.set_range(wider);
-      build_lists(further_contacts());
+      build_lists(interactions_.further_contacts());
       shares = share_liquid();
     }
     grains.set_range(std::min(grains.range(), kReachMargin * bridges_->reach_bound(shares)));

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/packing/packing.h"
+#include "floc/relaxation/grain_arrays.h"
+#include "floc/relaxation/interactions.h"
+
+namespace floc {
+
+/// The memory of the contacts of a packing that is set in motion, until the lists of pairs exist that carry it on.
+template <int Dim>
+class ContactHistories {
+ public:
+  /// Takes the contacts out of a packing, so that a large one is not held twice.
+  /// @param grains  of the packing, as they are set in motion
+  ContactHistories(Packing<Dim>& packing, const GrainArrays<Dim>& grains);
+
+  /// Contacts beside the first contact of their pair: those between grains, then those with walls.
+  PairLists<Dim> further_contacts() const;
+  /// Copies the memory into the pairs of the contacts, and finds what bridges follow from it.
+  void load_into(Interactions<Dim>& interactions) const;
+
+ private:
+  struct History {
+    NeighborPair<Dim> pair;  ///< places of the grains in their arrays
+    bool on_wall;
+    bool swapped;  ///< whether the pair is the contact seen from its other grain
+    ContactMemory<Dim> memory;
+  };
+  std::vector<History> histories_;
+};
+
+}  // namespace floc

@@ -1,0 +1,65 @@
+#include "floc/relaxation/interactions.h"
+
+#include <algorithm>
+
+#include "floc/packing/contact_order.h"
+
+namespace floc {
+namespace {
+
+/// Adds further contacts to a list that has one pair for each two bodies. Those whose bodies are no longer close are
+/// left out.
+template <int Dim>
+void add_further(std::vector<NeighborPair<Dim>> further, std::vector<NeighborPair<Dim>>& pairs) {
+  if (further.empty()) return;
+  std::erase_if(further, [&](NeighborPair<Dim> first) {
+    first.key = 0;
+    return !std::binary_search(pairs.begin(), pairs.end(), first, precedes<NeighborPair<Dim>>);
+  });
+  pairs.insert(pairs.end(), further.begin(), further.end());
+  std::sort(pairs.begin(), pairs.end(), precedes<NeighborPair<Dim>>);
+}
+
+}  // namespace
+
+template <int Dim>
+Interactions<Dim>::Interactions(const Packing<Dim>& packing, double largest_radius, InstructionSet instructions,
+                                LatticeShape shape) {
+  std::vector<Law> parameters = {packing.law};
+  if (!packing.walls.empty()) parameters.push_back(packing.wall_law);
+  const auto laws = laws_of_same_rows(parameters);
+  for (std::size_t k = 0; k < laws.size(); ++k)
+    list_.emplace_back(k == 0 ? Partner::grain : Partner::wall, parameters[k], laws[k], row_kind<Dim>(*laws[0]),
+                       largest_radius, instructions, shape);
+}
+
+template <int Dim>
+PairLists<Dim> Interactions<Dim>::further_contacts() const {
+  PairLists<Dim> further;
+  for (const Interaction<Dim>& interaction : list_) further.push_back(interaction.pairs().further_contacts());
+  return further;
+}
+
+template <int Dim>
+void Interactions<Dim>::set_pairs(PairLists<Dim> close, const PairLists<Dim>& further,
+                                  const GrainArrays<Dim>& grains, double time_step, int blocks_of_group) {
+  for (std::size_t k = 0; k < list_.size(); ++k) {
+    Interaction<Dim>& interaction = list_[k];
+    add_further(further[k], close[k]);
+    // Lists are large: what the old one needs no more, and the pairs once they are taken, give room to others.
+    interaction.drop_numbers();
+    interaction.set_pairs(
+        {close[k], interaction.partner(), grains, interaction.law(), time_step, blocks_of_group});
+    close[k] = std::vector<NeighborPair<Dim>>();
+  }
+}
+
+template <int Dim>
+void Interactions<Dim>::keep_memory_alone() {
+  for (Interaction<Dim>& interaction : list_) interaction.keep_memory_alone();
+}
+
+template class Interactions<2>;
+template class Interactions<3>;
+
+}  // namespace floc

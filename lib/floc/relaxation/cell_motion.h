@@ -43,7 +43,6 @@ class CellMotion {
 
   /// Lists the pairs of each wall, after a new list of the pairs of grains with walls.
   void list_pairs_of_walls(const PairArrays<Dim>& pairs) { walls_.list_pairs(pairs); }
-  void mark_walls() { walls_.mark(); }
   /// Sums the forces on the walls, after the forces of their pairs have been computed.
   void sum_forces_on_walls(const Interaction<Dim>& interaction) { walls_.sum_forces(interaction); }
 

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "floc/geometry/upper_triangular.h"
 #include "floc/neighbors/space_order.h"
-#include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/contact_histories.h"
-#include "floc/relaxation/kernel_matrix.h"
 #include "floc/relaxation/packing_from_motion.h"
 #include "floc/relaxation/thread_team.h"
 
@@ -28,6 +24,12 @@ LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control
              : LatticeShape::triangular;
 }
 
+template <int Dim>
+SkinRule skin_rule(const Packing<Dim>& packing, const DynamicsSettings& settings) {
+  // Where liquid is shared out with every list, the skin decides when, and must not follow what lists cost.
+  return packing.law.liquid() && !settings.holds_liquid ? SkinRule::follows_reach : SkinRule::balances_costs;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -35,22 +37,21 @@ ExplicitDynamics<Dim>::ExplicitDynamics(Packing<Dim>& packing, const BoundaryCon
                                         const DynamicsSettings& settings)
     : law_(packing.law),
       wall_law_(packing.wall_law),
-      holds_liquid_(settings.holds_liquid),
-      cell_(packing.cell, packing.walls, control),
       dt_(settings.time_step),
-      skin_(settings.skin),
       threads_(settings.threads),
-      largest_diameter_(largest_diameter(packing.grains)),
-      skin_unit_(skin_length_unit(packing.grains.radius)),
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
-      interactions_(packing, 0.5 * largest_diameter_, settings.instructions, shape_of(packing.cell, control)) {
-  sums_.resize(n_blocks());
-  motion_of_block_.resize(n_blocks());
-  if (law_.liquid()) set_first_reach(packing);
+      cell_(packing.cell, packing.walls, control),
+      interactions_(packing, settings.instructions, shape_of(packing.cell, control)),
+      lists_(grains_, cell_, settings.skin, skin_rule(packing, settings)),
+      sums_(grains_.n_blocks()) {
+  if (law_.liquid()) {
+    liquid_.emplace(law_, grains_, settings.holds_liquid);
+    interactions_.between_grains().set_range(liquid_->first_reach(packing));
+  }
   const ContactHistories<Dim> histories(packing, grains_);
   build_lists(histories.further_contacts());
   histories.load_into(interactions_);
-  if (shares_liquid()) spread_liquid();
+  share_liquid();
   refresh_forces();
 }
 
@@ -61,6 +62,7 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
       const int last = sweep_plan_.first_block(sweep_plan_.first_group(thread + 1));
       for (int b = sweep_plan_.first_block(sweep_plan_.first_group(thread)); b < last; ++b) visit(b);
     };
+    const StepKernels<Dim>& kernels = interactions_.between_grains().kernels();
     Rotation stands = Rotation::at_end;
     for (int step = 0; step < n_steps; ++step) {
       // Nobody asks for spins before the last of the steps, but power control, which stops the grains.
@@ -68,12 +70,12 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
           step + 1 < n_steps && motion == Motion::free ? Rotation::in_middle : Rotation::at_end;
       if (thread == 0) begin_step();
       barrier.wait();
-      const bool drifts_first = list_is_stale();
+      const bool drifts_first = lists_.stale(cell_, range());
       if (drifts_first) {
         for_each_block([&](int b) { kick_and_drift(b, stands); });
-        for_each_block([&](int b) { measure_motion(b); });
+        for_each_block([&](int b) { lists_.motion().measure(b, kernels, grain_view_); });
         barrier.wait();
-        if (thread == 0) renew_list();
+        if (thread == 0) renew_lists();
       } else {
         for (const int b : sweep_plan_.shared_of(thread)) kick_and_drift(b, stands);
       }
@@ -86,9 +88,9 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
       stands = next;
     }
     // skin() asks for it.
-    for_each_block([&](int b) { measure_motion(b); });
+    for_each_block([&](int b) { lists_.motion().measure(b, kernels, grain_view_); });
     barrier.wait();
-    if (thread == 0) take_measured_motion();
+    if (thread == 0) lists_.motion().take_measured();
   });
 }
 
@@ -98,9 +100,7 @@ void ExplicitDynamics<Dim>::begin_step() {
   cell_.kick(0.5 * dt_, sums_);
   drift_ = cell_.drift(dt_);
   kick_ = cell_.kick_of_grains(0.5 * dt_);
-  list_stretch_ = right_quotient<Dim>(cell_.lattice(), lattice_at_list_);
-  bound_motion();
-  ++steps_since_list_;
+  lists_.add_step(cell_, sums_, kick_, drift_);
 }
 
 template <int Dim>
@@ -109,20 +109,12 @@ void ExplicitDynamics<Dim>::kick_and_drift(int block, Rotation stands) {
                                                           stands);
 }
 
-template <int Dim>
-void ExplicitDynamics<Dim>::measure_motion(int block) {
-  double list_stretch[Dim][Dim];
-  copy_matrix<Dim>(list_stretch_, list_stretch);
-  motion_of_block_[block] = std::sqrt(
-      interactions_.between_grains().kernels().motion_squared(grain_view_, block * kGrainBlock, list_stretch));
-}
-
 /// Those whose pairs are computed in one pass: as many for each thread, and nearly equal.
 template <int Dim>
 int ExplicitDynamics<Dim>::blocks_of_group() const {
   const auto parts = [](int all, int most) { return (all + most - 1) / most; };
-  const int groups_of_thread = parts(n_blocks(), threads_ * kBlocksOfGroup);
-  return parts(n_blocks(), threads_ * groups_of_thread);
+  const int groups_of_thread = parts(grains_.n_blocks(), threads_ * kBlocksOfGroup);
+  return parts(grains_.n_blocks(), threads_ * groups_of_thread);
 }
 
 /// Pairs of a thread's blocks, and sums of those that it shares with no other.
@@ -213,8 +205,52 @@ void ExplicitDynamics<Dim>::refresh_forces() {
   for (int thread = 0; thread < sweep_plan_.n_threads(); ++thread)
     sweep(thread, 0.0, std::nullopt, Rotation::at_end);
   for (int thread = 0; thread < sweep_plan_.n_threads(); ++thread) sum_shared_blocks(thread, Rotation::at_end);
-  moved_ = std::numeric_limits<double>::infinity();  // a kick of no time tells nothing of the next speeds
+  lists_.motion().forget();  // a kick of no time tells nothing of the next speeds
   if (interactions_.with_walls()) cell_.sum_forces_on_walls(interactions_.on_walls());
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::renew_lists() {
+  lists_.motion().take_measured();
+  if (lists_.stale(cell_, range())) rebuild_lists();
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::rebuild_lists() {
+  if (!finite()) return;  // the caller will ask; there are no neighbours to find
+  if (liquid_)
+    interactions_.between_grains().set_range(liquid_->reach(grains_, cell_, interactions_.between_grains()));
+  build_lists(interactions_.further_contacts());
+  share_liquid();
+}
+
+template <int Dim>
+void ExplicitDynamics<Dim>::build_lists(const PairLists<Dim>& further) {
+  if (!finite()) return;
+  sums_of_rows_ = RowSums<Dim>();  // of the lists that end here
+  interactions_.set_pairs(lists_.find(grains_, cell_, interactions_), further, grains_, dt_, blocks_of_group());
+  std::vector<const PairArrays<Dim>*> lists;
+  for (const Interaction<Dim>& interaction : interactions_) lists.push_back(&interaction.pairs());
+  sweep_plan_ = {interactions_.between_grains().pairs(), grains_.n_blocks(), threads_, blocks_of_group()};
+  sums_of_rows_ = {lists, interactions_.between_grains().rows(), grains_.size(), sweep_plan_};
+  if (interactions_.with_walls()) {
+    interactions_.on_walls().set_rows(sums_of_rows_.rows_with_walls());
+    cell_.list_pairs_of_walls(interactions_.on_walls().pairs());
+  }
+  grain_view_ = lists_.motion().view_of(grains_);
+}
+
+/// Shares the liquid out over lists that reach far enough, unless the bridges keep their volumes.
+template <int Dim>
+void ExplicitDynamics<Dim>::share_liquid() {
+  if (!liquid_ || liquid_->keeps_shares()) return;
+  while (!liquid_->share_out(grains_, cell_, interactions_.between_grains()))
+    build_lists(interactions_.further_contacts());
+}
+
+template <int Dim>
+double ExplicitDynamics<Dim>::skin() const {
+  return lists_.skin_to_continue_with(cell_, range());
 }
 
 template <int Dim>
@@ -229,7 +265,7 @@ bool ExplicitDynamics<Dim>::finite() const {
 template <int Dim>
 Packing<Dim> ExplicitDynamics<Dim>::release_packing() {
   sums_of_rows_ = RowSums<Dim>();
-  x_list_ = {};
+  lists_.motion().release();
   interactions_.keep_memory_alone();
   return packing();
 }
@@ -253,7 +289,6 @@ std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>& packing, const Bou
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                             \
-  template int ExplicitDynamics<Dim>::blocks_of_group() const;                                            \
   template std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>&, const BoundaryControl<Dim>&, \
                                                         const DynamicsSettings&);                         \
   template std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>&, const BoundaryControl<Dim>&,    \

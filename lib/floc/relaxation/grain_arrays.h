@@ -38,6 +38,7 @@ struct GrainArrays {
   GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order);
 
   int size() const { return static_cast<int>(index.size()); }
+  int n_blocks() const { return (size() + kGrainBlock - 1) / kGrainBlock; }
   /// A component without its padding.
   std::span<const double> of_grains(const Component& component) const {
     return {component.data(), index.size()};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -23,14 +24,13 @@ void add_further(std::vector<NeighborPair<Dim>> further, std::vector<NeighborPai
 }  // namespace
 
 template <int Dim>
-Interactions<Dim>::Interactions(const Packing<Dim>& packing, double largest_radius, InstructionSet instructions,
-                                LatticeShape shape) {
+Interactions<Dim>::Interactions(const Packing<Dim>& packing, InstructionSet instructions, LatticeShape shape) {
   std::vector<Law> parameters = {packing.law};
   if (!packing.walls.empty()) parameters.push_back(packing.wall_law);
   const auto laws = laws_of_same_rows(parameters);
   for (std::size_t k = 0; k < laws.size(); ++k)
     list_.emplace_back(k == 0 ? Partner::grain : Partner::wall, parameters[k], laws[k], row_kind<Dim>(*laws[0]),
-                       largest_radius, instructions, shape);
+                       0.5 * largest_diameter(packing.grains), instructions, shape);
 }
 
 template <int Dim>

@@ -17,9 +17,7 @@ using PairLists = std::vector<std::vector<NeighborPair<Dim>>>;
 template <int Dim>
 class Interactions {
  public:
-  /// @param largest_radius  of the grains (length)
-  Interactions(const Packing<Dim>& packing, double largest_radius, InstructionSet instructions,
-               LatticeShape shape);
+  Interactions(const Packing<Dim>& packing, InstructionSet instructions, LatticeShape shape);
 
   bool with_walls() const { return list_.size() > 1; }
   Interaction<Dim>& between_grains() { return list_.front(); }

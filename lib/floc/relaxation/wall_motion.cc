@@ -11,7 +11,7 @@ namespace floc {
 
 template <int Dim>
 WallMotion<Dim>::WallMotion(std::vector<Wall<Dim>> walls)
-    : walls_(std::move(walls)), marked_(walls_), pairs_of_wall_(walls_.size()), force_(walls_.size(), 0.0) {
+    : walls_(std::move(walls)), pairs_of_wall_(walls_.size()), force_(walls_.size(), 0.0) {
   for (const Wall<Dim>& wall : walls_) between_[wall.axis] = true;
   for (int a = 0; a < Dim; ++a)
     for (const Wall<Dim>& wall : walls_) normal_[a].push_back(wall.normal()[a]);
@@ -99,10 +99,10 @@ double WallMotion<Dim>::twice_kinetic_energy() const {
 }
 
 template <int Dim>
-double WallMotion<Dim>::moved_since_mark() const {
+double WallMotion<Dim>::largest_displacement(const std::vector<Wall<Dim>>& before) const {
   double largest = 0.0;
   for (std::size_t w = 0; w < walls_.size(); ++w)
-    largest = std::max(largest, std::abs(walls_[w].position - marked_[w].position));
+    largest = std::max(largest, std::abs(walls_[w].position - before[w].position));
   return largest;
 }
 

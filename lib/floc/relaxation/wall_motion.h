@@ -41,15 +41,14 @@ class WallMotion {
   void stop();
   double twice_kinetic_energy() const;
 
-  void mark() { marked_ = walls_; }
-  /// Largest displacement of a wall since mark() (length).
-  double moved_since_mark() const;
+  /// Largest displacement of a wall from where it was before (length).
+  double largest_displacement(const std::vector<Wall<Dim>>& before) const;
 
  private:
   double gap_of(int axis, double Wall<Dim>::*member) const;
   void set_arrays();
 
-  std::vector<Wall<Dim>> walls_, marked_;
+  std::vector<Wall<Dim>> walls_;
   std::vector<std::vector<int>> pairs_of_wall_;
   std::vector<double> force_;  ///< on each wall, outwards (force)
   std::array<bool, Dim> between_ = {};

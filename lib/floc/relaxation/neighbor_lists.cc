@@ -1,0 +1,163 @@
+#include "floc/relaxation/neighbor_lists.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/packing/grain_sizes.h"
+
+namespace floc {
+namespace {
+
+/// What a new list of pairs costs, in time steps (measured at N = 1400 and 100 000).
+constexpr double kListCost = 23.0;
+/// Grains at rest get this share of the skin of the fastest grains, since they may be hit.
+constexpr double kMinSkinShare = 0.25;
+/// In skin_length_unit().
+constexpr double kMinSkin = 1e-4;
+/// Skin under SkinRule::follows_reach, as a share of the range of the interaction: two surfaces come nearer to each
+/// other by that at most before new lists are built.
+constexpr double kSkinOfReach = 0.25;
+/// The skin is never thinner than this under that rule, in skin_length_unit().
+constexpr double kMinSkinOfReach = 1e-3;
+
+}  // namespace
+
+template <int Dim>
+NeighborLists<Dim>::NeighborLists(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell, double skin,
+                                  SkinRule rule)
+    : skin_(skin), rule_(rule), motion_(grains.n_blocks(), cell) {
+  const std::span<const double> of_grains = grains.of_grains(grains.radius);
+  const std::vector<double> radius(of_grains.begin(), of_grains.end());
+  largest_diameter_ = largest_diameter(radius);
+  skin_unit_ = skin_length_unit(radius);
+}
+
+template <int Dim>
+double NeighborLists<Dim>::min_skin() const {
+  return kMinSkin * skin_unit_;
+}
+
+/// Share of the time that the lists have cost so far. The skin is right where it equals the share that goes into
+/// pairs out of range.
+template <int Dim>
+double NeighborLists<Dim>::cost_share() const {
+  return kListCost / steps_;
+}
+
+/// What motion has taken of the skin since the lists were built, as far as it is known: the largest displacement of
+/// a body and the affine shrinking.
+template <int Dim>
+double NeighborLists<Dim>::consumed_skin(const CellMotion<Dim>& cell, double range) const {
+  return std::max(motion_.of_grains() * skin_, 2.0 * motion_.of_walls(cell.walls())) +
+         motion_.shrinking() * (largest_diameter_ + range + skin_) / kMinSkinShare;
+}
+
+template <int Dim>
+bool NeighborLists<Dim>::stale(const CellMotion<Dim>& cell, double range) const {
+  if (rule_ == SkinRule::balances_costs && cost_share() < 0.5 * share_out_of_range_ && skin_ > min_skin())
+    return true;
+  return !(consumed_skin(cell, range) < skin_);
+}
+
+template <int Dim>
+double NeighborLists<Dim>::skin_to_continue_with(const CellMotion<Dim>& cell, double range) const {
+  if (!first_ || steps_ == 0) return skin_;
+  // One list has served for all of the motion: twice what the motion consumed of its skin is enough.
+  return std::min(skin_, std::max(2.0 * consumed_skin(cell, range), min_skin()));
+}
+
+template <int Dim>
+void NeighborLists<Dim>::add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums,
+                                  const Kick<Dim>& kick, const Drift<Dim>& drift) {
+  motion_.add_step(cell, sums, kick, drift);
+  ++steps_;
+}
+
+template <int Dim>
+void NeighborLists<Dim>::adapt_skin(const CellMotion<Dim>& cell, const Interaction<Dim>& between_grains) {
+  if (rule_ == SkinRule::follows_reach) {
+    skin_ = std::clamp(kSkinOfReach * between_grains.range(), kMinSkinOfReach * skin_unit_,
+                       0.5 * largest_diameter_);
+    return;
+  }
+  if (between_grains.pairs().size() == 0 || steps_ == 0) return;
+  first_ = false;
+  const double cost = cost_share();
+  if (cost > share_out_of_range_)
+    skin_ = std::min((cost > 4.0 * share_out_of_range_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
+  // Twice what motion consumed of a skin is enough for a list that lasts as long.
+  if (cost < 0.5 * share_out_of_range_)
+    skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(cell, between_grains.range())), min_skin());
+}
+
+template <int Dim>
+PairLists<Dim> NeighborLists<Dim>::find(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
+                                        const Interactions<Dim>& interactions) {
+  adapt_skin(cell, interactions.between_grains());
+  const std::vector<double> skin = skins_of_grains(grains);
+  motion_.begin(grains, cell, skin, 0.5 * kMinSkinShare * skin_);
+  Grains<Dim> with_skins;  // positions and radii alone
+  with_skins.position.resize(grains.size());
+  with_skins.radius.resize(grains.size());
+  grains.copy_positions_to(with_skins);
+  for (int k = 0; k < grains.size(); ++k) with_skins.radius[k] = grains.radius[k] + skin[k];
+  PairLists<Dim> close;
+  for (const Interaction<Dim>& interaction : interactions) close.push_back(find(interaction, cell, with_skins));
+  share_out_of_range_ = share_out_of_range(close[0], grains, cell, interactions.between_grains().range());
+  steps_ = 0;
+  return close;
+}
+
+/// Pairs of an interaction that may act before the bodies have moved by their skins.
+template <int Dim>
+std::vector<NeighborPair<Dim>> NeighborLists<Dim>::find(const Interaction<Dim>& interaction,
+                                                        const CellMotion<Dim>& cell,
+                                                        const Grains<Dim>& with_skins) const {
+  const double range = interaction.range();
+  const std::vector<Wall<Dim>>& walls = cell.walls().walls();
+  if (interaction.partner() == Partner::wall) return find_wall_pairs(walls, with_skins, range + 0.5 * skin_);
+  return find_pairs(search_cell(cell.cell(), walls, largest_diameter_ + range + skin_), with_skins, range);
+}
+
+/// Skin of each grain. All grains use a list for the same time, so faster grains get more of the skin.
+template <int Dim>
+std::vector<double> NeighborLists<Dim>::skins_of_grains(const GrainArrays<Dim>& grains) const {
+  std::vector<double> speed(grains.size());
+  for (int k = 0; k < grains.size(); ++k) {
+    double squared = 0.0;
+    for (int a = 0; a < Dim; ++a) squared += grains.v[a][k] * grains.v[a][k];
+    speed[k] = std::sqrt(squared);
+  }
+  const double fastest = speed.empty() ? 0.0 : *std::max_element(speed.begin(), speed.end());
+  const bool comparable = fastest > 0.0 && std::isfinite(fastest);  // not where the motion diverges
+  std::vector<double> skin(grains.size());
+  for (int k = 0; k < grains.size(); ++k)
+    skin[k] = 0.5 * skin_ * (comparable ? std::max(speed[k] / fastest, kMinSkinShare) : 1.0);
+  return skin;
+}
+
+/// Share of the time of a step that goes into pairs out of each other's range, where a grain costs about as much as
+/// a pair.
+template <int Dim>
+double NeighborLists<Dim>::share_out_of_range(const std::vector<NeighborPair<Dim>>& pairs,
+                                              const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
+                                              double range) const {
+  std::size_t out_of_range = 0;
+  for (const NeighborPair<Dim>& p : pairs) {
+    const Vec<Dim> shift = cell.image_shift(p.image);
+    double squared = 0.0;
+    for (int a = 0; a < Dim; ++a) {
+      const double r = grains.x[a][p.j] - grains.x[a][p.i] + shift[a];
+      squared += r * r;
+    }
+    const double reach = grains.radius[p.i] + grains.radius[p.j] + range;
+    out_of_range += squared >= reach * reach;
+  }
+  return static_cast<double>(out_of_range) /
+         static_cast<double>(pairs.size() + static_cast<std::size_t>(grains.size()));
+}
+
+template class NeighborLists<2>;
+template class NeighborLists<3>;
+
+}  // namespace floc

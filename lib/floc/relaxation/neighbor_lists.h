@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/relaxation/cell_motion.h"
+#include "floc/relaxation/grain_arrays.h"
+#include "floc/relaxation/interactions.h"
+#include "floc/relaxation/motion_since_list.h"
+
+namespace floc {
+
+/// What decides how wide the skin of the lists of neighbours is.
+enum class SkinRule {
+  balances_costs,  ///< new lists cost as much time as the pairs out of range that the lists hold
+  follows_reach,   ///< it is a fixed part of the range of the interaction
+};
+
+/// Verlet lists of the bodies of a packing in motion: which pairs are close enough to interact before the next
+/// lists are built, when those have to be built, and how wide a skin they need. The pairs that are found belong to the
+/// interactions.
+template <int Dim>
+class NeighborLists {
+ public:
+  /// @param skin  first guess (length)
+  NeighborLists(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell, double skin, SkinRule rule);
+
+  /// Finds the pairs of each interaction anew, one for each two bodies, after the skin has been adapted to how the
+  /// lists before did.
+  PairLists<Dim> find(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
+                      const Interactions<Dim>& interactions);
+  /// Whether a pair outside the lists might interact, for all that is known of the motion, or the lists hold too
+  /// many pairs out of range.
+  /// @param range  gap across which grains interact (length)
+  bool stale(const CellMotion<Dim>& cell, double range) const;
+  /// Skin to begin with in a continuation of this motion, whose first lists are new ones in any case (length).
+  double skin_to_continue_with(const CellMotion<Dim>& cell, double range) const;
+
+  const MotionSinceList<Dim>& motion() const { return motion_; }
+  MotionSinceList<Dim>& motion() { return motion_; }
+  /// Counts a time step, and adds a bound of its motion (MotionSinceList::add_step).
+  void add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums, const Kick<Dim>& kick,
+                const Drift<Dim>& drift);
+
+ private:
+  double min_skin() const;
+  double cost_share() const;
+  double consumed_skin(const CellMotion<Dim>& cell, double range) const;
+  void adapt_skin(const CellMotion<Dim>& cell, const Interaction<Dim>& between_grains);
+  std::vector<double> skins_of_grains(const GrainArrays<Dim>& grains) const;
+  std::vector<NeighborPair<Dim>> find(const Interaction<Dim>& interaction, const CellMotion<Dim>& cell,
+                                      const Grains<Dim>& with_skins) const;
+  double share_out_of_range(const std::vector<NeighborPair<Dim>>& pairs, const GrainArrays<Dim>& grains,
+                            const CellMotion<Dim>& cell, double range) const;
+
+  double skin_;  ///< of a pair of the fastest grains (length)
+  SkinRule rule_;
+  double largest_diameter_;
+  double skin_unit_;  ///< skin_length_unit()
+  MotionSinceList<Dim> motion_;
+  int steps_ = 0;                    ///< since the lists were built
+  bool first_ = true;                ///< no step has been made with other lists than the first
+  double share_out_of_range_ = 0.0;  ///< of the time of a step, when the lists were built
+};
+
+}  // namespace floc

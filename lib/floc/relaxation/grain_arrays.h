@@ -44,6 +44,8 @@ struct GrainArrays {
     return {component.data(), index.size()};
   }
   void copy_positions_to(Grains<Dim>& grains) const;
+  /// Sets velocities and spins to zero.
+  void stop();
   /// Orientation of the k-th grain here.
   Orientation<Dim> orientation_of(std::size_t k) const;
   /// @param x_list                positions when the neighbour list was built
@@ -106,6 +108,12 @@ template <int Dim>
 void GrainArrays<Dim>::copy_positions_to(Grains<Dim>& grains) const {
   for (int k = 0; k < size(); ++k)
     for (int a = 0; a < Dim; ++a) grains.position[k][a] = x[a][k];
+}
+
+template <int Dim>
+void GrainArrays<Dim>::stop() {
+  for (Component& component : v) std::fill(component.begin(), component.end(), 0.0);
+  for (Component& component : spin) std::fill(component.begin(), component.end(), 0.0);
 }
 
 template <int Dim>

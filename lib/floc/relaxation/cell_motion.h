@@ -35,7 +35,8 @@ class CellMotion {
 
   /// Displacement of an image (length).
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
-  /// Moves a position into the cell, except along axes between walls, and returns the image that this took.
+  /// Moves a position into the cell, except along axes between walls.
+  /// @return  the image that brought it there
   Vec<Dim, int> wrap(Vec<Dim>& position) const;
   /// The boundary as pairs see it. The view of the walls stays valid for as long as this object lives.
   /// @param slip_time  time over which the springs take up the present velocities

@@ -8,7 +8,8 @@
 
 namespace floc {
 
-/// The memory of the contacts of a packing that is set in motion, until the lists of pairs exist that carry it on.
+/// The memory of the contacts of a packing that is set in motion. It is held here until there are lists of pairs to
+/// load it into.
 template <int Dim>
 class ContactHistories {
  public:

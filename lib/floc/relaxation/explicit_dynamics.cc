@@ -1,6 +1,5 @@
 #include "floc/relaxation/explicit_dynamics.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "floc/neighbors/space_order.h"

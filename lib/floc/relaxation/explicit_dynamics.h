@@ -13,10 +13,10 @@
 
 namespace floc {
 
-/// Velocity Verlet steps of a packing (Dynamics). A step kicks and drifts the boundary (CellMotion), then the grains
-/// block by block, computes the forces between them and kicks them again (ForceSweep), after the pairs have been found
-/// anew where bodies have moved too far (NeighborLists), and ends with the second kick of the boundary. The code that
-/// visits every grain or pair is in kernels/, compiled for each kernel law and instruction set.
+/// Velocity Verlet steps of a packing (Dynamics). A step kicks and drifts the boundary (CellMotion) and the grains,
+/// finds the pairs anew where bodies have moved too far (NeighborLists), computes the forces and kicks the grains again
+/// (ForceSweep), and ends with the second kick of the boundary. The code that visits every grain or pair is in
+/// kernels/, compiled for each kernel law and instruction set.
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:
@@ -31,13 +31,13 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double skin() const override;
 
  private:
-  /// The part that one thread of the team has in a time step.
-  /// @param from, to  how the rotation of the grains stands before and after it
+  /// Does one thread's part of a time step.
+  /// @param from, to  how the rotation of the grains stands before and after the step
   void step(int thread, Barrier& barrier, Motion motion, Rotation from, Rotation to);
   void begin_step();
   void end_step(Motion motion);
   void stop_if_slowing();
-  /// Measures the motion since the last list of a thread's grains.
+  /// Measures how far the grains of a thread have moved since the lists were built.
   void measure_motion(int thread);
   void refresh_forces();
 

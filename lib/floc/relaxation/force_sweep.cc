@@ -7,8 +7,9 @@
 namespace floc {
 namespace {
 
-/// Blocks whose pairs a thread computes before it sums them, at most: each pass over pairs begins and ends slowly (4 %
-/// faster with 4000 spheres than block by block; as fast with 4, slower with all).
+/// Largest number of blocks whose pairs a thread computes before it sums them. Each pass over pairs begins and ends
+/// slowly: this is 4 % faster with 4000 spheres than block by block, as fast as with 4 blocks, and faster than with
+/// all.
 constexpr int kMaxBlocksOfGroup = 16;
 
 template <int Dim>
@@ -27,7 +28,7 @@ ForceSweep<Dim>::ForceSweep(const GrainArrays<Dim>& grains, int n_threads, const
       needs_virial_(needs_virial),
       sums_(grains.n_blocks()) {}
 
-/// Every thread has as many groups, which are nearly equal.
+/// All threads have the same number of groups, and the groups are nearly equal.
 template <int Dim>
 int ForceSweep<Dim>::blocks_of_group() const {
   const auto parts = [](int all, int most) { return (all + most - 1) / most; };
@@ -98,8 +99,8 @@ void ForceSweep<Dim>::sum_and_kick(int block, const Interactions<Dim>& interacti
     add_wall_virial(block, interactions.on_walls(), step.grains);
 }
 
-/// Takes out of the virial what the friction of walls adds along the periodic axes, to which the walls are parallel: the
-/// kernel sums the forces on grains times their positions, those of walls included.
+/// Takes the friction of walls out of the virial along the periodic axes, to which the walls are parallel. The kernel
+/// sums forces on grains times their positions, and the forces of walls are among them.
 template <int Dim>
 void ForceSweep<Dim>::add_wall_virial(int block, const Interaction<Dim>& on_walls,
                                       const GrainView<Dim>& grains) {

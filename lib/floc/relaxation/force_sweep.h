@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// A time step as the passes over the blocks of grains see it.
+/// What the passes over blocks of grains read in a time step.
 template <int Dim>
 struct GrainStep {
   GrainView<Dim> grains;
@@ -19,22 +19,23 @@ struct GrainStep {
   Drift<Dim> drift;  ///< of the whole step, between the two kicks
 };
 
-/// The passes of a time step over blocks of grains, shared out among threads (SweepPlan). A block owns the pairs whose
-/// first grain it owns: each thread computes the rows of the pairs of its blocks, and once all rows that a block
-/// reads are written, its grains are summed and kicked. Sums over the packing are kept block by block, so that the
-/// number of threads does not change the order of additions.
+/// The passes of a time step over blocks of grains, shared out among threads (SweepPlan). A block owns the pairs
+/// whose first grain it owns. Each thread computes the rows of the pairs of its blocks; once all rows that a block
+/// reads are written, the rows of its grains are summed and the grains are kicked. Sums over the packing are kept
+/// block by block, so that the order of additions does not depend on the number of threads.
 ///
-/// Threads call the methods with a thread's number side by side, with barriers between drift, compute and sum_shared.
+/// All threads call the methods that take a thread's number, with a barrier after each of the drift, compute() and
+/// sum_shared().
 template <int Dim>
 class ForceSweep {
  public:
-  /// @param needs_virial  components of the virial that a lattice under stress needs
+  /// @param needs_virial  components of the virial that drive the lattice
   ForceSweep(const GrainArrays<Dim>& grains, int n_threads, const Mat<Dim, bool>& needs_virial);
 
   int n_threads() const { return plan_.n_threads(); }
-  /// Blocks whose pairs are computed in one pass, which lists of pairs have to be padded for.
+  /// Number of blocks whose pairs are computed in one pass. Lists of pairs are padded accordingly.
   int blocks_of_group() const;
-  /// Drops the rows. @pre plan() follows, or no step does
+  /// Drops the rows, which are large. @pre plan() is called before the next step
   void drop_rows() { rows_ = RowSums<Dim>(); }
   /// Plans the passes over new lists of pairs.
   void plan(Interactions<Dim>& interactions);
@@ -45,19 +46,20 @@ class ForceSweep {
     const int last = plan_.first_block(plan_.first_group(thread + 1));
     for (int b = plan_.first_block(plan_.first_group(thread)); b < last; ++b) visit(b);
   }
-  /// Kicks and moves all blocks of a thread, or only those that it has of the blocks shared by several threads.
+  /// Kicks and moves all blocks of a thread.
   /// @param stands  how the rotation of the grains stands
   void drift_all(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                  Rotation stands) const;
+  /// Kicks and moves only those blocks that pairs of other threads read, too: a thread's part of them.
   void drift_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                     Rotation stands) const;
-  /// Computes the pairs of a thread's blocks, and sums the blocks that it shares with no other thread.
+  /// Computes the pairs of a thread's blocks, and sums and kicks the blocks that it shares with no other thread.
   /// @param undrifted  how the rotation of the grains stands where blocks that are not shared have still to drift,
   ///                   each just before pairs read it
   /// @param to         where to leave the rotation
   void compute(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                std::optional<Rotation> undrifted, Rotation to);
-  /// Sums the shared blocks of a thread, after the pairs of all threads have been computed.
+  /// Sums and kicks a thread's part of the shared blocks. @pre all threads have computed their pairs
   void sum_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step, Rotation to);
 
   /// What each block adds to the sums over the packing.

@@ -28,7 +28,7 @@ class Interactions {
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
 
-  /// Contacts of each interaction beside the first contact of their pair. Their keys keep them apart for as long as
+  /// Contacts of each interaction beside the first contact of their pair, told apart by their keys for as long as
   /// their bodies are close.
   PairLists<Dim> further_contacts() const;
   /// Takes new lists of pairs, which inherit the memory of the lists before.

@@ -10,13 +10,13 @@
 
 namespace floc {
 
-/// The liquid bridges of a packing in motion: how wide a gap the lists of pairs have to reach across for them, and how
-/// the liquid is shared out over the pairs.
+/// The liquid bridges of a packing in motion. This class decides how wide a gap the lists of pairs have to reach
+/// across for them, and shares the liquid out over the pairs.
 template <int Dim>
 class LiquidBridges {
  public:
-  /// @param law          that holds liquid
-  /// @param keeps_shares whether bridges keep their volumes; otherwise liquid is shared out with every list
+  /// @param law           law between grains. @pre law.liquid() is not null
+  /// @param keeps_shares  whether bridges keep their volumes; otherwise liquid is shared out with every list
   LiquidBridges(const Law& law, const GrainArrays<Dim>& grains, bool keeps_shares);
 
   bool keeps_shares() const { return keeps_shares_; }

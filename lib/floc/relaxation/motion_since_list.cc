@@ -48,7 +48,7 @@ void MotionSinceList<Dim>::begin(const GrainArrays<Dim>& grains, const CellMotio
   rounding_ = kRoundings * furthest(x_) / shortest_skin;
 }
 
-/// The displacement x - L x_list becomes x' - L' x_list = S (x - L x_list) + D v', and after the kick
+/// In a step the displacement x - L x_list becomes x' - L' x_list = S (x - L x_list) + D v', and after the kick
 /// |v'| <= max(|keep|, |gain|) (|v| + |dt F/2m|).
 template <int Dim>
 void MotionSinceList<Dim>::add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums,

@@ -9,9 +9,9 @@
 
 namespace floc {
 
-/// How far grains, lattice and walls have moved since the lists of neighbours were built. The motion of the grains
-/// is bounded before each step without a look at every grain; where the bound is too wide, it is measured block by
-/// block.
+/// How far grains, lattice and walls have moved since the lists of neighbours were built. A bound of the motion of
+/// the grains is kept up before each step without a look at every grain; where it is too wide, the motion is
+/// measured block by block.
 template <int Dim>
 class MotionSinceList {
  public:
@@ -19,8 +19,8 @@ class MotionSinceList {
       : lattice_(cell.lattice()), walls_(cell.walls().walls()), measured_(n_blocks, 0.0) {}
 
   /// Begins anew where the bodies are now.
-  /// @param skin           that each grain has to itself (length)
-  /// @param shortest_skin  no grain has less (length)
+  /// @param skin           distance that each grain may move before the next lists (length)
+  /// @param shortest_skin  lower bound of these distances (length)
   void begin(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell, const std::vector<double>& skin,
              double shortest_skin);
   /// Adds a bound of the motion of a time step. The cell has drifted already, the grains have not.
@@ -29,20 +29,19 @@ class MotionSinceList {
                 const Drift<Dim>& drift);
   /// Measures the motion of a block of grains. Threads may measure different blocks at once.
   void measure(int block, const StepKernels<Dim>& kernels, const GrainView<Dim>& grains);
-  /// Replaces the bound by what was measured, once all blocks have been.
+  /// Replaces the bound by the largest motion of the blocks. @pre all blocks have been measured
   void take_measured();
-  /// Gives up the bound, so that it serves again only after a measurement.
+  /// Gives up the bound, so that the motion has to be measured before the lists serve again.
   void forget();
 
-  /// Largest motion of a grain against the deformation of the lattice, in skins of the grain: a bound, or as
-  /// measured.
+  /// Bound of the motion of the grains relative to the deformation of the lattice, each in skins of the grain.
   double of_grains() const { return of_grains_; }
   /// Largest displacement of a wall (length).
   double of_walls(const WallMotion<Dim>& walls) const { return walls.largest_displacement(walls_); }
   /// Bound of the share by which the deformation of the lattice has shortened any line.
   double shrinking() const;
 
-  /// The grains as kernels receive them.
+  /// The grains as kernels receive them. The view stays valid until the next lists.
   GrainView<Dim> view_of(GrainArrays<Dim>& grains) const { return grains.view(x_, inverse_skin_squared_); }
   /// Drops the positions. @pre no step follows
   void release() { x_ = {}; }
@@ -55,8 +54,8 @@ class MotionSinceList {
   std::vector<Wall<Dim>> walls_;
 
   Mat<Dim> stretch_ = Mat<Dim>::Identity();  ///< deformation of the lattice since then
-  double of_grains_ = 0.0;                   ///< in skins of the grain
-  double rounding_ = 0.0;                    ///< what the rounding of a step may add to it
+  double of_grains_ = 0.0;                   ///< bound, in skins of the grain
+  double rounding_ = 0.0;                    ///< what the rounding of a step may add to the bound
   std::vector<double> measured_;             ///< motion of each block when it was last measured, in skins
 };
 

@@ -11,28 +11,28 @@ namespace floc {
 
 /// What decides how wide the skin of the lists of neighbours is.
 enum class SkinRule {
-  balances_costs,  ///< new lists cost as much time as the pairs out of range that the lists hold
-  follows_reach,   ///< it is a fixed part of the range of the interaction
+  balances_costs,  ///< building lists is to cost as much time as the pairs out of range that the lists hold
+  follows_reach,   ///< the skin is a fixed share of the range of the interaction between grains
 };
 
-/// Verlet lists of the bodies of a packing in motion: which pairs are close enough to interact before the next
-/// lists are built, when those have to be built, and how wide a skin they need. The pairs that are found belong to the
-/// interactions.
+/// Verlet lists of the bodies of a packing in motion. This class decides which pairs are close enough to interact
+/// before the next lists are built, when those have to be built, and how wide a skin they need. The interactions own
+/// the pairs that it finds.
 template <int Dim>
 class NeighborLists {
  public:
   /// @param skin  first guess (length)
   NeighborLists(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell, double skin, SkinRule rule);
 
-  /// Finds the pairs of each interaction anew, one for each two bodies, after the skin has been adapted to how the
-  /// lists before did.
+  /// Adapts the skin to the cost of the lists so far, and finds the pairs of each interaction anew. The lists hold
+  /// one pair for each two bodies.
   PairLists<Dim> find(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                       const Interactions<Dim>& interactions);
-  /// Whether a pair outside the lists might interact, for all that is known of the motion, or the lists hold too
-  /// many pairs out of range.
+  /// Whether the lists have to be built anew: because a pair outside them might interact, for all that is known of
+  /// the motion, or because they hold too many pairs out of range.
   /// @param range  gap across which grains interact (length)
   bool stale(const CellMotion<Dim>& cell, double range) const;
-  /// Skin to begin with in a continuation of this motion, whose first lists are new ones in any case (length).
+  /// First guess of the skin for another object that continues this motion and builds lists at once (length).
   double skin_to_continue_with(const CellMotion<Dim>& cell, double range) const;
 
   const MotionSinceList<Dim>& motion() const { return motion_; }
@@ -59,7 +59,7 @@ class NeighborLists {
   MotionSinceList<Dim> motion_;
   int steps_ = 0;                    ///< since the lists were built
   bool first_ = true;                ///< no step has been made with other lists than the first
-  double share_out_of_range_ = 0.0;  ///< of the time of a step, when the lists were built
+  double share_out_of_range_ = 0.0;  ///< of the time of a step, spent on pairs out of range in new lists
 };
 
 }  // namespace floc

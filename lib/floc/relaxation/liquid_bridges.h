@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "floc/packing/liquid.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/packing/packing.h"
 #include "floc/relaxation/cell_motion.h"
 #include "floc/relaxation/grain_arrays.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "floc/packing/contact_forces.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/contact_order.h"
 
 namespace floc {

@@ -31,7 +31,7 @@ void consolidation(benchmark::State& state) {
   options.n_bootstrap = static_cast<int>(state.range(0));
   for (auto _ : state) {
     const ConsolidationFit fit = fit_consolidation(curve, options);
-    if (!fit.found()) state.SkipWithError(fit.refusal.c_str());
+    if (!fit.found()) state.SkipWithError(fit.failure_reason.c_str());
     benchmark::DoNotOptimize(fit);
   }
 }

@@ -184,7 +184,7 @@ NamedState assembled(const ListedPacking& listed, const ImportCompletion& comple
           summary = summarize(imported, state);
         },
         imported.state);
-    for (const std::string& doubt : summary.doubts) remarks.warn(kName, doubt);
+    for (const std::string& doubt : summary.inconsistencies) remarks.warn(kName, doubt);
     return NamedState{std::make_shared<const AnyState>(std::move(imported.state)), kName};
   });
 }

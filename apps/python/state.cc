@@ -48,8 +48,8 @@ std::vector<ContactField> contact_fields(const Law& law) {
                                       {"rolling_yield", "?", 1, offset(&c.rolling_yield)},
                                       {"twisting_yield", "?", 1, offset(&c.twisting_yield)},
                                       {"distant", "?", 1, offset(&c.distant)}};
-  for (const RememberedQuantity& q : remembered_quantities(law, Dim))
-    fields.push_back({q.declared.name, "f8", q.size, offset(c.memory.data() + q.begin)});
+  for (const HistoryQuantity& q : history_quantities(law, Dim))
+    fields.push_back({q.declared.name, "f8", q.size, offset(c.history.data() + q.begin)});
   return fields;
 }
 

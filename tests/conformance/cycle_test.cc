@@ -163,18 +163,18 @@ TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, ViscousDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, 2e5};
   law.damping = {0.3, DampingMass::effective};
-  test::Remembered<decltype(law), 2> memory;
+  test::Remembered<decltype(law), 2> history;
   const auto viscous = [&](double gap) {
     ContactMotion<2> motion = test::at_gap<2>(gap);
     motion.gap_rate = 1.0;
     motion.damping = law.damping_coefficient(CollisionMass::between(1.0, 0.5));
-    return law.respond(motion, memory).viscous;
+    return law.respond(motion, history).viscous;
   };
   EXPECT_LT(viscous(-2e-4), 0.0);
   EXPECT_LT(viscous(-1.01e-4), 0.0);
   EXPECT_EQ(viscous(-0.99e-4), 0.0);  // half of the overlap stays
-  EXPECT_FALSE(law.touches<2>(test::pair_at(-0.99e-4), memory));
-  EXPECT_EQ(law.stiffness<2>(test::pair_at(-0.99e-4), memory).normal, 0.0);
+  EXPECT_FALSE(law.touches<2>(test::pair_at(-0.99e-4), history));
+  EXPECT_EQ(law.stiffness<2>(test::pair_at(-0.99e-4), history).normal, 0.0);
 }
 
 TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {

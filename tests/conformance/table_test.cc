@@ -60,17 +60,17 @@ TEST(Table, TwistingAloneNeitherResistsRollingNorYieldsToIt) {
   std::visit(
       []<class Law>(const Law& law) {
         EXPECT_TRUE(Law::kHasTwisting);
-        test::Remembered<Law, 3> memory;
+        test::Remembered<Law, 3> history;
         ContactMotion<3> motion = test::at_gap<3>(-1e-4);
         motion.relative_rotation = Vec<3>(0.1, 0.2, 0.0);
         motion.twist = 1.0;
-        const ContactForces<3> f = law.respond(motion, memory);
+        const ContactForces<3> f = law.respond(motion, history);
         EXPECT_EQ(f.rolling, Vec<3>::Zero());
         EXPECT_DOUBLE_EQ(f.twisting, 0.01 * f.normal.elastic);
-        const Mobilised m = law.template mobilised<3>(f.normal.elastic, memory, 0.0);
+        const Mobilised m = law.template mobilised<3>(f.normal.elastic, history, 0.0);
         EXPECT_FALSE(m.rolling);
         EXPECT_TRUE(m.twisting);
-        const ContactStiffness k = law.template stiffness<3>(motion.pair, memory);
+        const ContactStiffness k = law.template stiffness<3>(motion.pair, history);
         EXPECT_EQ(k.rolling, 0.0);
         EXPECT_EQ(k.twisting, 10.0);
       },
@@ -121,7 +121,7 @@ TEST(EmptySlots, CostNoByteOfTheContactRecord) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     const std::size_t components =
-        memory_size<typename Law::NormalModel>(Dim) + memory_size<typename Law::TangentialModel>(Dim) +
+        history_size<typename Law::NormalModel>(Dim) + history_size<typename Law::TangentialModel>(Dim) +
         (Law::kHasRolling ? kRotations<Dim> : 0) + (Law::kHasTwisting ? 1 : 0) + (Law::kHoldsLiquid ? 1 : 0);
     using History = test::Remembered<Law, Dim>;
     // The language gives an object without members one byte.

@@ -33,7 +33,7 @@ void expect_honest_errors(const ConsolidationCurve& exact, const ConsolidationOp
   RandomStream random(11, 0);
   for (int k = 0; k < kRepeats; ++k) {
     const auto fit = fit_consolidation(with_relative_noise(exact, kNoise, random), options);
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     for (auto& [name, tally] : tallies) {
       const FittedParameter* p = fit.find(name);
       ASSERT_TRUE(p && p->value) << name << " in repetition " << k;

@@ -19,42 +19,42 @@ struct HystereticRepulsion {
   double normal_stiffness;  ///< K1, while the overlap grows (force/length)
   double unloading;         ///< K2, below the largest overlap (force/length)
 
-  static constexpr Memory kMemory[] = {{"largest_overlap", MemoryKind::scalar, Unit::length, ""}};
+  static constexpr History kHistory[] = {{"largest_overlap", HistoryKind::scalar, Unit::length, ""}};
 
   template <class T>
-  void remember(const PairGeometry<T>& pair, T* memory) const {
-    memory[0] = lanes::select(pair.gap < T(0), lanes::max(memory[0], T(-pair.gap)), T(0));
+  void remember(const PairGeometry<T>& pair, T* history) const {
+    history[0] = lanes::select(pair.gap < T(0), lanes::max(history[0], T(-pair.gap)), T(0));
   }
   template <class T>
-  T force(const PairGeometry<T>& pair, const T* memory) const {
-    const T unloaded = T(normal_stiffness) * memory[0] - T(unloading) * (memory[0] + pair.gap);
+  T force(const PairGeometry<T>& pair, const T* history) const {
+    const T unloaded = T(normal_stiffness) * history[0] - T(unloading) * (history[0] + pair.gap);
     return lanes::select(pair.gap < T(0), lanes::max(unloaded, T(0)), T(0));
   }
   template <class T>
-  T stiffness(const PairGeometry<T>& pair, const T* memory) const {
-    const T slope = lanes::select(T(0) < memory[0] + pair.gap, T(unloading), T(normal_stiffness));
-    return lanes::select(touches(pair, memory), slope, T(0));
+  T stiffness(const PairGeometry<T>& pair, const T* history) const {
+    const T slope = lanes::select(T(0) < history[0] + pair.gap, T(unloading), T(normal_stiffness));
+    return lanes::select(touches(pair, history), slope, T(0));
   }
   template <class T>
-  T elastic_stiffness(const PairGeometry<T>& pair, const T* memory) const {
-    return lanes::select(touches(pair, memory), T(unloading), T(0));
+  T elastic_stiffness(const PairGeometry<T>& pair, const T* history) const {
+    return lanes::select(touches(pair, history), T(unloading), T(0));
   }
   /// What unloading gives back.
   template <class T>
-  T energy(const PairGeometry<T>& pair, const T* memory) const {
-    const T elastic = force(pair, memory);
+  T energy(const PairGeometry<T>& pair, const T* history) const {
+    const T elastic = force(pair, history);
     return T(0.5 / unloading) * elastic * elastic;
   }
   template <class T>
-  auto touches(const PairGeometry<T>& pair, const T* memory) const {
-    return T(0) < force(pair, memory);
+  auto touches(const PairGeometry<T>& pair, const T* history) const {
+    return T(0) < force(pair, history);
   }
   /// At its gap the contact carries this force on the line of unloading.
-  void set_force(const PairGeometry<>& pair, double elastic, double* memory) const {
+  void set_force(const PairGeometry<>& pair, double elastic, double* history) const {
     const double left = -pair.gap - elastic / unloading;  // overlap at which the surfaces would part
-    memory[0] = unloading > normal_stiffness
-                    ? std::max(-pair.gap, left * unloading / (unloading - normal_stiffness))
-                    : -pair.gap;
+    history[0] = unloading > normal_stiffness
+                     ? std::max(-pair.gap, left * unloading / (unloading - normal_stiffness))
+                     : -pair.gap;
   }
   double stiffness_at_force(const PairGeometry<>&, double) const { return unloading; }
   double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return unloading; }

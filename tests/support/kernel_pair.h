@@ -73,9 +73,9 @@ class KernelPair {
   Vec<3> tangential_force() const { return normal() * normal_force() - force_on_j(); }
 
   /// What the pair remembers.
-  ContactMemory<3> memory() const { return interaction_.memory(0, false); }
-  void set_memory(const ContactMemory<3>& memory) {
-    interaction_.load_memory(0, memory, false), interaction_.refresh_bridges();
+  ContactHistory<3> history() const { return interaction_.history(0, false); }
+  void set_memory(const ContactHistory<3>& history) {
+    interaction_.load_history(0, history, false), interaction_.refresh_bridges();
   }
 
  private:

@@ -165,7 +165,7 @@ void for_each_law_and_dimension(Check&& check) {
 
 /// What a contact remembers under a law, and a pair of the suite's grains at a gap.
 template <class Law, int Dim, class T = double>
-using Remembered = PackedMemory<std::decay_t<Law>::template kMemorySize<Dim>, T>;
+using Remembered = PackedHistory<std::decay_t<Law>::template kHistorySize<Dim>, T>;
 
 template <class T = double>
 PairGeometry<T> pair_at(const T& gap) {
@@ -227,36 +227,36 @@ double free_overlap(const Law& law) {
 
 /// Whether a law forgets the overlaps it has had, as an elastic repulsion does.
 template <class Law>
-inline constexpr bool kForgetsOverlap = memory_size<typename std::decay_t<Law>::NormalModel>(2) == 0;
+inline constexpr bool kForgetsOverlap = history_size<typename std::decay_t<Law>::NormalModel>(2) == 0;
 
-/// The memory of a contact that has been pressed deeper than anything else in the suite presses it: of laws that
+/// The history of a contact that has been pressed deeper than anything else in the suite presses it: of laws that
 /// remember overlaps; of others that of a new contact.
 template <int Dim, class T = double, class Law>
 Remembered<Law, Dim, T> pressed_memory(const Law& law) {
-  Remembered<Law, Dim, T> memory;
+  Remembered<Law, Dim, T> history;
   if constexpr (!kForgetsOverlap<Law>) {
     ContactMotion<Dim, T> motion{pair_at(T(-4e-4)), T(0), T(0), Shear<Dim, T>::Zero(),
                                  RotationVector<Dim, T>::Zero()};
-    law.respond(motion, memory);
+    law.respond(motion, history);
   }
-  return memory;
+  return history;
 }
 /// Static normal response of such a contact at a gap, and the energy along its normal.
 template <class T, class Law>
 NormalResponse<T> pressed_response(const Law& law, const T& gap) {
-  const auto memory = pressed_memory<2, T>(law);
+  const auto history = pressed_memory<2, T>(law);
   if constexpr (kForgetsOverlap<Law>)
     return law.normal(pair_at(gap));
   else
-    return law.normal(pair_at(gap), memory.value);
+    return law.normal(pair_at(gap), history.value);
 }
 template <class T, class Law>
 T pressed_energy(const Law& law, const T& gap) {
-  const auto memory = pressed_memory<2, T>(law);
+  const auto history = pressed_memory<2, T>(law);
   if constexpr (kForgetsOverlap<Law>)
     return law.energy(pair_at(gap));
   else
-    return law.energy(pair_at(gap), memory.value);
+    return law.energy(pair_at(gap), history.value);
 }
 /// Its stiffness in the network.
 template <class Law>

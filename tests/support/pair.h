@@ -1,7 +1,7 @@
 #pragma once
 
 #include "floc/contact/contact_law.h"
-#include "floc/contact/memory_layout.h"
+#include "floc/contact/history_layout.h"
 #include "floc/geometry/frame.h"
 #include "support/laws.h"
 
@@ -43,7 +43,7 @@ class MovingPair {
       twist = 0.5 * (i.rotation + j.rotation).dot(n);
       motion.twist = (i.rotation - j.rotation).dot(n);
     }
-    transport_memory(before.normalized(), normal(), twist);
+    transport_history(before.normalized(), normal(), twist);
     return law_.respond(motion, memory_);
   }
 
@@ -52,15 +52,15 @@ class MovingPair {
   const Vec<Dim>& position_j() const { return xj_; }
 
  private:
-  void transport_memory([[maybe_unused]] const Vec<Dim>& from, [[maybe_unused]] const Vec<Dim>& to,
-                        [[maybe_unused]] double twist) {
+  void transport_history([[maybe_unused]] const Vec<Dim>& from, [[maybe_unused]] const Vec<Dim>& to,
+                         [[maybe_unused]] double twist) {
     if constexpr (Dim == 3)
-      for (const RememberedQuantity& q : remembered_quantities(parameters_of(law_), Dim)) {
+      for (const HistoryQuantity& q : history_quantities(parameters_of(law_), Dim)) {
         if (q.size != 3) continue;
-        ContactMemory<Dim> all = unpacked_memory<Law, Dim>(memory_);
+        ContactHistory<Dim> all = unpacked_history<Law, Dim>(memory_);
         all.template segment<3>(q.begin) =
             transport<double>(Vec<3>(all.template segment<3>(q.begin)), from, to, twist);
-        memory_ = packed_memory<Law, Dim>(all);
+        memory_ = packed_history<Law, Dim>(all);
       }
   }
 

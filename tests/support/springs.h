@@ -10,26 +10,26 @@ namespace floc::test {
 /// The tangential spring that a contact remembers under Coulomb friction (length), to read and to set.
 template <int Dim>
 auto shear_spring(Contact<Dim>& c) {
-  return c.memory.template segment<kShearComponents<Dim>>(MemoryLayout<Dim>::kFriction);
+  return c.history.template segment<kShearComponents<Dim>>(HistoryLayout<Dim>::kFriction);
 }
 template <int Dim>
 Shear<Dim> shear_spring(const Contact<Dim>& c) {
-  return c.memory.template segment<kShearComponents<Dim>>(MemoryLayout<Dim>::kFriction);
+  return c.history.template segment<kShearComponents<Dim>>(HistoryLayout<Dim>::kFriction);
 }
 
 /// The relative rotation that it remembers under rolling resistance (radians).
 template <int Dim>
 auto rolling_spring(Contact<Dim>& c) {
-  return c.memory.template segment<kRotations<Dim>>(MemoryLayout<Dim>::kRolling);
+  return c.history.template segment<kRotations<Dim>>(HistoryLayout<Dim>::kRolling);
 }
 template <int Dim>
 RotationVector<Dim> rolling_spring(const Contact<Dim>& c) {
-  return c.memory.template segment<kRotations<Dim>>(MemoryLayout<Dim>::kRolling);
+  return c.history.template segment<kRotations<Dim>>(HistoryLayout<Dim>::kRolling);
 }
 
 /// The rotation about the normal that it remembers under resistance to twisting (radians).
 inline double& twisting_spring(Contact<3>& c) {
-  return c.memory[MemoryLayout<3>::kTwisting];
+  return c.history[HistoryLayout<3>::kTwisting];
 }
 
 /// Small springs in every contact of a packing, in the tangent plane; of twisting where the law has it.

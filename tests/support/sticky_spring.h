@@ -17,41 +17,41 @@ struct StickySpring {
   double holding_gap;       ///< l (length)
 
   static constexpr bool kAdheres = true;
-  static constexpr Memory kMemory[] = {
-      {"has_met", MemoryKind::scalar, Unit::ratio, "1 while the surfaces touch, else 0"}};
+  static constexpr History kHistory[] = {
+      {"has_met", HistoryKind::scalar, Unit::ratio, "1 while the surfaces touch, else 0"}};
 
   template <class T>
-  void remember(const PairGeometry<T>& pair, T* memory) const {
-    const T holds = lanes::select(pair.gap < T(holding_gap), memory[0], T(0));
-    memory[0] = lanes::select(pair.gap < T(0), T(1), holds);
+  void remember(const PairGeometry<T>& pair, T* history) const {
+    const T holds = lanes::select(pair.gap < T(holding_gap), history[0], T(0));
+    history[0] = lanes::select(pair.gap < T(0), T(1), holds);
   }
   template <class T>
-  T force(const PairGeometry<T>& pair, const T* memory) const {
-    return lanes::select(touches(pair, memory), T(normal_stiffness) * (T(holding_gap) - pair.gap), T(0));
+  T force(const PairGeometry<T>& pair, const T* history) const {
+    return lanes::select(touches(pair, history), T(normal_stiffness) * (T(holding_gap) - pair.gap), T(0));
   }
   template <class T>
-  T attraction(const PairGeometry<T>& pair, const T* memory) const {
-    return lanes::select(touches(pair, memory), T(-normal_stiffness * holding_gap), T(0));
+  T attraction(const PairGeometry<T>& pair, const T* history) const {
+    return lanes::select(touches(pair, history), T(-normal_stiffness * holding_gap), T(0));
   }
   template <class T>
-  T stiffness(const PairGeometry<T>& pair, const T* memory) const {
-    return lanes::select(touches(pair, memory), T(normal_stiffness), T(0));
+  T stiffness(const PairGeometry<T>& pair, const T* history) const {
+    return lanes::select(touches(pair, history), T(normal_stiffness), T(0));
   }
   /// K_N (d + l)^2/2, and that of the attraction, -K_N l (d + l): both are zero where the surfaces part.
   template <class T>
-  T energy(const PairGeometry<T>& pair, const T* memory) const {
-    const T elastic = force(pair, memory);
+  T energy(const PairGeometry<T>& pair, const T* history) const {
+    const T elastic = force(pair, history);
     return T(0.5 / normal_stiffness) * elastic * elastic;
   }
   template <class T>
-  T attraction_energy(const PairGeometry<T>& pair, const T* memory) const {
-    return T(-holding_gap) * force(pair, memory);
+  T attraction_energy(const PairGeometry<T>& pair, const T* history) const {
+    return T(-holding_gap) * force(pair, history);
   }
   template <class T>
-  auto touches(const PairGeometry<T>& pair, const T* memory) const {
-    return pair.gap < lanes::select(T(0) < memory[0], T(holding_gap), T(0));
+  auto touches(const PairGeometry<T>& pair, const T* history) const {
+    return pair.gap < lanes::select(T(0) < history[0], T(holding_gap), T(0));
   }
-  void set_force(const PairGeometry<>&, double, double* memory) const { memory[0] = 1.0; }
+  void set_force(const PairGeometry<>&, double, double* history) const { history[0] = 1.0; }
   double holding_range(double /*reduced_radius*/) const { return holding_gap; }
   double pull_off_force(const PairGeometry<>&) const { return normal_stiffness * holding_gap; }
   double stiffness_at_force(const PairGeometry<>&, double) const { return normal_stiffness; }

@@ -17,7 +17,7 @@ TEST(ConsolidationRecovery, TwoThousandRandomSetsFromTheAutomaticStart) {
     std::vector<double> pressures;
     for (double P = kP0; P < 10.0001 * law.P1_star; P *= std::pow(10.0, 1 / 8.0)) pressures.push_back(P);
     const auto fit = fit_consolidation(curve_of(law, pressures), {});
-    ASSERT_TRUE(fit.found()) << k << ": " << fit.refusal;
+    ASSERT_TRUE(fit.found()) << k << ": " << fit.failure_reason;
     const auto expect = [&](const char* name, double truth) {
       const FittedParameter* p = fit.find(name);
       ASSERT_TRUE(p && p->value) << k << ": " << name;

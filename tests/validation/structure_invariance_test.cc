@@ -98,7 +98,7 @@ TEST_F(StructureInvariance, HasSomethingToSee) {
   EXPECT_GT(c.n_rattlers, 3);
   EXPECT_LT(c.n_rattlers, 40);
   EXPECT_GT(find_pores(packing_).pores.size(), 20u);
-  EXPECT_EQ(find_pores(packing_).refusal, "");
+  EXPECT_EQ(find_pores(packing_).failure_reason, "");
 }
 
 TEST_F(StructureInvariance, DoesNotSeeTheOrderOfTheGrains) {

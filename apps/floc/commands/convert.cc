@@ -132,8 +132,8 @@ int convert(const std::string& in, const std::string& out, const ExportFormat& t
         summary = summarize(imported, state);
       },
       imported.state);
-  if (arguments.strict && !summary.doubts.empty()) {
-    for (const std::string& doubt : summary.doubts) spdlog::error("{}: {}", in, doubt);
+  if (arguments.strict && !summary.inconsistencies.empty()) {
+    for (const std::string& doubt : summary.inconsistencies) spdlog::error("{}: {}", in, doubt);
     spdlog::error("{}: not converted: --strict accepts none of this", in);
     return kVerificationFailed;
   }
@@ -142,7 +142,7 @@ int convert(const std::string& in, const std::string& out, const ExportFormat& t
   for (const std::string& remark : imported.remarks) spdlog::info("{}: {}", out, remark);
   for (const std::string& line : summary.lines) spdlog::info("{}: {}", out, line);
   std::visit([&](const auto& state) { report(out, state); }, imported.state);
-  for (const std::string& doubt : summary.doubts) spdlog::warn("{}: warning: {}", out, doubt);
+  for (const std::string& doubt : summary.inconsistencies) spdlog::warn("{}: warning: {}", out, doubt);
   return kDone;
 }
 

@@ -124,13 +124,14 @@ void print(const std::vector<std::vector<Entry>>& states, const Printing& printi
 
 int info(const InfoArguments& arguments) {
   std::vector<std::vector<Entry>> states;
-  const int code = for_each_state(arguments.files, [&](const std::string& file, const AnyState& state, const Remarks&) {
-    if (arguments.scene)
-      std::visit([](const auto& s) { std::cout << s.scene; }, state);
-    else
-      states.push_back(describe(file, state));
-    return int{kDone};
-  });
+  const int code =
+      for_each_state(arguments.files, [&](const std::string& file, const AnyState& state, const Remarks&) {
+        if (arguments.scene)
+          std::visit([](const auto& s) { std::cout << s.scene; }, state);
+        else
+          states.push_back(describe(file, state));
+        return int{kDone};
+      });
   if (!states.empty()) print(states, arguments.printing);
   finish_output();
   return code;

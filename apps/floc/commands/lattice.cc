@@ -233,9 +233,9 @@ void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& r
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
   /// Elements that break until the stress has fallen, about, in units of the nodes along a side; and the time that each
   /// node adds to each solution (s).
-  constexpr double kBrokenAcross = 10.0, kSecondsANode = 1e-5;
+  constexpr double kBrokenAcross = 10.0, kSecondsPerNode = 1e-5;
   const auto n = static_cast<double>(row.n_nodes);
-  const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsANode * n / 60.0;
+  const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsPerNode * n / 60.0;
   throw InputError("floc lattice", fmt::format("breaking a sample of {} nodes takes about {:.0f} minutes, to "
                                                "within a factor of three: give --yes to go on",
                                                row.n_nodes, std::max(1.0, minutes)));
@@ -342,9 +342,10 @@ Command add_lattice(CommandLine program) {
   const auto arguments = std::make_shared<LatticeArguments>();
   add_lattice_options(app, *arguments);
   return {app, [arguments] {
-            return for_each_state({arguments->file}, [&](const std::string&, const AnyState& any, const Remarks&) {
-              return std::visit([&](const auto& state) { return run_lattice(*arguments, state); }, any);
-            });
+            return for_each_state(
+                {arguments->file}, [&](const std::string&, const AnyState& any, const Remarks&) {
+                  return std::visit([&](const auto& state) { return run_lattice(*arguments, state); }, any);
+                });
           }};
 }
 

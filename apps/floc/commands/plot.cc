@@ -55,7 +55,7 @@ Made consolidation(const PlotArguments& arguments) {
   if (samples.empty()) return made;
   const FittedConsolidation fitted = fitted_consolidation(samples);
   if (!fitted.fit.found()) {
-    spdlog::warn("no fit, so no law is drawn: {}", fitted.fit.refusal);
+    spdlog::warn("no fit, so no law is drawn: {}", fitted.fit.failure_reason);
     made.code = worse(made.code, kNotConverged);
   }
   for (const std::string& warning : fitted.fit.warnings) spdlog::warn("warning: {}", warning);
@@ -119,8 +119,8 @@ Made moduli(const PlotArguments& arguments) {
     }
     if (table.n_rows() > 0) unit = unit_of_table(table);
   } else {
-    made.code =
-        for_each_state(states_of_inputs(arguments.inputs), [&](const std::string&, const AnyState& state, const Remarks&) {
+    made.code = for_each_state(
+        states_of_inputs(arguments.inputs), [&](const std::string&, const AnyState& state, const Remarks&) {
           points.push_back(moduli_of_state(state));
           unit = std::visit(
               []<int Dim>(const State<Dim>& s) { return stress_unit(s.units, Dim, s.packing.law.adheres()); },
@@ -197,7 +197,8 @@ Made forces(const PlotArguments& arguments) {
   const ForceUnit unit = arguments.unit == "mean" ? ForceUnit::mean : ForceUnit::pull_off;
   Made made;
   std::vector<ForceSample> samples;
-  made.code = for_each_state(force_states(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
+  made.code = for_each_state(force_states(arguments), [&](const std::string& file, const AnyState& any,
+                                                          const Remarks&) {
     samples.push_back(std::visit(
         [&](const auto& state) { return force_sample(file, name_of_state(any), state.packing, kind, unit); },
         any));
@@ -210,20 +211,21 @@ Made forces(const PlotArguments& arguments) {
 Made pressures(const PlotArguments& arguments) {
   Made made;
   std::vector<PressureSample> samples;
-  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
-    PressureSample sample = std::visit(
-        [&](const auto& state) {
-          const double zero = state.tolerance.force * force_scale(state.packing, state.target_stress).force;
-          return pressure_sample(file, name_of_state(any), state.packing, zero);
-        },
-        any);
-    if (!samples.empty() && samples.front().over_adhesion != sample.over_adhesion)
-      throw InputError(file,
-                       "has particle pressures in a different unit from the states before it: some have "
-                       "adhesion, others have none");
-    samples.push_back(std::move(sample));
-    return int{kDone};
-  });
+  made.code =
+      for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
+        PressureSample sample = std::visit(
+            [&](const auto& state) {
+              const double zero = state.tolerance.force * force_scale(state.packing, state.target_stress).force;
+              return pressure_sample(file, name_of_state(any), state.packing, zero);
+            },
+            any);
+        if (!samples.empty() && samples.front().over_adhesion != sample.over_adhesion)
+          throw InputError(file,
+                           "has particle pressures in a different unit from the states before it: some have "
+                           "adhesion, others have none");
+        samples.push_back(std::move(sample));
+        return int{kDone};
+      });
   if (!samples.empty()) made.plot = pressures_plot(samples);
   return made;
 }
@@ -231,7 +233,8 @@ Made pressures(const PlotArguments& arguments) {
 Made scattering_of_states(const PlotArguments& arguments) {
   Made made;
   std::vector<ScatteringSample> samples;
-  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
+  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any,
+                                                       const Remarks&) {
     ScatteringSample sample = std::visit(
         [&](const auto& state) { return scattering_sample(name_of_state(any), state.packing); }, any);
     if (!samples.empty() && samples.front().dimension != sample.dimension)
@@ -239,7 +242,8 @@ Made scattering_of_states(const PlotArguments& arguments) {
           file, fmt::format("is {}D, and those before it are not: a plot of I(k) shows states of one dimension",
                             sample.dimension));
     samples.push_back(std::move(sample));
-    if (!samples.back().refusal.empty()) spdlog::warn("{}: no law is drawn: {}", file, samples.back().refusal);
+    if (!samples.back().failure_reason.empty())
+      spdlog::warn("{}: no law is drawn: {}", file, samples.back().failure_reason);
     return int{kDone};
   });
   if (!samples.empty()) made.plot = scattering_plot(samples);
@@ -251,13 +255,14 @@ constexpr int kDirections = 36;  // bins of a rose diagram, five degrees each
 Made fabric(const PlotArguments& arguments) {
   Made made;
   std::vector<std::pair<std::string, ContactDirections>> states;
-  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
-    const State<2>* state = std::get_if<State<2>>(&any);
-    if (state == nullptr)
-      throw InputError(file, "is 3D: a rose diagram is for disks; see fabric in floc network");
-    states.emplace_back(name_of_state(any), contact_directions(state->packing, kDirections));
-    return int{kDone};
-  });
+  made.code =
+      for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
+        const State<2>* state = std::get_if<State<2>>(&any);
+        if (state == nullptr)
+          throw InputError(file, "is 3D: a rose diagram is for disks; see fabric in floc network");
+        states.emplace_back(name_of_state(any), contact_directions(state->packing, kDirections));
+        return int{kDone};
+      });
   if (!states.empty()) made.plot = fabric_plot(states);
   return made;
 }

@@ -178,7 +178,7 @@ template <int Dim>
 std::string fit_section(const ConsolidationFit& fit, ReportedRun<Dim>& run) {
   for (const std::string& warning : fit.warnings) run.warnings.push_back("fit of consolidation: " + warning);
   if (!fit.found()) {
-    run.warnings.push_back("no fit of consolidation: " + fit.refusal);
+    run.warnings.push_back("no fit of consolidation: " + fit.failure_reason);
     return "";
   }
   Table table{{"parameter", "value", "standard error", "95 % from", "to", "identified"}, {}};
@@ -210,8 +210,8 @@ std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& r
     forces.push_back(
         force_sample(run.shown_files[k], name, run.shown[k].packing, ForceKind::normal, ForceUnit::mean));
     scattering.push_back(scattering_sample(name, run.shown[k].packing));
-    if (!scattering.back().refusal.empty())
-      run.warnings.push_back("I(k) at " + name + ": no law is drawn: " + scattering.back().refusal);
+    if (!scattering.back().failure_reason.empty())
+      run.warnings.push_back("I(k) at " + name + ": no law is drawn: " + scattering.back().failure_reason);
   }
   add(forces_plot(forces, ForceKind::normal, ForceUnit::mean),
       "Distribution of normal forces, with their sign.");

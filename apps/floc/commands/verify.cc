@@ -41,9 +41,10 @@ int report(const std::string& file, const std::vector<Criterion>& criteria, Tabl
 
 int verify(const VerifyArguments& arguments) {
   Table table;
-  const int code = for_each_state(arguments.files, [&](const std::string& file, const AnyState& any, const Remarks&) {
-    return report(file, verify_state(any, file), table);
-  });
+  const int code =
+      for_each_state(arguments.files, [&](const std::string& file, const AnyState& any, const Remarks&) {
+        return report(file, verify_state(any, file), table);
+      });
   if (!table.rows.empty()) print_table(table, arguments.printing);
   return code;
 }

@@ -274,11 +274,11 @@ ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& 
     sample.error.push_back(sample.I.back() / std::sqrt(static_cast<double>(s.n_vectors[b])));
   }
   const ScatteringFit fit = fit_scattering(points, 0.0, kLargestFitted * unit);
-  sample.refusal = fit.refusal;
+  sample.failure_reason = fit.failure_reason;
   if (!fit.found()) return sample;
   for (const FittedParameter& p : fit.parameters)
     if (!p.value) {
-      sample.refusal = p.name + " is not identified by these data";
+      sample.failure_reason = p.name + " is not identified by these data";
       return sample;
     }
   const double I0 = *fit.parameters[0].value, xi = *fit.parameters[1].value, dF = *fit.parameters[2].value;

@@ -51,7 +51,7 @@ struct ScatteringSample {
   std::vector<double> k, I, error;   ///< in 2 pi/a and a^dimension, a the largest diameter
   std::vector<double> fit_k, fit_I;  ///< the law where it was fitted; empty without a fit
   std::string parameters;            ///< of the law, in words
-  std::string refusal;               ///< why there is no fit
+  std::string failure_reason;        ///< why there is no fit
 };
 
 /// I(k), the grains' indicator scattered, and the law fitted for k up to half of 2 pi/a.

@@ -49,7 +49,7 @@ bool Aggregation<Dim>::advance() {
   flight_time_ = fly();
   time_step_ = step_across_tail(options_, packing_);
   const auto dynamics =
-      take_into_motion(packing_, BoundaryControl<Dim>::fixed(), {time_step_, skin_, options_.threads});
+      make_dynamics(packing_, BoundaryControl<Dim>::fixed(), {time_step_, skin_, options_.threads});
   advance_observed(*dynamics, kStepsPerChunk, Motion::free, observer_, flight_time_, time_step_);
   packing_ = {};
   packing_ = dynamics->release_packing();
@@ -67,7 +67,7 @@ double Aggregation<Dim>::fly() {
   const ClusterFlight<Dim> flight(packing_);
   const Vec<Dim> no_load = Vec<Dim>::Zero();
   const ForceScale scale = force_scale(packing_, no_load);
-  const double still = kCoastingEnergy * options_.tolerance.energy * scale.force * scale.length;
+  const double still = kMechanismEnergy * options_.tolerance.energy * scale.force * scale.length;
   if (flight.inner_energy() >= still) return 0.0;
   return flight.fly(packing_, packing_.law.range() + kFlightClearance * scale.length,
                     options_.max_time * inertial_time(packing_, no_load));

@@ -106,10 +106,10 @@ struct Attitude<3> {
 /// before they are found anew, stay behind.
 template <class Turned>
 void turn_memory(Packing<3>& packing, const Turned& turned) {
-  for (const RememberedQuantity& q : remembered_quantities(packing.law, 3)) {
+  for (const HistoryQuantity& q : history_quantities(packing.law, 3)) {
     if (!is_tangential(q.declared.kind)) continue;
     for (Contact<3>& c : packing.contacts)
-      c.memory.segment<3>(q.begin) = turned(c.i, Vec<3>(c.memory.segment<3>(q.begin)));
+      c.history.segment<3>(q.begin) = turned(c.i, Vec<3>(c.history.segment<3>(q.begin)));
   }
 }
 

@@ -16,10 +16,10 @@ namespace {
 
 /// 1 for each number that contacts remember under both laws, else 0.
 template <int Dim>
-ContactMemory<Dim> common_memory(const Law& before, const Law& after) {
-  ContactMemory<Dim> common = ContactMemory<Dim>::Zero();
-  for (const RememberedQuantity& p : remembered_quantities(before, Dim))
-    for (const RememberedQuantity& q : remembered_quantities(after, Dim))
+ContactHistory<Dim> common_memory(const Law& before, const Law& after) {
+  ContactHistory<Dim> common = ContactHistory<Dim>::Zero();
+  for (const HistoryQuantity& p : history_quantities(before, Dim))
+    for (const HistoryQuantity& q : history_quantities(after, Dim))
       if (std::string_view(p.declared.name) == q.declared.name && p.begin == q.begin)
         common.segment(q.begin, q.size).setOnes();
   return common;
@@ -33,7 +33,7 @@ Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>&
   for (Vec<Dim>& v : g.velocity) v.setZero();
   for (RotationVector<Dim>& w : g.angular_velocity) w.setZero();
   saved.cell.velocity.setZero();
-  const ContactMemory<Dim> kept = common_memory<Dim>(saved.law, law);
+  const ContactHistory<Dim> kept = common_memory<Dim>(saved.law, law);
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
   find_contacts(saved);
@@ -43,11 +43,11 @@ Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>&
   for (const Contact<Dim>& old : before) {
     while (found != saved.contacts.end() && precedes(*found, old)) ++found;
     if (found != saved.contacts.end() && !precedes(old, *found)) {
-      found->memory = old.memory.cwiseProduct(kept);
+      found->history = old.history.cwiseProduct(kept);
       continue;
     }
     Contact<Dim> c = old;
-    c.memory = old.memory.cwiseProduct(kept);
+    c.history = old.history.cwiseProduct(kept);
     if (touches(saved, c)) held.push_back(c);
   }
   saved.contacts.insert(saved.contacts.end(), held.begin(), held.end());

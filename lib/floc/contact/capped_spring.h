@@ -24,19 +24,20 @@ inline V capped(const V& spring, const T& limit) {
 }
 
 /// An incremental spring whose force is capped at coefficient * FNe, with FNe the ELASTIC part of the normal
-/// force: what friction and rolling resistance share. @param memory  the spring, updated. @return its force
+/// force: what friction and rolling resistance share. @param history  the spring, updated. @return its force
 template <class V, class T>
-inline V respond_capped(double coefficient, double stiffness, const T& elastic, const V& increment, T* memory) {
-  Eigen::Map<V> spring(memory);
+inline V respond_capped(double coefficient, double stiffness, const T& elastic, const V& increment,
+                        T* history) {
+  Eigen::Map<V> spring(history);
   spring = capped(V(spring + increment), T((coefficient / stiffness) * elastic));
   return T(stiffness) * spring;
 }
 
 /// Whether such a spring is at its cap, to a relative tolerance: it slides as soon as it is pushed further.
 template <class V>
-inline bool capped_is_mobilised(double coefficient, double stiffness, double elastic, const double* memory,
+inline bool capped_is_mobilised(double coefficient, double stiffness, double elastic, const double* history,
                                 double tolerance) {
-  return Eigen::Map<const V>(memory).norm() >= (1.0 - tolerance) * ((coefficient / stiffness) * elastic);
+  return Eigen::Map<const V>(history).norm() >= (1.0 - tolerance) * ((coefficient / stiffness) * elastic);
 }
 
 }  // namespace floc

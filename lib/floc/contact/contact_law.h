@@ -7,8 +7,8 @@
 #include "floc/base/lanes.h"
 #include "floc/base/vec.h"
 #include "floc/contact/absent.h"
+#include "floc/contact/contact_history.h"
 #include "floc/contact/contact_load.h"
-#include "floc/contact/contact_memory.h"
 #include "floc/contact/mobilised.h"
 #include "floc/contact/model_traits.h"
 #include "floc/contact/normal_response.h"
@@ -23,7 +23,7 @@ struct ContactMotion {
   PairGeometry<T> pair;  ///< at the end of the motion
   T gap_rate;            ///< dh/dt (length/time)
   T damping;             ///< damping coefficient of the pair (damping_coefficient())
-  Shear<Dim, T> slip;    ///< tangential displacement of j against i since the memory was last updated
+  Shear<Dim, T> slip;    ///< tangential displacement of j against i since the history was last updated
   /// Rolling of i against j since then (radians), see rolling_part().
   RotationVector<Dim, T> relative_rotation;
   /// Of spheres, rotation of i against j about the normal since then (radians).
@@ -64,7 +64,7 @@ requires(requires { typename Adhesion::template PairParameters<T>; }) struct Pai
 };
 }  // namespace detail
 
-/// A contact law composed of slots; an absent slot (contact/absent.h) has no member, no branch and no memory.
+/// A contact law composed of slots; an absent slot (contact/absent.h) has no member, no branch and no history.
 /// Every function that dynamics calls is a template on its number type and free of branches on values.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 struct ContactLaw {
@@ -86,7 +86,7 @@ struct ContactLaw {
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
   || requires { requires Adhesion::kNeedsReducedMass; };
 
-  /// Numbers that differ from pair to pair and hold as long as a pair's memory does; most laws have none. They
+  /// Numbers that differ from pair to pair and hold as long as a pair's history does; most laws have none. They
   /// are found once (pair_parameters()), not for every force.
   template <class T = double>
   using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
@@ -94,9 +94,9 @@ struct ContactLaw {
   /// Numbers a contact remembers: those of the normal, the tangential, the rolling, the twisting and the
   /// adhesion slot, in this order.
   template <int Dim>
-  static constexpr int kMemorySize =
-      memory_size<Normal>(Dim) + memory_size<Tangential>(Dim) + memory_size<Rolling>(Dim) +
-      memory_size<Twisting>(Dim) + memory_size<Adhesion>(Dim);
+  static constexpr int kHistorySize =
+      history_size<Normal>(Dim) + history_size<Tangential>(Dim) + history_size<Rolling>(Dim) +
+      history_size<Twisting>(Dim) + history_size<Adhesion>(Dim);
 
   using NormalModel = Normal;
   using AdhesionModel = Adhesion;
@@ -123,63 +123,63 @@ struct ContactLaw {
     return 0.0;
   }
 
-  /// Whether surfaces with this memory belong to the contact list: they touch, overlap, attract each other across
+  /// Whether surfaces with this history belong to the contact list: they touch, overlap, attract each other across
   /// the gap or hold liquid.
   template <int Dim>
-  bool interacts(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory) const {
+  bool interacts(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kHoldsLiquid)
-      if (memory.value[kAdhesionBegin<Dim>] != 0.0) return true;
-    return pair.gap < 0.0 || pair.gap < range() || touches<Dim>(pair, memory);
+      if (history.value[kAdhesionBegin<Dim>] != 0.0) return true;
+    return pair.gap < 0.0 || pair.gap < range() || touches<Dim>(pair, history);
   }
 
   /// The parameters of a pair of grains with these radii.
   template <int Dim>
   PairParameters<> pair_parameters([[maybe_unused]] double radius_i, [[maybe_unused]] double radius_j,
-                                   [[maybe_unused]] const PackedMemory<kMemorySize<Dim>>& memory) const {
+                                   [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kHoldsLiquid)
-      return adhesion.bridge(radius_i, radius_j, std::abs(memory.value[kAdhesionBegin<Dim>]));
+      return adhesion.bridge(radius_i, radius_j, std::abs(history.value[kAdhesionBegin<Dim>]));
     else
       return {};
   }
-  /// These parameters as they act now, for a pair that has not moved since its memory was updated.
+  /// These parameters as they act now, for a pair that has not moved since its history was updated.
   template <int Dim>
   PairParameters<> acting(const PairParameters<>& parameters,
-                          [[maybe_unused]] const PackedMemory<kMemorySize<Dim>>& memory) const {
+                          [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kHoldsLiquid)
-      return adhesion.acting(parameters, memory.value[kAdhesionBegin<Dim>]);
+      return adhesion.acting(parameters, history.value[kAdhesionBegin<Dim>]);
     else
       return parameters;
   }
 
   /// Whether the surfaces of a contact touch (NormalResponse::touches).
   template <int Dim>
-  bool touches(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory) const {
-    return in_touch(pair, normal_memory(memory));
+  bool touches(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history) const {
+    return in_touch(pair, normal_history(history));
   }
 
-  /// Static normal response. @param memory  of the normal slot; null for a new contact
+  /// Static normal response. @param history  of the normal slot; null for a new contact
   /// @param parameters  as they act
   template <class T>
-  NormalResponse<T> normal(const PairGeometry<T>& pair, const T* memory = nullptr,
+  NormalResponse<T> normal(const PairGeometry<T>& pair, const T* history = nullptr,
                            [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
     NormalResponse<T> response{T(0), T(0), T(0), T(0), T(0)};
-    [[maybe_unused]] PackedMemory<memory_size<Normal>(2), T> fresh{};
-    memory = present_memory(pair, memory, fresh);
-    if constexpr (kRemembersOverlap) {
-      response.elastic = repulsion.force(pair, memory);
-      response.stiffness = repulsion.stiffness(pair, memory);
+    [[maybe_unused]] PackedHistory<history_size<Normal>(2), T> fresh{};
+    history = present_history(pair, history, fresh);
+    if constexpr (kKeepsOverlap) {
+      response.elastic = repulsion.force(pair, history);
+      response.stiffness = repulsion.stiffness(pair, history);
     } else {
       response.elastic = repulsion.force(pair);
       response.stiffness = repulsion.stiffness(pair);
     }
     response.elastic_stiffness = response.stiffness;
-    if constexpr (requires { repulsion.elastic_stiffness(pair, memory); })
-      response.elastic_stiffness = repulsion.elastic_stiffness(pair, memory);
-    response.touches = in_touch(pair, memory);
+    if constexpr (requires { repulsion.elastic_stiffness(pair, history); })
+      response.elastic_stiffness = repulsion.elastic_stiffness(pair, history);
+    response.touches = in_touch(pair, history);
     if constexpr (requires { repulsion.shear_stiffness(pair); })
       response.shear_stiffness = repulsion.shear_stiffness(pair);
-    if constexpr (requires { repulsion.attraction(pair, memory); })
-      response.adhesive = repulsion.attraction(pair, memory);
+    if constexpr (requires { repulsion.attraction(pair, history); })
+      response.adhesive = repulsion.attraction(pair, history);
     if constexpr (kHoldsLiquid) {
       response.adhesive = adhesion.force(pair, parameters);
       add_stiffness(adhesion.stiffness(pair, parameters), response);
@@ -189,62 +189,62 @@ struct ContactLaw {
     }
     return response;
   }
-  /// Response of a contact with this memory.
+  /// Response of a contact with this history.
   template <int Dim>
-  NormalResponse<double> normal_of(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory,
+  NormalResponse<double> normal_of(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history,
                                    const PairParameters<>& parameters = {}) const {
-    return normal(pair, normal_memory(memory), parameters);
+    return normal(pair, normal_history(history), parameters);
   }
 
   /// Energy that the normal law stores in a contact, given its elastic force and its K_N. Where the force is a power
   /// of the overlap, as Hertz's is, the two say all: N^2 h/(N + K_N h), which is N h/2 of linear contacts and
-  /// (2/5) N h of Hertz's. Other laws have the energy as a function of the gap and the memory.
+  /// (2/5) N h of Hertz's. Other laws have the energy as a function of the gap and the history.
   template <class T>
   T elastic_energy(const PairGeometry<T>& pair, const T& elastic, const T& k_n,
-                   [[maybe_unused]] const T* memory = nullptr) const {
-    if constexpr (requires { repulsion.energy(pair, memory); }) {
-      [[maybe_unused]] PackedMemory<memory_size<Normal>(2), T> fresh{};
-      return repulsion.energy(pair, present_memory(pair, memory, fresh));
+                   [[maybe_unused]] const T* history = nullptr) const {
+    if constexpr (requires { repulsion.energy(pair, history); }) {
+      [[maybe_unused]] PackedHistory<history_size<Normal>(2), T> fresh{};
+      return repulsion.energy(pair, present_history(pair, history, fresh));
     } else {
       if (!(T(0) < elastic) || !(pair.gap < T(0))) return T(0);
       return elastic * elastic * -pair.gap / (elastic - k_n * pair.gap);
     }
   }
-  /// Energies of a contact with this memory: of its elastic part, and of its attraction.
+  /// Energies of a contact with this history: of its elastic part, and of its attraction.
   template <int Dim>
   double elastic_energy_of(const PairGeometry<>& pair, double elastic, double k_n,
-                           const PackedMemory<kMemorySize<Dim>>& memory) const {
-    return elastic_energy(pair, elastic, k_n, normal_memory(memory));
+                           const PackedHistory<kHistorySize<Dim>>& history) const {
+    return elastic_energy(pair, elastic, k_n, normal_history(history));
   }
   template <int Dim>
-  double attraction_energy_of(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory,
+  double attraction_energy_of(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history,
                               const PairParameters<>& parameters) const {
-    return attraction_energy(pair, normal_memory(memory), parameters);
+    return attraction_energy(pair, normal_history(history), parameters);
   }
   /// Energy of the attraction, zero where it ends. @param parameters  as they act
   template <class T>
-  T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair, [[maybe_unused]] const T* memory = nullptr,
+  T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair, [[maybe_unused]] const T* history = nullptr,
                       [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
-    if constexpr (requires { repulsion.attraction_energy(pair, memory); }) {
-      [[maybe_unused]] PackedMemory<memory_size<Normal>(2), T> fresh{};
-      return repulsion.attraction_energy(pair, present_memory(pair, memory, fresh));
+    if constexpr (requires { repulsion.attraction_energy(pair, history); }) {
+      [[maybe_unused]] PackedHistory<history_size<Normal>(2), T> fresh{};
+      return repulsion.attraction_energy(pair, present_history(pair, history, fresh));
     } else if constexpr (kHoldsLiquid)
       return adhesion.energy(pair, parameters);
     else if constexpr (kHasAdhesion)
       return adhesion.energy(pair);
     return T(0);
   }
-  /// All of the energy that a contact along its normal holds at a gap: of a new one where no memory is given.
+  /// All of the energy that a contact along its normal holds at a gap: of a new one where no history is given.
   template <class T>
-  T energy(const PairGeometry<T>& pair, const T* memory = nullptr,
+  T energy(const PairGeometry<T>& pair, const T* history = nullptr,
            const PairParameters<T>& parameters = {}) const {
-    const NormalResponse<T> response = normal(pair, memory, parameters);
+    const NormalResponse<T> response = normal(pair, history, parameters);
     T k_n = response.elastic_stiffness;
     if constexpr (kHoldsLiquid)
       k_n -= adhesion.stiffness(pair, parameters);
     else if constexpr (kHasAdhesion)
       k_n -= adhesion.stiffness(pair);
-    return elastic_energy(pair, response.elastic, k_n, memory) + attraction_energy(pair, memory, parameters);
+    return elastic_energy(pair, response.elastic, k_n, history) + attraction_energy(pair, history, parameters);
   }
 
   /// Damping coefficient of a pair of grains, 0 without damping: (force * time/length), or that over the root
@@ -254,37 +254,38 @@ struct ContactLaw {
     return 0.0;
   }
 
-  /// Updates the memory by one motion and returns the forces. Springs are cut back to their caps, and vanish
+  /// Updates the history by one motion and returns the forces. Springs are cut back to their caps, and vanish
   /// when the surfaces part.
   template <int Dim, class T>
-  ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion, PackedMemory<kMemorySize<Dim>, T>& memory,
+  ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion,
+                                PackedHistory<kHistorySize<Dim>, T>& history,
                                 const PairParameters<T>& parameters = {}) const {
     const PairGeometry<T>& pair = motion.pair;
-    if constexpr (kRemembersOverlap) repulsion.remember(pair, memory.value);
+    if constexpr (kKeepsOverlap) repulsion.remember(pair, history.value);
     PairParameters<T> acting = parameters;
-    if constexpr (kHoldsLiquid) acting = adhesion.hold(pair, parameters, memory.value + kAdhesionBegin<Dim>);
-    ContactForces<Dim, T> forces{normal(pair, normal_memory(memory), acting), T(0), Shear<Dim, T>::Zero(),
+    if constexpr (kHoldsLiquid) acting = adhesion.hold(pair, parameters, history.value + kAdhesionBegin<Dim>);
+    ContactForces<Dim, T> forces{normal(pair, normal_history(history), acting), T(0), Shear<Dim, T>::Zero(),
                                  RotationVector<Dim, T>::Zero()};
     if constexpr (kHasDamping)
       forces.viscous = lanes::select(forces.normal.touches,
                                      T(damping.force(motion.damping, forces.normal, motion.gap_rate)), T(0));
     // Surfaces that do not touch have no elastic force, so that the caps also clear the springs.
     if constexpr (kHasFriction)
-      forces.shear = friction.respond(pair, forces.normal, motion.slip, memory.value + kTangentialBegin<Dim>);
+      forces.shear = friction.respond(pair, forces.normal, motion.slip, history.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
       forces.rolling =
-          rolling.respond(pair, forces.normal, motion.relative_rotation, memory.value + kRollingBegin<Dim>);
+          rolling.respond(pair, forces.normal, motion.relative_rotation, history.value + kRollingBegin<Dim>);
     if constexpr (kHasTwisting)
-      forces.twisting = twisting.respond(forces.normal, motion.twist, memory.value + kTwistingBegin<Dim>);
+      forces.twisting = twisting.respond(forces.normal, motion.twist, history.value + kTwistingBegin<Dim>);
     return forces;
   }
 
   /// Stiffnesses of a contact in the network (nothing sliding).
   template <int Dim>
-  ContactStiffness stiffness(const PairGeometry<>& pair, const PackedMemory<kMemorySize<Dim>>& memory,
+  ContactStiffness stiffness(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history,
                              const PairParameters<>& parameters = {}) const {
     const NormalResponse<double> response =
-        normal(pair, normal_memory(memory), acting<Dim>(parameters, memory));
+        normal(pair, normal_history(history), acting<Dim>(parameters, history));
     return response.touches ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
   }
 
@@ -301,52 +302,53 @@ struct ContactLaw {
   /// Which springs of a touching contact are at their caps. Nothing else in the program decides what slides.
   /// @param tolerance  relative distance below the cap that still counts as being at it
   template <int Dim>
-  Mobilised mobilised(double elastic, const PackedMemory<kMemorySize<Dim>>& memory, double tolerance) const {
+  Mobilised mobilised(double elastic, const PackedHistory<kHistorySize<Dim>>& history, double tolerance) const {
     Mobilised m;
     if constexpr (kHasFriction)
       m.sliding =
-          friction.template is_mobilised<Shear<Dim>>(elastic, memory.value + kTangentialBegin<Dim>, tolerance);
+          friction.template is_mobilised<Shear<Dim>>(elastic, history.value + kTangentialBegin<Dim>, tolerance);
     if constexpr (kHasRolling)
-      m.rolling = rolling.template is_mobilised<RotationVector<Dim>>(elastic, memory.value + kRollingBegin<Dim>,
-                                                                     tolerance);
+      m.rolling = rolling.template is_mobilised<RotationVector<Dim>>(
+          elastic, history.value + kRollingBegin<Dim>, tolerance);
     if constexpr (kHasTwisting)
-      m.twisting = twisting.is_mobilised(elastic, memory.value + kTwistingBegin<Dim>, tolerance);
+      m.twisting = twisting.is_mobilised(elastic, history.value + kTwistingBegin<Dim>, tolerance);
     return m;
   }
 
   /// Sets what the normal law remembers to what gives a contact this elastic force at its gap.
   template <int Dim>
   void set_elastic_force([[maybe_unused]] const PairGeometry<>& pair, [[maybe_unused]] double elastic,
-                         [[maybe_unused]] PackedMemory<kMemorySize<Dim>>& memory) const {
-    if constexpr (kRemembersOverlap) repulsion.set_force(pair, elastic, memory.value);
+                         [[maybe_unused]] PackedHistory<kHistorySize<Dim>>& history) const {
+    if constexpr (kKeepsOverlap) repulsion.set_force(pair, elastic, history.value);
   }
   /// Sets the springs to those that carry given forces (signs of ContactForces) at given stiffnesses.
   template <int Dim>
   void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& rolling_moment,
                  [[maybe_unused]] double twisting_moment, const ContactStiffness& k,
-                 PackedMemory<kMemorySize<Dim>>& memory) const {
+                 PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kHasFriction)
-      if (k.tangential > 0.0) friction.set_force(shear, k.tangential, memory.value + kTangentialBegin<Dim>);
+      if (k.tangential > 0.0) friction.set_force(shear, k.tangential, history.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
-      if (k.rolling > 0.0) rolling.set_force(rolling_moment, k.rolling, memory.value + kRollingBegin<Dim>);
+      if (k.rolling > 0.0) rolling.set_force(rolling_moment, k.rolling, history.value + kRollingBegin<Dim>);
     if constexpr (kHasTwisting)
-      if (k.twisting > 0.0) twisting.set_force(twisting_moment, k.twisting, memory.value + kTwistingBegin<Dim>);
+      if (k.twisting > 0.0)
+        twisting.set_force(twisting_moment, k.twisting, history.value + kTwistingBegin<Dim>);
   }
 
   /// Whether the normal law remembers anything: what it stores and gives back depends on the way there then.
-  static constexpr bool kRemembersOverlap = memory_size<Normal>(2) > 0;
+  static constexpr bool kKeepsOverlap = history_size<Normal>(2) > 0;
 
  private:
-  /// The memory given, or that of a new contact at this gap. @param fresh  a place for it
+  /// The history given, or that of a new contact at this gap. @param fresh  a place for it
   template <class T, class Fresh>
-  const T* present_memory([[maybe_unused]] const PairGeometry<T>& pair, const T* memory,
-                          [[maybe_unused]] Fresh& fresh) const {
-    if constexpr (kRemembersOverlap)
-      if (memory == nullptr) {
+  const T* present_history([[maybe_unused]] const PairGeometry<T>& pair, const T* history,
+                           [[maybe_unused]] Fresh& fresh) const {
+    if constexpr (kKeepsOverlap)
+      if (history == nullptr) {
         repulsion.remember(pair, fresh.value);
         return fresh.value;
       }
-    return memory;
+    return history;
   }
 
   template <class T>
@@ -359,9 +361,9 @@ struct ContactLaw {
   /// says so itself.
   template <class T>
   typename NormalResponse<T>::Mask in_touch(const PairGeometry<T>& pair,
-                                            [[maybe_unused]] const T* memory) const {
-    if constexpr (requires { repulsion.touches(pair, memory); })
-      return repulsion.touches(pair, memory);
+                                            [[maybe_unused]] const T* history) const {
+    if constexpr (requires { repulsion.touches(pair, history); })
+      return repulsion.touches(pair, history);
     else
       return pair.gap < T(0);
   }
@@ -375,17 +377,17 @@ struct ContactLaw {
   }
 
   template <int Dim>
-  static constexpr int kTangentialBegin = memory_size<Normal>(Dim);
+  static constexpr int kTangentialBegin = history_size<Normal>(Dim);
   template <int Dim>
-  static constexpr int kRollingBegin = kTangentialBegin<Dim> + memory_size<Tangential>(Dim);
+  static constexpr int kRollingBegin = kTangentialBegin<Dim> + history_size<Tangential>(Dim);
   template <int Dim>
-  static constexpr int kTwistingBegin = kRollingBegin<Dim> + memory_size<Rolling>(Dim);
+  static constexpr int kTwistingBegin = kRollingBegin<Dim> + history_size<Rolling>(Dim);
   template <int Dim>
-  static constexpr int kAdhesionBegin = kTwistingBegin<Dim> + memory_size<Twisting>(Dim);
+  static constexpr int kAdhesionBegin = kTwistingBegin<Dim> + history_size<Twisting>(Dim);
 
   template <int Size, class T>
-  static const T* normal_memory(const PackedMemory<Size, T>& memory) {
-    if constexpr (kRemembersOverlap) return memory.value;
+  static const T* normal_history(const PackedHistory<Size, T>& history) {
+    if constexpr (kKeepsOverlap) return history.value;
     return nullptr;
   }
 

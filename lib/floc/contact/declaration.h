@@ -87,7 +87,7 @@ void choose(Model& model, int keyword) {
 }
 
 /// How a remembered quantity transforms.
-enum class MemoryKind {
+enum class HistoryKind {
   scalar,    ///< a number, the same whichever way round the pair is read
   tangent,   ///< a displacement of j against i in the tangent plane, in the contact's frame
   rotation,  ///< a rotation of i against j; in 3D one about an axis in the tangent plane
@@ -95,28 +95,28 @@ enum class MemoryKind {
 };
 
 /// One quantity that a contact remembers under a model.
-struct Memory {
+struct History {
   const char* name;  ///< of its array in a state file
-  MemoryKind kind;
+  HistoryKind kind;
   Unit unit;
   const char* meaning;  ///< in words
 };
 
 /// Whether a quantity lies in the tangent plane, and turns with it.
-constexpr bool is_tangential(MemoryKind kind) {
-  return kind == MemoryKind::tangent || kind == MemoryKind::rotation;
+constexpr bool is_tangential(HistoryKind kind) {
+  return kind == HistoryKind::tangent || kind == HistoryKind::rotation;
 }
 
 /// Numbers that it takes: 2D tangents and rotations are one number, their 3D counterparts vectors in space.
-constexpr int n_components(MemoryKind kind, int dim) {
+constexpr int n_components(HistoryKind kind, int dim) {
   return is_tangential(kind) && dim == 3 ? 3 : 1;
 }
 
 /// Factor of each component when i and j are exchanged. A 2D tangent displacement changes sign, and so does the
 /// tangent along which it is measured, which turns round with the normal.
-constexpr double parity(MemoryKind kind, int dim) {
+constexpr double parity(HistoryKind kind, int dim) {
   if (!is_tangential(kind)) return 1.0;
-  return kind == MemoryKind::tangent && dim == 2 ? 1.0 : -1.0;
+  return kind == HistoryKind::tangent && dim == 2 ? 1.0 : -1.0;
 }
 
 }  // namespace floc

@@ -11,7 +11,7 @@ namespace floc {
 /// Where contacts keep what they remember, and the arrays of pairs in motion: each slot of the law has a place of its
 /// own with room for any of its models, so that a change of the law moves nothing.
 template <int Dim>
-struct MemoryLayout {
+struct HistoryLayout {
   // Numbers that a model of each slot may remember. memory_layout.h checks that all do with them.
   static constexpr int kNormalRoom = 2, kFrictionRoom = Dim == 2 ? 2 : 4, kRollingRoom = Dim == 2 ? 1 : 3,
                        kTwistingRoom = Dim == 2 ? 0 : 1, kAdhesionRoom = 1;
@@ -26,20 +26,20 @@ struct MemoryLayout {
 
 /// Everything a contact remembers, at the places of the layout; zero where its law remembers nothing.
 template <int Dim>
-using ContactMemory = Eigen::Matrix<double, MemoryLayout<Dim>::kSize, 1>;
+using ContactHistory = Eigen::Matrix<double, HistoryLayout<Dim>::kSize, 1>;
 
 /// One quantity that contacts remember under a law.
-struct RememberedQuantity {
-  Memory declared;
+struct HistoryQuantity {
+  History declared;
   int begin;  ///< place of its first number
   int size;   ///< numbers
 };
 
 /// Quantities that contacts remember under a law, in the order of the layout.
-std::vector<RememberedQuantity> remembered_quantities(const Law& law, int dim);
+std::vector<HistoryQuantity> history_quantities(const Law& law, int dim);
 
 /// Factor of each number of the layout when the two grains of a contact are exchanged.
 template <int Dim>
-ContactMemory<Dim> swap_parity(const Law& law);
+ContactHistory<Dim> swap_parity(const Law& law);
 
 }  // namespace floc

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "floc/contact/contact_memory.h"
+#include "floc/contact/contact_history.h"
 #include "floc/contact/law_parameters.h"
 #include "floc/contact/model_traits.h"
 
@@ -80,8 +80,8 @@ double Law::reach(double largest_radius) const {
   }));
 }
 
-bool Law::remembers_overlap() const {
-  return parameters().normal.visit([]<class Model>(const Model&) { return memory_size<Model>(2) > 0; });
+bool Law::keeps_overlap() const {
+  return parameters().normal.visit([]<class Model>(const Model&) { return history_size<Model>(2) > 0; });
 }
 
 bool Law::adheres_by_itself() const {

@@ -52,7 +52,7 @@ class Law {
   double contact_modulus(int dim, double diameter) const;
 
   /// Whether the normal force depends on the way there, and gives back less energy than it took.
-  bool remembers_overlap() const;
+  bool keeps_overlap() const;
   /// Whether the normal law attracts, and no model of adhesion.
   bool adheres_by_itself() const;
   /// Keyword of the normal law.

@@ -6,7 +6,7 @@
 #include "floc/contact/law_parameters.h"
 
 /// The composed contact laws. To add a model (docs/adding-a-law.md takes you through an example):
-///   1. write it as a header in its slot's folder: a struct that declares its numbers and its memory
+///   1. write it as a header in its slot's folder: a struct that declares its numbers and its history
 ///      (declaration.h) and has the functions of its slot as templates on the number type (see
 ///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
 ///   2. add it to its slot in law_parameters.h; the table below is the product of the slots and finds it

@@ -105,7 +105,7 @@ std::string too_few(Law law, int n) {
 ConsolidationFit refused(Law law, std::string why) {
   ConsolidationFit fit;
   fit.law = law;
-  fit.refusal = std::move(why);
+  fit.failure_reason = std::move(why);
   return fit;
 }
 

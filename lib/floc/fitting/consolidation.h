@@ -63,7 +63,7 @@ struct ErrorParts {
 
 /// What a fit found, or why there is none.
 struct ConsolidationFit {
-  std::string refusal;  ///< empty when there is a fit
+  std::string failure_reason;  ///< empty when there is a fit
   ConsolidationLaw law = ConsolidationLaw::full;
   double window_low = 0.0, window_high = 0.0;  ///< first and last pressure fitted
   std::vector<int> used;                       ///< indices of the points fitted
@@ -88,7 +88,7 @@ struct ConsolidationFit {
   std::vector<FittedParameter> bootstrap;  ///< mean, deviation and percentiles of the resampled fits
   std::vector<std::string> warnings;
 
-  bool found() const { return refusal.empty(); }
+  bool found() const { return failure_reason.empty(); }
   /// 1/Phi by the law. @pre found()
   double value(double log_P) const;
   /// The parameter of that name, null if the law has none.

@@ -420,7 +420,7 @@ CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples
   };
   fit.used = data.rows;
   if (fit.used.size() <= kParameters) {
-    fit.refusal = too_few(p_0 > 0.0 ? fmt::format(" with {} >= {:.4g}", name, p_0).c_str() : "");
+    fit.failure_reason = too_few(p_0 > 0.0 ? fmt::format(" with {} >= {:.4g}", name, p_0).c_str() : "");
     return fit;
   }
   const auto view = robust_view(data);
@@ -428,12 +428,12 @@ CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples
   const CompactionData kept = data.without(fit.beside_plateau);
   fit.used = kept.rows;
   if (fit.used.size() <= kParameters) {
-    fit.refusal = too_few(" on the plateau or below");
+    fit.failure_reason = too_few(" on the plateau or below");
     return fit;
   }
   const auto solution = solve(kept.residuals);
   if (!view || !solution) {
-    fit.refusal = "no starting point leads to a solution: the void ratio does not follow the law";
+    fit.failure_reason = "no starting point leads to a solution: the void ratio does not follow the law";
     return fit;
   }
   CompactionEstimate estimate = estimate_of(kept, *solution);

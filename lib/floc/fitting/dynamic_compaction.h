@@ -64,7 +64,7 @@ struct CompactionErrorParts {
 
 /// What a fit of the law found, or why there is none.
 struct CompactionFit {
-  std::string refusal;                      ///< empty when there is a fit
+  std::string failure_reason;               ///< empty when there is a fit
   std::vector<FittedParameter> parameters;  ///< e_min, De, C, A, s_m, a, b
   Eigen::MatrixXd correlation;              ///< in their order
   std::vector<int> used;                    ///< indices of the samples fitted
@@ -76,7 +76,7 @@ struct CompactionFit {
   std::vector<std::string> profiled;  ///< parameters whose interval is that of the profile likelihood
   std::vector<std::string> warnings;
 
-  bool found() const { return refusal.empty(); }
+  bool found() const { return failure_reason.empty(); }
 };
 
 /// Least squares in e from starts computed on a grid.

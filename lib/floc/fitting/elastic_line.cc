@@ -156,7 +156,7 @@ ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& 
   ElasticFit fit;
   const auto n = static_cast<Eigen::Index>(P.size());
   if (n < kMinPressures) {
-    fit.refusal = fmt::format("{} pressures on the branch, expected at least {}", n, kMinPressures);
+    fit.failure_reason = fmt::format("{} pressures on the branch, expected at least {}", n, kMinPressures);
     return fit;
   }
   const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(P.data(), n);
@@ -164,7 +164,7 @@ ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& 
   const bool is_line = falls_as_a_whole(x, y) && !is_curved(x, y);
   const std::optional<FittedPart> part = is_line ? line_through(x, y, 0, n) : straight_part(x, y);
   if (!part && !falls_as_a_whole(x, y)) {
-    fit.refusal = "the solid fraction does not fall as the pressure falls: no elastic branch";
+    fit.failure_reason = "the solid fraction does not fall as the pressure falls: no elastic branch";
     return fit;
   }
   const bool falls = x[0] > x[n - 1];

@@ -9,7 +9,7 @@ namespace floc {
 
 /// Bulk modulus of a branch, or why there is none.
 struct ElasticFit {
-  std::string refusal;                      ///< empty when there is a fit
+  std::string failure_reason;               ///< empty when there is a fit
   std::vector<FittedParameter> parameters;  ///< B (unit of the pressures), phi_unloaded (at P = 0)
   /// B between the two lowest pressures; infinite or negative if Phi does not grow there.
   double secant_low = 0.0;
@@ -20,7 +20,7 @@ struct ElasticFit {
   bool is_curved = false;    ///< B is that of a part of the branch, or not identified
   std::vector<std::string> warnings;
 
-  bool found() const { return refusal.empty(); }
+  bool found() const { return failure_reason.empty(); }
 };
 
 /// Bulk modulus from dPhi/Phi = dP/B: the straight line ln Phi = ln Phi_0 + P/B by least squares.

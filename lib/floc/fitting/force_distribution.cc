@@ -103,7 +103,7 @@ ForceFit refused(const std::string& form, int n, const char* what) {
   ForceFit fit;
   fit.form = form;
   fit.n = n;
-  fit.refusal = fmt::format("{} forces {}, expected at least {}", n, what, kMinForces);
+  fit.failure_reason = fmt::format("{} forces {}, expected at least {}", n, what, kMinForces);
   return fit;
 }
 

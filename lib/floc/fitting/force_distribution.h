@@ -33,8 +33,8 @@ const ForceLaw& quadratic_exponential();
 
 /// A fit by maximum likelihood and how good it is, or why there is none.
 struct ForceFit {
-  std::string form;     ///< power_exponential, quadratic_exponential, tail_positive, tail_negative
-  std::string refusal;  ///< empty when there is a fit
+  std::string form;            ///< power_exponential, quadratic_exponential, tail_positive, tail_negative
+  std::string failure_reason;  ///< empty when there is a fit
   std::vector<FittedParameter> parameters;  ///< the free one first
   int n = 0;                                ///< forces fitted
   double mean = 0.0;                        ///< force that f is measured in; threshold of a tail
@@ -42,7 +42,7 @@ struct ForceFit {
   double distance = 0.0;  ///< Kolmogorov-Smirnov: largest difference of the cumulative distributions
   double p_value = 0.0;   ///< share of samples drawn from the fit, and fitted in turn, that lie as far away
 
-  bool found() const { return refusal.empty(); }
+  bool found() const { return failure_reason.empty(); }
 };
 
 struct ForceFitOptions {

@@ -53,7 +53,7 @@ struct BendProfile {
 
 PreconsolidationFit refused(std::string why) {
   PreconsolidationFit fit;
-  fit.refusal = std::move(why);
+  fit.failure_reason = std::move(why);
   return fit;
 }
 

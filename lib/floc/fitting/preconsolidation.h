@@ -9,13 +9,13 @@ namespace floc {
 
 /// Where a reloaded packing begins to yield again, or why that cannot be determined.
 struct PreconsolidationFit {
-  std::string refusal;  ///< empty when there is a fit
+  std::string failure_reason;  ///< empty when there is a fit
   /// P_c, kappa (slope -d(1/Phi)/dlnP on reloading), lambda (beyond P_c).
   std::vector<FittedParameter> parameters;
   double rms = 0.0;  ///< root mean square residual of 1/Phi
   std::vector<std::string> warnings;
 
-  bool found() const { return refusal.empty(); }
+  bool found() const { return failure_reason.empty(); }
 };
 
 /// Preconsolidation pressure of a reloading branch that goes on beyond the largest pressure before: the bend of

@@ -80,15 +80,15 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   const std::vector<ScatteringResidual> data = residuals_of(points, low, high);
   fit.n_points = static_cast<int>(data.size());
   if (fit.n_points < kMinBins) {
-    fit.refusal = fmt::format("{} bins of k between {:.4g} and {:.4g}, the law needs {}", fit.n_points, low,
-                              high, kMinBins);
+    fit.failure_reason = fmt::format("{} bins of k between {:.4g} and {:.4g}, the law needs {}", fit.n_points,
+                                     low, high, kMinBins);
     return fit;
   }
   fit.low = data.front().k;
   fit.high = data.back().k;
   const auto solution = solve(data);
   if (!solution) {
-    fit.refusal = "no starting point leads to a solution: the intensity does not follow the law";
+    fit.failure_reason = "no starting point leads to a solution: the intensity does not follow the law";
     return fit;
   }
   const int dof = fit.n_points - ScatteringResidual::kParameters;

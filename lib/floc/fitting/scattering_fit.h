@@ -20,7 +20,7 @@ struct ScatteredPoint {
 ///
 ///   I(k) = I0 / [1 + (k xi/(2 pi))^2]^(dF/2)
 struct ScatteringFit {
-  std::string refusal;                      ///< empty when there is a fit
+  std::string failure_reason;               ///< empty when there is a fit
   std::vector<FittedParameter> parameters;  ///< I0, xi, dF
   double low = 0.0, high = 0.0;             ///< range of k fitted: that of the bins used
   int n_points = 0;
@@ -29,7 +29,7 @@ struct ScatteringFit {
   double chi_square = 0.0;
   std::vector<std::string> warnings;
 
-  bool found() const { return refusal.empty(); }
+  bool found() const { return failure_reason.empty(); }
 };
 
 /// The law, on values of a fit.

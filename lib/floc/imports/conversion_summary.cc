@@ -23,15 +23,15 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
                   "pull, moved to the nearest image {}",
                   listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
   if (listed.n_neighbors > 0)
-    summary.doubts.push_back(
+    summary.inconsistencies.push_back(
         fmt::format("{} of the {} contacts listed have a gap, no force and no attraction in the law: they are "
                     "neighbours and are left out",
                     listed.n_neighbors, listed.n_read));
   if (listed.n_tensile > 0)
-    summary.doubts.push_back(
+    summary.inconsistencies.push_back(
         fmt::format("{} of the {} contacts listed pull, and are left out", listed.n_tensile, listed.n_read));
   if (listed.n_other_image > 0)
-    summary.doubts.push_back(
+    summary.inconsistencies.push_back(
         fmt::format("{} of the {} images listed contradict the positions, as happens where these were wrapped "
                     "into the cell: the nearest image is taken",
                     listed.n_other_image, listed.n_read));
@@ -39,7 +39,7 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
 
 /// Stiffnesses that differ from the law's; where that is their mean, they do without contradicting it.
 void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
-  std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.doubts;
+  std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.inconsistencies;
   for (const std::string& difference : imported.listed_contacts.stiffness_differences)
     said.push_back(difference);
 }
@@ -50,20 +50,21 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
       "the law by at most {:.1e} of their mean",
       check.n_with_gap + check.n_distant, check.n_pulling, check.n_at_cap, check.largest_difference));
   if (check.n_with_gap > 0)
-    summary.doubts.push_back(
+    summary.inconsistencies.push_back(
         fmt::format("{} contacts carry a force across a gap at which the law does not act", check.n_with_gap));
   if (check.n_pulling > 0 && !cohesive)
-    summary.doubts.push_back(fmt::format("{} contacts pull, but the law has no adhesion", check.n_pulling));
+    summary.inconsistencies.push_back(
+        fmt::format("{} contacts pull, but the law has no adhesion", check.n_pulling));
   if (check.n_beyond_cap > 0)
-    summary.doubts.push_back(
+    summary.inconsistencies.push_back(
         fmt::format("{} tangential forces or rolling moments are above the law's cap", check.n_beyond_cap));
   if (check.n_different > 0)
-    summary.doubts.push_back(
+    summary.inconsistencies.push_back(
         fmt::format("{} normal forces differ from the law, by up to {:.2g} of their mean (grains {}): the law "
                     "or a stiffness is wrong, or the file has too few digits",
                     check.n_different, check.largest_difference, check.most_different));
   if (check.n_missing > 0)
-    summary.doubts.push_back(
+    summary.inconsistencies.push_back(
         fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
@@ -87,7 +88,7 @@ void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& sum
         fmt::format(" (the smallest gap is {:.3g}, {:.2g} of a mean diameter, of grains {}-{})", nearest->gap,
                     nearest->gap / radii, packing.grains.name(nearest->i), packing.grains.name(nearest->j));
   }
-  summary.doubts.push_back(fmt::format("no grains touch{}: {}", where, cause));
+  summary.inconsistencies.push_back(fmt::format("no grains touch{}: {}", where, cause));
 }
 
 }  // namespace
@@ -96,7 +97,7 @@ template <int Dim>
 ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
   ConversionSummary summary;
   if (imported.complete) return summary;
-  summary.doubts = imported.doubts;
+  summary.inconsistencies = imported.inconsistencies;
   ContactCheck check = check_contacts(state.packing, kForceTolerance);
   if (imported.contacts_known) {
     add_missing_contacts(state.packing, check);
@@ -109,7 +110,7 @@ ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
       fmt::format("; stress {:.6g}", fmt::join(by_rows.data(), by_rows.data() + Dim * Dim, " "));
   add_absence_of_contacts(state.packing, summary);
   if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    summary.doubts.push_back("this state is not in equilibrium: " + faults);
+    summary.inconsistencies.push_back("this state is not in equilibrium: " + faults);
   return summary;
 }
 

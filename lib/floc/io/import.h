@@ -38,11 +38,11 @@ struct ListedContactCounts {
 
 /// A packing as another program left it.
 struct Imported {
-  AnyState state;                    ///< without residuals; `provenance.source` is set
-  std::vector<std::string> remarks;  ///< choices the reader made, in words for the user
-  std::vector<std::string> doubts;   ///< choices that may be wrong
-  bool complete = false;             ///< a state of floc: nothing to add to it
-  bool contacts_known = false;       ///< the file listed them; otherwise they follow from the geometry
+  AnyState state;                            ///< without residuals; `provenance.source` is set
+  std::vector<std::string> remarks;          ///< choices the reader made, in words for the user
+  std::vector<std::string> inconsistencies;  ///< choices that may be wrong
+  bool complete = false;                     ///< a state of floc: nothing to add to it
+  bool contacts_known = false;               ///< the file listed them; otherwise they follow from the geometry
   bool law_of_contacts = false;  ///< the law has the mean of the stiffnesses that contacts have of their own
   ListedContactCounts listed_contacts;  ///< where contacts_known
   bool liquid_known = false;            ///< the file says which contacts hold how much liquid

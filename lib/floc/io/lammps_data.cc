@@ -12,11 +12,11 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
+#include "floc/geometry/tilt.h"
 #include "floc/io/contact_file.h"
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
 #include "floc/io/listed_space.h"
-#include "floc/geometry/tilt.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {

@@ -122,8 +122,8 @@ std::vector<SizeColumn> size_columns(const std::function<bool(const std::string&
   return chosen.empty() ? there : chosen;
 }
 
-void require_same_size(const NumberedPlace& place, const SizeColumn& one, double radius,
-                       const SizeColumn& other, double other_radius) {
+void require_same_size(const FileLine& place, const SizeColumn& one, double radius, const SizeColumn& other,
+                       double other_radius) {
   constexpr double kSixDigits = 1e-5;
   if (std::abs(other_radius - radius) <= kSixDigits * radius) return;
   throw InputError(

@@ -43,8 +43,8 @@ std::vector<SizeColumn> size_columns(const std::function<bool(const std::string&
                                      const std::map<std::string, std::string>& given);
 
 /// @throws InputError unless two columns say the same of a grain, to the digits that files print
-void require_same_size(const NumberedPlace& place, const SizeColumn& one, double radius,
-                       const SizeColumn& other, double other_radius);
+void require_same_size(const FileLine& place, const SizeColumn& one, double radius, const SizeColumn& other,
+                       double other_radius);
 
 /// Grains of a table with columns x, y[, z] and radius (or r, or diameter) and, if present, x_low, y_low[,
 /// z_low] (offsets of the centres from those doubles), mass and id (else the row, counted from 0).

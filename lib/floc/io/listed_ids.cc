@@ -32,7 +32,7 @@ Identifiers::Identifiers(const ListedPacking& listed) : listed_(listed) {
     throw InputError(grains[twice].place.text(), fmt::format("id = {} is given twice", grains[twice].id));
 }
 
-int Identifiers::index(const NumberedPlace& place, const char* name, std::int64_t id) const {
+int Identifiers::index(const FileLine& place, const char* name, std::int64_t id) const {
   const auto found = std::lower_bound(index_.begin(), index_.end(), std::pair(id, 0));
   if (found != index_.end() && found->first == id) return found->second;
   throw InputError(place.text(),

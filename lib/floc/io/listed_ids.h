@@ -20,7 +20,7 @@ class Identifiers {
   explicit Identifiers(const ListedPacking& listed);
 
   /// @param name  of the column, for messages  @throws InputError if no grain has the identifier
-  int index(const NumberedPlace& place, const char* name, std::int64_t id) const;
+  int index(const FileLine& place, const char* name, std::int64_t id) const;
 
  private:
   const ListedPacking& listed_;

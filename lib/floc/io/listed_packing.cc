@@ -77,7 +77,7 @@ Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
 
 /// A number of cells along each lattice vector, as integers.
 template <int Dim>
-Vec<Dim, int> whole_cells(const NumberedPlace& place, const Vec<Dim>& cells) {
+Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells) {
   if (!(cells.cwiseAbs().maxCoeff() < kFarthest))
     throw InputError(place.text(),
                      "lies more than 1e9 cells away from the cell: --cell is too small, or a coordinate wrong");
@@ -94,7 +94,7 @@ double smallest_width(const Cell<Dim>& cell) {
 /// The image of j nearest to i. Searched around the one that is nearest in reduced coordinates: in a skewed
 /// cell they can differ, by one step a direction unless the cell is so slanted that it should be reduced first.
 template <int Dim>
-Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const NumberedPlace& place, int i, int j) {
+Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const FileLine& place, int i, int j) {
   const Vec<Dim> apart = packing.grains.position[j] - packing.grains.position[i];
   const Vec<Dim, int> guess = whole_cells<Dim>(place, (-packing.cell.reduced(apart)).array().round().matrix());
   Vec<Dim, int> best = guess;
@@ -434,13 +434,13 @@ bool lists_liquid(const ListedPacking& listed) {
 
 /// The liquid listed is that of the law, but for the digits of the file.
 template <int Dim>
-void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& doubts) {
+void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& inconsistencies) {
   constexpr double kDigits = 1e-6;
   const double all = BridgeSearch(*packing.law.liquid(), packing.grains.radius).liquid();
   double sum = 0.0;
   for (const Contact<Dim>& c : packing.contacts) sum += std::abs(bridge_volume(packing, c));
   if (std::abs(sum - all) > kDigits * all)
-    doubts.push_back(
+    inconsistencies.push_back(
         fmt::format("the bridges listed hold a volume of {:.6g}, but the law's water content gives "
                     "{:.6g}",
                     sum, all));
@@ -465,8 +465,9 @@ Imported assemble_in(const ListedPacking& listed) {
   imported.state = std::move(state);
   imported.contacts_known = listed.contacts.has_value();
   imported.remarks = listed.remarks;
-  imported.doubts = listed.doubts;
-  if (imported.liquid_known) add_doubt_of_liquid(std::get<State<Dim>>(imported.state).packing, imported.doubts);
+  imported.inconsistencies = listed.inconsistencies;
+  if (imported.liquid_known)
+    add_doubt_of_liquid(std::get<State<Dim>>(imported.state).packing, imported.inconsistencies);
   return imported;
 }
 

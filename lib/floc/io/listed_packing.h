@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "floc/io/file_line.h"
 #include "floc/io/import.h"
-#include "floc/io/numbered_place.h"
 
 namespace floc {
 
 /// One grain as a file of another program lists it. In 2D the third component of every vector is ignored.
 struct ListedGrain {
-  NumberedPlace place;                                     ///< "file:line", for messages
+  FileLine place;                                          ///< "file:line", for messages
   std::int64_t id = 0;                                     ///< unique in the file
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< centre, inside the cell or not (length)
   Eigen::Vector3d position_low = Eigen::Vector3d::Zero();  ///< what the file's digits say beyond these doubles
@@ -23,7 +23,7 @@ struct ListedGrain {
 
 /// One contact as a file lists it. Forces act on grain id1; in 2D a moment is the third component.
 struct ListedContact {
-  NumberedPlace place;
+  FileLine place;
   std::int64_t id1 = 0;
   std::int64_t id2 = 0;
   /// branch = x[id2] + image * cell - x[id1] with the positions of the file; none: the nearest image.
@@ -55,7 +55,7 @@ struct ListedPacking {
   std::optional<std::vector<ListedContact>> contacts;
   bool drop_tensile = false;         ///< see ImportOptions
   std::vector<std::string> remarks;  ///< see Imported
-  std::vector<std::string> doubts;
+  std::vector<std::string> inconsistencies;
 };
 
 /// The law of `--law`. @throws InputError naming `path`, whose file does not say the law, if there is none.

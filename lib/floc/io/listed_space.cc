@@ -93,7 +93,7 @@ int settle_space(const ListedSpace& space, const ImportOptions& options, ListedP
     Guess guess = guess_dimension(space, listed.grains);
     dimension = guess.dimension;
     if (!guess.words.empty())
-      (guess.doubtful ? listed.doubts : listed.remarks).push_back(std::move(guess.words));
+      (guess.doubtful ? listed.inconsistencies : listed.remarks).push_back(std::move(guess.words));
   }
   if (!options.cell.empty()) {
     listed.cell_place = "--cell";

@@ -27,7 +27,7 @@ struct ListedSpace {
 /// `--cell`, what the file states, or else from grains and cell: grains of different z are spheres, and so are those
 /// of one z in a cell with tilts along it, or in a periodic cell so low that each touches its own image across z;
 /// any others of one z are disks, as programs without a second dimension lay them out. What is guessed, and that a
-/// file does not say whether it is periodic, goes into `remarks` or, where disks would touch as spheres, `doubts`.
+/// file does not say whether it is periodic, goes into `remarks` or, where disks would touch as spheres, `inconsistencies`.
 /// @param listed  with its grains; cell and cell_place are set
 /// @throws InputError naming place and words of a file that is not periodic and not given another cell
 int settle_space(const ListedSpace& space, const ImportOptions& options, ListedPacking& listed);

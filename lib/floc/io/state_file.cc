@@ -69,7 +69,7 @@ template <int Dim>
 void write_directed_load(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& s) {
   if (!s.target_side.isZero(0.0))
     archive.put(kSides, {Dim}, std::vector<double>(s.target_side.begin(), s.target_side.end()));
-  const Turn& turn = s.path.turn;
+  const StageReference& turn = s.path.turn;
   if (turn.empty()) return;
   file.attribute("path", "control", turn.control);
   file.attribute("path", "axis", std::int64_t{turn.axis + 1});
@@ -87,7 +87,7 @@ void read_directed_load(const Hdf5Reader& file, ReadingArchive& archive, State<D
     for (int a = 0; a < Dim; ++a) s.target_side[a] = side[a];
   }
   if (!file.has_attribute("path", "control")) return;
-  Turn& turn = s.path.turn;
+  StageReference& turn = s.path.turn;
   std::int64_t axis = 0;
   file.attribute("path", "control", turn.control);
   file.attribute("path", "axis", axis);
@@ -149,11 +149,11 @@ Quantity quantity_of(Unit unit) {
 
 /// What contacts remember, under the law between grains or that of the walls.
 template <int Dim>
-std::vector<RememberedQuantity> quantities_of(const Packing<Dim>& packing) {
-  std::vector<RememberedQuantity> all = remembered_quantities(packing.law, Dim);
+std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
+  std::vector<HistoryQuantity> all = history_quantities(packing.law, Dim);
   if (packing.walls.empty()) return all;
-  for (const RememberedQuantity& q : remembered_quantities(packing.wall_law, Dim))
-    if (std::none_of(all.begin(), all.end(), [&](const RememberedQuantity& known) {
+  for (const HistoryQuantity& q : history_quantities(packing.wall_law, Dim))
+    if (std::none_of(all.begin(), all.end(), [&](const HistoryQuantity& known) {
           return std::string(known.declared.name) == q.declared.name;
         }))
       all.push_back(q);
@@ -163,13 +163,13 @@ std::vector<RememberedQuantity> quantities_of(const Packing<Dim>& packing) {
 /// One array of a quantity that contacts remember: a row a contact.
 template <int Dim>
 void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
-  for (const RememberedQuantity& q : quantities_of(packing)) {
+  for (const HistoryQuantity& q : quantities_of(packing)) {
     const std::string path = kContactMemory + "/" + q.declared.name;
     const std::string meaning = std::string("history: ") + q.declared.meaning;
     std::vector<double> values;
     values.reserve(packing.contacts.size() * q.size);
     for (const Contact<Dim>& c : packing.contacts)
-      for (int k = 0; k < q.size; ++k) values.push_back(c.memory[q.begin + k]);
+      for (int k = 0; k < q.size; ++k) values.push_back(c.history[q.begin + k]);
     archive.put({path.c_str(), quantity_of(q.declared.unit), meaning.c_str()},
                 shape_of(packing.contacts.size(), q.size), values);
   }
@@ -178,17 +178,17 @@ void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
 /// An array that files of version 1 have whatever the law.
 struct Version1Name {
   const char* name;
-  MemoryKind kind;
+  HistoryKind kind;
   Quantity quantity;
 };
-constexpr Version1Name kVersion1Names[] = {{"shear_spring", MemoryKind::tangent, Quantity::length},
-                                           {"rolling_spring", MemoryKind::rotation, Quantity::angle}};
+constexpr Version1Name kVersion1Names[] = {{"shear_spring", HistoryKind::tangent, Quantity::length},
+                                           {"rolling_spring", HistoryKind::rotation, Quantity::angle}};
 
 template <int Dim>
 bool remembers(const Packing<Dim>& packing, const std::string& name) {
-  const std::vector<RememberedQuantity> quantities = quantities_of(packing);
+  const std::vector<HistoryQuantity> quantities = quantities_of(packing);
   return std::any_of(quantities.begin(), quantities.end(),
-                     [&](const RememberedQuantity& q) { return name == q.declared.name; });
+                     [&](const HistoryQuantity& q) { return name == q.declared.name; });
 }
 
 /// Scripts find them under their names of then, zeros where the law remembers nothing of the kind.
@@ -222,13 +222,13 @@ void check_version_1_names(const Hdf5Reader& file, ReadingArchive& archive, cons
 /// @param version  files of version 1 have the arrays beside those of the contacts
 template <int Dim>
 void read_memory(ReadingArchive& archive, std::int64_t version, Packing<Dim>& packing) {
-  for (const RememberedQuantity& q : quantities_of(packing)) {
+  for (const HistoryQuantity& q : quantities_of(packing)) {
     const std::string path = (version == 1 ? "contacts" : kContactMemory) + "/" + q.declared.name;
     const auto values = archive.take<double>({path.c_str(), quantity_of(q.declared.unit), ""},
                                              shape_of(packing.contacts.size(), q.size));
     std::size_t next = 0;
     for (Contact<Dim>& c : packing.contacts)
-      for (int k = 0; k < q.size; ++k) c.memory[q.begin + k] = values[next++];
+      for (int k = 0; k < q.size; ++k) c.history[q.begin + k] = values[next++];
   }
 }
 

@@ -58,7 +58,7 @@ class PointArray {
   }
 
   std::string place(std::size_t point) const { return numbered_place(point).text(); }
-  NumberedPlace numbered_place(std::size_t point) const { return {before_number_, static_cast<int>(point)}; }
+  FileLine numbered_place(std::size_t point) const { return {before_number_, static_cast<int>(point)}; }
   double operator[](std::size_t point) const { return values_[point]; }
   std::int64_t whole(std::size_t point) const {
     if (const auto number = whole_number(values_[point])) return *number;

@@ -105,7 +105,7 @@ TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const Tange
   /// (docs/numerics.md, "Linear systems in 3D"). A solution takes some four matrices.
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
-  constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsAStep = 2.0;
+  constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsPerStep = 2.0;
   constexpr double kNoMatter = 0.05;      // seconds: a factor of each matrix is exact
   constexpr double kLargestFactor = 4e9;  // bytes
   constexpr double kAtNeed = 20.0;        // seconds, where nothing else converges
@@ -117,9 +117,9 @@ TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const Tange
   const double product = 2.0 * static_cast<double>(tangent.nonZeros()) / kProductRate;
   const double substitution = 4.0 * (cost.bytes / sizeof(double)) / kSubstitutionRate;
   const double lu = kMatrices * 2.0 * cost.operations / kLuRate;
-  const double cholesky =
-      cost.operations / kFactorRate + kMatrices * kStepsWithFactor * kProductsAStep * (substitution + product);
-  const double diagonal = kMatrices * kStepsWithDiagonal * kProductsAStep * product;
+  const double cholesky = cost.operations / kFactorRate +
+                          kMatrices * kStepsWithFactor * kProductsPerStep * (substitution + product);
+  const double diagonal = kMatrices * kStepsWithDiagonal * kProductsPerStep * product;
   const bool fits = cost.bytes < kLargestFactor;
   if (fits && lu <= std::max(kNoMatter, std::min(cholesky, diagonal))) return {TangentMethod::lu, lu, true};
   const bool at_need = fits && lu < kAtNeed;

@@ -8,7 +8,7 @@ namespace floc {
 namespace {
 
 /// Fraction of a step below which a remainder is rounding, not a step of its own.
-constexpr double kRoundingOfAStep = 1e-6;
+constexpr double kRoundingPerStep = 1e-6;
 
 /// `n` pressures from * factor^k, the last replaced by `to`.
 std::vector<double> geometric(double from, double to, double log10_factor, int n) {
@@ -27,7 +27,7 @@ std::vector<double> stage_pressures(double from, const LoadStage& stage) {
   const double decades = std::log10(stage.to / from);
   if (stage.steps) return geometric(from, stage.to, decades / *stage.steps, *stage.steps);
   const double step = std::copysign(1.0 / *stage.steps_per_decade, decades);
-  const int n = std::max(1, static_cast<int>(std::ceil(decades / step - kRoundingOfAStep)));
+  const int n = std::max(1, static_cast<int>(std::ceil(decades / step - kRoundingPerStep)));
   return geometric(from, stage.to, step, n);
 }
 
@@ -56,7 +56,7 @@ int number_of_steps(const KnownStress& from, const LoadStage& stage) {
       decades = std::max(decades, std::abs(std::log10(to / *from[a])));
   }
   const double steps = decades * stage.steps_per_decade.value_or(1.0);
-  return std::max(1, static_cast<int>(std::ceil(steps - kRoundingOfAStep)));
+  return std::max(1, static_cast<int>(std::ceil(steps - kRoundingPerStep)));
 }
 
 namespace {
@@ -70,7 +70,7 @@ double stress_on_the_way(double from, double to, double share) {
 }  // namespace
 
 template <int Dim>
-LoadTarget<Dim> load_target(const std::vector<AxisStep>& axes, const Turn& turn) {
+LoadTarget<Dim> load_target(const std::vector<AxisStep>& axes, const StageReference& turn) {
   LoadTarget<Dim> target;
   for (int a = 0; a < Dim; ++a) {
     const auto& [load, share] = axes[static_cast<std::size_t>(a)];
@@ -84,7 +84,7 @@ LoadTarget<Dim> load_target(const std::vector<AxisStep>& axes, const Turn& turn)
   return target;
 }
 
-template LoadTarget<2> load_target(const std::vector<AxisStep>&, const Turn&);
-template LoadTarget<3> load_target(const std::vector<AxisStep>&, const Turn&);
+template LoadTarget<2> load_target(const std::vector<AxisStep>&, const StageReference&);
+template LoadTarget<3> load_target(const std::vector<AxisStep>&, const StageReference&);
 
 }  // namespace floc

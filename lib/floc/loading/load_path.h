@@ -74,6 +74,6 @@ int number_of_steps(const KnownStress& from, const LoadStage& stage);
 /// What is imposed at the present point of a turn: stresses go by equal factors where both ends are positive,
 /// else by equal differences; strains by equal amounts.
 template <int Dim>
-LoadTarget<Dim> load_target(const std::vector<AxisStep>& axes, const Turn& turn);
+LoadTarget<Dim> load_target(const std::vector<AxisStep>& axes, const StageReference& turn);
 
 }  // namespace floc

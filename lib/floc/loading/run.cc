@@ -149,7 +149,7 @@ void Run<Dim>::shake_and_start_step() {
 /// The first step of a turn in which axes are loaded differently starts it where the last state is. A lattice that
 /// is sheared is reduced before each step. @pre the packing is here
 template <int Dim>
-void Run<Dim>::enter_turn() {
+void Run<Dim>::begin_stage() {
   if (target().is_isotropic())
     point_.turn = {};
   else if (point_.turn.empty() || plan_[point_.step - 1].stage != target().stage)
@@ -185,7 +185,7 @@ void Run<Dim>::start_step() {
     pass_observer();
     return;
   }
-  enter_turn();
+  begin_stage();
   if (packing_.law != target().law) {
     // The relaxer takes the imbalance it has to respond to from the forces in the contact list.
     packing_.law = target().law;

@@ -29,7 +29,7 @@ struct RunPoint {
   std::string parent_sha256;                    ///< of the last saved state
   std::vector<double> last_sides, last_stress;  ///< of the last saved state: where a turn starts
   double last_offset = 0.0;  ///< of the lattice vector of a sheared axis where this step started (length)
-  Turn turn;                 ///< to which this step belongs, where axes are loaded differently
+  StageReference turn;       ///< to which this step belongs, where axes are loaded differently
 };
 
 /// The point after a saved equilibrium: what a run continues from, with the packing of the state, when there is
@@ -84,7 +84,7 @@ class Run {
 
  private:
   void shake_and_start_step();
-  void enter_turn();
+  void begin_stage();
   LoadTarget<Dim> load() const;
   void start_step();
   void pass_observer();

@@ -34,7 +34,7 @@ struct Contact {
   bool rolling_yield = false;   ///< the rolling spring is at its cap
   bool twisting_yield = false;  ///< the twisting spring is at its cap
   bool distant = false;         ///< in range of the law, but the surfaces do not touch
-  ContactMemory<Dim> memory = ContactMemory<Dim>::Zero();  ///< history, at the places of the layout
+  ContactHistory<Dim> history = ContactHistory<Dim>::Zero();  ///< history, at the places of the layout
 
   /// Whether any of its springs is at its cap.
   bool yields() const { return sliding || rolling_yield || twisting_yield; }

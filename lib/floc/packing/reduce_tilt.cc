@@ -39,7 +39,7 @@ void reduce_tilt(Packing<Dim>& packing, int axis) {
   cell.matrix(axis, 0) = std::fma(-lengths, side, cell.matrix(axis, 0));
   cell.velocity.row(axis) -= lengths * cell.velocity.row(0);
   const std::vector<Vec<Dim, int>> wrapped = wrap(cell, packing.grains);
-  const ContactMemory<Dim> parity = swap_parity<Dim>(packing.law);
+  const ContactHistory<Dim> parity = swap_parity<Dim>(packing.law);
   for (Contact<Dim>& c : packing.contacts) {
     c.image[0] += static_cast<int>(lengths) * c.image[axis];
     c.image += wrapped[c.i] - wrapped[c.j];

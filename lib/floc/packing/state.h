@@ -13,7 +13,7 @@ namespace floc {
 
 /// The turn of a load path in which axes are loaded differently, and where it started: the reference for the
 /// next step of the turn.
-struct Turn {
+struct StageReference {
   std::string control;         ///< "oedometric", "triaxial", ...; empty outside such turns
   int axis = 0;                ///< the driven one, from 0
   std::vector<double> sides;   ///< of the cell at the start (length)
@@ -21,7 +21,7 @@ struct Turn {
   double shear = 0.0;          ///< of simple shear: strain since the start, by the end of this step
 
   bool empty() const { return control.empty(); }
-  bool operator==(const Turn&) const = default;
+  bool operator==(const StageReference&) const = default;
 };
 
 /// The place of a state on its load path.
@@ -31,7 +31,7 @@ struct PathPosition {
   double time = 0.0;         ///< simulated time since the start (time unit of the scene)
   std::int64_t n_steps = 0;  ///< time steps since the start
   std::string ending;  ///< how the relaxation ended: "static", "polished", "dynamic"; empty where not known
-  Turn turn;
+  StageReference turn;
 };
 
 /// What made a state, and from what. No clock time: repeated runs give identical files.

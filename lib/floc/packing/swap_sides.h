@@ -10,13 +10,13 @@ namespace floc {
 
 /// The same contact with its grains exchanged. @param parity  of what its law remembers, swap_parity()
 template <int Dim>
-void swap_sides(const ContactMemory<Dim>& parity, Contact<Dim>& c) {
+void swap_sides(const ContactHistory<Dim>& parity, Contact<Dim>& c) {
   c = swapped(c);
   c.normal = -c.normal;
   std::swap(c.arm_i, c.arm_j);
   c.shear_force = -c.shear_force;
   c.rolling_moment = -c.rolling_moment;
-  c.memory = c.memory.cwiseProduct(parity);
+  c.history = c.history.cwiseProduct(parity);
 }
 
 }  // namespace floc

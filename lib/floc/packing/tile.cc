@@ -26,7 +26,7 @@ Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
 /// The contact of copy `tile`: where its second grain lies in another copy, and which image of that.
 template <int Dim>
 Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>& copies,
-                    const ContactMemory<Dim>& parity) {
+                    const ContactHistory<Dim>& parity) {
   Vec<Dim, int> to = place_of<Dim>(tile, copies) + c.image;
   int other = 0;
   for (int a = Dim - 1; a >= 0; --a) {
@@ -65,7 +65,7 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
   if (n_tiles > 1) out.grains.id.clear();  // each would be that of several grains
   out.contacts.clear();
   out.contacts.reserve(n_tiles * packing.contacts.size());
-  const ContactMemory<Dim> parity = swap_parity<Dim>(packing.law);
+  const ContactHistory<Dim> parity = swap_parity<Dim>(packing.law);
   std::vector<DoubleDoubleVec<Dim>> centres;
   centres.reserve(n_tiles * packing.grains.position.size());
   for (int t = 0; t < n_tiles; ++t) {

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-constexpr double kTilesARadius = 8.0;
-constexpr double kMostTilesASide = 3000.0;
+constexpr double kTilesPerRadius = 8.0;
+constexpr double kMaxTilesPerSide = 3000.0;
 
 /// Square tiles over the picture, each covered or not.
 class Tiles {
@@ -23,7 +23,7 @@ class Tiles {
       high = high.cwiseMax((s.centre.head<2>().array() + s.radius).matrix());
       smallest = std::min(smallest, s.radius);
     }
-    side_ = std::max(smallest / kTilesARadius, (high - low_).maxCoeff() / kMostTilesASide);
+    side_ = std::max(smallest / kTilesPerRadius, (high - low_).maxCoeff() / kMaxTilesPerSide);
     columns_ = static_cast<int>((high[0] - low_[0]) / side_) + 1;
     covered_.assign(static_cast<std::size_t>(columns_) * (static_cast<int>((high[1] - low_[1]) / side_) + 1),
                     false);

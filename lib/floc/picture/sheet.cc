@@ -20,8 +20,8 @@ constexpr double kTallest = 1.3;  ///< height of a picture over the width of the
 /// Light and shade need more pixels than flat colours.
 template <int Dim>
 constexpr double kMinPixels = (Dim == 2 ? 200.0 : 300.0) / 72.0;
-constexpr double kMaxPixelsASide = 3000.0;
-constexpr double kPixelsADiameter = 6.0;
+constexpr double kMaxPixelsPerSide = 3000.0;
+constexpr double kPixelsPerDiameter = 6.0;
 /// Each part in 3D has a gradient of its own, about 600 bytes.
 template <int Dim>
 constexpr std::size_t kMaxVectors = Dim == 2 ? 15000 : 6000;
@@ -67,8 +67,8 @@ class Layout {
     double smallest = scale_.points_per_length * mean_diameter(pictures_.front());
     for (const PackingPicture<Dim>& p : pictures_)
       smallest = std::min(smallest, scale_.points_per_length * mean_diameter(p));
-    const double most = kMaxPixelsASide / std::max(options_.width, height_);
-    return std::min(std::max(kMinPixels<Dim>, kPixelsADiameter / smallest), std::max(most, kMinPixels<Dim>));
+    const double most = kMaxPixelsPerSide / std::max(options_.width, height_);
+    return std::min(std::max(kMinPixels<Dim>, kPixelsPerDiameter / smallest), std::max(most, kMinPixels<Dim>));
   }
 
   /// Of the box of a picture.

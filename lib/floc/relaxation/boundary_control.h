@@ -19,7 +19,7 @@ enum class Imposed {
 /// The smooth way of axes from one length to another, at rest at both ends: with t the share of the time, the
 /// logarithmic strain goes as 3 t^2 - 2 t^3. A shear of the lattice goes the same way.
 template <int Dim>
-struct BoundaryWay {
+struct StrainRamp {
   static constexpr double kPeak = 1.5;  ///< largest rate over the mean rate
 
   Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();  ///< (length); axes where they are equal stay
@@ -69,7 +69,7 @@ struct BoundaryControl {
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
   double mass = 0.0;  ///< inertia M of a component of the lattice (mass)
   double rate_cap = std::numeric_limits<double>::infinity();  ///< largest strain rate under stress (1/time)
-  BoundaryWay<Dim> way;  ///< of axes at a rate: where one has a way, it replaces the target
+  StrainRamp<Dim> ramp;  ///< of axes at a rate: where one has a way, it replaces the target
   /// Mean stress that sets the scale of forces; absent: that of the stresses imposed.
   std::optional<double> reference_stress;
 
@@ -104,14 +104,14 @@ struct BoundaryControl {
   }
 
   bool is_fixed() const {
-    if (way.any()) return false;
+    if (ramp.any()) return false;
     for (int k = 0; k < kSymmetric<Dim>; ++k)
       if (imposed[k] == Imposed::stress || target[k] != 0.0) return false;
     return true;
   }
   /// Whether a rectangular lattice stays so.
   bool keeps_rectangular() const {
-    if (way.shears()) return false;
+    if (ramp.shears()) return false;
     for (int k = Dim; k < kSymmetric<Dim>; ++k)
       if (imposed[k] == Imposed::stress || target[k] != 0.0) return false;
     return true;

@@ -115,7 +115,7 @@ template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::advance() {
   time_step_ = time_step_of(packing_, options_.time_step, target_.mean());
   const bool finishing = progress_.phase == CompactionProgress::finishing;
-  auto dynamics = take_into_motion(packing_, control(), {time_step_, progress_.skin, options_.threads});
+  auto dynamics = make_dynamics(packing_, control(), {time_step_, progress_.skin, options_.threads});
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {

@@ -144,7 +144,7 @@ void CellMotion<Dim>::kick_lattice(double half_step, const std::vector<BlockSums
 
 template <int Dim>
 void CellMotion<Dim>::advance_strain_ramp(double time_step) {
-  const BoundaryWay<Dim>& ramp = control_.way;
+  const StrainRamp<Dim>& ramp = control_.ramp;
   if (!ramp.any()) return;
   const Vec<Dim> side = sides();
   for (int a = 0; a < Dim; ++a) {

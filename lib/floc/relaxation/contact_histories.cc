@@ -13,7 +13,7 @@ ContactHistories<Dim>::ContactHistories(Packing<Dim>& packing, const GrainArrays
     const bool on_wall = c.j >= grains.size();
     const NeighborPair<Dim> pair{place[c.i], on_wall ? c.j - grains.size() : place[c.j], c.image, c.key};
     const bool swap = !on_wall && pair.j < pair.i;
-    histories_.push_back({swap ? swapped(pair) : pair, on_wall, swap, c.memory});
+    histories_.push_back({swap ? swapped(pair) : pair, on_wall, swap, c.history});
   }
   packing.contacts = std::vector<Contact<Dim>>();  // = {} would keep the room that they took
 }
@@ -31,7 +31,7 @@ void ContactHistories<Dim>::load_into(Interactions<Dim>& interactions) const {
   for (const History& history : histories_) {
     Interaction<Dim>& interaction = history.on_wall ? interactions.on_walls() : interactions.between_grains();
     const int p = interaction.pairs().find(history.pair);
-    if (p >= 0) interaction.load_memory(p, history.memory, history.swapped);
+    if (p >= 0) interaction.load_history(p, history.history, history.swapped);
   }
   interactions.between_grains().refresh_bridges();
 }

@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// The memory of the contacts of a packing that is set in motion. It is held here until there are lists of pairs to
+/// The history of the contacts of a packing that is set in motion. It is held here until there are lists of pairs to
 /// load it into.
 template <int Dim>
 class ContactHistories {
@@ -19,7 +19,7 @@ class ContactHistories {
 
   /// Contacts beside the first contact of their pair: those between grains, then those with walls.
   PairLists<Dim> further_contacts() const;
-  /// Copies the memory into the pairs of the contacts, and finds what bridges follow from it.
+  /// Copies the history into the pairs of the contacts, and finds what bridges follow from it.
   void load_into(Interactions<Dim>& interactions) const;
 
  private:
@@ -27,7 +27,7 @@ class ContactHistories {
     NeighborPair<Dim> pair;  ///< places of the grains in their arrays
     bool on_wall;
     bool swapped;  ///< whether the pair is the contact seen from its other grain
-    ContactMemory<Dim> memory;
+    ContactHistory<Dim> history;
   };
   std::vector<History> histories_;
 };

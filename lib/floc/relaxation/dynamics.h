@@ -66,8 +66,8 @@ std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const 
 
 /// The same, for a packing that is too large to be held twice: its contacts go over, and are gone from it.
 template <int Dim>
-std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
-                                                const DynamicsSettings& settings);
+std::unique_ptr<Dynamics<Dim>> make_dynamics(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
+                                             const DynamicsSettings& settings);
 
 /// Time step of RelaxationOptions::time_step in the scene's units: in sqrt(m_min/K_N), shortened where K_T is
 /// above K_N or the smallest grains roll faster than they vibrate, and in 3D, where grains have more

@@ -22,16 +22,16 @@ template <int Dim>
 bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   Contact<Dim> beyond = to;
   beyond.elastic_force = extrapolated(from.elastic_force, to.elastic_force);
-  beyond.memory = extrapolated(from.memory, to.memory);
+  beyond.history = extrapolated(from.history, to.history);
   return !mobilised(law, beyond, 0.0).any() && !to.yields();
 }
 
 /// Whether the normal law of a contact remembers the same as before: it has taken up no energy for good.
 template <int Dim>
 bool remembers_same_overlap(const Contact<Dim>& from, const Contact<Dim>& to) {
-  constexpr int n = MemoryLayout<Dim>::kNormalRoom;
-  return from.memory.template segment<n>(MemoryLayout<Dim>::kNormal) ==
-         to.memory.template segment<n>(MemoryLayout<Dim>::kNormal);
+  constexpr int n = HistoryLayout<Dim>::kNormalRoom;
+  return from.history.template segment<n>(HistoryLayout<Dim>::kNormal) ==
+         to.history.template segment<n>(HistoryLayout<Dim>::kNormal);
 }
 
 }  // namespace

@@ -189,7 +189,7 @@ template <int Dim>
 Packing<Dim> ExplicitDynamics<Dim>::release_packing() {
   sweep_.drop_rows();
   lists_.motion().release();
-  interactions_.keep_memory_alone();
+  interactions_.keep_history_alone();
   return packing();
 }
 
@@ -202,20 +202,20 @@ template <int Dim>
 std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                              const DynamicsSettings& settings) {
   Packing<Dim> copy = packing;
-  return take_into_motion(copy, control, settings);
+  return make_dynamics(copy, control, settings);
 }
 
 template <int Dim>
-std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
-                                                const DynamicsSettings& settings) {
+std::unique_ptr<Dynamics<Dim>> make_dynamics(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
+                                             const DynamicsSettings& settings) {
   return std::make_unique<ExplicitDynamics<Dim>>(packing, control, settings);
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                             \
   template std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>&, const BoundaryControl<Dim>&, \
                                                         const DynamicsSettings&);                         \
-  template std::unique_ptr<Dynamics<Dim>> take_into_motion(Packing<Dim>&, const BoundaryControl<Dim>&,    \
-                                                           const DynamicsSettings&);
+  template std::unique_ptr<Dynamics<Dim>> make_dynamics(Packing<Dim>&, const BoundaryControl<Dim>&,       \
+                                                        const DynamicsSettings&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

@@ -13,7 +13,7 @@ namespace {
 
 /// Strained axes move no faster than this over sqrt(a m/F1): beside the time a packing takes to settle, a step of
 /// 1e-3 is short at that rate. The scene's caps hold where they are lower.
-constexpr double kWayInertialNumber = 1e-3;
+constexpr double kRampInertialNumber = 1e-3;
 /// Reduced pressure below which strained axes carry nothing: no packing is in equilibrium that near to zero.
 constexpr double kNoPressure = 1e-12;
 /// A cell has closed where a side is shorter than this, in largest diameters: overlaps are small.
@@ -23,33 +23,33 @@ constexpr double kClosed = 0.5;
 
 /// From the lengths before this relaxation to those imposed.
 template <int Dim>
-BoundaryWay<Dim> Relaxer<Dim>::way() const {
-  BoundaryWay<Dim> way;
+StrainRamp<Dim> Relaxer<Dim>::strain_ramp() const {
+  StrainRamp<Dim> ramp;
   for (int a = 0; a < Dim; ++a) {
     if (!load_.strained(a)) continue;
-    way.from[a] = progress_.side_before[a];
-    way.to[a] = load_.side[a];
+    ramp.from[a] = progress_.side_before[a];
+    ramp.to[a] = load_.side[a];
   }
   if (load_.offset) {
-    way.sheared_axis = load_.offset->axis;
-    way.offset_from = progress_.offset_before;
-    way.offset_to = load_.offset->offset;
-    way.height = progress_.side_before[way.sheared_axis];
+    ramp.sheared_axis = load_.offset->axis;
+    ramp.offset_from = progress_.offset_before;
+    ramp.offset_to = load_.offset->offset;
+    ramp.height = progress_.side_before[ramp.sheared_axis];
   }
-  way.begun = progress_.time;
-  way.duration = progress_.way_duration;
-  return way;
+  ramp.begun = progress_.time;
+  ramp.duration = progress_.way_duration;
+  return ramp;
 }
 
 template <int Dim>
-void Relaxer<Dim>::begin_way() {
+void Relaxer<Dim>::begin_strain_ramp() {
   for (int a = 0; a < Dim; ++a) progress_.side_before.push_back(packing_.cell.matrix(a, a));
   if (load_.offset) progress_.offset_before = packing_.cell.matrix(load_.offset->axis, 0);
   double fastest =
-      std::min(options_.inertial_number_cap.value_or(kWayInertialNumber), kWayInertialNumber) / time_unit_;
+      std::min(options_.inertial_number_cap.value_or(kRampInertialNumber), kRampInertialNumber) / time_unit_;
   if (options_.strain_rate_cap) fastest = std::min(fastest, strain_rate_cap(options_, packing_, target_));
-  const double strain = way().largest_strain();
-  if (strain > 0.0) progress_.way_duration = BoundaryWay<Dim>::kPeak * strain / fastest;
+  const double strain = strain_ramp().largest_strain();
+  if (strain > 0.0) progress_.way_duration = StrainRamp<Dim>::kPeak * strain / fastest;
 }
 
 /// Whether nothing acts on the grains any more: no contact is left, or, without adhesion, no stress on any axis.
@@ -71,7 +71,7 @@ double Relaxer<Dim>::mean_carried_stress() const {
 
 /// Why grains whose overlaps are small cannot have the lengths imposed, in words; nothing where they can.
 template <int Dim>
-std::string Relaxer<Dim>::want_of_room() const {
+std::string Relaxer<Dim>::overfilled_cell_error() const {
   const double a = largest_diameter(packing_.grains);
   double volume = packing_.cell.volume();
   bool all_strained = true;
@@ -96,12 +96,12 @@ std::string Relaxer<Dim>::want_of_room() const {
       phi);
 }
 
-#define FLOC_INSTANTIATE(Dim)                                \
-  template BoundaryWay<Dim> Relaxer<Dim>::way() const;       \
-  template void Relaxer<Dim>::begin_way();                   \
-  template bool Relaxer<Dim>::carries_no_stress() const;     \
-  template double Relaxer<Dim>::mean_carried_stress() const; \
-  template std::string Relaxer<Dim>::want_of_room() const;
+#define FLOC_INSTANTIATE(Dim)                                 \
+  template StrainRamp<Dim> Relaxer<Dim>::strain_ramp() const; \
+  template void Relaxer<Dim>::begin_strain_ramp();            \
+  template bool Relaxer<Dim>::carries_no_stress() const;      \
+  template double Relaxer<Dim>::mean_carried_stress() const;  \
+  template std::string Relaxer<Dim>::overfilled_cell_error() const;
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

@@ -45,18 +45,19 @@ void Interaction<Dim>::compute(const PairView<Dim>& pairs, int first, int last, 
 }
 
 template <int Dim>
-void Interaction<Dim>::load_memory(int pair, const ContactMemory<Dim>& memory, bool swapped) {
-  for (std::size_t k = 0; k < pairs_.memory.size(); ++k)
-    if (!pairs_.memory[k].empty()) pairs_.memory[k][pair] = swapped ? swap_parity_[k] * memory[k] : memory[k];
+void Interaction<Dim>::load_history(int pair, const ContactHistory<Dim>& history, bool swapped) {
+  for (std::size_t k = 0; k < pairs_.history.size(); ++k)
+    if (!pairs_.history[k].empty())
+      pairs_.history[k][pair] = swapped ? swap_parity_[k] * history[k] : history[k];
 }
 
 template <int Dim>
-ContactMemory<Dim> Interaction<Dim>::memory(int pair, bool swapped) const {
-  ContactMemory<Dim> memory = ContactMemory<Dim>::Zero();
-  for (std::size_t k = 0; k < pairs_.memory.size(); ++k)
-    if (!pairs_.memory[k].empty())
-      memory[k] = swapped ? swap_parity_[k] * pairs_.memory[k][pair] : pairs_.memory[k][pair];
-  return memory;
+ContactHistory<Dim> Interaction<Dim>::history(int pair, bool swapped) const {
+  ContactHistory<Dim> history = ContactHistory<Dim>::Zero();
+  for (std::size_t k = 0; k < pairs_.history.size(); ++k)
+    if (!pairs_.history[k].empty())
+      history[k] = swapped ? swap_parity_[k] * pairs_.history[k][pair] : pairs_.history[k][pair];
+  return history;
 }
 
 std::vector<std::shared_ptr<const ComposedLaw>> laws_of_same_rows(const std::vector<Law>& parameters) {

@@ -39,29 +39,29 @@ class Interaction {
     return pairs;
   }
 
-  /// Takes a new list of pairs, which inherits the memory of the one before.
+  /// Takes a new list of pairs, which inherits the history of the one before.
   void set_pairs(PairArrays<Dim> pairs);
   /// Drops numbers that a list which is about to be replaced needs no more.
   void drop_numbers() { pairs_.drop_numbers(); }
   /// Drops what forces alone need.
-  void keep_memory_alone() { pairs_.keep_memory_alone(); }
+  void keep_history_alone() { pairs_.keep_history_alone(); }
   /// Where the rows of the list begin.
   void set_rows(double* rows) { arrays_.row = rows; }
-  /// Rows, springs and memory of the pairs of the blocks [first, last). @param pairs  a view of them
+  /// Rows, springs and history of the pairs of the blocks [first, last). @param pairs  a view of them
   void compute(const PairView<Dim>& pairs, int first, int last, const GrainView<Dim>& grains,
                const PairCell<Dim>& cell) const;
 
-  /// Copies the memory of a contact into that of its pair, and back. @param swapped  the pair is the contact
+  /// Copies the history of a contact into that of its pair, and back. @param swapped  the pair is the contact
   /// seen from its other grain
-  void load_memory(int pair, const ContactMemory<Dim>& memory, bool swapped);
-  ContactMemory<Dim> memory(int pair, bool swapped) const;
+  void load_history(int pair, const ContactHistory<Dim>& history, bool swapped);
+  ContactHistory<Dim> history(int pair, bool swapped) const;
 
  private:
   Partner partner_;
   std::shared_ptr<const ComposedLaw> law_;
   RowKind rows_;
   double range_;
-  ContactMemory<Dim> swap_parity_;
+  ContactHistory<Dim> swap_parity_;
   struct KernelAndLaw {
     const StepKernels<Dim>* kernels;
     std::shared_ptr<const void> law;  ///< that the kernels are given

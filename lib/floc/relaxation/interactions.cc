@@ -55,8 +55,8 @@ void Interactions<Dim>::set_pairs(PairLists<Dim> close, const PairLists<Dim>& fu
 }
 
 template <int Dim>
-void Interactions<Dim>::keep_memory_alone() {
-  for (Interaction<Dim>& interaction : list_) interaction.keep_memory_alone();
+void Interactions<Dim>::keep_history_alone() {
+  for (Interaction<Dim>& interaction : list_) interaction.keep_history_alone();
 }
 
 template class Interactions<2>;

@@ -31,14 +31,14 @@ class Interactions {
   /// Contacts of each interaction beside the first contact of their pair, told apart by their keys for as long as
   /// their bodies are close.
   PairLists<Dim> further_contacts() const;
-  /// Takes new lists of pairs, which inherit the memory of the lists before.
+  /// Takes new lists of pairs, which inherit the history of the lists before.
   /// @param close            pairs of bodies that are close, for each interaction
   /// @param further          contacts beside the first contact of their pair, for each interaction
   /// @param blocks_of_group  blocks whose pairs are always computed together
   void set_pairs(PairLists<Dim> close, const PairLists<Dim>& further, const GrainArrays<Dim>& grains,
                  double time_step, int blocks_of_group);
   /// Drops what only the computation of forces needs.
-  void keep_memory_alone();
+  void keep_history_alone();
 
  private:
   std::deque<Interaction<Dim>> list_;  ///< between grains first, then with walls

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/contact_order.h"
+#include "floc/packing/law/contact_forces.h"
 
 namespace floc {
 namespace {
@@ -73,7 +73,7 @@ void append_contacts(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell
     c.j = key.j;
     c.image = key.image;
     c.key = key.key;
-    c.memory = interaction.memory(p, swap);
+    c.history = interaction.history(p, swap);
     out.contacts.push_back(c);
   }
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "floc/contact/history_layout.h"
 #include "floc/contact/law_table.h"
-#include "floc/contact/memory_layout.h"
 #include "floc/packing/ball.h"
 #include "floc/packing/contact_order.h"
 
@@ -51,7 +51,7 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
         if constexpr (Law::kNeedsReducedRadius) reduced_radius_ = reduced(radius);
         if constexpr (Law::kNeedsReducedMass) reduced_mass_ = reduced(mass);
         if constexpr (Law::kHoldsLiquid) keep_radii(radius);
-        for_each_memory<Law, Dim>([&](auto, auto place) { memory[place].assign(size(), 0.0); });
+        for_each_history<Law, Dim>([&](auto, auto place) { history[place].assign(size(), 0.0); });
       },
       composed.any);
 }
@@ -124,12 +124,12 @@ void PairArrays<Dim>::refresh_bridges(const ComposedLaw& composed) {
 
 template <int Dim>
 typename PairArrays<Dim>::Component& PairArrays<Dim>::bridge_volume() {
-  return memory[MemoryLayout<Dim>::kAdhesion];
+  return history[HistoryLayout<Dim>::kAdhesion];
 }
 
 template <int Dim>
 const typename PairArrays<Dim>::Component& PairArrays<Dim>::bridge_volume() const {
-  return memory[MemoryLayout<Dim>::kAdhesion];
+  return history[HistoryLayout<Dim>::kAdhesion];
 }
 
 /// Completes the pack that was begun, if any.
@@ -184,8 +184,8 @@ void PairArrays<Dim>::inherit(const PairArrays& old) {
       if (q == old.end_of_i_[i]) break;
       if (!(old.key(q) == key(p))) continue;
       if (!viscous.empty()) viscous[p] = old.viscous[q];
-      for (std::size_t k = 0; k < memory.size(); ++k)
-        if (!memory[k].empty()) memory[k][p] = old.memory[k][q];
+      for (std::size_t k = 0; k < history.size(); ++k)
+        if (!history[k].empty()) history[k][p] = old.history[k][q];
     }
   }
 }
@@ -198,7 +198,7 @@ void PairArrays<Dim>::drop_numbers() {
 }
 
 template <int Dim>
-void PairArrays<Dim>::keep_memory_alone() {
+void PairArrays<Dim>::keep_history_alone() {
   drop_numbers();
   viscous = Component();
 }
@@ -218,7 +218,7 @@ PairView<Dim> PairArrays<Dim>::view() {
   out.decay = decay_.data();
   out.reach = reach_.data();
   out.viscous = viscous.data();
-  for (std::size_t k = 0; k < memory.size(); ++k) out.memory[k] = memory[k].data();
+  for (std::size_t k = 0; k < history.size(); ++k) out.history[k] = history[k].data();
   out.own_numbers = own_numbers_;
   out.row = nullptr;
   out.with_row = 0;

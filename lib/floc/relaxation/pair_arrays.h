@@ -37,7 +37,7 @@ class PairArrays {
 
   Component viscous;  ///< dashpot forces of the step before (force); empty where the law has none
   /// Numbers that the law remembers, at the places of the layout; empty at places of which it remembers nothing.
-  std::array<Component, MemoryLayout<Dim>::kSize> memory;
+  std::array<Component, HistoryLayout<Dim>::kSize> history;
 
   PairArrays() = default;
   /// @param pairs            sorted, of grains by their places among `grains`
@@ -57,16 +57,16 @@ class PairArrays {
   double radii(int p) const { return radii_[p & own_numbers_]; }
   /// Index of a pair, -1 where it is not in the list.
   int find(const NeighborPair<Dim>& key) const;
-  /// Takes over the memory of an older list of the same grains.
+  /// Takes over the history of an older list of the same grains.
   void inherit(const PairArrays& old);
   /// Drops the numbers that forces alone need, of a list that is not going to be stepped again.
   void drop_numbers();
   /// The same, and the dashpot forces that another list would inherit.
-  void keep_memory_alone();
-  /// Finds anew what a law that holds liquid needs of each pair, from the volumes in the memory; does nothing
+  void keep_history_alone();
+  /// Finds anew what a law that holds liquid needs of each pair, from the volumes in the history; does nothing
   /// for other laws.
   void refresh_bridges(const ComposedLaw& law);
-  /// Volumes of the liquid bridges, signed as the memory is; empty where the law holds no liquid.
+  /// Volumes of the liquid bridges, signed as the history is; empty where the law holds no liquid.
   Component& bridge_volume();
   const Component& bridge_volume() const;
 

@@ -16,10 +16,10 @@ enum class Finish {
   statics,  ///< as automatic, but any equilibrium that Newton steps find at once is taken
 };
 
-/// Without load, a packing with soft modes coasts at an energy that nothing dissipates while hardly a contact
+/// Without load, a packing with soft modes only_mechanisms_move at an energy that nothing dissipates while hardly a contact
 /// closes or opens (seen: 70 times the tolerance over 400 time units, 6 of 2200 contacts gained): up to this
 /// many tolerances of the energy then still count as rest.
-inline constexpr double kCoastingEnergy = 100.0;
+inline constexpr double kMechanismEnergy = 100.0;
 
 /// Numerical settings of a relaxation. Stresses, rates and masses are in the scene's units unless said.
 struct RelaxationOptions {

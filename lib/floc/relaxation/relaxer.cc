@@ -28,7 +28,7 @@ constexpr double kSteadyWindow = 5.0;
 constexpr double kSteadyContactsWindow = 20.0;
 /// Springs that never yield vibrate for ever. Grains that have covered so many largest diameters at their
 /// r.m.s. speed, and so many windows of still contacts, without one contact opening or closing go to and fro,
-/// and their energy does not matter. What coasts meets another grain before: the furthest that five shipped
+/// and their energy does not matter. What only_mechanisms_move meets another grain before: the furthest that five shipped
 /// scenes of 200 and 400 grains came above the tolerance of the energy is half a diameter, the longest time
 /// under load two windows.
 constexpr double kVibrationPath = 2.0;
@@ -36,7 +36,7 @@ constexpr double kVibrationWindows = 5.0;
 /// Chains of grains that roll freely swing between their ends for ever, with nothing to damp them and more energy
 /// than the tolerance. Where the density has been steady so many time units long, twice as long as any step under
 /// load of the shipped scenes takes as a whole, nothing else moves. Over that time it may drift by kFinishPhi.
-constexpr double kCoastingWindow = 200.0;
+constexpr double kMechanismWindow = 200.0;
 /// Newton iterations after which it shows whether a step is elastic: the first is the elastic response.
 constexpr int kTrialIterations = 2;
 /// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
@@ -86,7 +86,7 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
 /// Motion settles from one equilibrium to the next in some thousand steps, each of which takes so long a
 /// contact on one core (docs/performance.md, "Steps").
 constexpr double kSettlingSteps = 5000.0;
-constexpr double kSecondsAContact = 8e-8;
+constexpr double kSecondsPerContact = 8e-8;
 
 /// Fingerprint of which grains touch (FNV-1a over the pairs).
 template <int Dim>
@@ -134,8 +134,8 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
   measure();
   time_step_ = time_step_of(packing_, options.time_step, std::max(target_.mean(), 0.0));
   if (progress_.skin == 0.0) progress_.skin = first_skin(options, packing_.grains);
-  if (load_.any_strained() && progress_.side_before.empty()) begin_way();
-  if (progress_.imbalance_sign.empty() && !way().any()) begin_response();
+  if (load_.any_strained() && progress_.side_before.empty()) begin_strain_ramp();
+  if (progress_.imbalance_sign.empty() && !strain_ramp().any()) begin_response();
 }
 
 /// What the axes under stress have to answer to.
@@ -148,7 +148,7 @@ void Relaxer<Dim>::begin_response() {
 
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::advance() {
-  if (progress_.n_steps == 0 && load_.any_strained() && !want_of_room().empty()) {
+  if (progress_.n_steps == 0 && load_.any_strained() && !overfilled_cell_error().empty()) {
     ending_ = "closed";
     return RelaxationStatus::gave_up;
   }
@@ -157,7 +157,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   if (options_.finish != Finish::dynamic && progress_.n_steps == 0 && at_rest && !load_.unloaded() &&
       solve_without_motion())
     return RelaxationStatus::converged;
-  if (carries_no_stress() && (progress_.n_steps == 0 || way().over(0.0))) {
+  if (carries_no_stress() && (progress_.n_steps == 0 || strain_ramp().over(0.0))) {
     ending_ = "unloaded";
     return RelaxationStatus::gave_up;
   }
@@ -165,7 +165,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
       load_, target_,
       options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0),
       strain_rate_cap(options_, packing_, target_));
-  control.way = way();
+  control.ramp = strain_ramp();
   const double pressure = std::max(target_.mean(), 0.0);
   time_step_ = time_step_of(packing_, options_.time_step, pressure);
   if (control.any_stress())
@@ -173,7 +173,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   const bool finishing = progress_.phase == RelaxationProgress::finishing;
   DynamicsSettings settings{time_step_, progress_.skin, options_.threads};
   settings.holds_liquid = finishing;
-  auto dynamics = take_into_motion(packing_, control, settings);
+  auto dynamics = make_dynamics(packing_, control, settings);
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
@@ -261,14 +261,14 @@ bool Relaxer<Dim>::vibrates(double energy) const {
 
 /// Whether a packing under load has kept its density for so long that what moves are mechanisms.
 template <int Dim>
-bool Relaxer<Dim>::coasts(bool steady_density) {
+bool Relaxer<Dim>::only_mechanisms_move(bool steady_density) {
   const double phi = progress_.solid_fraction.back();
   if (!steady_density || std::abs(phi - progress_.steady_since_phi) > kFinishPhi) {
     progress_.steady_chunks = 0;
     progress_.steady_since_phi = phi;
     return false;
   }
-  return ++progress_.steady_chunks >= static_cast<int>(chunks_in(kCoastingWindow));
+  return ++progress_.steady_chunks >= static_cast<int>(chunks_in(kMechanismWindow));
 }
 
 template <int Dim>
@@ -283,7 +283,7 @@ template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_motion() {
   unmet_ = {Demand::lengths};
   if (progress_.imbalance_sign.empty()) {
-    if (!way().over(0.0)) return RelaxationStatus::running;
+    if (!strain_ramp().over(0.0)) return RelaxationStatus::running;
     begin_response();
   }
   if (carries_no_stress()) return RelaxationStatus::running;  // which the next chunk says
@@ -291,14 +291,14 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   const bool steady_density = density_is_steady();
   const bool steady_contacts = contacts_are_steady();
   const bool unloaded = load_.unloaded();
-  const bool coasting = !unloaded && coasts(steady_density);
+  const bool coasting = !unloaded && only_mechanisms_move(steady_density);
   const bool steady = (responded && steady_density) || ((responded || unloaded) && steady_contacts);
   unmet_ = unsteadiness(responded || unloaded);
   if (!steady) return RelaxationStatus::running;
   const GrainScales<Dim> scales(packing_, target_);
   const ForceScale& scale = scales.of_packing();
   const double limit =
-      (coasting || (unloaded && steady_contacts) ? kCoastingEnergy : 1.0) * options_.tolerance.energy;
+      (coasting || (unloaded && steady_contacts) ? kMechanismEnergy : 1.0) * options_.tolerance.energy;
   const double energy = energy_of_connected_grains(packing_, scales);
   unmet_ = {Demand::rest, energy / (scale.force * scale.length), limit};
   if (energy < limit * scale.force * scale.length || vibrates(energy)) {
@@ -345,7 +345,7 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
   const bool may_refine = options_.finish != Finish::dynamic && residuals_.force < kRefinementResidual;
   const bool due = progress_.finishing_chunks >= progress_.next_refinement;
   if (may_refine && (due || (within && may_repeat_refinement()))) {
-    if (newton_pays() && refine_by_newton()) return RelaxationStatus::converged;
+    if (newton_is_cheaper() && refine_by_newton()) return RelaxationStatus::converged;
     progress_.refused_within = within;
     progress_.next_refinement =
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
@@ -368,10 +368,10 @@ bool Relaxer<Dim>::is_stable(const Packing<Dim>& packing, Stability& found) {
 /// Whether Newton steps are expected to take no longer than the motion of this relaxation has taken, or is
 /// going to take. In 2D they always are.
 template <int Dim>
-bool Relaxer<Dim>::newton_pays() const {
+bool Relaxer<Dim>::newton_is_cheaper() const {
   if (Dim == 2) return true;
   const double steps = std::max(static_cast<double>(progress_.n_steps), kSettlingSteps);
-  const double motion = steps * static_cast<double>(packing_.contacts.size()) * kSecondsAContact;
+  const double motion = steps * static_cast<double>(packing_.contacts.size()) * kSecondsPerContact;
   return plan_statics(packing_, BoundaryControl<Dim>::imposing(load_, target_, 0.0)).seconds <= motion;
 }
 
@@ -389,10 +389,10 @@ bool Relaxer<Dim>::refine_by_newton() {
 
 /// @param way  from the lengths of `start` to others; of what is strained, nothing else moves
 template <int Dim>
-StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const BoundaryWay<Dim>& way,
+StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const StrainRamp<Dim>& ramp,
                                              const StaticSolverOptions& options) const {
   auto control = BoundaryControl<Dim>::imposing(load_, target_, 0.0);
-  control.way = way;
+  control.ramp = ramp;
   return solve_statics(start, control, options);
 }
 
@@ -403,10 +403,10 @@ bool Relaxer<Dim>::solve_without_motion() {
   const bool any = options_.finish == Finish::statics;
   // Where stiffness follows the load, what friction carries depends on the way there, and not on its end alone.
   if (!any && packing_.law.friction_follows_load()) return false;
-  if (!any && !newton_pays()) return false;
+  if (!any && !newton_is_cheaper()) return false;
   StaticSolverOptions trial;
   trial.max_iterations = kTrialIterations;
-  StaticSolution<Dim> solution = solve_from(packing_, way(), any ? StaticSolverOptions{} : trial);
+  StaticSolution<Dim> solution = solve_from(packing_, strain_ramp(), any ? StaticSolverOptions{} : trial);
   if (!any) {
     if (!solution.has_lengths || !is_elastic_step(packing_, solution.packing)) return false;
     // No spring has reached a cap, so it makes no difference where the rest starts.
@@ -480,7 +480,7 @@ RelaxationReport Relaxer<Dim>::report() const {
   if (ending_ == "unloaded")
     report.blocking =
         "every contact has opened: the packing carries no stress (stress zero) at the lengths imposed";
-  if (ending_ == "closed") report.blocking = want_of_room();
+  if (ending_ == "closed") report.blocking = overfilled_cell_error();
   const std::vector<double>& history = progress_.force_residual;
   if (by_force && history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)
     report.decay_rate = std::log(history.front() / history.back()) /

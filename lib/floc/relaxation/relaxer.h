@@ -42,26 +42,26 @@ class Relaxer final : public Equilibrator<Dim> {
   std::string progress() const override { return as_text(progress_); }
 
  private:
-  BoundaryWay<Dim> way() const;
-  void begin_way();
+  StrainRamp<Dim> strain_ramp() const;
+  void begin_strain_ramp();
   void begin_response();
   bool carries_no_stress() const;
   double mean_carried_stress() const;
-  std::string want_of_room() const;
+  std::string overfilled_cell_error() const;
   bool responded_to_load();
   bool density_is_steady();
   bool carried_stress_is_steady(std::size_t window);
   double stress_scale() const;
   bool contacts_are_steady();
   bool vibrates(double energy) const;
-  bool coasts(bool steady_density);
+  bool only_mechanisms_move(bool steady_density);
   std::size_t chunks_in(double time_units) const;
   RelaxationStatus check_motion();
   RelaxationStatus check_finish();
-  bool newton_pays() const;
+  bool newton_is_cheaper() const;
   bool may_repeat_refinement() const;
   bool refine_by_newton();
-  StaticSolution<Dim> solve_from(const Packing<Dim>& start, const BoundaryWay<Dim>& way,
+  StaticSolution<Dim> solve_from(const Packing<Dim>& start, const StrainRamp<Dim>& ramp,
                                  const StaticSolverOptions& options) const;
   bool solve_without_motion();
   bool accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending, bool go_on);

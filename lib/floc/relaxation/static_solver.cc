@@ -37,8 +37,8 @@ struct Configuration {
   std::vector<DoubleDoubleVec<Dim>> centre;
   std::vector<Orientation<Dim>> orientation;
   Cell<Dim> cell;
-  std::vector<Vec<Dim>> branch;            ///< of each candidate
-  std::vector<Contact<Dim>> remembered;    ///< gap and normal of the present, memory of the start carried there
+  std::vector<Vec<Dim>> branch;          ///< of each candidate
+  std::vector<Contact<Dim>> remembered;  ///< gap and normal of the present, history of the start carried there
   std::vector<SurfaceMotion<Dim>> motion;  ///< since the start
   std::vector<Contact<Dim>> contacts;      ///< after that motion
   Eigen::VectorXd residual;
@@ -87,7 +87,7 @@ class StaticProblem {
                 const StaticSolverOptions& options)
       : start_(start),
         scale_(force_scale(start, Vec<Dim>(Vec<Dim>::Constant(control.mean_stress())))),
-        quantities_(remembered_quantities(start.law, Dim)) {
+        quantities_(history_quantities(start.law, Dim)) {
     for (int k = 0; k < kSymmetric<Dim>; ++k) {
       if (control.imposed[k] != Imposed::stress) continue;
       strains_.push_back(component_axes<Dim>(k));
@@ -119,11 +119,11 @@ class StaticProblem {
   }
 
   /// The start, its axes brought to the ends of their way: grains follow.
-  Configuration<Dim> strained(const Configuration<Dim>& from, const BoundaryWay<Dim>& way) const {
+  Configuration<Dim> strained(const Configuration<Dim>& from, const StrainRamp<Dim>& ramp) const {
     Mat<Dim> strain = Mat<Dim>::Zero();
     for (int a = 0; a < Dim; ++a)
-      if (way.from[a] != way.to[a]) strain(a, a) = way.to[a] / way.from[a] - 1.0;
-    if (way.shears()) strain(0, way.sheared_axis) = way.shear_strain();
+      if (ramp.from[a] != ramp.to[a]) strain(a, a) = ramp.to[a] / ramp.from[a] - 1.0;
+    if (ramp.shears()) strain(0, ramp.sheared_axis) = ramp.shear_strain();
     return moved(from, Eigen::VectorXd::Zero(order()), strain);
   }
 
@@ -149,7 +149,7 @@ class StaticProblem {
       SurfaceMotion<Dim>& motion = to.motion[k];
       const Vec<Dim> normal = locate(to, k);
       const RotationVector<Dim> rotation_i = rotation_of(step, c.i), rotation_j = rotation_of(step, c.j);
-      transport_memory(quantities_, normal, twist_about(normal, rotation_i, rotation_j), c, motion);
+      transport_history(quantities_, normal, twist_about(normal, rotation_i, rotation_j), c, motion);
       const double share = share_i(c);
       const RotationVector<Dim> mean_rotation = share * rotation_i + (1.0 - share) * rotation_j;
       motion.slip += to_shear<double>(normal, Vec<Dim>(relative_displacement(from, k, step, applied) -
@@ -201,7 +201,7 @@ class StaticProblem {
     }
   }
 
-  /// The packing of a configuration: at rest, memories mapped back, grains inside the cell.
+  /// The packing of a configuration: at rest, histories mapped back, grains inside the cell.
   Packing<Dim> packing(const Configuration<Dim>& at) const {
     Packing<Dim> out = start_;
     out.cell = at.cell;
@@ -239,7 +239,7 @@ class StaticProblem {
     c.motion.resize(c.remembered.size());
     c.branch.resize(c.remembered.size());
     for (std::size_t k = 0; k < c.remembered.size(); ++k)
-      transport_memory(quantities_, locate(c, k), 0.0, c.remembered[k], c.motion[k]);
+      transport_history(quantities_, locate(c, k), 0.0, c.remembered[k], c.motion[k]);
     evaluate(c);
     return c;
   }
@@ -391,9 +391,9 @@ class StaticProblem {
 
   const Packing<Dim>& start_;
   ForceScale scale_;
-  std::vector<RememberedQuantity> quantities_;  // of contacts, by the law
-  std::vector<std::array<int, 2>> strains_;     // the free ones
-  std::vector<double> target_stress_;           // of them
+  std::vector<HistoryQuantity> quantities_;  // of contacts, by the law
+  std::vector<std::array<int, 2>> strains_;  // the free ones
+  std::vector<double> target_stress_;        // of them
   Configuration<Dim> initial_;
   double stiffness_;  // of the stiffest contact
 };
@@ -423,7 +423,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   const TangentPlan plan = options.method ? TangentPlan{*options.method} : plan_of(problem, tangent);
   TangentSolver solver(plan, problem.layout());
   StaticSolution<Dim> solution;
-  double travelled = control.way.any() ? control.way.largest_strain() : 0.0;
+  double travelled = control.ramp.any() ? control.ramp.largest_strain() : 0.0;
   if (travelled > options.largest_displacement) {
     solution.reason = "the lengths imposed lie too far away";
     solution.has_lengths = false;
@@ -431,7 +431,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
     solution.packing = problem.packing(now);
     return solution;
   }
-  if (control.way.any()) now = problem.strained(now, control.way);
+  if (control.ramp.any()) now = problem.strained(now, control.ramp);
   const double target_residual = std::max(options.target, problem.rounding_of_stress());
   for (; now.worst > target_residual; ++solution.iterations) {
     if (solution.iterations == options.max_iterations) {

@@ -36,7 +36,7 @@ struct StaticSolution {
 };
 
 /// Solves force, moment and stress balance of a periodic packing by Newton iterations from where it is. The
-/// law maps memories back from those it starts with (return mapping); the tangent is the consistent one of
+/// law maps histories back from those it starts with (return mapping); the tangent is the consistent one of
 /// the law's response with all geometric terms, unsymmetric where contacts slide. Free motions without
 /// stiffness (translations, rattlers, free rollers) carry no load and are given a vanishing stiffness
 /// (regularisation). Where that brings grains together that were apart, there is no solution.

@@ -74,7 +74,7 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
   row.insert(row.end(), strain.begin(), strain.end());
   for (const double value : {test.mean_stress, test.deviator, test.lateral_ratio, test.volumetric_strain})
     row.emplace_back(value);
-  const Turn& turn = state.path.turn;
+  const StageReference& turn = state.path.turn;
   const bool is_sheared = state.target_offset.has_value();
   // What resists a positive strain counts positive; between planes across an axis friction is tau/sigma.
   const double shear_stress = is_sheared ? -state.stress(0, turn.axis) : 0.0;

@@ -125,7 +125,8 @@ DriveReport run_scene(const std::string& scene_file, const SceneRunOptions& aske
     if (stop) watch.stop = stop;
     return SceneRun<Dim>(scene, asked).drive(watch);
   };
-  return scene.dimension == 3 ? driven(std::integral_constant<int, 3>{}) : driven(std::integral_constant<int, 2>{});
+  return scene.dimension == 3 ? driven(std::integral_constant<int, 3>{})
+                              : driven(std::integral_constant<int, 2>{});
 }
 
 template struct SceneRun<2>;

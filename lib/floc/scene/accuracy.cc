@@ -260,7 +260,7 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
       if (!c.is_reference()) floor = std::min(floor, guaranteed_error_of_key(c, additions, key));
     if (asked >= floor && floor < std::numeric_limits<double>::infinity()) continue;
     choice.refused_key = key;
-    choice.refusal =
+    choice.failure_reason =
         std::isfinite(floor)
             ? fmt::format("expected at least {:.2g}, the smallest error that the shipped table has for it{}",
                           floor, additions.empty() ? "" : " with a cell that moves as the scene says")
@@ -277,7 +277,7 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
       return choice;
     }
   choice.refused_key = wanted.front().first;
-  choice.refusal =
+  choice.failure_reason =
       "expected larger errors: no setting of the shipped table has errors below all of these at once";
   return choice;
 }

@@ -42,13 +42,13 @@ std::vector<std::string> accuracy_keys();
 
 /// The cheapest setting within the errors asked for, or why there is none.
 struct AccuracyChoice {
-  std::string refused_key;  ///< the first that no setting reaches; empty when there is a choice
-  std::string refusal;      ///< what was expected of it
-  std::string name;         ///< parameter and value of the setting
+  std::string refused_key;     ///< the first that no setting reaches; empty when there is a choice
+  std::string failure_reason;  ///< what was expected of it
+  std::string name;            ///< parameter and value of the setting
   NumericalSettings settings;
   std::string reason;  ///< its cost and measured errors, in words
 
-  bool found() const { return refusal.empty(); }
+  bool found() const { return failure_reason.empty(); }
 };
 
 /// Takes the cheapest setting of the table whose errors of single states, for every observable asked for, are

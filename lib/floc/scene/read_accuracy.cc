@@ -138,7 +138,8 @@ bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
   if (!choice.found()) {
     const auto asked = std::find_if(wanted.begin(), wanted.end(),
                                     [&](const auto& w) { return w.first == choice.refused_key; });
-    t.fault(asked->first, fmt::format("accuracy.{} = {:g}: {}", asked->first, asked->second, choice.refusal));
+    t.fault(asked->first,
+            fmt::format("accuracy.{} = {:g}: {}", asked->first, asked->second, choice.failure_reason));
     return false;
   }
   scene.accuracy = fmt::format("{}: {}", choice.name, choice.reason);

@@ -23,7 +23,7 @@ constexpr bool is_strain(double x) {
   return x >= -kLargestStrain && x <= kLargestStrain;
 }
 constexpr std::int64_t kMaxSteps = 10'000;
-constexpr double kRoundingOfAStep = 1e-6;
+constexpr double kRoundingPerStep = 1e-6;
 
 constexpr NumberRule kStrain{is_strain,
                              "a logarithmic strain from -2 to 2 (compression positive; beyond, the cell would "
@@ -175,7 +175,7 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
     t.fault("strain_step", fmt::format("{}: no axis is strained; expected steps or steps_per_decade",
                                        t.path_of("strain_step")));
   if (strain_step && strain > 0.0) {
-    const double n = std::ceil(strain / *strain_step - kRoundingOfAStep);
+    const double n = std::ceil(strain / *strain_step - kRoundingPerStep);
     if (n > static_cast<double>(kMaxSteps))
       t.fault("strain_step", fmt::format("{} = {}: {} steps to a strain of {}, expected at most {}",
                                          t.path_of("strain_step"), *strain_step, n, strain, kMaxSteps));

@@ -118,8 +118,10 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
   try {
     const AnyState any = read_state(file);
     start.sha256 = sha256_of_file(file);
-    const std::string refusal = std::visit([&](const auto& state) { return refusal_of(state, scene); }, any);
-    if (!refusal.empty()) return t.fault("state", fmt::format("assembly.state: {}: {}", file, refusal));
+    const std::string failure_reason =
+        std::visit([&](const auto& state) { return refusal_of(state, scene); }, any);
+    if (!failure_reason.empty())
+      return t.fault("state", fmt::format("assembly.state: {}: {}", file, failure_reason));
     if (expected && *expected != start.sha256)
       t.fault("state_sha256",
               fmt::format("assembly.state_sha256 = {}: {} has {}; expected the same state, or no "

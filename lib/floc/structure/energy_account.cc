@@ -113,8 +113,8 @@ double viscous_force(const AnyContactLaw& any, const Grains<Dim>& grains, const 
           const double coefficient =
               law.damping_coefficient(CollisionMass::between(grains.mass[c.i], grains.mass[c.j]));
           const PairGeometry<> pair = pair_geometry(grains, c);
-          const auto memory = packed_memory<Law, Dim>(c.memory);
-          return law.damping.force(coefficient, law.template normal_of<Dim>(pair, memory), gap_rate);
+          const auto history = packed_history<Law, Dim>(c.history);
+          return law.damping.force(coefficient, law.template normal_of<Dim>(pair, history), gap_rate);
         }
         return 0.0;
       },
@@ -124,7 +124,7 @@ double viscous_force(const AnyContactLaw& any, const Grains<Dim>& grains, const 
 template <class Law, int Dim>
 double attraction_energy(const Law& law, const Packing<Dim>& packing, const Contact<Dim>& c) {
   return law.template attraction_energy_of<Dim>(pair_geometry(packing.grains, c),
-                                                packed_memory<Law, Dim>(c.memory),
+                                                packed_history<Law, Dim>(c.history),
                                                 acting_parameters(law, packing.grains, c));
 }
 
@@ -185,7 +185,7 @@ class Step {
     for (const int k : changes_.gained) add_contact(Contact<Dim>(), after_.contacts[k], terms);
     for (const int k : changes_.lost) {
       const Contact<Dim>& c = before_.contacts[k];
-      if (after_.law.remembers_overlap()) terms.hysteresis += normal_energy(before_, c);
+      if (after_.law.keeps_overlap()) terms.hysteresis += normal_energy(before_, c);
       (after_.law.friction_follows_load() ? terms.scaling : terms.sliding) +=
           spring_energy(c.shear_force.squaredNorm(), c.kt);
       terms.sliding += spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
@@ -200,7 +200,7 @@ class Step {
     const StepMotion<Dim> motion(locate(before_, named_as_before(after)), locate(after_, after),
                                  rotation(after.i), rotation(after.j));
     add_spring_losses(before, after, motion, terms);
-    if (after_.law.remembers_overlap())
+    if (after_.law.keeps_overlap())
       terms.hysteresis += normal_energy(before_, before) - normal_energy(after_, after) -
                           0.5 * (force_of_normal_law(before) + force_of_normal_law(after)) * motion.opening;
     const double force = viscous_force(law_, after_.grains, after, motion.opening / time_step_);

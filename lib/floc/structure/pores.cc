@@ -209,7 +209,7 @@ Pores find_pores(const Packing<2>& packing) {
   }
   std::vector<Face> faces = FaceWalk(packing, edges).faces();
   if (!remove_unbounded(packing.cell.volume(), n, static_cast<int>(edges.size()), faces, out.unbounded)) {
-    out.refusal = "contacts cross each other, so no pores can be identified";
+    out.failure_reason = "contacts cross each other, so no pores can be identified";
     return out;
   }
   for (Face& face : faces) {

@@ -26,7 +26,7 @@ struct Pores {
   double size = 0.0;
   double mean_area = 0.0;  ///< (area)
   /// Why there are none: contacts cross each other, as those of disks with large overlaps do; else empty.
-  std::string refusal;
+  std::string failure_reason;
 };
 
 /// Parts of the network and lone grains that lie inside a pore are joined to their nearest neighbour by edges

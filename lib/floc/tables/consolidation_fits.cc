@@ -165,7 +165,7 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
   object["sample"] = sample.name;
   object["law"] = asked.law;
   object["protocol"] = asked.protocol.empty() ? "automatic" : asked.protocol;
-  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
+  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.failure_reason);
   object["window"] = fit.found() ? Json{fit.window_low, fit.window_high} : Json(nullptr);
   object["pressure_unit"] = sample.unit.empty() ? Json(nullptr) : Json(sample.unit);
   object["stress"] = sample.stress.empty() ? Json(nullptr) : Json(sample.stress);

@@ -59,7 +59,7 @@ std::vector<FittedParameter> ElasticBranch::parameters() const {
 std::vector<std::string> ElasticBranch::warnings() const {
   std::vector<std::string> all = fit.warnings;
   if (!driven) return all;
-  if (!driven->found()) all.push_back("M: no fit: " + driven->refusal);
+  if (!driven->found()) all.push_back("M: no fit: " + driven->failure_reason);
   for (const std::string& warning : driven->warnings)
     all.push_back("against the driven stress, whose modulus is M: " + warning);
   return all;
@@ -96,7 +96,7 @@ double distance_from(const StateModuli& state, const ConsolidationCurve& branch)
 Json as_json(const PathTable& path, const ElasticBranch& branch) {
   Json object;
   object["sample"] = path.name;
-  object["refusal"] = branch.fit.found() ? Json(nullptr) : Json(branch.fit.refusal);
+  object["refusal"] = branch.fit.found() ? Json(nullptr) : Json(branch.fit.failure_reason);
   object["rows_used"] = branch.branch.rows;
   object["window"] = Json{branch.branch.curve.P_star.back(), branch.branch.curve.P_star.front()};
   object["pressure_unit"] = path.unit.empty() ? Json(nullptr) : Json(path.unit);

@@ -138,7 +138,7 @@ void doubt_percent(PathTable& path) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const PathRow& row : path.rows) smallest = std::min(smallest, 1.0 / row.phi - 1.0);
   if (path.rows.empty() || smallest < kLoosest) return;
-  path.doubts.push_back(
+  path.inconsistencies.push_back(
       fmt::format("the void ratio is {:.4g} and more in every row: is it in percent? A header such as "
                   "\"e [%]\" says so",
                   smallest));

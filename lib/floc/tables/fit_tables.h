@@ -36,8 +36,8 @@ struct PathTable {
   std::string unit;  ///< of the pressures; empty if the header has none
   CsvTable table;
   std::string stress = {};  ///< that of oedometric rows, "driven" or "mean"; empty without such rows
-  std::vector<std::string> notes = {};   ///< what was done to the pressures, for stderr
-  std::vector<std::string> doubts = {};  ///< warnings of values that may be meant otherwise
+  std::vector<std::string> notes = {};            ///< what was done to the pressures, for stderr
+  std::vector<std::string> inconsistencies = {};  ///< warnings of values that may be meant otherwise
 
   /// `stress` as a table has it.
   TableValue stress_of_rows() const { return or_undefined(stress); }

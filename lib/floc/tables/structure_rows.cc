@@ -38,7 +38,7 @@ ScatteringFit fit_of(const Scattering& s, const StructureTableOptions& options, 
 /// Says what a fit could not do, and adds the intensity to its table.
 void report(const std::string& file, const Scattering& s, const ScatteringFit& fit, Table& table,
             const Remarks& remarks) {
-  if (!fit.found()) remarks.remark(file, "no fit of I(k): " + fit.refusal);
+  if (!fit.found()) remarks.remark(file, "no fit of I(k): " + fit.failure_reason);
   for (const std::string& warning : fit.warnings) remarks.warn(file, warning, first_number(warning));
   const bool drawn = fit.found() && std::all_of(fit.parameters.begin(), fit.parameters.end(),
                                                 [](const FittedParameter& p) { return p.value.has_value(); });
@@ -103,8 +103,8 @@ void choose_columns(const std::string& file, const std::vector<std::string>& nam
 void add_pores(const Packing<2>& packing, const StructureTableOptions& options, Series& series,
                StructureRow& row, const Remarks& remarks) {
   const Pores pores = find_pores(packing);
-  if (!pores.refusal.empty()) {
-    remarks.warn(row.file, pores.refusal);
+  if (!pores.failure_reason.empty()) {
+    remarks.warn(row.file, pores.failure_reason);
     return;
   }
   row.n_pores = static_cast<std::int64_t>(pores.pores.size());

@@ -43,7 +43,7 @@ Json as_json(const PathTable& path, const ReloadingFit& reloading) {
   const auto& [branch, fit] = reloading;
   Json object;
   object["sample"] = path.name;
-  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
+  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.failure_reason);
   object["rows_used"] = branch.loading.rows;
   object["largest_before"] = branch.largest_before;
   object["pressure_unit"] = path.unit.empty() ? Json(nullptr) : Json(path.unit);
@@ -87,7 +87,7 @@ CompactedSample compacted_sample(const std::string& place, double e, double p, d
 Json as_json(const std::string& name, const CompactionFit& fit, const CompactionReference& reference) {
   Json object;
   object["sample"] = name;
-  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
+  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.failure_reason);
   object["rows_used"] = fit.used;
   object["n_points"] = fit.used.size();
   object["held"] = {{"p_D", reference.p_D}, {"eta_m", reference.eta_m}};
@@ -131,7 +131,7 @@ Json as_json(const std::string& name, const std::vector<double>& forces, const F
   Json object;
   object["sample"] = name;
   object["form"] = fit.form;
-  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.refusal);
+  object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.failure_reason);
   object["n_positive"] = sizes_of(forces, 1.0).size();
   object["n_negative"] = sizes_of(forces, -1.0).size();
   object["n_points"] = fit.n;

@@ -30,7 +30,7 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
   const Law& law = law_of(packing, c);
-  if (!c.distant && law.force_exponent() == 1.0 && !law.remembers_overlap())
+  if (!c.distant && law.force_exponent() == 1.0 && !law.keeps_overlap())
     return -c.kn * c.gap - (touches(packing, c) ? pull_off_force(packing, c) : 0.0);
   Contact<Dim> by_law = c;
   refresh_contact(packing, by_law);

@@ -101,7 +101,7 @@ class Differences {
 
 template <int Dim>
 void compare_load(const State<Dim>& state, const PlannedEquilibrium& planned, Differences& found) {
-  const Turn& turn = state.path.turn;
+  const StageReference& turn = state.path.turn;
   found.compare("path/control", turn.control, planned.is_isotropic() ? std::string() : planned.control);
   if (planned.is_isotropic() != turn.empty()) return;
   if (planned.is_isotropic()) {

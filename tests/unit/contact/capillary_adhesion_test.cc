@@ -122,16 +122,16 @@ TEST(CapillaryAdhesion, WithoutAVolumeThereIsNothing) {
 /// A doublet of spheres of a millimetre, quasi-statically.
 struct Doublet {
   Law law;
-  PackedMemory<1> memory;
+  PackedHistory<1> history;
 
   explicit Doublet(BridgeFormation formation, double volume = kVolume)
       : law{LinearRepulsion{1e3}, kWater, {}, {}, {}, {}} {
     law.adhesion.formation = formation;
-    memory.value[0] = volume;
+    history.value[0] = volume;
   }
   double force(double gap) {
     const ContactMotion<3> motion{gap, 0.0, 0.0, Shear<3>::Zero(), RotationVector<3>::Zero()};
-    return law.respond<3, double>(motion, memory, law.pair_parameters<3>(1e-3, 1e-3, memory)).normal.force();
+    return law.respond<3, double>(motion, history, law.pair_parameters<3>(1e-3, 1e-3, history)).normal.force();
   }
   /// Work of the normal force on the pair (energy), by the trapezoidal rule.
   double work(double from, double to) {
@@ -144,7 +144,7 @@ struct Doublet {
     }
     return sum;
   }
-  Bridge<> bridge() const { return law.pair_parameters<3>(1e-3, 1e-3, memory); }
+  Bridge<> bridge() const { return law.pair_parameters<3>(1e-3, 1e-3, history); }
 };
 
 TEST(Doublet, RestsPullsOffAndPartsAsTheClosedFormsSay) {
@@ -167,7 +167,7 @@ TEST(Doublet, GivesBackInApproachWhatPartingTookWhereBridgesFormAcrossTheGap) {
   const double far = 1.1 * pair.bridge().reach, near = -1e-6;
   const double in = pair.work(far, near), out = pair.work(near, far);
   EXPECT_NEAR(in + out, 0.0, 1e-12 * std::abs(in));
-  EXPECT_EQ(pair.memory.value[0], kVolume);
+  EXPECT_EQ(pair.history.value[0], kVolume);
 }
 
 TEST(Doublet, LosesTheEnergyOfTheBridgeWhereItFormsOnContact) {
@@ -175,9 +175,9 @@ TEST(Doublet, LosesTheEnergyOfTheBridgeWhereItFormsOnContact) {
   const Bridge<> b = pair.bridge();
   const double far = 1.1 * b.reach, near = -1e-6;
   const double in = pair.work(far, near);
-  EXPECT_EQ(pair.memory.value[0], kVolume);
+  EXPECT_EQ(pair.history.value[0], kVolume);
   const double out = pair.work(near, far);
-  EXPECT_EQ(pair.memory.value[0], -kVolume);
+  EXPECT_EQ(pair.history.value[0], -kVolume);
   expect_relative(-(in + out), b.strength / b.decay * (1.0 - std::exp(-b.reach * b.decay)), 5e-5);
 }
 

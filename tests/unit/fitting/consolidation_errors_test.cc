@@ -30,7 +30,7 @@ TEST(Regimes, TheEndOfThePlateauLiesInItsStatedRange) {
   for (int k = 0; k < kRepeats; ++k) {
     const auto curve = with_relative_noise(kNoRolling.with_plateau(), 0.003, random);
     const auto fit = fit_consolidation(curve, {});
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     ASSERT_TRUE(fit.regimes->plateau_end);
     const ChangePoint& end = *fit.regimes->plateau_end;
     // The point at P0* itself belongs to both.
@@ -53,7 +53,7 @@ TEST(Regimes, RowsOfOneRegimeAreRefused) {
     for (const auto law : {ConsolidationLaw::full, ConsolidationLaw::log}) {
       ConsolidationOptions options;
       options.law = law;
-      EXPECT_THAT(fit_consolidation(curve, options).refusal, HasSubstr("regime I"));
+      EXPECT_THAT(fit_consolidation(curve, options).failure_reason, HasSubstr("regime I"));
     }
 }
 
@@ -65,7 +65,7 @@ TEST(Identity, HoldsInEveryFit) {
         ConsolidationOptions options;
         options.hold_P0 = hold;
         const auto fit = fit_consolidation(with_relative_noise(set.with_plateau(), 0.003, random), options);
-        ASSERT_TRUE(fit.found()) << fit.refusal;
+        ASSERT_TRUE(fit.found()) << fit.failure_reason;
         EXPECT_NEAR(std::log(value(fit, "P1_star") / value(fit, "P0_star")),
                     (1 / value(fit, "Phi0") - 1 / value(fit, "Phi_max")) / value(fit, "lambda"), 1e-10);
       }
@@ -87,7 +87,7 @@ TEST(Law, IsFittedOverTwentyFourDecades) {
     curve.phi.push_back(1 / law.inverse_phi(curve.P_star.back()));
   }
   const auto fit = fit_consolidation(curve, {});
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_NEAR(value(fit, "lambda"), law.lambda, 1e-8 * law.lambda);
   EXPECT_NEAR(value(fit, "alpha"), law.alpha, 1e-8 * law.alpha);
   EXPECT_NEAR(value(fit, "Phi_max"), law.phi_max, 1e-8 * law.phi_max);
@@ -122,7 +122,7 @@ TEST(Profile, IntervalsAreAsymmetricWhereTheLawIs) {
   const auto curve =
       with_relative_noise(curve_of(kSmallRolling.law(), published_pressures(0.0316)), 0.01, random);
   const auto fit = fit_consolidation(curve, options);
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_THAT(fit.profiled, testing::ElementsAre("alpha", "Phi_max"));
   const FittedParameter& p = *fit.find("Phi_max");
   // More density always stays possible for longer than less of it: the points already lie below.
@@ -150,7 +150,7 @@ TEST(Samples, ErrorsOfTheirMeanAreTheScatterOfRepeatedMeans) {
   double sum = 0, squares = 0, stated = 0;
   for (int k = 0; k < kRepeats; ++k) {
     const auto fit = fit_consolidation(mean_of_samples(kSamples, random), options);
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_TRUE(fit.errors_from_samples);
     EXPECT_EQ(fit.weighting, Weighting::scatter);
     sum += value(fit, "lambda");
@@ -172,7 +172,7 @@ TEST(Bootstrap, AgreesWithTheCovarianceOfACurveAndOfAMean) {
       with_relative_noise(curve_of(kSmallRolling.law(), published_pressures(0.0316)), 0.003, random);
   for (const ConsolidationCurve& c : {curve, mean_of_samples(12, random)}) {
     const auto fit = fit_consolidation(c, options);
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_EQ(fit.n_bootstrapped, 400);
     for (const FittedParameter& b : fit.bootstrap) {
       // 400 draws give a deviation to 3.5 %; the rest is what a linear covariance leaves out.
@@ -194,7 +194,7 @@ TEST(RobustLoss, AnOutlierCountsForLittle) {
   for (const Loss loss : {Loss::huber, Loss::cauchy}) {
     options.loss = loss;
     const auto fit = fit_consolidation(curve, options);
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_NEAR(value(fit, "lambda"), kNoRolling.lambda, 4 * error(fit, "lambda"));
     EXPECT_LT(std::abs(value(fit, "lambda") / kNoRolling.lambda - 1),
               0.3 * std::abs(plain / kNoRolling.lambda - 1));

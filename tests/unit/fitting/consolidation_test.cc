@@ -108,7 +108,7 @@ TEST(FitConsolidation, RecoversThePublishedSetsExactly) {
   for (const Published& set : {kNoRolling, kSmallRolling}) {
     const auto fit =
         fit_consolidation(curve_of(set.law(), published_pressures(set.P0_star)), on(set.P0_star, 13.34));
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_NEAR(value(fit, "lambda"), set.lambda, 1e-8);
     EXPECT_NEAR(value(fit, "alpha"), set.alpha, 1e-8);
     EXPECT_NEAR(value(fit, "Phi_max"), set.phi_max, 1e-8);
@@ -129,7 +129,7 @@ TEST(FitConsolidation, RecoversAnyIdentifiedSetExactly) {
     const ConsolidationLawParameters law{random.uniform(0.05, 0.5), random.uniform(0.6, 1.8),
                                          random.uniform(0.7, 0.85), random.uniform(0.2, 2.0)};
     const auto fit = fit_consolidation(curve_of(law, published_pressures(0.01)), on(0.01, 14));
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_NEAR(value(fit, "lambda"), law.lambda, 1e-8) << k;
     EXPECT_NEAR(value(fit, "alpha"), law.alpha, 1e-8) << k;
     EXPECT_NEAR(value(fit, "Phi_max"), law.phi_max, 1e-8) << k;
@@ -152,7 +152,7 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
   RandomStream random(1, 0);
   for (const Published& set : {kNoRolling, kSmallRolling}) {
     const auto fit = fit_consolidation(with_plateau(set, 0.0, random), {});
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     // 0.01 * 10^(3/8) and 10^(4/8): three and four pressures lie before P0*; the one at P0* belongs to both.
     const int before = set.P0_star < 0.03 ? 3 : 4;
     EXPECT_GE(fit.n_plateau, before);
@@ -169,7 +169,7 @@ TEST(FitConsolidation, ThePlateauEndsWhereTheLawReachesItsLevel) {
   ConsolidationCurve jump = curve_of(kNoRolling.law(), published_pressures(0.01));
   for (std::size_t i = 0; i < 9; ++i) jump.phi[i] = kNoRolling.phi0;
   const auto fit = fit_consolidation(jump, {});
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_LT(fit.n_plateau, 9);
   EXPECT_GT(value(fit, "P0_star"), fit.plateau_high / 2);
   EXPECT_LT(value(fit, "P0_star"), 2 * fit.window_low);
@@ -197,7 +197,7 @@ TEST(FitConsolidation, StatedErrorsAreTheScatterOfRepeatedFits) {
     ConsolidationOptions options = on(0.03, 14);
     options.weighting = Weighting::uniform;
     const auto fit = fit_consolidation(curve, options);
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     const FittedParameter& p = *fit.find("lambda");
     sum += *p.value;
     squares += *p.value * *p.value;
@@ -219,7 +219,7 @@ TEST(FitConsolidation, DataThatEndBeforeRegimeThreeBoundItOnly) {
   RandomStream random(5, 0);
   for (double& phi : curve.phi) phi = 1 / (1 / phi + 1e-3 * random.normal());
   const auto fit = fit_consolidation(curve, on(1e-6, 1.0));
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   for (const char* name : {"alpha", "P1_star", "Phi_max"}) {
     EXPECT_FALSE(fit.find(name)->identified) << name;
     EXPECT_FALSE(fit.find(name)->value) << name;
@@ -241,7 +241,7 @@ TEST(FitConsolidation, ASharpKneeLeavesAlphaOpenAndTheRestKnown) {
     knee.phi.push_back(1 / (std::max(1.3, 2.0 - 0.2 * std::log(P / 0.01)) + 1e-5 * random.normal()));
   }
   const auto fit = fit_consolidation(knee, on(0.01, 14));
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_FALSE(fit.find("alpha")->identified);
   for (const char* name : {"lambda", "Phi_max"}) EXPECT_TRUE(fit.find(name)->identified) << name;
   EXPECT_NEAR(value(fit, "lambda"), 0.2, 1e-3);
@@ -271,13 +271,13 @@ TEST(FitConsolidation, LawsOfOneRegimeStayInIt) {
   ConsolidationOptions options;
   options.law = ConsolidationLaw::log;
   const auto log_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
-  ASSERT_TRUE(log_fit.found()) << log_fit.refusal;
+  ASSERT_TRUE(log_fit.found()) << log_fit.failure_reason;
   EXPECT_LT(log_fit.window_high, law.P1_star);
   // The line ends where a power law does better: its slope is then that of the law to a few per cent.
   EXPECT_NEAR(value(log_fit, "lambda"), law.lambda, 0.05 * law.lambda);
   options.law = ConsolidationLaw::power;
   const auto power_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
-  ASSERT_TRUE(power_fit.found()) << power_fit.refusal;
+  ASSERT_TRUE(power_fit.found()) << power_fit.failure_reason;
   EXPECT_GT(power_fit.window_low, log_fit.window_high);
   // Both laws are the first terms of expansions; that of the power law leaves u/12, u = (P1*/P*)^alpha of order
   // one.
@@ -304,20 +304,20 @@ TEST(FitConsolidation, AFullLawWithoutRegimeTwoIsThePowerLaw) {
 
 TEST(FitConsolidation, TooLittleIsRefusedInWords) {
   const auto curve = curve_of(kNoRolling.law(), published_pressures(0.01));
-  EXPECT_THAT(fit_consolidation(curve, on(0.03, 0.05, ConsolidationLaw::log)).refusal,
+  EXPECT_THAT(fit_consolidation(curve, on(0.03, 0.05, ConsolidationLaw::log)).failure_reason,
               HasSubstr("2 pressures in regime II, the log law needs 3"));
-  EXPECT_THAT(fit_consolidation(curve, on(100, 200)).refusal, HasSubstr("0 pressures in the window"));
-  EXPECT_THAT(fit_consolidation({{1.0, 2.0}, {0.5, 0.6}, {}}, {}).refusal, HasSubstr("2 pressures"));
+  EXPECT_THAT(fit_consolidation(curve, on(100, 200)).failure_reason, HasSubstr("0 pressures in the window"));
+  EXPECT_THAT(fit_consolidation({{1.0, 2.0}, {0.5, 0.6}, {}}, {}).failure_reason, HasSubstr("2 pressures"));
   ConsolidationCurve falling = curve;
   std::reverse(falling.phi.begin(), falling.phi.end());
-  EXPECT_THAT(fit_consolidation(falling, on(0.01, 14)).refusal, HasSubstr("does not grow"));
+  EXPECT_THAT(fit_consolidation(falling, on(0.01, 14)).failure_reason, HasSubstr("does not grow"));
   EXPECT_FALSE(fit_consolidation(falling, {}).found());
 }
 
 TEST(FitConsolidation, CorrelationHasUnitDiagonalAndIsSymmetric) {
   RandomStream random(2, 0);
   const auto fit = fit_consolidation(with_plateau(kSmallRolling, 0.003, random), {});
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_THAT(fit.correlated, ElementsAre("lambda", "alpha", "Phi_max", "P1_star"));
   for (int i = 0; i < 4; ++i) {
     EXPECT_NEAR(fit.correlation(i, i), 1.0, 1e-12);

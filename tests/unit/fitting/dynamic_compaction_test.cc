@@ -57,7 +57,7 @@ CompactionReference as_printed() {
 }
 
 void expect_published(const CompactionFit& fit) {
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   for (std::size_t k = 0; k < 7; ++k) {
     ASSERT_TRUE(fit.parameters[k].value) << fit.parameters[k].name;
     EXPECT_NEAR(*fit.parameters[k].value / kTruth[k], 1.0, 1e-6) << fit.parameters[k].name;
@@ -92,7 +92,7 @@ void expect_coverage(std::vector<CompactedSample> (*draw)(double, RandomStream&)
   int covered[7] = {};
   for (int r = 0; r < kRepeats; ++r) {
     const auto fit = fit_dynamic_compaction(draw(0.002, random), reference);
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     for (std::size_t k = 0; k < 7; ++k) {
       const FittedParameter& p = fit.parameters[k];
       covered[k] += p.low95 && *p.low95 <= kTruth[k] && kTruth[k] <= *p.high95;
@@ -111,7 +111,7 @@ TEST(DynamicCompaction, ThePrintedFormDoesNotIdentifyTheDenseSide) {
   for (const double noise : {0.0, 0.002, 0.002, 0.002, 0.01, 0.01, 0.01}) {
     const auto samples = sweep(noise, random);
     const auto fit = fit_dynamic_compaction(samples, as_printed());
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     // No sample of the sweep below eta* = 0.1 has p_crit >= p_0.
     for (const int i : fit.used) EXPECT_GE(samples[i].sc / std::sqrt(samples[i].p * samples[i].se), 0.0999);
     for (const std::size_t k : {3u, 5u}) {
@@ -139,7 +139,7 @@ TEST(DynamicCompaction, SamplesBesideThePlateauAreFlaggedNotFitted) {
   samples.push_back({2.2, 0.1, 0.05 * std::sqrt(0.1 * 1e4), 1e4});  // above any plateau
   beside.push_back(static_cast<int>(samples.size()) - 1);
   const auto fit = fit_dynamic_compaction(samples, {});
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   ASSERT_GT(beside.size(), 5u);
   EXPECT_EQ(fit.beside_plateau, beside);
   EXPECT_EQ(fit.used.size() + beside.size(), samples.size());
@@ -159,7 +159,7 @@ TEST(DynamicCompaction, RepeatedRunsTellTheScatterFromWhatTheLawMisses) {
   for (const CompactionErrorParts& parts : fit.error_parts) EXPECT_LT(parts.law, 0.45 * parts.scatter);
   for (CompactedSample& s : samples) s.e += 0.01 * std::sin(40 * std::log(s.se));
   const auto missed = fit_dynamic_compaction(samples, {});
-  ASSERT_TRUE(missed.found()) << missed.refusal;
+  ASSERT_TRUE(missed.found()) << missed.failure_reason;
   for (const CompactionErrorParts& parts : missed.error_parts) EXPECT_GT(parts.law, parts.scatter);
   EXPECT_THAT(missed.warnings, testing::Contains(HasSubstr("the law misses e by")));
 }
@@ -184,7 +184,7 @@ TEST(DynamicCompaction, OnePlateauDoesNotTellItsTwoParameters) {
         {law(0.5, 0.5, eta * std::sqrt(0.5 * se), se), 0.5, eta * std::sqrt(0.5 * se), se});
   for (const auto& fit :
        {fit_dynamic_compaction(samples, as_printed()), fit_dynamic_compaction(at_one_pressure, {})}) {
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_FALSE(fit.parameters[1].identified);
     EXPECT_FALSE(fit.parameters[2].identified);
     EXPECT_TRUE(fit.parameters[0].identified);
@@ -195,7 +195,7 @@ TEST(DynamicCompaction, TooFewSamplesAreRefused) {
   RandomStream random(4, 0);
   auto samples = sweep(0.0, random);
   samples.resize(7);
-  EXPECT_THAT(fit_dynamic_compaction(samples, {}).refusal, HasSubstr("7 samples"));
+  EXPECT_THAT(fit_dynamic_compaction(samples, {}).failure_reason, HasSubstr("7 samples"));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(Elastic, RecoversTheModulusOfAStraightBranch) {
     phi.push_back(0.77 * std::exp(p / 2.6e4));
   }
   const auto fit = fit_elastic(P, phi);
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   // Phi is known to 1e-16 and changes by 5e-4.
   EXPECT_NEAR(*fit.parameters[0].value, 2.6e4, 1e-10 * 2.6e4);
   EXPECT_NEAR(*fit.parameters[1].value, 0.77, 1e-14);
@@ -93,7 +93,7 @@ TEST(Elastic, OfABranchWhoseBeginningCollapsesIsThatOfTheRest) {
   std::vector<double> phi = {0.760};
   for (std::size_t k = 1; k < P.size(); ++k) phi.push_back(0.762 * std::exp(P[k] / 2.5e4));
   const ElasticFit fit = fit_elastic(P, phi);
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_EQ(fit.first, 1);
   EXPECT_EQ(fit.n_points, 6);
   EXPECT_NEAR(*fit.parameters[0].value, 2.5e4, 1e-6 * 2.5e4);
@@ -101,12 +101,12 @@ TEST(Elastic, OfABranchWhoseBeginningCollapsesIsThatOfTheRest) {
                                             "straight part, from 0.1 to 7"));
   // Where one step of the rest does not fall either, nothing is elastic.
   phi[5] = 0.9;
-  EXPECT_THAT(fit_elastic(P, phi).refusal, HasSubstr("does not fall"));
+  EXPECT_THAT(fit_elastic(P, phi).failure_reason, HasSubstr("does not fall"));
 }
 
 TEST(Elastic, NoBranchIsRefusedInWords) {
-  EXPECT_THAT(fit_elastic({2, 1}, {0.7, 0.69}).refusal, HasSubstr("2 pressures"));
-  EXPECT_THAT(fit_elastic({3, 2, 1}, {0.7, 0.71, 0.72}).refusal, HasSubstr("does not fall"));
+  EXPECT_THAT(fit_elastic({2, 1}, {0.7, 0.69}).failure_reason, HasSubstr("2 pressures"));
+  EXPECT_THAT(fit_elastic({3, 2, 1}, {0.7, 0.71, 0.72}).failure_reason, HasSubstr("does not fall"));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(CompressiveForces, LikelihoodRecoversTheParameterThatDrewThem) {
       ForceFitOptions options;
       options.n_draws = 2;
       const ForceFit fit = fit_compressive_forces(*law, forces, options);
-      ASSERT_TRUE(fit.found()) << fit.refusal;
+      ASSERT_TRUE(fit.found()) << fit.failure_reason;
       const FittedParameter& p = fit.parameters[0];
       EXPECT_NEAR(*p.value, x, 4 * *p.standard_error) << law->name;
       EXPECT_LT(*p.standard_error, 0.05);
@@ -111,8 +111,10 @@ TEST(ExponentialTail, IsTheMeanExcessWithItsError) {
 }
 
 TEST(ForceFits, TooFewForcesAreRefused) {
-  EXPECT_THAT(fit_compressive_forces(power_exponential(), {1, 2, 3}, {}).refusal, HasSubstr("3 forces > 0"));
-  EXPECT_THAT(fit_exponential_tail("tail_negative", {1, 2, 3}, 2, {}).refusal, HasSubstr("1 forces beyond"));
+  EXPECT_THAT(fit_compressive_forces(power_exponential(), {1, 2, 3}, {}).failure_reason,
+              HasSubstr("3 forces > 0"));
+  EXPECT_THAT(fit_exponential_tail("tail_negative", {1, 2, 3}, 2, {}).failure_reason,
+              HasSubstr("1 forces beyond"));
 }
 
 }  // namespace

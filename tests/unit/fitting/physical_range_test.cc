@@ -54,7 +54,7 @@ Beyond heckel() {
     curve.phi.push_back(1.0 - std::exp(-0.55 - p / 85.0));
   }
   const ConsolidationFit fit = fit_consolidation(curve, {});
-  EXPECT_TRUE(fit.found()) << fit.refusal;
+  EXPECT_TRUE(fit.found()) << fit.failure_reason;
   return {"Phi_max", 0.0, 1.0, fit.parameters, fit.warnings};
 }
 
@@ -69,7 +69,7 @@ Beyond power_law() {
   options.law = ConsolidationLaw::power;
   options.window = {1.0, 14.0};
   const ConsolidationFit fit = fit_consolidation(curve, options);
-  EXPECT_TRUE(fit.found()) << fit.refusal;
+  EXPECT_TRUE(fit.found()) << fit.failure_reason;
   return {"Phi_max", 0.0, 1.0, fit.parameters, fit.warnings};
 }
 
@@ -99,7 +99,7 @@ Beyond compacted(const char* parameter, double e_min, double C) {
         if (sc <= 0.1 * se && e > 0.0) samples.push_back({e, p, sc, se});
       }
   const CompactionFit fit = fit_dynamic_compaction(samples, {});
-  EXPECT_TRUE(fit.found()) << fit.refusal;
+  EXPECT_TRUE(fit.found()) << fit.failure_reason;
   return {parameter, 0.0, kAny, fit.parameters, fit.warnings};
 }
 

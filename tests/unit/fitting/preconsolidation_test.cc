@@ -36,7 +36,7 @@ TEST(Preconsolidation, IsFoundBetweenTheRows) {
   RandomStream random(1, 0);
   const Branch branch = bent(0.0, 8, random);
   const auto fit = fit_preconsolidation(branch.P, branch.phi);
-  ASSERT_TRUE(fit.found()) << fit.refusal;
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
   // The bend is searched for on a grid of 4000 places over five e-folds.
   EXPECT_NEAR(value(fit, 0), kPc, 2e-3 * kPc);
   EXPECT_NEAR(value(fit, 1), kKappa, 1e-3);
@@ -51,7 +51,7 @@ TEST(Preconsolidation, IntervalsCoverTheTruth) {
   for (int k = 0; k < kRepeats; ++k) {
     const Branch branch = bent(0.002, 6, random);
     const auto fit = fit_preconsolidation(branch.P, branch.phi);
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     for (std::size_t i = 0; i < 3; ++i) {
       const FittedParameter& p = fit.parameters[i];
       covered[i] += p.low95.value_or(0.0) <= truth[i] && truth[i] <= p.high95.value_or(1e9);
@@ -67,8 +67,8 @@ TEST(Preconsolidation, WithoutABendIsRefused) {
     straight.P.push_back(P);
     straight.phi.push_back(1 / (1.6 - 0.05 * std::log(P)));
   }
-  EXPECT_THAT(fit_preconsolidation(straight.P, straight.phi).refusal, HasSubstr("does not bend"));
-  EXPECT_THAT(fit_preconsolidation({1, 2, 3}, {0.5, 0.6, 0.7}).refusal, HasSubstr("3 pressures"));
+  EXPECT_THAT(fit_preconsolidation(straight.P, straight.phi).failure_reason, HasSubstr("does not bend"));
+  EXPECT_THAT(fit_preconsolidation({1, 2, 3}, {0.5, 0.6, 0.7}).failure_reason, HasSubstr("3 pressures"));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(ScatteringFit, RangeIsTheOneAskedFor) {
 TEST(ScatteringFit, SaysWhatTheDataDoNotTell) {
   const ScatteringFit few = fit_scattering(points_of(1.0, 9.0, 1.6, 10, nullptr), 0.0, 0.15);
   EXPECT_FALSE(few.found());
-  EXPECT_THAT(few.refusal, HasSubstr("the law needs 6"));
+  EXPECT_THAT(few.failure_reason, HasSubstr("the law needs 6"));
   // A power law levels off nowhere.
   std::vector<ScatteredPoint> power;
   for (double k = 0.1; k < 4.0; k *= 1.1) power.push_back({k, std::pow(k, -1.5), 50});

@@ -112,7 +112,7 @@ TEST_F(CsvPacking, StretchesTheTwistingSpringToTheMomentOfTheList) {
   *options_.law += test::twisting_spring(0.5, 4.0);
   const Contact<3> c = read<3>().contacts[0];
   EXPECT_EQ(std::tie(c.i, c.j, c.twisting_moment, c.ktw), std::make_tuple(0, 1, 0.04, 4.0));
-  EXPECT_DOUBLE_EQ(c.memory[MemoryLayout<3>::kTwisting], -0.01);
+  EXPECT_DOUBLE_EQ(c.history[HistoryLayout<3>::kTwisting], -0.01);
   *options_.law += test::without("twisting");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the law has no twisting")));
 }

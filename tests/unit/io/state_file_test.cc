@@ -55,7 +55,7 @@ void expect_same_contacts(const Packing<Dim>& a, const Packing<Dim>& b) {
     EXPECT_EQ(c.rolling_moment, d.rolling_moment);
     EXPECT_EQ(std::tie(c.twisting_moment, c.ktw, c.twisting_yield),
               std::tie(d.twisting_moment, d.ktw, d.twisting_yield));
-    EXPECT_EQ(c.memory, d.memory);
+    EXPECT_EQ(c.history, d.history);
     EXPECT_EQ(test::shear_spring(c), test::shear_spring(d));
     EXPECT_EQ(test::rolling_spring(c), test::rolling_spring(d));
   }

@@ -35,7 +35,7 @@ void expect_walls_kept() {
   for (std::size_t k = 0; k < saved.packing.contacts.size(); ++k) {
     const Contact<Dim>&a = saved.packing.contacts[k], &b = read.packing.contacts[k];
     EXPECT_EQ(a.j, b.j);
-    EXPECT_EQ(a.memory, b.memory);
+    EXPECT_EQ(a.history, b.history);
     EXPECT_EQ(a.normal_force, b.normal_force);
     on_walls += saved.packing.is_wall(a.j);
   }

@@ -20,7 +20,7 @@ AxisLoad strain(double end) {
 }
 
 TEST(LoadTarget, CountsFromTheStartOfItsTurn) {
-  const Turn turn{"axes", 1, {2.0, 3.0, 4.0}, {1.0, 0.0, 5.0}};
+  const StageReference turn{"axes", 1, {2.0, 3.0, 4.0}, {1.0, 0.0, 5.0}};
   const LoadTarget<3> half = load_target<3>({{stress(4.0), 0.5}, {stress(4.0), 0.5}, {strain(0.2), 0.5}}, turn);
   EXPECT_DOUBLE_EQ(half.stress[0], 2.0);  // by equal factors
   EXPECT_DOUBLE_EQ(half.stress[1], 2.0);  // from zero by equal differences

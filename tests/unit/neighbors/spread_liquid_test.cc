@@ -84,7 +84,7 @@ TEST(SpreadLiquid, OnceMoreChangesNothing) {
   EXPECT_TRUE(change.nothing());
   ASSERT_EQ(packing.contacts.size(), before.size());
   for (std::size_t k = 0; k < before.size(); ++k) {
-    EXPECT_EQ(packing.contacts[k].memory, before[k].memory);
+    EXPECT_EQ(packing.contacts[k].history, before[k].history);
     EXPECT_EQ(packing.contacts[k].normal_force, before[k].normal_force);
   }
 }
@@ -127,7 +127,7 @@ TEST(SpreadLiquid, DoesNothingWithoutLiquid) {
   const auto dry = test::random_packing<2>(30, 2, test::elastic_law(1.0, 0.7, 0.0), 1.2);
   ASSERT_EQ(packing.contacts.size(), dry.contacts.size());
   for (std::size_t k = 0; k < dry.contacts.size(); ++k) {
-    EXPECT_EQ(packing.contacts[k].memory, dry.contacts[k].memory);
+    EXPECT_EQ(packing.contacts[k].history, dry.contacts[k].history);
     EXPECT_EQ(packing.contacts[k].normal_force, dry.contacts[k].normal_force);
   }
 }

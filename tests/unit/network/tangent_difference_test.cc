@@ -77,7 +77,7 @@ Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u
   for (int i = 0; i < n; ++i)
     out.grains.position[i] = deformation * packing.grains.position[i] + u.segment<Dim>(kDofs<Dim> * i);
   std::vector<SurfaceMotion<Dim>> motion(out.contacts.size());
-  const auto remembered = remembered_quantities(packing.law, Dim);
+  const auto remembered = history_quantities(packing.law, Dim);
   for (std::size_t k = 0; k < out.contacts.size(); ++k) {
     Contact<Dim>& c = out.contacts[k];
     const double radii = packing.grains.radius[c.i] + packing.grains.radius[c.j];
@@ -88,9 +88,9 @@ Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u
     const RotationVector<Dim> mean =
         (packing.grains.radius[c.i] * rotation_i + packing.grains.radius[c.j] * rotation_j) / radii;
     c.gap = r.norm() - radii;
-    transport_memory<Dim>(remembered, normal,
-                          twist_about(normal, RotationVector<Dim>(0.5 * (rotation_i + rotation_j))), c,
-                          motion[k]);
+    transport_history<Dim>(remembered, normal,
+                           twist_about(normal, RotationVector<Dim>(0.5 * (rotation_i + rotation_j))), c,
+                           motion[k]);
     motion[k].slip = to_shear<double>(normal, Vec<Dim>(r - branch(packing, c) - cross<double>(mean, r)));
     motion[k].relative_rotation = rolling_part<double>(normal, RotationVector<Dim>(rotation_i - rotation_j));
     motion[k].twist = twist_about(normal, RotationVector<Dim>(rotation_i - rotation_j));

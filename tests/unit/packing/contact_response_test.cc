@@ -211,7 +211,7 @@ TEST(ContactResponse, IsCarriedWithTheNormalIn3D) {
   const Vec<3> n1 = (n0 + 0.1 * t.frame.col(1)).normalized();
   const auto start = t.contact;
   const auto moved = t.motion;
-  transport_memory<3>(remembered_quantities(full_law<3>(), 3), n1, 0.2, t.contact, t.motion);
+  transport_history<3>(history_quantities(full_law<3>(), 3), n1, 0.2, t.contact, t.motion);
   EXPECT_EQ(t.contact.normal, n1);
   EXPECT_LT(std::abs(test::shear_spring(t.contact).dot(n1)), 1e-15);
   EXPECT_NEAR(test::shear_spring(t.contact).norm(), test::shear_spring(start).norm(), 1e-15);

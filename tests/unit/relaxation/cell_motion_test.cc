@@ -56,9 +56,9 @@ TEST(CellMotion, LatticeIsAcceleratedByWhatTheStressDoesNotBalance) {
 
 TEST(CellMotion, StrainRampEndsAtItsLengthAndAtRest) {
   BoundaryControl<2> control = BoundaryControl<2>::fixed();
-  control.way.from = Vec<2>(10.0, 10.0);
-  control.way.to = Vec<2>(9.0, 10.0);
-  control.way.duration = 1.0;
+  control.ramp.from = Vec<2>(10.0, 10.0);
+  control.ramp.to = Vec<2>(9.0, 10.0);
+  control.ramp.duration = 1.0;
   CellMotion<2> motion(square_cell(10.0), {}, control);
   const auto sums = block_with_virial(0.0);
   for (int step = 0; step < 110; ++step) {

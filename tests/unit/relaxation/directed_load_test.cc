@@ -52,12 +52,12 @@ Packing<Dim> solved(const Packing<Dim>& from, const LoadTarget<Dim>& load) {
   options.largest_displacement = 1.0;
   auto control = BoundaryControl<Dim>::imposing(load, load.stress_with(static_stress(from)), 0.0);
   for (int a = 0; a < Dim; ++a)
-    if (load.strained(a)) control.way.from[a] = from.cell.matrix(a, a), control.way.to[a] = load.side[a];
+    if (load.strained(a)) control.ramp.from[a] = from.cell.matrix(a, a), control.ramp.to[a] = load.side[a];
   if (load.offset) {
-    const int axis = control.way.sheared_axis = load.offset->axis;
-    control.way.offset_from = from.cell.matrix(axis, 0);
-    control.way.offset_to = load.offset->offset;
-    control.way.height = from.cell.matrix(axis, axis);
+    const int axis = control.ramp.sheared_axis = load.offset->axis;
+    control.ramp.offset_from = from.cell.matrix(axis, 0);
+    control.ramp.offset_to = load.offset->offset;
+    control.ramp.height = from.cell.matrix(axis, axis);
   }
   const StaticSolution<Dim> solution = solve_statics(from, control, options);
   EXPECT_LT(solution.residual, 1e-11) << solution.reason;

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "floc/contact/memory_layout.h"
+#include "floc/contact/history_layout.h"
 #include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/kernels/pair_kernel.h"
 #include "floc/relaxation/pair_arrays.h"
@@ -25,9 +25,9 @@ class PairUnder {
  public:
   /// @param liquid  whether the pair has a bridge where the law knows of liquid
   PairUnder(const Law& law, double damping, bool liquid) : law_(law), damping_(damping) {
-    ContactMemory<Dim> all = ContactMemory<Dim>::Zero();
-    if (Law::kHoldsLiquid && liquid) all[MemoryLayout<Dim>::kAdhesion] = 1e-6;
-    memory_ = packed_memory<Law, Dim>(all);
+    ContactHistory<Dim> all = ContactHistory<Dim>::Zero();
+    if (Law::kHoldsLiquid && liquid) all[HistoryLayout<Dim>::kAdhesion] = 1e-6;
+    memory_ = packed_history<Law, Dim>(all);
     parameters_ = law_.template pair_parameters<Dim>(0.5, 0.5, memory_);
   }
 
@@ -35,12 +35,12 @@ class PairUnder {
     motion.damping = damping_;
     return law_.template respond<Dim, double>(motion, memory_, parameters_);
   }
-  ContactMemory<Dim> memory() const { return unpacked_memory<Law, Dim>(memory_); }
+  ContactHistory<Dim> history() const { return unpacked_history<Law, Dim>(memory_); }
 
  private:
   Law law_;
   double damping_;
-  PackedMemory<Law::template kMemorySize<Dim>> memory_;
+  PackedHistory<Law::template kHistorySize<Dim>> memory_;
   typename Law::template PairParameters<> parameters_;
 };
 
@@ -76,7 +76,7 @@ void expect_same_forces(const Law& law, Partner partner) {
           EXPECT_EQ(f.shear, g.shear);
           EXPECT_EQ(f.rolling, g.rolling);
           EXPECT_EQ(f.twisting, g.twisting);
-          EXPECT_EQ(pair.memory(), same.memory());
+          EXPECT_EQ(pair.history(), same.history());
         }
       },
       kernel_law<Dim>(law, partner));
@@ -134,7 +134,7 @@ Grains<Dim> row_of_grains(int n) {
   return grains;
 }
 
-/// Rows and memory that a kernel of the portable instruction set gives a row of grains, from the arrays of a law.
+/// Rows and history that a kernel of the portable instruction set gives a row of grains, from the arrays of a law.
 template <int Dim, class KernelLaw>
 struct Computed {
   PairArrays<Dim> pairs;

@@ -64,19 +64,19 @@ TEST(Accuracy, AllThatIsAskedForHasToHold) {
   const AccuracyChoice none = choice({{"phi", 1e-2}, {"moduli", 4.9e-3}});
   EXPECT_FALSE(none.found());
   EXPECT_EQ(none.refused_key, "moduli");
-  EXPECT_THAT(none.refusal, HasSubstr("expected at least 0.005"));
+  EXPECT_THAT(none.failure_reason, HasSubstr("expected at least 0.005"));
 }
 
 TEST(Accuracy, WhatIsFittedToAPathHasTheErrorOfItsMeanAndItsSampling) {
   EXPECT_EQ(choice({{"lambda", 0.31}}).name, "together coarse");
   EXPECT_EQ(choice({{"lambda", 0.12}}).name, "tolerance 1e-4");
-  EXPECT_THAT(choice({{"lambda", 0.1}}).refusal, HasSubstr("expected at least 0.11"));
+  EXPECT_THAT(choice({{"lambda", 0.1}}).failure_reason, HasSubstr("expected at least 0.11"));
 }
 
 TEST(Accuracy, BelowAllMeasuredErrorsNothingIsGuaranteed) {
   // The reference, of error zero against itself, is no measure.
   EXPECT_EQ(choice({{"phi", 2e-6}}).name, "scene as it is");
-  EXPECT_THAT(choice({{"phi", 1.9e-6}}).refusal, HasSubstr("expected at least 2e-06"));
+  EXPECT_THAT(choice({{"phi", 1.9e-6}}).failure_reason, HasSubstr("expected at least 2e-06"));
 }
 
 TEST(Accuracy, TheCellAddsTheErrorOfTheNearestFactorMeasuredBeyondItsOwn) {
@@ -97,7 +97,7 @@ TEST(Accuracy, WhatTheCellAddsIsSaidAndCountsForTheLeastError) {
   EXPECT_THAT(
       choice_with({{2.0, 1.0}}, 6e-2).reason,
       HasSubstr(". To these come the errors of cell_mass 2 times the default: phi 2.0e-04 in 95 % of states"));
-  EXPECT_THAT(choice_with({{2.0, 1.0}}, 2.01e-4).refusal,
+  EXPECT_THAT(choice_with({{2.0, 1.0}}, 2.01e-4).failure_reason,
               HasSubstr("expected at least 0.0002, the smallest error that the shipped table has for it with a "
                         "cell that moves as the scene says"));
 }
@@ -113,7 +113,7 @@ TEST(Accuracy, TheTableSpeaksForCellsBetweenThoseMeasured) {
 }
 
 TEST(Accuracy, WhatWasNotMeasuredIsNotGuaranteed) {
-  EXPECT_THAT(choice({{"forces", 0.5}}).refusal, HasSubstr("has no error for it"));
+  EXPECT_THAT(choice({{"forces", 0.5}}).failure_reason, HasSubstr("has no error for it"));
 }
 
 TEST(Accuracy, TheReasonNamesSettingsCostAndErrors) {
@@ -189,7 +189,7 @@ std::string refusal(const std::string& text, const std::vector<std::string>& ove
 TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
   const Scene scene = parse_scene(kAskedScene + "[accuracy]\nphi = 0.01\nmoduli = 0.05\n", "s.toml", ".");
   const AccuracyChoice expected = choose_accuracy(shipped_accuracy_table(), {{"phi", 0.01}, {"moduli", 0.05}});
-  ASSERT_TRUE(expected.found()) << expected.refusal;
+  ASSERT_TRUE(expected.found()) << expected.failure_reason;
   EXPECT_EQ(NumericalSettings::of(scene.relaxation), expected.settings);
   EXPECT_EQ(scene.relaxation.tolerance.energy, expected.settings.energy());
   EXPECT_EQ(scene.accuracy, expected.name + ": " + expected.reason);

@@ -51,7 +51,7 @@ TEST(Pores, OfASquareLatticeAreExact) {
   EXPECT_NEAR(found.size, std::sqrt(square_pore(1.0, 0.5)), 1e-13);
   EXPECT_NEAR((found.pores[0].centre - Vec<2>(0.5, 0.5)).norm(), 0.0, 1e-13);
   EXPECT_FALSE(found.unbounded);
-  EXPECT_EQ(found.refusal, "");
+  EXPECT_EQ(found.failure_reason, "");
 }
 
 TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
@@ -151,7 +151,7 @@ TEST(Pores, FillWhatGrainsLeave) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     const Packing<2> packing = net(8, seed);
     const Pores found = find_pores(packing);
-    ASSERT_EQ(found.refusal, "");
+    ASSERT_EQ(found.failure_reason, "");
     EXPECT_FALSE(found.unbounded);
     EXPECT_NEAR(found.total_area, packing.cell.volume() * (1.0 - solid_fraction(packing)), 1e-11);
     double second = 0.0;
@@ -178,7 +178,7 @@ TEST(Pores, OfContactsThatCrossAreRefused) {
   Packing<2> packing = square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0));
   packing.grains.radius[0] = 0.8;
   find_contacts(packing);
-  EXPECT_NE(find_pores(packing).refusal, "");
+  EXPECT_NE(find_pores(packing).failure_reason, "");
 }
 
 }  // namespace

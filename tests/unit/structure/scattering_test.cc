@@ -212,7 +212,7 @@ TEST(Scattering, OfAFieldOfKnownDimensionAndLengthGivesThemBack) {
     for (std::size_t b = 0; b < found.k.size(); ++b)
       points.push_back({found.k[b], found.I[b], found.n_vectors[b]});
     const ScatteringFit fit = fit_scattering(points, 0.0, 0.5 * kTwoPi);
-    ASSERT_TRUE(fit.found()) << fit.refusal;
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_NEAR(*fit.parameters[1].value, xi, 0.1 * xi);
     EXPECT_NEAR(*fit.parameters[2].value, dF, 0.05);
     EXPECT_LE(*fit.parameters[1].low95, xi);

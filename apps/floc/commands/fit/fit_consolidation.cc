@@ -55,7 +55,7 @@ std::string change_text(const std::optional<ChangePoint>& change, const Consolid
 /// @param n_asked  resampled fits asked for
 void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int n_asked) {
   if (!fit.found()) {
-    spdlog::warn("{}: no fit: {}", sample.name, fit.refusal);
+    spdlog::warn("{}: no fit: {}", sample.name, fit.failure_reason);
     return;
   }
   std::vector<int> rows;

@@ -39,7 +39,7 @@ std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNam
 void log_fit(const std::string& name, const CompactionFit& fit) {
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);
   if (!fit.found()) {
-    spdlog::warn("{}: no fit: {}", name, fit.refusal);
+    spdlog::warn("{}: no fit: {}", name, fit.failure_reason);
     return;
   }
   const std::string flagged = fit.beside_plateau.empty()

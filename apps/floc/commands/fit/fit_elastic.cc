@@ -36,7 +36,7 @@ int fit_tables(const ElasticArguments& arguments) {
     for (const ElasticBranch& b : branches) {
       const std::string rows = ranges(b.branch.rows);
       if (!b.fit.found()) {
-        spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, b.fit.refusal);
+        spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, b.fit.failure_reason);
         worst = worse(worst, kNotConverged);
       }
       for (const std::string& warning : b.warnings())

@@ -49,7 +49,7 @@ int fit_inputs(const ForceDistributionArguments& arguments) {
     for (const ForceFit& fit : fits) {
       array.push_back(as_json(name, forces, fit));
       if (!fit.found()) {
-        spdlog::warn("{}: {}: no fit: {}", name, fit.form, fit.refusal);
+        spdlog::warn("{}: {}: no fit: {}", name, fit.form, fit.failure_reason);
         worst = worse(worst, kNotConverged);
         continue;
       }

@@ -47,7 +47,7 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
 
 void log_notes(const PathTable& path) {
   for (const std::string& note : path.notes) spdlog::info("{}: {}", path.name, note);
-  for (const std::string& doubt : path.doubts) spdlog::warn("{}: warning: {}", path.name, doubt);
+  for (const std::string& doubt : path.inconsistencies) spdlog::warn("{}: warning: {}", path.name, doubt);
 }
 
 int for_each_table(const std::vector<std::string>& inputs,

@@ -37,7 +37,7 @@ int fit_tables(const PreconsolidationArguments& arguments) {
       const auto& [branch, fit] = reloading;
       const std::string rows = ranges(branch.loading.rows);
       if (!fit.found()) {
-        spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, fit.refusal);
+        spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, fit.failure_reason);
         worst = worse(worst, kNotConverged);
       } else {
         spdlog::info("{}: rows {}: reloading after P = {:.6g}", path.name, rows, branch.largest_before);

@@ -64,8 +64,8 @@ struct CapillaryAdhesion {
        choose<CapillaryAdhesion, &CapillaryAdhesion::form>},
       {"formation", kFormations, chosen<CapillaryAdhesion, &CapillaryAdhesion::formation>,
        choose<CapillaryAdhesion, &CapillaryAdhesion::formation>}};
-  static constexpr Memory kMemory[] = {
-      {"bridge_volume", MemoryKind::scalar, Unit::volume,
+  static constexpr History kHistory[] = {
+      {"bridge_volume", HistoryKind::scalar, Unit::volume,
        "volume of the liquid bridge, 0 without one; negative where it has broken and its liquid is not yet "
        "shared out"}};
 
@@ -89,7 +89,7 @@ struct CapillaryAdhesion {
     return {strength(radius_i, radius_j), std::sqrt(ratio * mean / volume) / kDecayLength, reach(volume)};
   }
 
-  /// Follows the bridge of a pair through a motion. @param pair  at the end of it @param volume  the memory
+  /// Follows the bridge of a pair through a motion. @param pair  at the end of it @param volume  the history
   /// @return the bridge as it acts now
   template <class T>
   Bridge<T> hold(const PairGeometry<T>& pair, const Bridge<T>& bridge, T* volume) const {

@@ -23,23 +23,23 @@ struct RollingSpring {
        "a number >= 0 (mu_R, a length)", "rolling friction"},
       {"stiffness", &RollingSpring::rolling_stiffness, Unit::rolling_stiffness, "K_R", Requirement::positive,
        "a positive number (K_R, force times length)", "rolling stiffness"}};
-  static constexpr Memory kMemory[] = {
-      {"rolling_spring", MemoryKind::rotation, Unit::angle, "relative rotation of id1 against id2"}};
+  static constexpr History kHistory[] = {
+      {"rolling_spring", HistoryKind::rotation, Unit::angle, "relative rotation of id1 against id2"}};
 
-  /// Takes up the relative rotation of one motion. @param memory  as declared. @return moment on j
+  /// Takes up the relative rotation of one motion. @param history  as declared. @return moment on j
   template <class T, class V>
   V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& relative_rotation,
-            T* memory) const {
-    return respond_capped(coefficient, rolling_stiffness, normal.elastic, relative_rotation, memory);
+            T* history) const {
+    return respond_capped(coefficient, rolling_stiffness, normal.elastic, relative_rotation, history);
   }
   template <class V>
-  bool is_mobilised(double elastic, const double* memory, double tolerance) const {
-    return acts() && capped_is_mobilised<V>(coefficient, rolling_stiffness, elastic, memory, tolerance);
+  bool is_mobilised(double elastic, const double* history, double tolerance) const {
+    return acts() && capped_is_mobilised<V>(coefficient, rolling_stiffness, elastic, history, tolerance);
   }
-  /// Sets the memory so that it carries a moment on j. @param stiffness  of the contact, > 0
+  /// Sets the history so that it carries a moment on j. @param stiffness  of the contact, > 0
   template <class V>
-  void set_force(const V& force, double stiffness, double* memory) const {
-    Eigen::Map<V>{memory} = force / stiffness;
+  void set_force(const V& force, double stiffness, double* history) const {
+    Eigen::Map<V>{history} = force / stiffness;
   }
   /// K_R while nothing yields, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }

@@ -24,23 +24,23 @@ struct CoulombFriction {
        "a number >= 0 (mu)", "friction coefficient"},
       {"stiffness", &CoulombFriction::tangential_stiffness, Unit::stiffness, "K_T", Requirement::positive,
        "a positive number (K_T, force per length)", "tangential stiffness"}};
-  static constexpr Memory kMemory[] = {
-      {"shear_spring", MemoryKind::tangent, Unit::length,
+  static constexpr History kHistory[] = {
+      {"shear_spring", HistoryKind::tangent, Unit::length,
        "tangential spring; in 2D along the normal turned by +90 degrees, in 3D a vector normal to the normal"}};
 
-  /// Takes up the slip of one motion. @param memory  as declared. @return tangential force on i
+  /// Takes up the slip of one motion. @param history  as declared. @return tangential force on i
   template <class T, class V>
-  V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* memory) const {
-    return respond_capped(coefficient, tangential_stiffness, normal.elastic, slip, memory);
+  V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* history) const {
+    return respond_capped(coefficient, tangential_stiffness, normal.elastic, slip, history);
   }
   template <class V>
-  bool is_mobilised(double elastic, const double* memory, double tolerance) const {
-    return capped_is_mobilised<V>(coefficient, tangential_stiffness, elastic, memory, tolerance);
+  bool is_mobilised(double elastic, const double* history, double tolerance) const {
+    return capped_is_mobilised<V>(coefficient, tangential_stiffness, elastic, history, tolerance);
   }
-  /// Sets the memory so that it carries a force. @param stiffness  of the contact, > 0
+  /// Sets the history so that it carries a force. @param stiffness  of the contact, > 0
   template <class V>
-  void set_force(const V& force, double stiffness, double* memory) const {
-    Eigen::Map<V>{memory} = force / stiffness;
+  void set_force(const V& force, double stiffness, double* history) const {
+    Eigen::Map<V>{history} = force / stiffness;
   }
   /// K_T while nothing slides, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }

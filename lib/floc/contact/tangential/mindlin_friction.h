@@ -22,16 +22,16 @@ struct MindlinFriction {
   static constexpr Number<MindlinFriction> kNumbers[] = {{"coefficient", &MindlinFriction::coefficient,
                                                           Unit::ratio, "mu", Requirement::not_negative,
                                                           "a number >= 0 (mu)", "friction coefficient"}};
-  static constexpr Memory kMemory[] = {
-      {"tangential_force", MemoryKind::tangent, Unit::force,
+  static constexpr History kHistory[] = {
+      {"tangential_force", HistoryKind::tangent, Unit::force,
        "tangential force on id1, a vector normal to the normal"},
-      {"last_stiffness", MemoryKind::scalar, Unit::stiffness, "K_T that the tangential force belongs to"}};
+      {"last_stiffness", HistoryKind::scalar, Unit::stiffness, "K_T that the tangential force belongs to"}};
 
-  /// Takes up the slip of one motion. @param memory  as declared. @return tangential force on i
+  /// Takes up the slip of one motion. @param history  as declared. @return tangential force on i
   template <class T, class V>
-  V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* memory) const {
-    Eigen::Map<V> force(memory);
-    T& last = memory[V::RowsAtCompileTime];
+  V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* history) const {
+    Eigen::Map<V> force(history);
+    T& last = history[V::RowsAtCompileTime];
     const T stiffness = normal.shear_stiffness;
     const auto unloads = stiffness < last;
     const T scale = lanes::select(unloads, T(stiffness / lanes::select(unloads, last, T(1))), T(1));
@@ -40,14 +40,14 @@ struct MindlinFriction {
     return force;
   }
   template <class V>
-  bool is_mobilised(double elastic, const double* memory, double tolerance) const {
-    return Eigen::Map<const V>(memory).norm() >= (1.0 - tolerance) * (coefficient * elastic);
+  bool is_mobilised(double elastic, const double* history, double tolerance) const {
+    return Eigen::Map<const V>(history).norm() >= (1.0 - tolerance) * (coefficient * elastic);
   }
-  /// Sets the memory to a force; the next motion finds the stiffness that it belongs to.
+  /// Sets the history to a force; the next motion finds the stiffness that it belongs to.
   template <class V>
-  void set_force(const V& force, double /*stiffness*/, double* memory) const {
-    Eigen::Map<V>{memory} = force;
-    memory[V::RowsAtCompileTime] = 0.0;
+  void set_force(const V& force, double /*stiffness*/, double* history) const {
+    Eigen::Map<V>{history} = force;
+    history[V::RowsAtCompileTime] = 0.0;
   }
   /// K_T while nothing slides, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>& normal) const { return normal.shear_stiffness; }

@@ -24,21 +24,21 @@ struct TwistingSpring {
        "a number >= 0 (mu_tw, a length)", "twisting friction"},
       {"stiffness", &TwistingSpring::twisting_stiffness, Unit::rolling_stiffness, "K_tw", Requirement::positive,
        "a positive number (K_tw, force times length)", "twisting stiffness"}};
-  static constexpr Memory kMemory[] = {
-      {"twisting_spring", MemoryKind::twist, Unit::angle, "rotation of id1 against id2 about the normal"}};
+  static constexpr History kHistory[] = {
+      {"twisting_spring", HistoryKind::twist, Unit::angle, "rotation of id1 against id2 about the normal"}};
 
-  /// Takes up the twist of one motion. @param memory  as declared. @return moment on j about the normal
+  /// Takes up the twist of one motion. @param history  as declared. @return moment on j about the normal
   template <class T>
-  T respond(const NormalResponse<T>& normal, const T& twist, T* memory) const {
+  T respond(const NormalResponse<T>& normal, const T& twist, T* history) const {
     using One = Eigen::Matrix<T, 1, 1>;
-    return respond_capped(coefficient, twisting_stiffness, normal.elastic, One(twist), memory)[0];
+    return respond_capped(coefficient, twisting_stiffness, normal.elastic, One(twist), history)[0];
   }
-  bool is_mobilised(double elastic, const double* memory, double tolerance) const {
-    return capped_is_mobilised<Eigen::Matrix<double, 1, 1>>(coefficient, twisting_stiffness, elastic, memory,
+  bool is_mobilised(double elastic, const double* history, double tolerance) const {
+    return capped_is_mobilised<Eigen::Matrix<double, 1, 1>>(coefficient, twisting_stiffness, elastic, history,
                                                             tolerance);
   }
-  /// Sets the memory so that it carries a moment on j. @param stiffness  of the contact, > 0
-  void set_force(double moment, double stiffness, double* memory) const { *memory = moment / stiffness; }
+  /// Sets the history so that it carries a moment on j. @param stiffness  of the contact, > 0
+  void set_force(double moment, double stiffness, double* history) const { *history = moment / stiffness; }
   /// K_tw while nothing yields, of a contact whose surfaces touch.
   double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
   /// Resistance that can carry nothing counts as none, and must not stiffen the network either.

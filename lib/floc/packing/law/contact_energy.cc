@@ -11,16 +11,16 @@ namespace {
 template <class Law, int Dim>
 ContactEnergy energy_of(const Law& law, const Packing<Dim>& packing, const Contact<Dim>& c) {
   const PairGeometry<> pair = pair_geometry(packing.grains, c);
-  const auto memory = packed_memory<Law, Dim>(c.memory);
+  const auto history = packed_history<Law, Dim>(c.history);
   ContactEnergy energy;
   if (!c.distant) {
-    energy.normal = law.template elastic_energy_of<Dim>(pair, c.elastic_force, c.kn, memory);
+    energy.normal = law.template elastic_energy_of<Dim>(pair, c.elastic_force, c.kn, history);
     energy.elastic = energy.normal + spring_energy(c.shear_force.squaredNorm(), c.kt) +
                      spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
                      spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
   }
   energy.attraction =
-      law.template attraction_energy_of<Dim>(pair, memory, acting_parameters(law, packing.grains, c));
+      law.template attraction_energy_of<Dim>(pair, history, acting_parameters(law, packing.grains, c));
   return energy;
 }
 

@@ -13,7 +13,7 @@ inline double spring_energy(double squared_force, double stiffness) {
 struct ContactEnergy {
   /// N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R) of the elastic normal force N, the overlap h and the springs. The
   /// first term is the integral of N over h wherever N follows a power of h: N h/2 for linear contacts, (2/5) N h for
-  /// Hertz contacts. Under other laws it is what the law says of the gap and the memory. A distant attraction has none.
+  /// Hertz contacts. Under other laws it is what the law says of the gap and the history. A distant attraction has none.
   double elastic = 0.0;
   double normal = 0.0;  ///< its first term, part of `elastic`
   /// Of the adhesion, below zero where it acts.

@@ -18,7 +18,7 @@ void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
 
 template <class Law, int Dim>
 bool interacts_at(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c) {
-  return law.template interacts<Dim>(pair_geometry(grains, c), packed_memory<Law, Dim>(c.memory));
+  return law.template interacts<Dim>(pair_geometry(grains, c), packed_history<Law, Dim>(c.history));
 }
 
 /// Of the contacts with walls, or of those between grains alone.
@@ -41,13 +41,13 @@ template <class Law, int Dim>
 void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
                 std::optional<double> kt, double tolerance, Contact<Dim>& c) {
   const double elastic_force = std::max(c.normal_force + pull_off_force, 0.0);
-  auto memory = packed_memory<Law, Dim>(c.memory);
-  law.template set_elastic_force<Dim>(pair_geometry(grains, c), elastic_force, memory);
-  c.memory = unpacked_memory<Law, Dim>(memory);
+  auto history = packed_history<Law, Dim>(c.history);
+  law.template set_elastic_force<Dim>(pair_geometry(grains, c), elastic_force, history);
+  c.history = unpacked_history<Law, Dim>(history);
   c.distant = !touches(law, grains, c) && interacts_at(law, grains, c);
   if (c.distant) {
     // Of surfaces that have parted while they overlap, as such a law may have it.
-    if constexpr (Law::kRemembersOverlap) respond_to_motion<Law, Dim>(law, grains, SurfaceMotion<Dim>{}, c);
+    if constexpr (Law::kKeepsOverlap) respond_to_motion<Law, Dim>(law, grains, SurfaceMotion<Dim>{}, c);
     return;
   }
   c.elastic_force = elastic_force;
@@ -57,9 +57,9 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
   c.kr = k.rolling;
   c.ktw = k.twisting;
   law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, -c.twisting_moment,
-                              {c.kn, c.kt, c.kr, c.ktw}, memory);
-  set_mobilised(law, memory, tolerance, c);
-  c.memory = unpacked_memory<Law, Dim>(memory);
+                              {c.kn, c.kt, c.kr, c.ktw}, history);
+  set_mobilised(law, history, tolerance, c);
+  c.history = unpacked_history<Law, Dim>(history);
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ Mobilised mobilised(const Law& parameters, const Contact<Dim>& contact, double t
   if (contact.distant) return {};
   return std::visit(
       [&]<class Law>(const Law& law) {
-        return law.template mobilised<Dim>(contact.elastic_force, packed_memory<Law, Dim>(contact.memory),
+        return law.template mobilised<Dim>(contact.elastic_force, packed_history<Law, Dim>(contact.history),
                                            tolerance);
       },
       compose_law(parameters));

@@ -17,20 +17,20 @@ constexpr double kTinyMotion = 1e-150;
 
 /// Factor of each number that contacts remember: springs are made longer, anything else is left as it is.
 template <int Dim>
-ContactMemory<Dim> spring_factors(const Law& law) {
-  ContactMemory<Dim> factor = ContactMemory<Dim>::Ones();
-  for (const RememberedQuantity& q : remembered_quantities(law, Dim))
-    if (q.declared.kind != MemoryKind::scalar) factor.segment(q.begin, q.size).setConstant(kBeyondCap);
+ContactHistory<Dim> spring_factors(const Law& law) {
+  ContactHistory<Dim> factor = ContactHistory<Dim>::Ones();
+  for (const HistoryQuantity& q : history_quantities(law, Dim))
+    if (q.declared.kind != HistoryKind::scalar) factor.segment(q.begin, q.size).setConstant(kBeyondCap);
   return factor;
 }
 
 /// What a contact remembers, as dual numbers.
 template <class Law, int Dim>
-PackedMemory<Law::template kMemorySize<Dim>, Dual<kDofs<Dim>>> dual_memory(const ContactMemory<Dim>& all) {
-  PackedMemory<Law::template kMemorySize<Dim>, Dual<kDofs<Dim>>> memory;
-  if constexpr (Law::template kMemorySize<Dim> != 0)
-    for_each_memory<Law, Dim>([&](auto k, auto place) { memory.value[k] = Dual<kDofs<Dim>>(all[place]); });
-  return memory;
+PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> dual_memory(const ContactHistory<Dim>& all) {
+  PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> history;
+  if constexpr (Law::template kHistorySize<Dim> != 0)
+    for_each_history<Law, Dim>([&](auto k, auto place) { history.value[k] = Dual<kDofs<Dim>>(all[place]); });
+  return history;
 }
 
 /// Numbers of a pair as dual numbers, which no motion changes.
@@ -56,7 +56,7 @@ Mat<3> rolling_axes(const Mat<3>& frame) {
 
 template <class Law, int Dim>
 ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& start,
-                               const ContactMemory<Dim>& factor, const SurfaceMotion<Dim>& surface,
+                               const ContactHistory<Dim>& factor, const SurfaceMotion<Dim>& surface,
                                const Mat<Dim>& frame) {
   constexpr int n = kDofs<Dim>;
   using T = Dual<n>;
@@ -85,9 +85,9 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
     motion.twist = T(kBeyondCap * surface.twist + kTinyMotion);
     motion.twist.derivative[Dim] = -1.0;
   }
-  auto memory = dual_memory<Law, Dim>(factor.cwiseProduct(start.memory));
-  const auto parameters = pair_parameters(law, grains, start, packed_memory<Law, Dim>(start.memory));
-  const ContactForces<Dim, T> f = law.respond(motion, memory, constant<Law, T>(parameters));
+  auto history = dual_memory<Law, Dim>(factor.cwiseProduct(start.history));
+  const auto parameters = pair_parameters(law, grains, start, packed_history<Law, Dim>(start.history));
+  const ContactForces<Dim, T> f = law.respond(motion, history, constant<Law, T>(parameters));
 
   ContactTangent<Dim> k = ContactTangent<Dim>::Zero();
   const T normal = f.normal.force();
@@ -105,17 +105,17 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
 }  // namespace
 
 template <int Dim>
-void transport_memory(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
-                      Contact<Dim>& contact, SurfaceMotion<Dim>& motion) {
+void transport_history(const std::vector<HistoryQuantity>& remembered, const Vec<Dim>& normal, double twist,
+                       Contact<Dim>& contact, SurfaceMotion<Dim>& motion) {
   if constexpr (Dim == 3) {
     if (!contact.normal.isZero(0.0)) {
       const auto carried = [&](const Vec<3>& v) {
         return Vec<3>(transport<double>(v, contact.normal, normal, twist));
       };
-      for (const RememberedQuantity& q : remembered)
+      for (const HistoryQuantity& q : remembered)
         if (q.size == Dim)
-          contact.memory.template segment<Dim>(q.begin) =
-              carried(contact.memory.template segment<Dim>(q.begin));
+          contact.history.template segment<Dim>(q.begin) =
+              carried(contact.history.template segment<Dim>(q.begin));
       motion.slip = carried(motion.slip);
       motion.relative_rotation = carried(motion.relative_rotation);
     }
@@ -140,7 +140,7 @@ void contact_tangents(const Packing<Dim>& packing, std::span<const Contact<Dim>>
                       std::span<const SurfaceMotion<Dim>> motion, std::span<const Mat<Dim>> frame,
                       std::span<ContactTangent<Dim>> tangent) {
   assert(motion.size() == start.size() && frame.size() == start.size() && tangent.size() == start.size());
-  const ContactMemory<Dim> factor = spring_factors<Dim>(packing.law);
+  const ContactHistory<Dim> factor = spring_factors<Dim>(packing.law);
   std::visit(
       [&](const auto& composed) {
         for (std::size_t k = 0; k < start.size(); ++k)
@@ -149,12 +149,12 @@ void contact_tangents(const Packing<Dim>& packing, std::span<const Contact<Dim>>
       compose_law(packing.law));
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                                               \
-  template void transport_memory(const std::vector<RememberedQuantity>&, const Vec<Dim>&, double,           \
-                                 Contact<Dim>&, SurfaceMotion<Dim>&);                                       \
-  template void respond(const Packing<Dim>&, std::span<const SurfaceMotion<Dim>>, std::span<Contact<Dim>>); \
-  template void contact_tangents(const Packing<Dim>&, std::span<const Contact<Dim>>,                        \
-                                 std::span<const SurfaceMotion<Dim>>, std::span<const Mat<Dim>>,            \
+#define FLOC_INSTANTIATE(Dim)                                                                                  \
+  template void transport_history(const std::vector<HistoryQuantity>&, const Vec<Dim>&, double, Contact<Dim>&, \
+                                  SurfaceMotion<Dim>&);                                                        \
+  template void respond(const Packing<Dim>&, std::span<const SurfaceMotion<Dim>>, std::span<Contact<Dim>>);    \
+  template void contact_tangents(const Packing<Dim>&, std::span<const Contact<Dim>>,                           \
+                                 std::span<const SurfaceMotion<Dim>>, std::span<const Mat<Dim>>,               \
                                  std::span<ContactTangent<Dim>>);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Relative motion of the two surfaces of a contact since its memory was last updated, in the frame of its
+/// Relative motion of the two surfaces of a contact since its history was last updated, in the frame of its
 /// normal.
 template <int Dim>
 struct SurfaceMotion {
@@ -18,16 +18,16 @@ struct SurfaceMotion {
 };
 
 /// Carries what a contact remembers, and its motion since, from its normal to another, which it then has. A
-/// contact without a normal (zero) takes the new one and keeps its memory as it is.
+/// contact without a normal (zero) takes the new one and keeps its history as it is.
 ///
-/// @param remembered  what the law remembers (remembered_quantities)
+/// @param remembered  what the law remembers (history_quantities)
 /// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
 template <int Dim>
-void transport_memory(const std::vector<RememberedQuantity>& remembered, const Vec<Dim>& normal, double twist,
-                      Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
+void transport_history(const std::vector<HistoryQuantity>& remembered, const Vec<Dim>& normal, double twist,
+                       Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
 
 /// Static response of contacts between the grains of a packing, by its law: forces, stiffnesses, flags and the
-/// new memory of each follow from its `gap`, its `normal` and its memory, which moves by `motion`. The law is
+/// new history of each follow from its `gap`, its `normal` and its history, which moves by `motion`. The law is
 /// resolved once for all of them.
 ///
 /// @param motion   one entry per contact
@@ -45,7 +45,7 @@ using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 /// caps, in the frame that turns with the contact. Not symmetric where one force depends on another, as when it
 /// slides. A contact that is at its cap to rounding is taken to go on sliding.
 ///
-/// @param start    contacts before the motion: `gap` and `normal` of the present, memory at the start
+/// @param start    contacts before the motion: `gap` and `normal` of the present, history at the start
 /// @param frame    of each: columns the normal, then the tangents
 /// @param tangent  written, one entry per contact
 template <int Dim>

@@ -15,7 +15,7 @@ namespace {
 
 /// Whether a stiffness follows from the elastic force alone: not that of a law which remembers past overlaps.
 template <class Law>
-inline constexpr bool kFollowsFromForce = memory_size<typename Law::NormalModel>(2) == 0;
+inline constexpr bool kFollowsFromForce = history_size<typename Law::NormalModel>(2) == 0;
 
 /// Factors closer to each other than files' digits make them are one.
 bool same_factor(double a, double b) {

@@ -70,12 +70,12 @@ double BridgeSearch::wider(double reach, const LiquidShares& shares) const {
 
 template <int Dim>
 double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact) {
-  return holds_liquid(packing) ? contact.memory[MemoryLayout<Dim>::kAdhesion] : 0.0;
+  return holds_liquid(packing) ? contact.history[HistoryLayout<Dim>::kAdhesion] : 0.0;
 }
 
 template <int Dim>
 void set_bridge_volume(double volume, Contact<Dim>& contact) {
-  contact.memory[MemoryLayout<Dim>::kAdhesion] = volume;
+  contact.history[HistoryLayout<Dim>::kAdhesion] = volume;
 }
 
 namespace {

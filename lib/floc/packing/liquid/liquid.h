@@ -93,7 +93,7 @@ bool holds_liquid(const Packing<Dim>& packing) {
   return packing.law.liquid() != nullptr;
 }
 
-/// Volume of the liquid at a contact, with the sign that it has in memory: negative for a bridge that has
+/// Volume of the liquid at a contact, with the sign that it has in history: negative for a bridge that has
 /// broken. 0 under a law that holds none.
 template <int Dim>
 double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);

@@ -21,7 +21,7 @@
 /// All of this is for normal laws that have special kernels (kHasSpecialKernels). Any other has general kernels
 /// alone: everything is in them that can be there beside this normal law, and they serve lattices of any shape.
 /// So a new normal law adds the fewest kernels; where its speed matters, give it special ones.
-/// Memory that the kernel law has and the law of the scene has not is kept for no pair (PairKernel).
+/// History that the kernel law has and the law of the scene has not is kept for no pair (PairKernel).
 namespace floc {
 
 /// Whether a normal law has kernels for less than everything, which are faster, and such for rectangular lattices.

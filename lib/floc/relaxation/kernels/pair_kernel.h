@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "floc/contact/contact_law.h"
-#include "floc/contact/memory_layout.h"
+#include "floc/contact/history_layout.h"
 #include "floc/geometry/frame_turn.h"
 #include "floc/relaxation/kernels/kernel_law.h"
 #include "floc/relaxation/kernels/pack.h"
@@ -39,8 +39,8 @@ struct PairKernel {
     // Copies that no store of the loop can alias.
     const Law law = *static_cast<const Law*>(any_law);
     const GrainView<Dim> grains = grains_given;
-    Unremembered unremembered;
-    const Pairs pairs(pairs_given, unremembered);
+    WithoutHistory without_history;
+    const Pairs pairs(pairs_given, without_history);
     const PairCell<Dim> cell = cell_given;
     // The geometry of the next pack is found beside the forces of the present one: each is a long chain of
     // operations, most of which wait for the one before, and the processor does not see far enough ahead.
@@ -59,14 +59,14 @@ struct PairKernel {
   using Turn = std::conditional_t<kTurns, FrameTurn<P>, NoTurn>;
 
   /// Whether the law of the scene may remember less than the kernel law, dashpot forces aside.
-  static constexpr bool kMayLackMemory = !kHasSpecialKernels<typename Law::NormalModel>;
-  static constexpr int kMemorySize = Law::template kMemorySize<Dim>;
+  static constexpr bool kMayLackHistory = !kHasSpecialKernels<typename Law::NormalModel>;
+  static constexpr int kHistorySize = Law::template kHistorySize<Dim>;
 
   /// A place for one pack of whatever the law of the scene does not remember. It is zero, and models that can do
   /// nothing leave it so.
-  struct Unremembered {
+  struct WithoutHistory {
     alignas(64) double viscous[P::kWidth] = {};
-    alignas(64) double memory[kMayLackMemory ? MemoryLayout<Dim>::kSize : 1][P::kWidth] = {};
+    alignas(64) double history[kMayLackHistory ? HistoryLayout<Dim>::kSize : 1][P::kWidth] = {};
   };
 
   /// With the other type, disks with friction and elastic spheres take a tenth longer, as GCC 12 orders the loop.
@@ -75,28 +75,28 @@ struct PairKernel {
   /// The pairs, with a place for everything that the kernel law remembers.
   struct Pairs : PairView<Dim> {
     /// -1 where every pair has a place of its own; 0 where all packs share one.
-    Own own_memory[kMayLackMemory ? MemoryLayout<Dim>::kSize : 1];
+    Own own_history[kMayLackHistory ? HistoryLayout<Dim>::kSize : 1];
     Own own_viscous = -1;
 
-    Pairs(const PairView<Dim>& view, Unremembered& unremembered) : PairView<Dim>(view) {
+    Pairs(const PairView<Dim>& view, WithoutHistory& without_history) : PairView<Dim>(view) {
       if (this->viscous == nullptr) {
-        this->viscous = unremembered.viscous;
+        this->viscous = without_history.viscous;
         own_viscous = 0;
       }
-      if constexpr (kMayLackMemory) {
-        for (int k = 0; k < MemoryLayout<Dim>::kSize; ++k) {
-          own_memory[k] = this->memory[k] == nullptr ? 0 : -1;
-          if (own_memory[k] == 0) this->memory[k] = unremembered.memory[k];
+      if constexpr (kMayLackHistory) {
+        for (int k = 0; k < HistoryLayout<Dim>::kSize; ++k) {
+          own_history[k] = this->history[k] == nullptr ? 0 : -1;
+          if (own_history[k] == 0) this->history[k] = without_history.history[k];
         }
       }
     }
     double* viscous_of(int p) const { return this->viscous + (p & own_viscous); }
-    /// @param k  of the packed memory
+    /// @param k  of the packed history
     template <int k>
     double* memory_of(int p) const {
-      constexpr int place = memory_place<Law, Dim>(k);
-      if constexpr (kMayLackMemory) return this->memory[place] + (p & own_memory[place]);
-      return this->memory[place] + p;
+      constexpr int place = history_place<Law, Dim>(k);
+      if constexpr (kMayLackHistory) return this->history[place] + (p & own_history[place]);
+      return this->history[place] + p;
     }
   };
 
@@ -243,14 +243,14 @@ struct PairKernel {
   static void respond(const Law& law, const PairKinematics& a, const Pairs& pairs, int p) {
     ContactMotion<Dim, P> motion = a.motion;
     if constexpr (Law::kHasDamping) motion.damping = number(pairs.damping, pairs, p);
-    PackedMemory<kMemorySize, P> memory;
-    load(pairs, p, memory, std::make_integer_sequence<int, kMemorySize>());
-    if constexpr (kTurns) turn(a.turn, memory, std::make_integer_sequence<int, kMemorySize>());
+    PackedHistory<kHistorySize, P> history;
+    load(pairs, p, history, std::make_integer_sequence<int, kHistorySize>());
+    if constexpr (kTurns) turn(a.turn, history, std::make_integer_sequence<int, kHistorySize>());
     typename Law::template PairParameters<P> parameters;
     if constexpr (Law::kHoldsLiquid)
       parameters = {P::load(pairs.strength + p), P::load(pairs.decay + p), P::load(pairs.reach + p)};
-    const ContactForces<Dim, P> f = law.respond(motion, memory, parameters);
-    store(memory, pairs, p, std::make_integer_sequence<int, kMemorySize>());
+    const ContactForces<Dim, P> f = law.respond(motion, history, parameters);
+    store(history, pairs, p, std::make_integer_sequence<int, kHistorySize>());
 
     V on_j = f.normal.force() * a.n;
     // For a law without damping a force of zero is added. The sign of a component of zero, which may change by it, is
@@ -306,27 +306,27 @@ struct PairKernel {
   }
 
   /// Turns what the law remembers in the tangent plane into the present one.
-  template <class Memory, int... k>
-  static void turn(const Turn& turn, Memory& memory, std::integer_sequence<int, k...>) {
-    ((turn_number<k>(turn, memory)), ...);
+  template <class History, int... k>
+  static void turn(const Turn& turn, History& history, std::integer_sequence<int, k...>) {
+    ((turn_number<k>(turn, history)), ...);
   }
-  template <int k, class Memory>
-  static void turn_number([[maybe_unused]] const Turn& turn, [[maybe_unused]] Memory& memory) {
+  template <int k, class History>
+  static void turn_number([[maybe_unused]] const Turn& turn, [[maybe_unused]] History& history) {
     if constexpr (begins_tangent<Law, Dim>(k)) {
-      const V turned = turn(V(memory.value[k], memory.value[k + 1], memory.value[k + 2]));
-      for (int a = 0; a < Dim; ++a) memory.value[k + a] = turned[a];
+      const V turned = turn(V(history.value[k], history.value[k + 1], history.value[k + 2]));
+      for (int a = 0; a < Dim; ++a) history.value[k + a] = turned[a];
     }
   }
 
-  template <class Memory, int... k>
-  static void load(const Pairs& pairs, [[maybe_unused]] int p, Memory& memory,
+  template <class History, int... k>
+  static void load(const Pairs& pairs, [[maybe_unused]] int p, History& history,
                    std::integer_sequence<int, k...>) {
-    ((memory.value[k] = P::load(pairs.template memory_of<k>(p))), ...);
+    ((history.value[k] = P::load(pairs.template memory_of<k>(p))), ...);
   }
-  template <class Memory, int... k>
-  static void store(const Memory& memory, const Pairs& pairs, [[maybe_unused]] int p,
+  template <class History, int... k>
+  static void store(const History& history, const Pairs& pairs, [[maybe_unused]] int p,
                     std::integer_sequence<int, k...>) {
-    (memory.value[k].store(pairs.template memory_of<k>(p)), ...);
+    (history.value[k].store(pairs.template memory_of<k>(p)), ...);
   }
 
   /// Dashpot forces in this step, given their present values and those of the step before, which they replace.

@@ -110,10 +110,10 @@ struct PairView {
   const double* damping;
   /// Ri Rj/(Ri + Rj) and mi mj/(mi + mj), null where the law does not need them.
   const double *reduced_radius, *reduced_mass;
-  const double *strength, *decay, *reach;    ///< of liquid bridges (Bridge), null where the law has none
-  double* viscous;                           ///< dashpot forces of the step before, null where the law has none
-  double* memory[MemoryLayout<Dim>::kSize];  ///< what the law remembers; null at places of which it does not
-  double* row;                               ///< of the pair with_row and of those after it
+  const double *strength, *decay, *reach;  ///< of liquid bridges (Bridge), null where the law has none
+  double* viscous;                         ///< dashpot forces of the step before, null where the law has none
+  double* history[HistoryLayout<Dim>::kSize];  ///< what the law remembers; null at places of which it does not
+  double* row;                                 ///< of the pair with_row and of those after it
   int with_row;
   RowKind rows;  ///< of pairs of grains, to which those with walls are added
 };

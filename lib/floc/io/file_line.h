@@ -10,11 +10,11 @@ namespace floc {
 
 /// Where one of many things in a file is, for messages: the text before its number, which all of them share,
 /// and that number. A file may hold millions.
-class NumberedPlace {
+class FileLine {
  public:
-  NumberedPlace() = default;
+  FileLine() = default;
   /// @param before  "file:" of a line, "array, point " of an entry
-  NumberedPlace(std::shared_ptr<const std::string> before, int number)
+  FileLine(std::shared_ptr<const std::string> before, int number)
       : before_(std::move(before)), number_(number) {}
 
   std::string text() const { return before_ ? fmt::format("{}{}", *before_, number_) : std::string(); }

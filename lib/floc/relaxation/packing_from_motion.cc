@@ -34,11 +34,11 @@ std::vector<Vec<Dim, int>> copy_grains(const GrainArrays<Dim>& grains, const Cel
 }
 
 /// Whether a pair acts or holds liquid where its bodies are now.
+/// @param key  of the pair
 template <int Dim>
 bool is_contact(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
-                const Interaction<Dim>& interaction, int pair) {
+                const Interaction<Dim>& interaction, int pair, const NeighborPair<Dim>& key) {
   const PairArrays<Dim>& pairs = interaction.pairs();
-  const NeighborPair<Dim> key = pairs.key(pair);
   const double reach = pairs.radii(pair) + interaction.range();
   if (interaction.partner() == Partner::wall) {
     const Wall<Dim>& wall = cell.walls().walls()[key.j];
@@ -60,8 +60,9 @@ void append_contacts(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell
   const PairArrays<Dim>& pairs = interaction.pairs();
   out.contacts.reserve(out.contacts.size() + pairs.size());
   for (int p = 0; p < pairs.size(); ++p) {
-    if (pairs.padding(p) || !is_contact(grains, cell, interaction, p)) continue;
+    if (pairs.padding(p)) continue;
     NeighborPair<Dim> key = pairs.key(p);
+    if (!is_contact(grains, cell, interaction, p, key)) continue;
     if (interaction.partner() == Partner::wall)
       key = {grains.index[key.i], grains.size() + key.j, key.image, key.key};
     else

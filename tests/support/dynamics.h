@@ -79,7 +79,7 @@ void expect_same_bits(const Packing<Dim>& p, const Packing<Dim>& q) {
   EXPECT_EQ(p.cell.matrix, q.cell.matrix);
   EXPECT_EQ(p.cell.velocity, q.cell.velocity);
   ASSERT_EQ(p.contacts.size(), q.contacts.size());
-  for (std::size_t c = 0; c < p.contacts.size(); ++c) EXPECT_EQ(p.contacts[c].memory, q.contacts[c].memory);
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) EXPECT_EQ(p.contacts[c].history, q.contacts[c].history);
 }
 
 /// Neighbour lists of other skins, and chunks, give the same bits.

@@ -200,7 +200,7 @@ Collection read_collection(Part& part) {
   if (collection.table == "path")
     part.reader.refuse("options",
                        part.reader.path_of("options") +
-                           ": path.csv is made by floc run, so no options apply; expected no such key");
+                           " is not allowed here: floc run writes path.csv, and no options apply to it");
   else
     collection.options = part.reader.texts("options", "a list of words of the command line");
   const bool compares = collection.table == "compare";

@@ -138,9 +138,11 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
       const auto refuse_resistance = [&](const char* key, const auto& slot) {
         if (!slot || !family_fault(normal, key, slot).empty()) return;
         faults.push_back(
-            {key, fmt::format("contact.{}: grains under contact.adhesion.law = \"{}\" do not resist it; "
-                              "expected no such table",
-                              key, Adhesion::kKeyword)});
+            {key,
+             fmt::format(
+                 "contact.{} is not allowed here: grains under contact.adhesion.law = \"{}\" do not resist "
+                 "it",
+                 key, Adhesion::kKeyword)});
       };
       refuse_resistance("rolling", rolling);
       refuse_resistance("twisting", twisting);

@@ -30,7 +30,7 @@ void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
 
 void read_sides(TableReader& t, const Scene& scene, BoxOptions& box) {
   if (scene.starts_from_state())
-    return t.refuse("sides", "box.sides: the box is that of assembly.state; expected no such key");
+    return t.refuse("sides", "box.sides is not allowed here: the box comes from assembly.state");
   const bool plane = scene.dimension == 2;
   const std::vector<double> sides =
       t.numbers("sides", {kPositive.holds, plane ? "two lengths, e.g. [30, 40]; proportions where "
@@ -93,7 +93,7 @@ void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
 void read_boxed_gas(TableReader& assembly, Scene& scene) {
   scene.assembly.box.emplace();
   BoxOptions& box = *scene.assembly.box;
-  assembly.refuse("pressure", "assembly.pressure: that of the walls is box.pressure; expected no such key");
+  assembly.refuse("pressure", "assembly.pressure is not allowed here: box.pressure is that of the walls");
   box.kinetic_pressure = assembly
                              .number("kinetic_pressure",
                                      {not_negative,
@@ -103,9 +103,10 @@ void read_boxed_gas(TableReader& assembly, Scene& scene) {
                              .value_or(0);
   if (scene.starts_from_state()) {
     assembly.refuse("solid_fraction",
-                    "assembly.solid_fraction: the box is that of assembly.state; expected no such key");
-    assembly.refuse("kinetic_pressure",
-                    "assembly.kinetic_pressure: grains of a state start at rest; expected no such key");
+                    "assembly.solid_fraction is not allowed here: the box comes from assembly.state");
+    assembly.refuse(
+        "kinetic_pressure",
+        "assembly.kinetic_pressure is not allowed here: the grains of assembly.state start at rest");
     return;
   }
   const bool plane = scene.dimension == 2;
@@ -154,8 +155,10 @@ void read_compaction_end(TableReader& t, Scene& scene) {
   CompactionEnd& end = scene.relaxation.compaction;
   if (!scene.assembly.box) {
     for (const char* key : {"end", "energy_ratio", "stop_time"})
-      t.refuse(key, fmt::format("{}: says how the compaction of a [box] ends; expected no such key",
-                                t.path_of(key)));
+      t.refuse(key,
+               fmt::format(
+                   "{} is not allowed here: it says how the compaction of a [box] ends, and the scene has none",
+                   t.path_of(key)));
     return;
   }
   scene.relaxation.tolerance.stress = CompactionEnd::kSettledPressure;

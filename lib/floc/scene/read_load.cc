@@ -67,7 +67,7 @@ AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_s
   if (has_stress && t.has("strain"))
     t.fault("strain", fmt::format("{}: expected either this or {}, not both", t.path_of("strain"), stress_key));
   else if (t && !has_stress && !t.has("strain"))
-    t.fault(stress_key, fmt::format("{} is missing: expected it or strain", t.path_of(stress_key)));
+    t.fault(stress_key, fmt::format("{} is missing: give {} or strain", t.path_of(stress_key), stress_key));
   if (strain) return {AxisLoad::strain, *strain};
   return {AxisLoad::stress, stress.value_or(0.0)};
 }
@@ -130,9 +130,11 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
   if (stage.control == "axes") {
     stage.axes = read_axes(t, dimension);
     for (const char* key : {"to", "strain", "axis"})
-      t.refuse(key, fmt::format("{}: axes say what is imposed on each axis; expected no such key with "
-                                "control = \"axes\"",
-                                t.path_of(key)));
+      t.refuse(key,
+               fmt::format(
+                   "{} is not allowed with control = \"axes\": the tables of axes say what is imposed on each "
+                   "axis",
+                   t.path_of(key)));
     return;
   }
   t.refuse("axes", fmt::format("{}: expected control = \"axes\", or no such key", t.path_of("axes")));
@@ -188,7 +190,7 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
                         "expected steps{}",
                         t.path_of("steps_per_decade"), strain > 0.0 ? " or strain_step" : ""));
   if (given == 0 && t)
-    t.fault("steps", fmt::format("{} is missing: expected it{}", t.path_of("steps"),
+    t.fault("steps", fmt::format("{} is missing: give steps{}", t.path_of("steps"),
                                  strain > 0.0 ? " or strain_step" : " or steps_per_decade"));
 }
 
@@ -201,7 +203,8 @@ void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end
   const bool is_one_step =
       is_isotropic(from) && (stage.to == from.front() || stage.to == 0 || from.front() == 0.0);
   if (has_end && !by_decade && !by_number && !is_one_step)
-    t.fault("steps", fmt::format("{} is missing: expected it or steps", t.path_of("steps_per_decade")));
+    t.fault("steps",
+            fmt::format("{} is missing: give steps_per_decade or steps", t.path_of("steps_per_decade")));
   if (by_decade && std::any_of(from.begin(), from.end(), [](const auto& s) { return !s.has_value(); }))
     t.fault("steps_per_decade", fmt::format("{}: the stresses that the stage starts from are not known before "
                                             "the run; expected steps",
@@ -298,8 +301,10 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
     has_end = to.has_value();
     stage.to = to.value_or(from.front().value_or(0.0));
     for (const char* key : {"axis", "axes", "strain", "strain_step"})
-      t.refuse(key, fmt::format("{}: the load is isotropic; expected no such key, or another control",
-                                t.path_of(key)));
+      t.refuse(key,
+               fmt::format(
+                   "{} is not allowed here: the load is isotropic; leave the key out or choose another control",
+                   t.path_of(key)));
   } else {
     read_axes_of(t, dimension, stage);
     // The same stress on every axis is the isotropic load, to the last bit.
@@ -342,7 +347,7 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
 CellResponse read_cell_response(TableReader& t, bool boxed) {
   if (boxed) {
     for (const char* key : {"inertial_number_cap", "strain_rate_cap", "cell_mass"})
-      t.refuse(key, fmt::format("{}: a [box] has walls and no cell; expected no such key", t.path_of(key)));
+      t.refuse(key, fmt::format("{} is not allowed here: a [box] has walls and no cell", t.path_of(key)));
     CellResponse response;
     response.wall_speed = t.number("speed",
                                    {positive,
@@ -351,7 +356,7 @@ CellResponse read_cell_response(TableReader& t, bool boxed) {
                                    Need::optional);
     return response;
   }
-  t.refuse("speed", fmt::format("{}: the scene has no [box] whose walls could move at it; expected no such key",
+  t.refuse("speed", fmt::format("{} is not allowed here: the scene has no [box] whose walls could move at it",
                                 t.path_of("speed")));
   CellResponse response = read_rate_caps(t);
   response.cell_mass = t.number("cell_mass", kCellMass, Need::optional);

@@ -53,7 +53,7 @@ void read_scene_table(TableReader& root, Scene& scene) {
 
 void read_grains(TableReader& root, SceneSource& source, const std::string& directory, Scene& scene) {
   if (scene.starts_from_state())
-    return root.refuse("grains", "[grains]: the grains are those of assembly.state; expected no such table");
+    return root.refuse("grains", "[grains] is not allowed here: the grains come from assembly.state");
   TableReader t = root.table("grains", "a table [grains]");
   const auto count =
       t.integer("count", {2, kMaxGrains, "a whole number of grains, 2 to 1e8, written as digits alone"});
@@ -76,7 +76,7 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   const bool from_state = scene.starts_from_state();
   TableReader t = root.table("cell", "a table [cell]", from_state ? Need::optional : Need::required);
   if (from_state)
-    t.refuse("solid_fraction", "cell.solid_fraction: the cell is that of assembly.state; expected no such key");
+    t.refuse("solid_fraction", "cell.solid_fraction is not allowed here: the cell comes from assembly.state");
   else
     scene.assembly.solid_fraction =
         t.number("solid_fraction",
@@ -129,7 +129,7 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   scene.assembly.protocol =
       std::array{Protocol::direct, Protocol::aggregation, Protocol::state}[protocol.value_or(0)];
   if (scene.starts_from_state())
-    t.refuse("gas", "assembly.gas: the grains are those of assembly.state; expected no such key");
+    t.refuse("gas", "assembly.gas is not allowed here: the grains come from assembly.state");
   else if (const auto gas = t.choice("gas", {"equilibrated", "sequential_addition"}, Need::optional))
     scene.assembly.gas = std::array{GasKind::equilibrated, GasKind::sequential_addition}[*gas];
   const bool boxed = has_box(root);
@@ -140,7 +140,7 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
         t.number("pressure", {positive, "a positive number (first pressure, compression positive)"})
             .value_or(0);
     for (const char* key : {"kinetic_pressure", "solid_fraction"})
-      t.refuse(key, fmt::format("assembly.{}: is that of the gas in a [box]; expected no such key", key));
+      t.refuse(key, fmt::format("assembly.{} is not allowed here: it is that of the gas in a [box]", key));
   }
   const NumberRule agitation{positive, "a positive number (V0/V*, V* = sqrt(F0 D0/m))"};
   const bool aggregates = scene.assembly.protocol == Protocol::aggregation;
@@ -149,8 +149,7 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
             "assembly.protocol = \"aggregation\": in a [box] the pressure acts at once; expected "
             "\"direct\" or \"state\"");
   if (boxed)
-    t.refuse("agitation",
-             "assembly.agitation: the gas of a [box] has a kinetic_pressure; expected no such key");
+    t.refuse("agitation", "assembly.agitation is not allowed here: the gas of a [box] has a kinetic_pressure");
   else if (protocol && scene.assembly.protocol == Protocol::direct && scene.law.has_adhesion())
     t.refuse("agitation",
              "assembly.agitation: grains start at rest with protocol = \"direct\"; expected "
@@ -166,7 +165,7 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
              "assembly.friction: the contact law has no friction; expected contact.friction, or no such key");
   scene.assembly.cell = read_cell_response(t, boxed);
   if (boxed)
-    t.refuse("vibration", "assembly.vibration: is that of a periodic cell; expected no such key");
+    t.refuse("vibration", "assembly.vibration is not allowed here: only periodic cells vibrate");
   else if (aggregates)
     t.refuse("vibration", "assembly.vibration: expected protocol = \"direct\" or \"state\", or no such key");
   else

@@ -113,8 +113,8 @@ TEST(ReadLoad, FaultsSayWhatWasExpected) {
   const std::string oedometer = "[[load]]\ncontrol = \"oedometric\"\n";
   EXPECT_THAT(faults(2, oedometer + "to = 2\nstrain = 0.1\nsteps = 1\n"),
               AllOf(HasSubstr("s.toml:"), HasSubstr("load.0.strain"), HasSubstr("either this or to")));
-  EXPECT_THAT(faults(2, oedometer + "steps = 1\n"), HasSubstr("expected it or strain"));
-  EXPECT_THAT(faults(2, oedometer + "to = 2\n"), HasSubstr("expected it or steps_per_decade"));
+  EXPECT_THAT(faults(2, oedometer + "steps = 1\n"), HasSubstr("give to or strain"));
+  EXPECT_THAT(faults(2, oedometer + "to = 2\n"), HasSubstr("give steps or steps_per_decade"));
   EXPECT_THAT(faults(2, oedometer + "to = 2\naxis = 3\nsteps = 1\n"), HasSubstr("1 or 2"));
   EXPECT_THAT(faults(2, oedometer + "to = -2\nsteps = 1\n"), HasSubstr("a stress >= 0"));
   EXPECT_THAT(faults(2, oedometer + "to = 0\nsteps = 1\n"), HasSubstr("without adhesion"));

@@ -141,10 +141,10 @@ TEST_F(SceneOfAState, IsRandomOnlyWhereItIsAgitated) {
 
 TEST_F(SceneOfAState, RefusesWhatContradictsTheState) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
-      {{"grains.count=180"}, "[grains]: the grains are those of assembly.state; expected no such table"},
-      {{"cell.solid_fraction=0.5"}, "cell.solid_fraction: the cell is that of assembly.state"},
-      {{"assembly.gas=equilibrated"},
-       "assembly.gas: the grains are those of assembly.state; expected no such key"},
+      {{"grains.count=180"}, "[grains] is not allowed here: the grains come from assembly.state"},
+      {{"cell.solid_fraction=0.5"},
+       "cell.solid_fraction is not allowed here: the cell comes from assembly.state"},
+      {{"assembly.gas=equilibrated"}, "assembly.gas is not allowed here: the grains come from assembly.state"},
       {{"scene.units=SI"}, "units = \"reduced\": expected those of the scene, \"SI\""},
       {{"assembly.copies=[2]"}, "assembly.copies: 1 numbers, expected two"},
       {{"assembly.copies=[2.5, 1]"}, "assembly.copies = [ 2.5, 1 ]: expected two whole numbers of copies"},

@@ -42,7 +42,7 @@ inline const LayerOrder& layer_order() {
       {"picture", {"structure", "elasticity", "packing", "lattice"}},
       {"tradeoff", {"scene", "loading", "elasticity", "structure", "fitting"}},
       {"campaign", {"scene", "loading", "io"}},
-      {"tables", {"elasticity", "fitting", "io", "lattice", "run_directory", "structure"}},
+      {"tables", {"elasticity", "fitting", "io", "lattice", "run_directory", "structure", "verification"}},
   };
   return order;
 }

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <memory>
 
+#include "floc/tables/verification_row.h"
 #include "floc/verification/verify_state.h"
 #include "process/command.h"
 #include "process/output.h"
@@ -18,25 +20,14 @@ struct VerifyArguments {
 
 /// Appends one row and says on stderr which criteria do not hold, and where.
 int report(const std::string& file, const std::vector<Criterion>& criteria, Table& table) {
-  std::string failed;
   for (const Criterion& c : criteria) {
     if (c.holds && !c.where.empty()) spdlog::info("{}: {}: {}", file, c.name, c.where);
     if (c.holds) continue;
-    if (!failed.empty()) failed += ' ';
-    failed += c.name;
     const std::string measured = c.by_value ? fmt::format("{:.3g}, limit {:.3g}: ", *c.value, c.limit) : "";
     spdlog::error("{}: {} does not hold: {}{}", file, c.name, measured, c.where);
   }
-  if (table.columns.empty()) {
-    table.columns = {"file", "equilibrium", "failed"};
-    for (const Criterion& c : criteria) table.columns.emplace_back(c.name);
-  }
-  auto& row = table.rows.emplace_back();
-  row.emplace_back(file);
-  row.emplace_back(failed.empty());
-  row.push_back(failed.empty() ? TableValue{} : TableValue{failed});
-  for (const Criterion& c : criteria) row.push_back(or_undefined(c.value));
-  return failed.empty() ? kDone : kVerificationFailed;
+  add_verification_row(file, criteria, table);
+  return std::ranges::all_of(criteria, &Criterion::holds) ? kDone : kVerificationFailed;
 }
 
 int verify(const VerifyArguments& arguments) {

@@ -2,7 +2,7 @@
 
 /// @file
 /// The public interface of floc in one header.
-///
+
 /// @mainpage
 /// Include `floc/floc.h` and link `floc::floc`; the page "Installation" of the documentation has the CMake lines. Everything
 /// lies in namespace floc. Units are those of the files: reduced units or SI, as State::units says.

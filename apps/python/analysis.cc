@@ -22,7 +22,7 @@ namespace {
 using States = std::vector<NamedState>;
 using Names = std::vector<std::string>;
 
-/// @throws EquilibriumError unless the state is an equilibrium or is taken all the same
+/// @throws EquilibriumError unless the state is an equilibrium or the caller accepts any state
 void require_equilibrium(const NamedState& s, bool force, const Remarks& remarks) {
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, *s.state);
   if (faults.empty()) return;
@@ -87,7 +87,7 @@ py::tuple moduli(const States& states, const py::object& strains, bool prestress
   return py::make_tuple(to_python(table), further);
 }
 
-/// A table besides the rows, by its name in Python and the option that asks for it.
+/// A table besides the rows, with its name in Python and the option that requests it.
 struct FurtherTable {
   const char* name;
   bool* asked;
@@ -150,7 +150,7 @@ py::tuple network(const States& states, const py::object& zero_force, const py::
   return py::make_tuple(to_python(table), asked_of(further));
 }
 
-/// LOW, HIGH. @throws InputError naming the argument
+/// Converts a pair LOW, HIGH. @throws InputError naming the argument
 std::vector<double> fit_range_of(const py::object& given) {
   std::vector<double> range = numbers_of("fit_range", given);
   if (range.size() != 2 || !(range[0] < range[1]))

@@ -8,15 +8,15 @@
 #include "binding.h"
 #include "floc/base/range.h"
 
-/// Arguments of Python as numbers of C++, in the ranges that the library has for them. Each of these functions throws
-/// InputError with the name of the argument, its value and what was expected.
+/// Conversion of arguments of Python to numbers of C++, within the ranges of the library. Each of these functions
+/// throws InputError with the name of the argument, its value and the expectation.
 namespace floc::python {
 
 double number_of(const char* name, const py::handle& given, const NumberRange& range = kFiniteNumber);
-/// None: nothing
+/// Converts a number; None gives no value.
 std::optional<double> number_if_any(const char* name, const py::handle& given,
                                     const NumberRange& range = kFiniteNumber);
-/// A sequence of them.
+/// Converts a sequence of numbers.
 std::vector<double> numbers_of(const char* name, const py::handle& given,
                                const NumberRange& range = kFiniteNumber);
 
@@ -24,10 +24,10 @@ int whole_of(const char* name, const py::handle& given, const WholeRange& range)
 std::optional<int> whole_if_any(const char* name, const py::handle& given, const WholeRange& range);
 std::vector<int> wholes_of(const char* name, const py::handle& given, const WholeRange& range);
 
-/// A seed of random numbers, 0 to 2^64 - 1.
+/// Converts a seed of random numbers, 0 to 2^64 - 1.
 std::uint64_t seed_of(const char* name, const py::handle& given);
 
-/// One of some words.
+/// Converts a string that must be one of `words`.
 std::string word_of(const char* name, const py::handle& given, std::initializer_list<const char*> words);
 
 }  // namespace floc::python

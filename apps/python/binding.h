@@ -20,40 +20,40 @@
 #include "floc/tables/fit_parameters.h"
 #include "floc/tables/remarks.h"
 
-/// What the sources of the Python module share. The module computes what commands compute, by the functions that
-/// they call, and hands over tables; floc/*.py makes objects of them.
+/// Functions shared by the sources of the Python module. The module calls the functions of the library that the
+/// commands call, and returns tables; floc/*.py makes objects of them.
 namespace floc::python {
 
 namespace py = pybind11;
 
-/// A state that Python holds, never changed, and what messages call it.
+/// A state held by Python, which never changes, and its name in messages.
 struct NamedState {
   std::shared_ptr<const AnyState> state;
   std::string name;
 };
 
-/// No result, with why in words.
+/// Failure of a computation, with the reason in words.
 class NumericalError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A state that should be an equilibrium and is none.
+/// Failure because a state is not in equilibrium although it has to be.
 class EquilibriumError : public NumericalError {
  public:
   using NumericalError::NumericalError;
 };
 
-/// Words that become warnings of Python once it may be called again.
+/// Messages that become warnings of Python as soon as the GIL is held again.
 using Warnings = std::vector<std::string>;
 void issue(const Warnings& warnings);
 
-/// Throws what a signal that came meanwhile raises: KeyboardInterrupt after Ctrl-C. Only the main thread of Python is
-/// told of signals.
+/// Throws the exception of a pending signal: KeyboardInterrupt after Ctrl-C. Python delivers signals to its main
+/// thread only.
 void check_signals();
 
-/// Does long work while other threads of Python go on; work that takes Remarks has them turned into warnings. Ctrl-C
-/// ends it at the next place where the library asks.
+/// Runs long work while other threads of Python continue. If the work takes Remarks, they become warnings. Ctrl-C
+/// ends the work at the next place where the library checks for an interruption.
 template <class Work>
 auto without_gil(const Work& work) {
   Warnings warnings;
@@ -73,7 +73,7 @@ auto without_gil(const Work& work) {
   return result;
 }
 
-/// Work on one state, whose faults name it as those of commands do.
+/// Runs work on one state; error messages name the state, as those of commands do.
 template <class Work>
 auto of_state(const std::string& name, const Work& work) {
   check_interruption();
@@ -87,20 +87,20 @@ auto of_state(const std::string& name, const Work& work) {
   }
 }
 
-/// @throws InputError unless `value` is one of the words
+/// Checks a word. @throws InputError unless `value` is one of the words
 void require_one_of(const std::string& name, const std::string& value,
                     std::initializer_list<const char*> words);
 
-/// @throws InputError naming what of `tables` is no table of those that can be had
+/// Checks names of tables. @throws InputError naming the entries of `tables` that are not among `known`
 void require_tables(const std::vector<std::string>& tables, std::initializer_list<const char*> known);
 bool contains(const std::vector<std::string>& tables, const char* name);
 
-/// What is undefined, or no finite number, is None.
+/// Converts a value; one that is undefined, or not a finite number, becomes None.
 py::object to_python(const TableValue& value);
 py::object to_python(const Json& json);
-/// Columns and rows of a table.
+/// Converts a table to a tuple of its columns and rows.
 py::tuple to_python(const Table& table);
-/// An array for each column; what is undefined among numbers is NaN.
+/// Converts a table to one array per column; undefined numbers become NaN.
 py::dict columns_to_python(const Table& table);
 
 void bind_state(py::module_& module);

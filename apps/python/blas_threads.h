@@ -2,12 +2,13 @@
 
 namespace floc::python {
 
-/// Makes the dense kernels of the solvers ready (prepare_blas()), and leaves to numpy, which may use the same library,
-/// the number of threads that it has.
+/// Prepares the dense kernels of the solvers (prepare_blas()), and restores their number of threads, because numpy
+/// may use the same library.
 void prepare_shared_blas();
 
-/// While one of these lives the dense kernels run on one thread, as in the program, whose bits depend on it; after the
-/// last of them on as many as before the first.
+/// Restricts the dense kernels to one thread as long as an object of this class exists, as in the program, because
+/// the last bits of results depend on it. When the last object is destroyed, the number of threads is again that
+/// before the first one.
 class SingleBlasThread {
  public:
   SingleBlasThread();

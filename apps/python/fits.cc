@@ -12,14 +12,14 @@
 namespace floc::python {
 namespace {
 
-/// What a fit reads: files and directories as commands take them, and paths in memory.
+/// Input of a fit: files and directories, as commands take them, and paths in memory.
 struct Inputs {
   std::vector<std::string> files;
   std::vector<PathArrays> arrays;
   ColumnNames columns;
 };
 
-/// Files, then arrays, as tables.
+/// Returns the inputs as tables: files first, then arrays.
 std::vector<PathTable> tables_of(const Inputs& inputs, const std::vector<std::string>& pressures,
                                  OedometerPressure oedometer = OedometerPressure::driven) {
   std::vector<PathTable> paths;
@@ -30,7 +30,7 @@ std::vector<PathTable> tables_of(const Inputs& inputs, const std::vector<std::st
   return paths;
 }
 
-/// @param samples  a path of a file, or (name, pressures, densities, whether these are void ratios, branches)
+/// @param samples  path of a file, or (name, pressures, densities, whether these are void ratios, branches)
 Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   Inputs inputs;
   inputs.columns = columns;
@@ -47,7 +47,7 @@ Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   return inputs;
 }
 
-/// Number of resampled fits; 0 for none.
+/// Returns the number of resampled fits; 0 for none.
 int bootstrap_of(const py::object& given) {
   constexpr WholeRange kWithNone{.least = 0, .most = ConsolidationOptions::kBootstrap.most};
   const int n = whole_of("bootstrap", given, kWithNone);

@@ -15,7 +15,7 @@ namespace {
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-/// What calls the packing before it has a name.
+/// Name of a packing in messages before the user has named it.
 constexpr const char* kName = "packing";
 
 std::string shape_of(const py::array& array) {
@@ -25,7 +25,7 @@ std::string shape_of(const py::array& array) {
   return "(" + text + (array.ndim() == 1 ? ",)" : ")");
 }
 
-/// @param columns  -1: a flat array
+/// @param columns  number of columns; -1: a flat array
 void require_shape(const std::string& name, const py::array& array, py::ssize_t rows, py::ssize_t columns) {
   const bool right = columns < 0 ? array.ndim() == 1 && array.shape(0) == rows
                                  : array.ndim() == 2 && array.shape(0) == rows && array.shape(1) == columns;
@@ -51,7 +51,7 @@ double positive(const std::string& name, py::ssize_t i, double value) {
   return value;
 }
 
-/// Row i of up to three numbers of an array.
+/// Returns row i of an array with up to three columns.
 Eigen::Vector3d row_of(const std::string& name, const Numbers& array, py::ssize_t i, int components) {
   Eigen::Vector3d row = Eigen::Vector3d::Zero();
   for (int a = 0; a < components; ++a) row[a] = finite(name, i, array.data()[i * components + a]);
@@ -82,7 +82,7 @@ std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& r
   return grains;
 }
 
-/// Arrays of contacts by the names of `floc convert --contacts`.
+/// Arrays of contacts, with the names of `floc convert --contacts`.
 class ContactArrays {
  public:
   ContactArrays(const py::dict& arrays, int dimension) : arrays_(arrays), dimension_(dimension) {}
@@ -131,7 +131,7 @@ class ContactArrays {
     }
   }
 
-  /// An array of contacts by its name, of the shape that is meant; none where it is not there.
+  /// Returns an array of contacts by its name, checked for its shape; none if it is missing.
   std::optional<Numbers> array(const std::string& name, std::size_t n, int columns) const {
     if (!arrays_.contains(name.c_str())) return std::nullopt;
     auto found = arrays_[name.c_str()].cast<Numbers>();
@@ -157,7 +157,7 @@ class ContactArrays {
       contacts[c].*member = row_of(words, *given, static_cast<py::ssize_t>(c), dimension_);
   }
 
-  /// In 2D a number, the moment about the third axis.
+  /// In 2D the moment is a number, about the third axis.
   void rolling(std::vector<ListedContact>& contacts) const {
     if (dimension_ == 3) return vectors("rolling_moment", &ListedContact::rolling_moment, contacts);
     const auto given = array("rolling_moment", contacts.size(), -1);
@@ -171,7 +171,7 @@ class ContactArrays {
   int dimension_;
 };
 
-/// Puts the packing together and completes it, as `floc convert` does.
+/// Assembles the packing and completes it, as `floc convert` does.
 NamedState assembled(const ListedPacking& listed, const ImportCompletion& completion) {
   return without_gil([&](const Remarks& remarks) {
     Imported imported = assemble(listed);

@@ -16,12 +16,12 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBetweenSignals{50};
 
-/// Tells Python how far a run is, and asks it whether to go on. What Python throws in between stops the run at a
-/// checkpoint.
+/// Reports the progress of a run to Python, and tests whether it should stop. An exception raised by Python stops the
+/// run at a checkpoint.
 class Watch {
  public:
-  /// @param told      called with what there is to tell; None: nobody is
-  /// @param interval  seconds between two calls inside a step
+  /// @param told      called with reports of progress; None: no reports
+  /// @param interval  wall time between two reports inside a step (s)
   Watch(py::object told, double interval) : told_(std::move(told)), interval_(interval) {}
 
   bool stops() {
@@ -48,7 +48,7 @@ class Watch {
          true);
   }
 
-  /// @throws what Python threw
+  /// Throws the exception that Python raised, if any.
   void rethrow() const {
     if (thrown_) std::rethrow_exception(thrown_);
   }
@@ -79,7 +79,8 @@ class Watch {
   std::exception_ptr thrown_;
 };
 
-/// @return why the run is not done, in words; empty where it is done or Python stopped it
+/// Drives a run to its end.
+/// @return reason why the run is not done; empty if it is done or Python stopped it
 template <int Dim>
 std::string drive_scene(const Scene& scene, const SceneRunOptions& asked, Watch& watch) {
   SceneRun<Dim> scene_run(scene, asked);

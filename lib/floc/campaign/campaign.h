@@ -10,19 +10,19 @@ namespace floc {
 /// A change of a scene, as `floc run --set key=value` makes it.
 struct SceneChange {
   std::string key;
-  std::string value;  ///< as TOML writes it
-  std::string place;  ///< file and line where the campaign says so
+  std::string value;  ///< value in the notation of TOML
+  std::string place;  ///< file and line of the campaign
 
   std::string text() const { return key + "=" + value; }
 };
 
-/// Which states of a run are meant.
+/// Selection of states of a run.
 struct StateChoice {
   enum Kind { all, last, steps, pressures };
   Kind kind = all;
-  std::vector<int> numbers;    ///< of `steps`
-  std::string branch;          ///< of `pressures`; empty: any
-  std::vector<double> P_star;  ///< of `pressures`: reduced pressures imposed
+  std::vector<int> numbers;    ///< numbers of the steps, for `steps`
+  std::string branch;          ///< branch of the load path, for `pressures`; empty: any
+  std::vector<double> P_star;  ///< reduced imposed pressures, for `pressures`
   std::string place;           ///< file and line, for messages
 };
 
@@ -37,9 +37,9 @@ struct CampaignCase {
 struct Collection {
   std::string table;  ///< path, moduli, network, structure or compare
   std::vector<std::string> columns;
-  std::vector<std::string> options;  ///< of the command that makes the table
+  std::vector<std::string> options;  ///< options of the command that makes the table
   StateChoice states;
-  StateChoice before;  ///< of compare: the one state that `states` are compared with
+  StateChoice before;  ///< the one state that `states` are compared with, for compare
   std::string place;   ///< file and line, for messages
 };
 
@@ -49,33 +49,33 @@ struct CampaignFit {
   std::vector<std::string> options;
 };
 
-/// A value to compare with.
+/// A reference value that results of the campaign are compared with.
 struct Reference {
   std::string quantity;           ///< column collected, or parameter of a fit
-  std::string fit;                ///< its law; empty: a column
-  std::vector<SceneChange> when;  ///< values of keys in the cases it applies to; empty: all cases
-  StateChoice state;              ///< of a column
+  std::string fit;                ///< law of the fit; empty: a column
+  std::vector<SceneChange> when;  ///< values of keys in the cases that it applies to; empty: all
+  StateChoice state;              ///< state of a column
   double value = 0.0;
-  double deviation = 0.0;  ///< standard deviation between its samples; for one sample, its standard error
+  double deviation = 0.0;  ///< standard deviation of its samples; for one sample, its standard error
   int n_samples = 1;
   std::string source;
   std::string place;  ///< file and line, for messages
 };
 
-/// Many runs of one scene: some keys have other values, and every case has one sample per seed.
+/// Runs of one scene: each case changes values of some keys, and has one sample per seed.
 struct Campaign {
   std::string name;
   std::string scene_file;
-  std::string scene;  ///< its text
+  std::string scene;  ///< text of the scene file
   std::vector<std::uint64_t> seeds;
-  std::vector<std::string> keys;  ///< that differ between cases, in the order of the file
+  std::vector<std::string> keys;  ///< keys that differ between cases, in the order of the file
   std::vector<CampaignCase> cases;
   std::vector<Collection> collections;
   std::vector<CampaignFit> fits;
   std::vector<Reference> references;
 };
 
-/// The value of a key in a case, as TOML writes it; empty where the case keeps the scene's.
+/// Returns the value of a key in a case, as TOML writes it; empty if the case keeps the value of the scene.
 inline std::string value_of(const CampaignCase& one, const std::string& key) {
   std::string value;
   for (const SceneChange& change : one.changes)

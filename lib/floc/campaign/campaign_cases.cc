@@ -10,10 +10,11 @@
 namespace floc {
 namespace {
 
-/// Label of a case that is the scene as it is.
+/// Label of a case without changes of the scene.
 constexpr const char* kNoChange = "base";
 
-/// A text as part of the name of a directory: what is no letter, digit or one of "+-._" becomes a hyphen.
+/// Converts a text to a part of the name of a directory: any character other than letters, digits and "+-._" becomes
+/// a hyphen.
 std::string as_name(const std::string& text) {
   std::string name;
   for (const char c : text) {
@@ -28,7 +29,7 @@ std::string as_name(const std::string& text) {
   return name;
 }
 
-/// The last parts of a key that no other key of the campaign ends with.
+/// Returns the last parts of a key, as many as distinguish it from the other keys of the campaign.
 std::string short_key(const std::string& key, const std::vector<std::string>& keys) {
   for (std::size_t dot = key.rfind('.'); dot != std::string::npos && dot > 0; dot = key.rfind('.', dot - 1)) {
     const std::string end = key.substr(dot);

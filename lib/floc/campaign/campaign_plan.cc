@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A pressure is meant by one that is rounded to two digits.
+/// Relative difference up to which a given pressure selects one of a path; it may be rounded to two digits.
 constexpr double kSamePressure = 0.01;
 
 std::vector<std::string> overrides_of(const CampaignCase& one) {
@@ -31,14 +31,14 @@ std::vector<std::string> overrides_of(const CampaignCase& one) {
   return texts;
 }
 
-/// The line that a fault of a scene is about: that of the change it names, otherwise that of the case.
+/// Returns the line that a fault of a scene refers to: that of the change that it names, otherwise that of the case.
 std::string blamed_place(const CampaignCase& one, const std::string& fault) {
   for (const SceneChange& change : one.changes)
     if (fault.find("--set " + change.text()) != std::string::npos) return change.place;
   return one.place;
 }
 
-/// Reduced pressure of a packing with the law of an equilibrium.
+/// Returns the reduced pressure of a packing with the law of an equilibrium.
 template <int Dim>
 double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibrium) {
   Packing<Dim> largest;
@@ -72,7 +72,7 @@ bool same_value(const std::string& a, const std::string& b) {
   return x && y ? *x == *y : a == b;
 }
 
-/// The state with a pressure.
+/// Returns the number of the state with a pressure.
 int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
   int best = -1;
   double smallest = kSamePressure;
@@ -141,6 +141,7 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
     plan.states = states_of(scene);
     plan.threads = useful_threads(scene.grains.count, scene.dimension, scene.relaxation.threads);
     plan.cost = expected_cost(scene);
+    // Choosing the states here reports a missing one before any run begins.
     for (const Collection& c : campaign.collections) {
       (void)chosen_states(c.states, one, plan);
       if (c.table == "compare" && chosen_states(c.before, one, plan).size() != 1)
@@ -155,6 +156,7 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
       if (r.fit.empty() && chosen_states(r.state, campaign.cases[k], plans[k]).size() != 1)
         throw InputError(r.state.place, "state: expected one state");
     }
+    // A reference that applies to no case is an error: it would never be compared.
     if (!meant) throw InputError(r.place, "when: expected values that a case of this campaign has");
   }
   return plans;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Row = std::vector<TableValue>;
-/// Cells by column of one state of one run.
+/// Cells of one state of one run, by column.
 using StateCells = std::map<std::string, std::string>;
 
 TableValue as_value(const std::string& text) {
@@ -26,7 +26,7 @@ TableValue as_value(const std::string& text) {
   return text;
 }
 
-/// The first cells of every row of a case: its label and the values of the keys.
+/// Returns the first cells of every row of a case: its label and the values of the keys.
 Row case_cells(const Campaign& campaign, const CampaignCase& one) {
   Row row = {one.label};
   for (const std::string& key : campaign.keys) row.push_back(as_value(value_of(one, key)));
@@ -40,7 +40,7 @@ std::vector<std::string> with_case_columns(const Campaign& campaign, std::vector
   return columns;
 }
 
-/// The step that a file of a state is of: state-0012.h5.
+/// Returns the step of a state from the name of its file, such as state-0012.h5.
 int step_of(const CsvTable& table, int row, const std::string& column) {
   const std::string name = fs::path(table.text(row, table.column(column))).stem().string();
   const auto step = parse_number<int>(name.substr(std::min(name.size(), name.rfind('-') + 1)));
@@ -52,7 +52,7 @@ void take_columns(const CsvTable& table, int row, const Collection& collection, 
   for (const std::string& column : collection.columns) cells[column] = table.text(row, table.column(column));
 }
 
-/// Adds what one collection made of a run.
+/// Adds the cells that one collection made from a run.
 void collect(const Campaign& campaign, int number, const std::vector<int>& steps, const std::string& directory,
              const CsvTable& path, std::map<int, StateCells>& states) {
   const Collection& collection = campaign.collections[static_cast<std::size_t>(number)];
@@ -72,7 +72,7 @@ void collect(const Campaign& campaign, int number, const std::vector<int>& steps
   }
 }
 
-/// Columns collected, each once, in the order of the file.
+/// Returns the collected columns, each once, in the order of the file.
 std::vector<std::string> collected_columns(const Campaign& campaign) {
   std::vector<std::string> columns;
   for (const Collection& c : campaign.collections)
@@ -81,11 +81,11 @@ std::vector<std::string> collected_columns(const Campaign& campaign) {
   return columns;
 }
 
-/// Columns of path.csv that every row has anyway.
+/// Columns of path.csv that every row has in any case.
 const std::set<std::string> kOfState = {"case", "seed", "step", "branch", "P_star"};
 
-/// The reference of a column at a state of a case, or of a parameter of a fit; null without one.
-/// @param step  -1: of a fit
+/// Returns the reference of a column at a state of a case, or of a parameter of a fit; null without one.
+/// @param step  number of the state; -1 for a fit
 const Reference* reference_of(const Campaign& campaign, const CampaignCase& one, const CasePlan* plan, int step,
                               const std::string& fit, const std::string& quantity) {
   for (const Reference& r : campaign.references)
@@ -98,7 +98,7 @@ const Reference* reference_of(const Campaign& campaign, const CampaignCase& one,
 const std::vector<std::string> kReferenceColumns = {
     "reference", "reference_deviation", "reference_n", "difference", "allowed", "agrees", "source"};
 
-/// Cells of kReferenceColumns.
+/// Returns the cells of kReferenceColumns.
 void add_reference(const Reference* reference, const SampleMean& mean, Row& row) {
   if (reference == nullptr) {
     row.resize(row.size() + kReferenceColumns.size());
@@ -186,7 +186,7 @@ Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, con
   const int label = runs.column("case"), step = runs.column("step");
   for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
     const CampaignCase& one = campaign.cases[k];
-    std::map<int, std::vector<int>> rows;  // of each step
+    std::map<int, std::vector<int>> rows;  // rows by step
     for (int row = 0; row < runs.n_rows(); ++row)
       if (runs.text(row, label) == one.label) rows[static_cast<int>(runs.integer(row, step))].push_back(row);
     for (const auto& [number, those] : rows) {
@@ -223,8 +223,8 @@ Table empty_fits(const Campaign& campaign) {
 
 void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFit& fit, const CsvTable& printed,
              Table& table) {
-  std::map<std::string, std::vector<double>> values;  // of the samples by parameter
-  std::vector<std::string> parameters;                // in the order printed
+  std::map<std::string, std::vector<double>> values;  // values of the samples, by parameter
+  std::vector<std::string> parameters;                // in the order of the output
   std::set<std::string> pooled;
   const auto cell = [&](int row, const char* column) { return printed.text(row, printed.column(column)); };
   const auto parameter_of = [&](int row) {

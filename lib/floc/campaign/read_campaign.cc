@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Need = TableReader::Need;
 
-/// Samples of a case, and runs of a campaign: beyond these a number is rather a slip.
+/// Largest number of samples of a case and of runs of a campaign; a larger number is probably a mistake.
 constexpr std::uint64_t kMaxSeeds = 10'000;
 constexpr std::size_t kMaxRuns = 100'000;
 
@@ -33,7 +33,7 @@ constexpr NumberRule kSteps{[](double x) { return x >= 0.0 && x == std::floor(x)
 constexpr const char* kStates =
     "\"all\", \"last\", {step = [0, 5]} or {branch = \"load\", P_star = [0.1, 1.0]}";
 
-/// One table of the file with what reads it.
+/// One table of the file and its reader.
 struct Part {
   TableReader reader;
   const toml::table& table;
@@ -53,13 +53,13 @@ bool is_list(const toml::node& node) {
   return array != nullptr && !array->empty() && std::all_of(array->begin(), array->end(), is_scalar);
 }
 
-/// A key below a table and what it holds, tables in it flattened to dotted keys.
+/// A key below a table and its value; tables inside it are flattened to dotted keys.
 struct Leaf {
   std::string key;
   const toml::node* node;
 };
 
-/// The leaves of a table in the order of the file.
+/// Returns the leaves of a table in the order of the file.
 std::vector<Leaf> leaves_of(const toml::table& table, const std::string& path = "") {
   std::vector<Leaf> leaves;
   for (const auto& [name, node] : table) {
@@ -83,7 +83,7 @@ void refuse(SceneSource& source, const std::string& key, const toml::node& node,
   source.fault(key, &node, fmt::format("{} = {}: expected {}", key, as_written(node), expected));
 }
 
-/// Changes of a scene as a table of the file lists them.
+/// Reads changes of a scene from a table of the file.
 std::vector<SceneChange> read_changes(Part& part, const std::string& key, Need need) {
   std::vector<SceneChange> changes;
   constexpr const char* kExpected = "a table of keys of the scene, e.g. {contact.friction.coefficient = 0.3}";
@@ -147,7 +147,7 @@ std::vector<std::uint64_t> read_seeds(Part& part) {
   return seeds;
 }
 
-/// A number or a list of numbers.
+/// Reads a number or a list of numbers.
 std::vector<double> one_or_more(TableReader& reader, const toml::table& table, const std::string& key,
                                 NumberRule rule) {
   const toml::node* node = table.get(key);
@@ -156,7 +156,7 @@ std::vector<double> one_or_more(TableReader& reader, const toml::table& table, c
   return value ? std::vector<double>{*value} : std::vector<double>{};
 }
 
-/// @param otherwise  where the key is missing
+/// Reads a choice of states. @param otherwise  choice if the key is missing
 StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind otherwise) {
   StateChoice choice;
   choice.kind = otherwise;
@@ -173,6 +173,7 @@ StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind ot
   TableReader states = part.reader.table(key, kStates, Need::optional);
   if (!states) return choice;
   const toml::table& table = *node->as_table();
+  // States are chosen by step or by pressure; both or neither would be ambiguous.
   if (table.contains("step") == table.contains("P_star")) {
     part.reader.fault(key, fmt::format("{}: expected {}", part.reader.path_of(key), kStates));
     return choice;
@@ -203,6 +204,7 @@ Collection read_collection(Part& part) {
                            " is not allowed here: floc run writes path.csv, and no options apply to it");
   else
     collection.options = part.reader.texts("options", "a list of words of the command line");
+  // A comparison needs one earlier state, and by default compares the last state of the run with it.
   const bool compares = collection.table == "compare";
   collection.states = read_states(part, "states", compares ? StateChoice::last : StateChoice::all);
   if (compares) {
@@ -260,7 +262,7 @@ auto read_all(TableReader& root, SceneSource& source, const std::string& key, co
   return all;
 }
 
-/// What can be said only of the parts together.
+/// Records faults of references that name a fit, a column or a key that the campaign does not have.
 void check_references(const Campaign& campaign, SceneSource& source) {
   for (const Reference& r : campaign.references) {
     const bool is_fitted = std::any_of(campaign.fits.begin(), campaign.fits.end(),
@@ -281,7 +283,7 @@ void check_references(const Campaign& campaign, SceneSource& source) {
   }
 }
 
-/// A column has one origin.
+/// Records a fault if a column is collected from two tables, or from one with different options.
 void check_collections(const Campaign& campaign, SceneSource& source) {
   for (std::size_t k = 0; k < campaign.collections.size(); ++k)
     for (std::size_t before = 0; before < k; ++before) {
@@ -303,6 +305,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
   const std::vector<std::string> overrides =
       scene.empty() ? std::vector<std::string>{} : std::vector{fmt::format("campaign.scene=\"{}\"", scene)};
   SceneSource source(read_text(path), path, overrides);
+  // Faults are collected in `source` and thrown together at the end, so that one attempt shows all of them.
   TableReader root(source);
   Campaign campaign;
   TableReader head = root.table("campaign", "a table with scene and seeds");
@@ -338,6 +341,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
     source.fault_at(path, fmt::format("has {} cases with {} seeds: expected at most {} runs",
                                       campaign.cases.size(), campaign.seeds.size(), kMaxRuns));
   source.throw_faults();
+  // The scene itself is checked case by case, with the changes of each case, by plan_cases().
   campaign.scene = read_text(campaign.scene_file);
   return campaign;
 }

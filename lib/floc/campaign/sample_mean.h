@@ -9,20 +9,20 @@ namespace floc {
 struct SampleMean {
   int n = 0;
   double mean = 0.0;
-  std::optional<double> deviation;  ///< standard deviation (n - 1 in the denominator); absent for one sample
-  double low = 0.0, high = 0.0;     ///< the smallest and the largest
+  std::optional<double> deviation;  ///< standard deviation (n - 1 in the denominator); none for one sample
+  double low = 0.0, high = 0.0;     ///< smallest and largest value
 
-  /// deviation/sqrt(n)
+  /// Returns deviation/sqrt(n); none without a deviation.
   std::optional<double> standard_error() const;
 };
 
 SampleMean mean_of_samples(const std::vector<double>& values);
 
-/// A mean that another is compared with.
+/// A reference mean that another mean is compared with.
 struct ReferenceMean {
   int n = 1;
   double mean = 0.0;
-  double deviation = 0.0;  ///< of its samples; for n = 1 the standard error of the mean
+  double deviation = 0.0;  ///< standard deviation of its samples; for n = 1 the standard error
 };
 
 /// Two means side by side.
@@ -32,7 +32,7 @@ struct Difference {
   bool agrees = false;            ///< abs(value) <= allowed
 };
 
-/// Normal errors leave the interval of 2.6 standard errors in one out of a hundred comparisons.
+/// Compares two means. Normal errors exceed 2.6 standard errors in one of a hundred comparisons.
 Difference difference_of(const SampleMean& mean, const ReferenceMean& reference);
 
 }  // namespace floc

@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// A text of Python.
+/// Returns a text as a string literal of Python.
 std::string python_quoted(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -23,7 +23,7 @@ std::string python_quoted(const std::string& text) {
   return quoted + "\"";
 }
 
-/// A text of a command, in which snakemake replaces what stands in braces.
+/// Returns a text of a command, in which snakemake replaces words in braces.
 std::string command_quoted(const std::string& text) {
   std::string doubled;
   for (const char c : text) {
@@ -77,7 +77,7 @@ rule table_outcomes:
     shell: "{{FLOC}} campaign collect . --table outcomes --format csv > {{output}}"
 )";
 
-/// What makes the table of a collection, in the directory of a run.
+/// Returns the command that makes the table of a collection, in the directory of a run.
 std::string command_of(const Collection& collection, const CampaignCase& one, const CasePlan& plan) {
   const auto file = [](int step) { return fmt::format(" state-{:04}.h5", step); };
   std::string command = collection.table;
@@ -87,7 +87,8 @@ std::string command_of(const Collection& collection, const CampaignCase& one, co
   return command;
 }
 
-/// The commands after a run, "1-moduli.csv: moduli state-0003.h5"; of compare, which takes two states, one a state.
+/// Returns the commands after a run, such as "1-moduli.csv: moduli state-0003.h5". For compare, which takes two
+/// states, there is one command per state.
 std::vector<std::string> commands_of(const Campaign& campaign, int number, const CampaignCase& one,
                                      const CasePlan& plan) {
   Collection collection = campaign.collections[static_cast<std::size_t>(number)];

@@ -13,20 +13,21 @@
 namespace floc {
 namespace {
 
-/// How strict the equilibrium of another program's packing is asked to be, in the units of
-/// EquilibriumTolerance. Contact points of other programs differ from ours by up to the overlap, which leaves
-/// moments of that order, and they are usually run to unbalanced forces of 1e-3.
+/// Tolerance of the equilibrium of another program's packing, in the units of EquilibriumTolerance. Contact points of
+/// other programs differ from those of floc by up to the overlap, which leaves moments of that order. These programs
+/// are usually run to unbalanced forces of 1e-3.
 constexpr double kForeignTolerance = 1e-3;
 
-/// What is asked of an equilibrium: what the user says, else of a format that says law and load exactly as
-/// much as of floc's own states, of the others kForeignTolerance. The energy scales with the force.
+/// Returns the tolerances of the equilibrium: the one that the user gives or, for a format that gives law and load
+/// exactly, the default for states of floc, and kForeignTolerance for other formats. The energy scales with the
+/// force.
 EquilibriumTolerance tolerance_for(const Imported& imported, const std::optional<double>& tolerance) {
   const EquilibriumTolerance own;
   const double force = tolerance.value_or(imported.target_stress_known ? own.force : kForeignTolerance);
   return {force, force, force, own.energy * (force / own.force)};
 }
 
-/// @throws InputError if the grains fill more than the cell: no packing of hard grains does.
+/// @throws InputError if the grains fill more than the cell, which is impossible for hard grains
 template <int Dim>
 void refuse_impossible_density(const std::string& place, const Packing<Dim>& packing) {
   const double phi = solid_fraction(packing);

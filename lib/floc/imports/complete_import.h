@@ -8,22 +8,22 @@
 
 namespace floc {
 
-/// What the user says of another program's packing beside its file.
+/// Data about a packing of another program that the user gives beside its file.
 struct ImportCompletion {
-  std::string law_place;       ///< where the law was said, for messages
-  std::vector<double> stress;  ///< diagonal imposed; empty: what the file says, else what the contacts carry
-  std::string stress_place;    ///< where that was said
-  std::optional<double> tolerance;  ///< of the equilibrium; none: by what the file says
+  std::string law_place;            ///< place where the law is given, for messages
+  std::vector<double> stress;       ///< imposed, diagonal; empty: from the file, else from the contacts
+  std::string stress_place;         ///< place where the stress is given, for messages
+  std::optional<double> tolerance;  ///< tolerance of the equilibrium; none: chosen by the format
 };
 
-/// Fills in what the file did not say and an analysis needs: contacts, stress imposed, tolerances, residuals, the
-/// program that did it.
+/// Completes the state of an imported packing with data that an analysis needs and the file lacks: contacts, imposed
+/// stress, tolerances, residuals, and the version of floc.
 /// @param place     file or array, for messages
-/// @param imported  what was read
-/// @param state     that of `imported`
-/// @return what is to be said of it; empty: nothing
-/// @throws InputError for a law of another dimension, grains that fill more than the cell, overlaps beyond what the
-/// law is meant for, or a stress with another number of components
+/// @param imported  result of the reader
+/// @param state     state held by `imported`
+/// @return a remark for the user; empty if there is none
+/// @throws InputError for a law of another dimension, grains that fill more than the cell, overlaps too large for the
+/// law, or a stress with a wrong number of components
 template <int Dim>
 std::string complete_import(const std::string& place, const Imported& imported,
                             const ImportCompletion& completion, State<Dim>& state);

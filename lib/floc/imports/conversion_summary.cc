@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Normal forces that differ from the law by more than this, over their mean, are said to: programs print six
-/// digits or more, and what they compute by the same law agrees to rounding.
+/// Difference of normal forces from the law, relative to their mean, above which it is reported. Programs print six
+/// digits or more, and forces that they compute by the same law agree within rounding.
 constexpr double kForceTolerance = 1e-6;
 
 void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
@@ -37,7 +37,8 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
                     listed.n_other_image, listed.n_read));
 }
 
-/// Stiffnesses that differ from the law's; where that is their mean, they do without contradicting it.
+/// Reports stiffnesses that differ from those of the law. If the law has their mean, they differ without
+/// contradicting it.
 void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
   std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.inconsistencies;
   for (const std::string& difference : imported.listed_contacts.stiffness_differences)
@@ -68,12 +69,13 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
-/// A packing in which nothing touches has no network; most often its lengths are not those that were meant.
+/// Reports a packing without contacts, which has no network. Most often its lengths are not the intended ones, so the
+/// message names the likely cause.
 template <int Dim>
 void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& summary) {
   if (!packing.contacts.empty()) return;
   const std::optional<NearestPair> nearest = nearest_pair(packing);
-  if (nearest && nearest->gap < 0.0) return;  // missing from a list, which is said elsewhere
+  if (nearest && nearest->gap < 0.0) return;  // missing from a list, which another message reports
   constexpr double kHard = 1e-3, kDoubled = 0.1;
   std::string cause = "are the radii and the cell in the same unit of length?";
   std::string where;

@@ -7,15 +7,15 @@
 
 namespace floc {
 
-/// What there is to say of a packing that was read from a file of another program.
+/// Summary of a packing that was read from a file of another program, in lines of text.
 struct ConversionSummary {
-  std::vector<std::string> lines;            ///< what was read and kept, and how it compares with the law
-  std::vector<std::string> inconsistencies;  ///< where list, geometry, forces, law and equilibrium disagree
+  std::vector<std::string> lines;            ///< data read and kept, and their comparison with the law
+  std::vector<std::string> inconsistencies;  ///< disagreements of list, geometry, forces, law and equilibrium
 };
 
-/// Compares what a file lists with its own geometry, and its forces with the law; nothing for a state of floc,
-/// whose comparison is `floc verify`.
-/// @param state  that of `imported`, complete
+/// Compares the contacts that a file lists with its geometry, and its forces with the law. Returns nothing for a
+/// state of floc, which `floc verify` compares.
+/// @param state  state held by `imported`, completed
 template <int Dim>
 ConversionSummary summarize(const Imported& imported, const State<Dim>& state);
 

@@ -25,7 +25,7 @@ bool sync_directory_of(const std::string& path) {
   return ::fsync(fd.get()) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
-/// What cannot be replaced by a file of its name: stdout, a device, a pipe.
+/// Whether a path is a stream, which cannot be replaced by a file of its name: stdout, a device or a pipe.
 bool is_stream(const std::string& path) {
   std::error_code unknown;
   return path == "-" ||
@@ -38,10 +38,10 @@ IoError refused(const std::string& path, int error) {
           std::string("cannot be written: ") + std::strerror(error != 0 ? error : EIO)};
 }
 
-/// Passes what `content` gives, piece by piece, to a stream.
+/// Writes the pieces that `content` passes to its argument to a stream.
 void write_to_stream(const std::string& path,
                      const std::function<void(const std::function<void(std::string_view)>&)>& content) {
-  std::fflush(stdout);  // what the program has said before comes first
+  std::fflush(stdout);  // earlier output of the program precedes the content
   Descriptor stream(path == "-" ? ::dup(STDOUT_FILENO) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!stream.valid()) throw refused(path, errno);
   content([&](std::string_view piece) {

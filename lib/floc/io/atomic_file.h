@@ -11,42 +11,45 @@
 
 namespace floc {
 
-/// Replaces the content of a file: it is written to `path` + ".part", which commit() syncs and renames over
-/// `path`, then syncs the directory. Whatever happens meanwhile, even a power cut, `path` holds all of the old
-/// content or all of the new. Output to a device, to a pipe or, for "-", to standard output is collected in a
-/// temporary file first.
+/// Replaces the content of a file atomically. The content is written to `path` + ".part"; commit() syncs this file,
+/// renames it to `path` and syncs the directory. After an interruption at any moment, even a power cut, `path` holds
+/// either all of the old content or all of the new. Output to a device, to a pipe or, for "-", to standard output is
+/// first collected in a temporary file.
 class AtomicFile {
  public:
-  /// @throws InputError for an empty path, or that of a directory
-  /// @throws IoError with the system's words if nothing can be written there
+  /// Opens the file that collects the content. @param path  file to be replaced, or "-" for standard output
+  /// @throws InputError for an empty path, or the path of a directory
+  /// @throws IoError with the message of the system if nothing can be written there
   explicit AtomicFile(std::string path);
-  /// The part is removed if it has not been committed: `path` is as it was.
+  /// Removes the part unless it has been committed; `path` is then unchanged.
   ~AtomicFile() = default;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Path of the file that holds the content before commit(). Others may write it, too.
+  /// Path of the file that holds the content before commit(). Other code may write to it as well.
   const std::string& working_path() const { return temporary_ ? temporary_->path() : part_->path(); }
   /// Descriptor of the same file, open for reading and writing.
   int descriptor() const { return temporary_ ? temporary_->descriptor() : opened_.get(); }
 
-  /// Adds to the end. @throws IoError
+  /// Appends bytes to the content. @throws IoError if they cannot be written
   void append(std::string_view bytes);
 
-  /// @throws IoError with the system's words if that fails
+  /// Replaces `path` by the content collected so far, or writes it to the stream that `path` names.
+  /// @throws IoError with the message of the system if that fails
   void commit();
 
-  /// @param error  errno of what failed
+  /// Returns the error for a `path` that cannot be written. @param error  errno of the call that failed
   IoError cannot_be_written(int error) const;
 
  private:
   std::string path_;
   std::unique_ptr<TemporaryFile> temporary_;
-  std::optional<TransientFile> part_;  ///< to be renamed
+  std::optional<TransientFile> part_;  ///< the ".part" file, which commit() renames
   Descriptor opened_;
 };
 
-/// The same with bytes that are all there already; what goes to a stream is written at once.
+/// Replaces the content of a file by `bytes`, as AtomicFile does. If `path` is a stream, they are written to it at
+/// once, without a temporary file.
 /// @throws InputError, IoError as AtomicFile does
 void write_bytes_atomically(const std::string& path, std::string_view bytes);
 

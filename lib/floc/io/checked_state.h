@@ -6,8 +6,9 @@
 
 namespace floc {
 
-/// Reads what read_state() reads, from a file whose seal another process has checked (SealedFile): the caller
-/// answers for that.
+/// Reads a state as read_state() does, but without a check of its seal. The caller guarantees that another process
+/// has checked the seal (SealedFile).
+/// @throws InputError as read_state(), except for a missing or wrong seal
 AnyState read_checked_state(const std::string& path);
 
 }  // namespace floc

@@ -39,7 +39,8 @@ std::vector<std::string> split(const std::string& place, std::string_view line, 
   return cells;
 }
 
-/// Up to here every integer is a double, and a real number that is whole was meant.
+/// Largest number that may be read as an integer: below it every integer is a double, so a whole number was meant as
+/// such.
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
 char separator_of(std::string_view header) {
@@ -48,7 +49,7 @@ char separator_of(std::string_view header) {
   return ',';
 }
 
-/// For messages about a row that has not as many cells as the table has columns: why that may be.
+/// Returns a hint for the message about a row with a wrong number of cells; empty if no reason is apparent.
 const char* count_hint(const std::vector<std::string>& cells, const CsvTable& table, char separator) {
   const auto is_number = [](const std::string& cell) { return parse_number<double>(cell).has_value(); };
   const std::size_t n_columns = table.columns().size();
@@ -61,7 +62,8 @@ const char* count_hint(const std::vector<std::string>& cells, const CsvTable& ta
   return "";
 }
 
-/// For messages about a column that is not there: what the first lines of the table look like instead.
+/// Returns a hint for the message about a missing column, from the first lines of the table; empty if no reason is
+/// apparent.
 std::string header_hint(const CsvTable& table, const std::string& name) {
   const std::vector<std::string>& columns = table.columns();
   if (columns.size() == 1 && columns[0].find_first_of(" \t") != std::string::npos)

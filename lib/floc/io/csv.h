@@ -11,42 +11,45 @@
 
 namespace floc {
 
-/// A table of text cells with named columns, as read from a csv file: the first line names the columns,
-/// separated by commas, tabs or semicolons (the first of these that it contains). Empty lines and lines that
-/// begin with # are skipped; a cell with separators is in double quotes. Readers of other text formats fill
-/// one line by line.
+/// A table of text cells with named columns, as read from a csv file. The first line names the columns; they are
+/// separated by commas, tabs or semicolons (the first of these that the line contains). Empty lines and lines that
+/// begin with # are skipped. A cell that contains separators is in double quotes. Readers of other text formats fill
+/// a table line by line.
 class CsvTable {
  public:
   CsvTable() = default;
 
-  /// An empty table. @param place  name of the table in messages
+  /// Makes an empty table. @param place  name of the table in messages
   CsvTable(std::string place, std::vector<std::string> columns);
 
-  /// @param line  number of the line in the file. @throws InputError if it has too many or few cells.
+  /// Adds a row. @param line  number of its line in the file
+  /// @throws InputError if it has too many or too few cells
   void add_row(int line, const std::vector<std::string>& cells);
 
-  /// @param path  "-" reads stdin
-  /// @throws InputError naming file and line if it cannot be read, has no header, or a line has too many or few
+  /// Reads a file. @param path  the file; "-" reads stdin
+  /// @throws InputError naming file and line if it cannot be read, has no header, or a line has too many or too few
   /// cells
   static CsvTable read(const std::string& path);
 
-  /// @param place  name of the table in messages
+  /// Reads a table from a stream. @param place  name of the table in messages
   static CsvTable parse(const std::string& place, std::istream& in);
 
   const std::vector<std::string>& columns() const { return columns_; }
   int n_rows() const { return static_cast<int>(lines_.size()); }
   bool has(const std::string& name) const;
 
-  /// Index of a column. @throws InputError listing the columns there are, or if two have this name.
+  /// Returns the index of a column.
+  /// @throws InputError listing the columns of the table if none has this name, or if two have it
   int column(const std::string& name) const;
 
   std::string text(int row, int column) const { return std::string(cell(row, column)); }
   bool is_empty(int row, int column) const { return cell(row, column).empty(); }
 
-  /// @throws InputError naming file, line, column and value if it is not a finite number, or not an integer.
-  /// "3.0" and "3.000e+00" are integers: programs write whole tables as real numbers.
+  /// Returns a cell as a finite number. integer() accepts "3.0" and "3.000e+00", because programs write whole tables
+  /// as real numbers.
+  /// @throws InputError naming file, line, column and value if the cell is not a finite number, or not an integer
   double number(int row, int column) const;
-  /// The same with the digits that a double cannot hold: see decimal().
+  /// Returns a number with the digits that a double cannot hold: see decimal(). @throws InputError as number()
   DoubleDouble double_double_number(int row, int column) const;
   std::int64_t integer(int row, int column) const;
 
@@ -54,17 +57,18 @@ class CsvTable {
   std::string place(int row) const;
   /// Line of a row in the file, from 1.
   int line(int row) const { return lines_[row]; }
-  /// The table itself, for messages.
+  /// Name of the table, for messages.
   const std::string& place() const { return place_; }
 
  private:
-  /// @throws InputError always. @param hint  end of the message
+  /// Reports a line with the wrong number of cells. @param hint  end of the message
+  /// @throws InputError always
   [[noreturn]] void refuse_count(int line, std::size_t n_cells, const char* hint) const;
   std::string_view cell(int row, int column) const { return cells_[row * columns_.size() + column]; }
 
   std::string place_;
   std::vector<std::string> columns_;
-  std::vector<int> lines_;  ///< of each row
+  std::vector<int> lines_;  ///< line in the file of each row
   PackedStrings cells_;     ///< row by row
 };
 

@@ -22,17 +22,18 @@ class Descriptor {
 
   bool valid() const { return fd_ >= 0; }
   int get() const { return fd_; }
-  /// Closes it now, to learn of errors that only show then.
+  /// Closes the descriptor now, because some errors show only then. @return false with errno if the system reports an
+  /// error
   bool close();
 
  private:
   int fd_;
 };
 
-/// A new, empty file in the directory of temporary files, removed at the end.
+/// A new, empty file in the directory of temporary files. The destructor removes it.
 class TemporaryFile {
  public:
-  /// @throws IoError with the system's words if it cannot be made
+  /// @throws IoError with the message of the system if the file cannot be made
   TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -45,7 +46,7 @@ class TemporaryFile {
   Descriptor descriptor_;
 };
 
-/// Writes at the present position. @return false with errno where the system refuses
+/// Writes all bytes at the present position. @return false with errno if the system reports an error
 bool write_all(int fd, std::string_view bytes);
 
 }  // namespace floc

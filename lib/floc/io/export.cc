@@ -17,7 +17,7 @@ void write_own_state(const std::string& path, const AnyState& any) {
   std::visit([&](const auto& state) { write_state(path, state); }, any);
 }
 
-/// Writes the text a format makes of a state.
+/// Writes the text that a format makes of a state.
 template <std::string (*text)(const AnyState&)>
 void write_text(const std::string& path, const AnyState& state) {
   write_bytes_atomically(path, text(state));

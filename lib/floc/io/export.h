@@ -11,17 +11,17 @@ namespace floc {
 struct ExportFormat {
   std::string keyword;
   std::string description;
-  std::string extension;  ///< of the names of its files, ".vtu"
-  /// Writes a whole file or, on failure, none: @throws IoError.
+  std::string extension;  ///< extension of its file names, such as ".vtu"
+  /// Writes the whole file or, on failure, none. @throws IoError if it cannot be written
   void (*write)(const std::string& path, const AnyState& state);
 };
 
-/// THE list of formats. To add one: a writer beside its reader, a row here, a test that reads back what it
-/// wrote.
+/// All formats that can be written. To add one: a writer beside its reader, a row in this list, and a test that reads
+/// back what the writer wrote.
 const std::vector<ExportFormat>& export_formats();
 
-/// The format of `keyword`, or, if that is empty, the one of the file's extension.
-/// @throws InputError listing the formats if there is none.
+/// Returns the format with this keyword or, if `keyword` is empty, the format with the extension of `path`.
+/// @throws InputError listing the formats if there is none
 const ExportFormat& find_export_format(const std::string& keyword, const std::string& path);
 
 }  // namespace floc

@@ -20,7 +20,7 @@ namespace {
 
 /// Lines of one frame.
 struct XyzFrame {
-  int line = 0;  ///< number of its first line
+  int line = 0;  ///< number of its first line in the file
   std::string comment;
   std::vector<std::string> rows;
 };
@@ -106,7 +106,7 @@ std::vector<std::vector<double>> lattice_of(const std::string& place, const std:
   return cell;
 }
 
-/// pbc="T T F": along which lattice vectors the packing is periodic.
+/// Reads pbc="T T F": whether the packing is periodic along each lattice vector.
 std::vector<bool> periodic_of(const std::string& place, const std::string& text) {
   std::vector<bool> periodic;
   for (std::string token : tokenize(text)) {
@@ -121,7 +121,7 @@ std::vector<bool> periodic_of(const std::string& place, const std::string& text)
   return periodic;
 }
 
-/// What the comment line of a frame says of the cell.
+/// Reads cell, periodicity and dimension from the comment line of a frame.
 ListedSpace space_of(const std::string& place, const std::map<std::string, std::string>& keys,
                      const ImportOptions& options) {
   ListedSpace space;

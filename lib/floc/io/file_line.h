@@ -8,12 +8,12 @@
 
 namespace floc {
 
-/// Where one of many things in a file is, for messages: the text before its number, which all of them share,
-/// and that number. A file may hold millions.
+/// Place of one of many items in a file, for messages: the text before its number, shared by all items, and the
+/// number. The text is shared because a file may hold millions of items.
 class FileLine {
  public:
   FileLine() = default;
-  /// @param before  "file:" of a line, "array, point " of an entry
+  /// @param before  text before the number: "file:" for a line, "array, point " for an entry
   FileLine(std::shared_ptr<const std::string> before, int number)
       : before_(std::move(before)), number_(number) {}
 

@@ -40,15 +40,15 @@ class Handle {
   Close close_;
 };
 
-/// HDF5 prints nothing of its own: failures are reported by exceptions. Nor does it clean up when the program ends:
-/// it would write what a full disk has refused once more, and crash.
+/// Prepares the HDF5 library. It prints nothing, because failures are reported by exceptions. It does not clean up at
+/// the end of the program either: there it would repeat a write that failed on a full disk, and crash.
 void begin_library() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Nothing waits in buffers of small arrays, whose write would fail unseen when they are closed. Files are locked by
-/// their program, if at all.
+/// Returns the access properties of a file. Small arrays are not buffered, because an error in writing the buffer
+/// when the file is closed would be lost. The library does not lock files; the program does so where needed.
 Handle file_access() {
   const hid_t access = checked(H5Pcreate(H5P_FILE_ACCESS));
   checked(H5Pset_sieve_buf_size(access, 0));
@@ -133,7 +133,7 @@ void write_array(hid_t file, const std::string& path, const Shape& shape, const 
     checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
 }
 
-/// Rows of an array that are written or read at a time.
+/// Number of rows of an array that are written or read at a time.
 constexpr hsize_t kRowsAtATime = 1 << 16;
 
 /// Calls visit(number of the first row, number of values, space in memory, space in the file) for each block.
@@ -174,7 +174,8 @@ std::vector<hsize_t> extent_of(hid_t dataset) {
   return extent;
 }
 
-/// Refuses what claims to be longer than its file: no claim of a damaged file is worth its memory.
+/// Checks that an array is not longer than its file, so that a damaged length does not allocate memory.
+/// @throws InputError naming `place` if it is longer
 void check_length(hid_t file, const std::string& place, double bytes) {
   hsize_t size = 0;
   checked(H5Fget_filesize(file, &size));
@@ -182,7 +183,7 @@ void check_length(hid_t file, const std::string& place, double bytes) {
     throw InputError(place, fmt::format("claims {:.3g} bytes in a file of {}", bytes, size));
 }
 
-/// @throws InputError unless the array is there whole, with that shape and numbers of that kind
+/// Opens an array. @throws InputError unless it exists with this shape and numbers of this kind
 template <class T>
 Handle open_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape) {
   Handle dataset = open_dataset(file, place, path);

@@ -9,12 +9,12 @@
 
 namespace floc {
 
-/// The library failed: the disk is full or, when reading, the file is damaged inside.
+/// Failure of the HDF5 library: the disk is full or, when reading, the content of the file is damaged.
 class Hdf5Failure : public std::runtime_error {
  public:
   Hdf5Failure(const std::string& what, int error) : std::runtime_error(what), error_(error) {}
 
-  /// errno, where a system call failed.
+  /// errno at the failure; it is meaningful if a system call failed.
   int error() const { return error_; }
 
  private:
@@ -24,11 +24,11 @@ class Hdf5Failure : public std::runtime_error {
 /// Shape of an array, slowest index first.
 using Shape = std::vector<std::uint64_t>;
 
-/// Writes an HDF5 file. Nothing in it depends on the clock: the same calls give the same bytes.
+/// Writes an HDF5 file. The bytes do not depend on the clock: the same calls give the same bytes.
 /// Members throw Hdf5Failure if the HDF5 library fails.
 class Hdf5Writer {
  public:
-  /// @param path  of the file; an older one is replaced
+  /// @param path  file to write; an older one is replaced
   explicit Hdf5Writer(const std::string& path);
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
@@ -39,8 +39,8 @@ class Hdf5Writer {
   void array(const std::string& path, const Shape& shape, const std::vector<double>& values);
   void array(const std::string& path, const Shape& shape, const std::vector<std::int32_t>& values);
   void array(const std::string& path, const Shape& shape, const std::vector<std::uint8_t>& values);
-  /// Writes an array by blocks of rows, so that there is no second copy of all that it holds.
-  /// @param fill  is given the number of the first row of a block, and its values to set
+  /// Writes an array in blocks of rows, which avoids a second copy of the data.
+  /// @param fill  called with the number of the first row of a block; sets the values of the block
   template <class T>
   void rows(const std::string& path, const Shape& shape,
             const std::function<void(std::uint64_t, std::span<T>)>& fill);
@@ -52,7 +52,7 @@ class Hdf5Writer {
   void attribute(const std::string& path, const std::string& name, std::int64_t value);
   void attribute(const std::string& path, const std::string& name, std::uint64_t value);
 
-  /// A second name for an array that exists; it takes no room.
+  /// Adds a second name for an existing array; the values are not copied.
   void link(const std::string& path, const std::string& second_path);
 
   /// Completes the file. Nothing can be added afterwards.
@@ -62,18 +62,18 @@ class Hdf5Writer {
   std::int64_t file_;  ///< -1: closed
 };
 
-/// Reads an HDF5 file. Every fault of its content is an InputError that names file and dataset. The file must
-/// be known to be whole: the HDF5 library can crash on a damaged one.
+/// Reads an HDF5 file. Every fault of its content is reported as an InputError that names file and dataset.
+/// @pre the file is known to be whole, because the HDF5 library can crash on a damaged one
 class Hdf5Reader {
  public:
   /// @param place  name of the file in messages
-  /// @param path   by which it is opened
+  /// @param path   path under which the file is opened
   Hdf5Reader(std::string place, const std::string& path);
   ~Hdf5Reader();
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
-  /// "file:/path", the place in messages about one dataset.
+  /// Returns "file:/path", the place of one dataset in messages.
   std::string place(const std::string& path) const { return path == "/" ? place_ : place_ + ":/" + path; }
 
   bool has(const std::string& path) const;
@@ -84,8 +84,8 @@ class Hdf5Reader {
   void array(const std::string& path, const Shape& shape, std::vector<double>& values) const;
   void array(const std::string& path, const Shape& shape, std::vector<std::int32_t>& values) const;
   void array(const std::string& path, const Shape& shape, std::vector<std::uint8_t>& values) const;
-  /// Reads an array by blocks of rows.
-  /// @param take  is given the number of the first row of a block, and its values
+  /// Reads an array in blocks of rows.
+  /// @param take  called with the number of the first row of a block and its values
   template <class T>
   void rows(const std::string& path, const Shape& shape,
             const std::function<void(std::uint64_t, std::span<const T>)>& take) const;

@@ -22,7 +22,7 @@ bool is_header(std::string_view line) {
   return line.starts_with("N") && line.find("L1=") != std::string_view::npos;
 }
 
-/// The numbers of a text in which commas, braces and white space separate.
+/// Returns the numbers of a text, separated by commas, braces and white space.
 std::vector<double> numbers(const std::string& place, std::string_view text) {
   std::vector<double> values;
   constexpr std::string_view kSeparators = ",{} \t\r";
@@ -37,7 +37,7 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
   }
 }
 
-/// For messages about a wrong count of numbers: what to change where commas between digits may be why.
+/// Returns a hint for the message about a wrong count of numbers, if commas between digits may be the reason.
 const char* comma_hint(std::string_view text) {
   const auto is_digit = [&](std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
@@ -48,7 +48,7 @@ const char* comma_hint(std::string_view text) {
   return "";
 }
 
-/// The `count` numbers behind "key =" in a header, up to the next key.
+/// Returns the `count` numbers after "key =" in a header, up to the next key.
 std::vector<double> header_numbers(const std::string& place, std::string_view header, const std::string& key,
                                    std::size_t count) {
   std::vector<double> found;
@@ -95,7 +95,7 @@ class Lines {
   int number_ = 0;
 };
 
-/// Goes to the header of packing `index`.
+/// Advances to the header of packing `index`.
 void find_packing(const std::string& path, Lines& lines, int index) {
   int n_packings = 0;
   while (lines.next())
@@ -105,9 +105,10 @@ void find_packing(const std::string& path, Lines& lines, int index) {
   throw InputError(path, fmt::format("index = {}, but it holds packings 0 to {}", index, n_packings - 1));
 }
 
-/// Grains as they are listed, each brought into the cell.
+/// Reads the listed grains and moves each into the cell.
 Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell, int n) {
-  // X, y, radius: counted before room is made for as many as the header says.
+  // Columns x, y and radius. The numbers are counted before memory is reserved for the number of grains in the
+  // header.
   std::vector<Eigen::Vector3d> rows;
   while (static_cast<int>(rows.size()) < n && lines.next()) {
     if (lines.line().find('}') != std::string::npos || is_header(lines.line())) break;
@@ -168,6 +169,7 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   const auto l2 = header_numbers(place, header, "L2", 2);
   state.packing.cell.matrix << l1[0], l1[1], l2[0], l2[1];
   if (!(state.packing.cell.volume() > 0.0)) throw InputError(place, "L1 and L2 span no area");
+  // The format is frictionless and linear with K_N = 1 in its own units, so the law need not be given.
   LawParameters law;
   law.normal = LinearRepulsion{kNormalStiffness};
   state.packing.law = law;
@@ -177,6 +179,7 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   state.provenance.source = path;
   Imported imported;
   imported.state = std::move(state);
+  // P0 is the pressure that the packing was relaxed to, so its equilibrium is held to floc's own tolerance.
   imported.target_stress_known = true;
   return imported;
 }

@@ -17,13 +17,13 @@ struct LammpsBox {
   /// Rows are the lattice vectors.
   Eigen::Matrix3d matrix() const;
 
-  /// The same, a list each.
+  /// Lattice vectors (length), one list of three components per vector.
   std::vector<std::vector<double>> vectors() const;
 
   /// @throws InputError naming `place` if one of the first `dimension` sides is not positive
   void require_sides(const std::string& place, int dimension) const;
 
-  /// Whether z = 0 is in the middle of the box and this z is it, as LAMMPS asks for in two dimensions.
+  /// Whether `z` is 0 and this is the middle of the box, as LAMMPS requires in two dimensions.
   bool has_mid_plane(double z) const { return z == 0.0 && low[2] == -0.5 * side[2]; }
 };
 

@@ -26,25 +26,26 @@ double sphere_volume(double radius) {
   return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
 }
 
-/// What a data file says before its sections, and its atoms.
+/// Header and atoms of a data file.
 struct DataFile {
   LammpsBox box;
   std::string box_place;
   std::string title;  ///< the first line, which LAMMPS ignores
   std::int64_t n_atoms = -1;
   CsvTable atoms;
-  std::set<std::string> given;  ///< what lines of the header and sections have been there
+  std::set<std::string> given;  ///< keys of the header lines and names of the sections read so far
 };
 
 std::string without_comment(const std::string& line) {
   return std::string(trimmed(line.substr(0, line.find('#'))));
 }
 
-/// Takes one line of the header, "numbers keywords".
+/// Reads one line of the header, "numbers keywords".
 void read_header_line(const std::string& place, const std::vector<std::string>& tokens, DataFile& data) {
   std::vector<double> values;
   std::string key;
   for (const std::string& token : tokens) {
+    // A number with a decimal comma would become part of the keyword, and the line would be ignored: it is an error.
     if (const auto value = parse_number<double>(token); value && key.empty())
       values.push_back(*value);
     else if (const std::string hint = decimal_comma_hint(token); !hint.empty())
@@ -73,6 +74,8 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
     data.box.side[a] = values[1] - values[0];
     data.box_place = place;
   } else if (key.ends_with("xy xz yz")) {
+    // Other lines of the header (numbers of types, bonds, ...) do not affect the packing and are ignored. A line of
+    // the box with a misspelt keyword or a number that is not finite is an error, because its values would be lost.
     throw InputError(place, fmt::format("\"{}\", expected three finite numbers and xy xz yz", key));
   } else if (key.find("lo ") != std::string::npos) {
     throw InputError(place,
@@ -80,7 +83,7 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
   }
 }
 
-/// "Atoms # sphere": another style has no radii.
+/// Checks the style in "Atoms # sphere", because other styles have no radii.
 void check_style(const std::string& place, const std::string& line) {
   const std::size_t comment = line.find('#');
   if (comment == std::string::npos) return;
@@ -126,7 +129,7 @@ DataFile read_data(const std::string& path) {
   return data;
 }
 
-/// Words of the title that come after one of them, without the marks between them.
+/// Returns the words of the title after a given one, without punctuation.
 std::vector<std::string> words_after(const std::string& title, const std::string& word) {
   std::string words = title;
   std::replace_if(
@@ -137,7 +140,8 @@ std::vector<std::string> words_after(const std::string& title, const std::string
   return tokens;
 }
 
-/// The box, and what LAMMPS would be told beside the file and floc's title tells: "dimension 2", "boundary f f p".
+/// Returns the box, with the dimension and boundary in the title of floc ("dimension 2", "boundary f f p"). LAMMPS
+/// reads these two from its input script, not from a data file.
 ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grains) {
   ListedSpace space;
   space.place = data.box_place;
@@ -191,8 +195,8 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
 
 namespace {
 
-/// Rows are the lattice vectors: the first along x, the second in the plane, diagonal positive. `rotation`
-/// takes vectors of the packing there.
+/// Returns the lattice vectors as rows: the first along x, the second in the x-y plane, with a positive diagonal.
+/// @param rotation  set to the rotation of vectors of the packing into these axes
 template <int Dim>
 Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
   if (matrix.isLowerTriangular(0.0) && (matrix.diagonal().array() > 0.0).all()) {
@@ -221,7 +225,8 @@ void reduce_tilts(Mat<Dim>& rows) {
     for (int b = a - 1; b >= 0; --b) rows.row(a) -= sides_in_tilt(rows(a, b), rows(b, b)) * rows.row(b);
 }
 
-/// What the format has no place for, in the words of LAMMPS' commands, for its title.
+/// Describes the dimension, boundary and walls in the words of LAMMPS' commands. They go into the title, because the
+/// format has no other place for them.
 template <int Dim>
 std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
   std::string axes, boundary;
@@ -236,7 +241,8 @@ std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
                      boundary);
 }
 
-/// LAMMPS numbers atoms from 1: identifiers from 1 on are kept, others and indices are counted anew.
+/// Returns the numbers of the atoms. LAMMPS requires numbers from 1 on, so identifiers are kept only if all are at
+/// least 1; otherwise atoms are numbered 1, 2, ...
 template <int Dim>
 std::vector<std::int64_t> atom_numbers(const Grains<Dim>& grains) {
   std::vector<std::int64_t> numbers = grains.id;

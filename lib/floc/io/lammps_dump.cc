@@ -25,10 +25,10 @@ namespace {
 
 constexpr std::string_view kFrameBegins = "ITEM: TIMESTEP";
 
-/// The lines of one frame, and the first of the next.
+/// Lines of one frame, and the first line of the next.
 class FrameText {
  public:
-  /// @param first  line of the file that it begins on, from 1
+  /// @param first  number of its first line in the file, from 1
   FrameText(std::string path, int first) : path_(std::move(path)), first_(first) {}
 
   void add(std::string_view line) { lines_.push_back(line); }
@@ -37,7 +37,7 @@ class FrameText {
   int number(std::size_t at) const { return first_ + static_cast<int>(at); }
   std::string place(std::size_t at) const { return fmt::format("{}:{}", path_, number(at)); }
 
-  /// The line, which has to be there. @param what  what is expected in it
+  /// Returns a line, which must exist. @param what  expected content of the line, for messages
   std::string_view line(std::size_t at, const std::string& what) const {
     if (at < lines_.size()) return lines_[at];
     throw InputError(path_, fmt::format("ends at line {}, expected {}", number(lines_.size()) - 1, what));
@@ -56,10 +56,11 @@ class FrameText {
   PackedStrings lines_;
 };
 
-/// Goes through the frames of a dump, which may be longer than fits the memory, and keeps the last that is wanted.
+/// Reads the frames of a dump one by one, because the file may exceed the memory, and keeps the last of the selected
+/// ones.
 class FrameSearch {
  public:
-  /// @param wanted  by number of the frame, from 0, and its time step as it stands there
+  /// @param wanted  selects a frame by its number, from 0, and the text of its time step
   FrameSearch(const std::string& path, std::function<bool(int, std::string_view)> wanted)
       : path_(path), wanted_(std::move(wanted)) {
     std::string begun;  // a line of which the rest is in the next piece
@@ -84,7 +85,7 @@ class FrameSearch {
 
   int n_frames() const { return static_cast<int>(timesteps_.size()); }
   const std::vector<std::string>& timesteps() const { return timesteps_; }
-  /// Nothing where none was wanted.
+  /// Returns the frame kept; none if no frame was selected.
   const std::optional<FrameText>& found() const { return found_; }
 
  private:
@@ -97,7 +98,7 @@ class FrameSearch {
     keeps_ = false;
   }
 
-  /// The line after the first of a frame.
+  /// Takes in the line after the first one of a frame, which holds its time step.
   void pass_timestep(std::string_view line) {
     begins_ = false;
     timesteps_.emplace_back(line);
@@ -112,8 +113,8 @@ class FrameSearch {
   std::vector<std::string> timesteps_;
   std::optional<FrameText> found_;
   int n_lines_ = 0;
-  bool begins_ = false;  ///< the line before was the first of a frame
-  bool keeps_ = false;   ///< the frame that passes
+  bool begins_ = false;  ///< whether the previous line was the first of a frame
+  bool keeps_ = false;   ///< whether the present frame is kept
 };
 
 /// One frame: its time step, box and rows.
@@ -121,8 +122,8 @@ struct DumpFrame {
   std::int64_t timestep = 0;
   LammpsBox box;
   std::string box_place;
-  std::vector<std::string> flags;  ///< periodicity of x, y, z: "pp" each; fewer where the file says less
-  std::string header;              ///< the line that they stand in
+  std::vector<std::string> flags;  ///< periodicity of x, y, z, "pp" each; may be incomplete
+  std::string header;              ///< line that holds the flags
   CsvTable table;
 
   [[noreturn]] void refuse_header() const {
@@ -132,7 +133,8 @@ struct DumpFrame {
   }
 };
 
-/// Reads the three lines of a box whose header begins at `at`: bounds of what it occupies, then its tilts.
+/// Reads the three lines of a box whose header is at `at`: the bounds of the enclosing orthogonal box, each followed
+/// by a tilt.
 void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   std::vector<std::string> tokens = tokenize(dump[at].substr(std::string("ITEM: BOX BOUNDS").size()));
   const bool tilted = !tokens.empty() && tokens[0] == "xy";
@@ -156,6 +158,8 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
                        fmt::format("has {} numbers, expected {}", rows[a].size(), what));
   }
   const double xy = tilted ? rows[0][2] : 0.0, xz = tilted ? rows[1][2] : 0.0, yz = tilted ? rows[2][2] : 0.0;
+  // The bounds of a triclinic box enclose the tilted box; its sides follow by subtracting the tilts (LAMMPS manual,
+  // Howto triclinic).
   rows[0][0] -= std::min({0.0, xy, xz, xy + xz});
   rows[0][1] -= std::max({0.0, xy, xz, xy + xz});
   rows[1][0] -= std::min(0.0, yz);
@@ -167,12 +171,13 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   frame.box.xy = xy, frame.box.xz = xz, frame.box.yz = yz;
 }
 
-/// @param items  "ATOMS" or "ENTRIES"
+/// Reads one frame: time step, box and rows. @param items  "ATOMS" or "ENTRIES"
 DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   DumpFrame frame;
   frame.timestep = dump.integer(1, "the time step");
   std::int64_t n = -1;
   std::size_t at = 2;
+  // Items may come in any order before the rows; TIME and UNITS, which LAMMPS writes on request, are skipped.
   for (;;) {
     const std::string_view line = dump.line(at, "ITEM: " + items);
     const bool counts = line.starts_with("ITEM: NUMBER OF "), bounds = line.starts_with("ITEM: BOX BOUNDS");
@@ -198,6 +203,7 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   for (std::size_t row = at + 1; row <= at + static_cast<std::size_t>(n); ++row) {
     const std::string what = fmt::format("row {} of {}", row - at, n);
     const std::string_view line = dump.line(row, what);
+    // A frame that was cut short would otherwise take the header of the next frame as a row.
     if (line.starts_with("ITEM:"))
       throw InputError(dump.place(row), fmt::format("\"{}\", expected {}", line, what));
     frame.table.add_row(dump.number(row), tokenize(line));
@@ -205,7 +211,7 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   return frame;
 }
 
-/// The frame with the index asked for, or the last.
+/// Returns the frame with the given index, or the last one.
 DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options,
                            std::vector<std::string>& remarks) {
   const FrameSearch search(
@@ -219,7 +225,7 @@ DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options
   return frame;
 }
 
-/// The frame of a `dump local` with a given time step, or without one any; of several the last.
+/// Returns the frame of a `dump local` with a given time step or, without one, any; the last of several.
 CsvTable read_contact_frame(const std::string& path, std::optional<std::int64_t> timestep) {
   const FrameSearch search(path, [&](int, std::string_view line) {
     return !timestep || parse_number<std::int64_t>(line) == timestep;
@@ -229,7 +235,8 @@ CsvTable read_contact_frame(const std::string& path, std::optional<std::int64_t>
                                      fmt::join(search.timesteps(), ", ")));
 }
 
-/// Names of the columns of positions: x, or what this dump has in its place. @return whether they are scaled
+/// Sets the names of the columns of positions: x, or its variant in this dump. @return whether the positions are
+/// scaled
 bool find_positions(const CsvTable& table, std::map<std::string, std::string>& names) {
   for (const char* suffix : {"", "u", "s", "su"}) {
     if (names.contains("x") || !table.has(std::string("x") + suffix)) continue;
@@ -255,7 +262,7 @@ std::vector<ListedGrain> grains_of(const DumpFrame& frame, const ImportOptions& 
   return grains;
 }
 
-/// What the frame says of its box; nothing where `options.cell` replaces it, whatever its flags.
+/// Reads cell and periodicity of a frame; empty if `options.cell` replaces the box, whatever its flags are.
 ListedSpace space_of(const DumpFrame& frame, const std::vector<ListedGrain>& grains,
                      const ImportOptions& options) {
   ListedSpace space;
@@ -290,7 +297,7 @@ Imported read_lammps_dump(const std::string& path, const ImportOptions& options)
   listed.drop_tensile = options.drop_tensile;
   DumpFrame frame = read_grain_frame(path, options, listed.remarks);
   listed.grains = grains_of(frame, options);
-  frame.table = {};  // which takes more room than all that follows from it
+  frame.table = {};  // releases the largest part of the memory
   const int dimension = settle_space(space_of(frame, listed.grains, options), options, listed);
   if (options.cell.empty()) frame.box.require_sides(frame.box_place, dimension);
   listed.contacts = read_contact_file(options, dimension, frame.timestep);

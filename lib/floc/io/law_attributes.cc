@@ -23,8 +23,8 @@ int keyword_index(const Hdf5Reader& file, const std::string& group, const std::s
                                                   fmt::join(known, ", ")));
 }
 
-/// The attributes that a file has for a slot, each key once: those of the model present (-1: none), and of
-/// models that are in every file.
+/// Returns the keys of the attributes of a slot, each once: those of its present model (-1: none) and of the models
+/// that are in every file.
 std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool choices) {
   std::vector<std::string> keys;
   const auto add = [&](const std::string& key) {
@@ -45,8 +45,8 @@ std::string attribute_name(const std::string& slot, const std::string& key) {
   return slot + "_" + key;
 }
 
-/// Whether files name the slot of every law, also of one that leaves it empty: all but those of models that came
-/// later.
+/// Whether files contain the keyword of the slot for every law, even if the slot is empty. This holds for all slots
+/// except those whose models were added to the format later.
 bool is_named_in_every_file(const DeclaredSlot& slot) {
   return std::any_of(slot.models.begin(), slot.models.end(),
                      [](const DeclaredModel& model) { return model.is_in_every_file; });
@@ -71,7 +71,9 @@ void write_slot(Hdf5Writer& file, const std::string& group, const DeclaredSlot& 
   }
 }
 
-/// Files hold zeros and "none" for what models have that the law does not. @param present  model of the slot, -1: none
+/// Checks that parameters of models other than the present one are zero or "none". @param present  model of the slot;
+/// -1: none
+/// @throws InputError naming the attribute
 void require_nothing_else(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot,
                           int present) {
   const auto is_present = [&](const std::string& key) {

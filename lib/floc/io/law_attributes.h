@@ -7,12 +7,14 @@
 
 namespace floc {
 
-/// Writes a contact law as attributes of a group: a keyword for each slot, "none" where it is absent,
-/// and every parameter, zero where it is absent.
+/// Writes a contact law as attributes of a group: the keyword of each slot ("none" if it is empty) and every
+/// parameter (zero if it is absent). Slots and models that are not in every file are written only if the law has
+/// them.
 void write_law(Hdf5Writer& file, const Law& law, const std::string& group = "law");
 
-/// @throws InputError naming file and attribute for an unknown keyword, a parameter that no law can have, or a
-/// law that is not for packings of this dimension.
+/// Reads a contact law from the attributes of a group.
+/// @throws InputError naming file and attribute for an unknown keyword, an invalid parameter, or a law that does not
+/// apply to packings of this dimension
 Law read_law(const Hdf5Reader& file, int dimension, const std::string& group = "law");
 
 }  // namespace floc

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// The key that names the model of a slot; needed only where its numbers do not identify it.
+/// Key of the model of a slot; it is needed only if the numbers of the slot do not identify the model.
 constexpr const char* kLaw = "law";
 
 bool has_key(const DeclaredModel& model, const std::string& key) {
@@ -40,9 +40,9 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// The model that the keys given for a slot describe: of those that have all of them one that goes together with
-/// the slots before it, and of these one that lacks none of its numbers; else one that comes closest, so that
-/// what is wrong can be said.
+/// Selects the model that the keys given for a slot describe. Preferred is a model that has all of these keys, then
+/// one that is compatible with the slots before it, then one of which no number is missing. If no model has all of
+/// the keys, the first of the slot is returned, so that the fault can be reported.
 const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given,
                                      const LawParameters& before) {
   const auto has_all = [&](const DeclaredModel& m) {
@@ -75,7 +75,7 @@ class LawText {
 
   std::string keyword(const std::string& key) const { return values_.at(key); }
 
-  /// Keys given for a slot, without its name and without that of its model.
+  /// Returns the keys given for a slot, without its name and without the key of its model.
   std::vector<std::string> keys_of(const std::string& slot) const {
     std::vector<std::string> keys;
     for (const auto& [key, value] : values_)

@@ -19,12 +19,12 @@ double positive(const CsvTable& table, int row, int column) {
   throw InputError(table.place(row), fmt::format("{} = {}, must be positive", table.columns()[column], value));
 }
 
-/// Column of a name, or -1.
+/// Returns the column of a name, or -1.
 int column_if(const NamedColumns& columns, const std::string& name) {
   return columns.has(name) ? columns.column(name) : -1;
 }
 
-/// The columns name1, name2, ...; none if the first is not there.
+/// Returns the columns name1, name2, ...; none if the first one does not exist.
 std::vector<int> numbered(const NamedColumns& columns, const std::string& name, int count) {
   std::vector<int> found;
   if (columns.has(name + "1"))
@@ -52,7 +52,7 @@ int image_of(const CsvTable& table, int row, int column) {
                                                  table.columns()[column], image));
 }
 
-/// Columns of a list of contacts; -1 or empty where it has none.
+/// Columns of a list of contacts; -1 or empty if the list lacks them.
 struct ContactColumns {
   int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment;
   std::vector<int> image, force, shear_force, rolling_moment;
@@ -86,11 +86,13 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.force = vector_of(table, row, columns.force);
   c.normal_force = number_of(table, row, columns.normal_force);
   c.shear_force = vector_of(table, row, columns.shear_force);
+  // force1.. is the normal part alone if the shear force is listed as well; `force` holds their sum.
   if (c.force && c.shear_force) {
     *c.force += *c.shear_force;
     c.shear_force.reset();
   }
   c.rolling_moment = vector_of(table, row, columns.rolling_moment);
+  // In two dimensions the moment is a scalar, stored as the third component.
   if (columns.rolling_moment_2d >= 0)
     c.rolling_moment = Eigen::Vector3d(0.0, 0.0, table.number(row, columns.rolling_moment_2d));
   c.twisting_moment = number_of(table, row, columns.twisting_moment);
@@ -144,6 +146,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
   for (const SizeColumn& size :
        size_columns([&](const std::string& name) { return columns.has(name); }, columns.names()))
     sizes.emplace_back(size, columns.column(size.name));
+  // Throws the error about the missing column "radius", which lists the columns of the table.
   if (sizes.empty()) columns.column("radius");
   const int mass = column_if(columns, "mass");
   const int id = column_if(columns, "id");
@@ -157,6 +160,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
     for (std::size_t k = 0; k < axis.size(); ++k) {
       const DoubleDouble x = table.double_double_number(row, axis[k]);
       grain.position[k] = x.high;
+      // Offsets that the file gives replace those that follow from the digits of x.
       grain.position_low[k] = low[k] >= 0 ? table.number(row, low[k]) : x.low;
     }
     for (const auto& [size, column] : sizes) {

@@ -24,7 +24,7 @@ Identifiers::Identifiers(const ListedPacking& listed) : listed_(listed) {
   index_.reserve(grains.size());
   for (const ListedGrain& grain : grains) index_.emplace_back(grain.id, static_cast<int>(index_.size()));
   std::sort(index_.begin(), index_.end());
-  // Of identifiers given twice, the one that a reader of the file meets first.
+  // The error names the repeated identifier that comes first in the file.
   int twice = static_cast<int>(grains.size());
   for (std::size_t k = 1; k < index_.size(); ++k)
     if (index_[k].first == index_[k - 1].first) twice = std::min(twice, index_[k].second);

@@ -21,23 +21,24 @@
 namespace floc {
 namespace {
 
-/// A tangential force this close to its cap, relative, is at it: files print six digits or more.
+/// Relative distance from its limit below which a tangential force counts as mobilised: files print six digits or
+/// more.
 constexpr double kCapTolerance = 1e-6;
 /// A tangential force below this fraction of the normal one is rounding.
 constexpr double kNoShear = 1e-9;
-/// Rounding of a product of two vectors, of the product of their lengths.
+/// Rounding error of a scalar product, relative to the product of the lengths of the two vectors.
 constexpr double kRounding = 1e-15;
 /// Images farther away, in cells, do not fit an integer.
 constexpr double kFarthest = 1e9;
 /// A force below this fraction of the largest listed is rounding.
 constexpr double kNoForce = 1e-9;
-/// Surfaces that are farther apart than the law reaches and this fraction of the mean diameter do not touch,
-/// whatever few digits the file has.
+/// Surfaces farther apart than the range of the law plus this fraction of the mean diameter do not touch, even if
+/// the file has few digits.
 constexpr double kFarthestGap = 0.1;
-/// The normal part of a force and a normal force listed beside it agree to this, of the force: positions of six
-/// digits turn the branch by less.
+/// Largest difference of the normal part of a force and the normal force listed beside it, relative to the force:
+/// positions with six digits rotate the branch by less.
 constexpr double kSameForce = 1e-3;
-/// Lattice vectors that are parallel but for rounding span no volume.
+/// Relative volume of the cell below which its vectors are parallel within rounding.
 constexpr double kFlat = 1e-12;
 
 template <int Dim>
@@ -75,7 +76,7 @@ Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
   return grains;
 }
 
-/// A number of cells along each lattice vector, as integers.
+/// Converts numbers of cells along the lattice vectors to integers. @throws InputError beyond kFarthest
 template <int Dim>
 Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells) {
   if (!(cells.cwiseAbs().maxCoeff() < kFarthest))
@@ -84,15 +85,16 @@ Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells) {
   return cells.template cast<int>();
 }
 
-/// Smallest distance of two opposite faces of the cell.
+/// Returns the smallest distance of two opposite faces of the cell (length).
 template <int Dim>
 double smallest_width(const Cell<Dim>& cell) {
-  // The columns of the inverse are normal to the faces, one over the distance long.
+  // The columns of the inverse are normal to the faces; their length is the inverse of the distance.
   return 1.0 / cell.matrix.inverse().colwise().norm().maxCoeff();
 }
 
-/// The image of j nearest to i. Searched around the one that is nearest in reduced coordinates: in a skewed
-/// cell they can differ, by one step a direction unless the cell is so slanted that it should be reduced first.
+/// Returns the image of j that is nearest to i. It is searched among the neighbours of the image that is nearest in
+/// reduced coordinates: in a skewed cell the two can differ, by at most one step per direction unless the cell is so
+/// skewed that it should be reduced first.
 template <int Dim>
 Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const FileLine& place, int i, int j) {
   const Vec<Dim> apart = packing.grains.position[j] - packing.grains.position[i];
@@ -112,8 +114,8 @@ Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const FileLine& place, 
   return best;
 }
 
-/// Whether grains are to be exchanged: the one of lower index comes first, and of two opposite images of one
-/// grain the one find_pairs() names.
+/// Whether the two grains must be exchanged: the grain of lower index comes first, and of two opposite images of one
+/// grain the one that find_pairs() uses is kept.
 template <int Dim>
 bool is_reversed(const Contact<Dim>& c) {
   if (c.i != c.j) return c.i > c.j;
@@ -121,13 +123,13 @@ bool is_reversed(const Contact<Dim>& c) {
   return std::lexicographical_compare(c.image.begin(), c.image.end(), zero.begin(), zero.end());
 }
 
-/// Forces a list gives, on the first grain of the contact.
+/// Forces that a list gives, acting on the first grain of the contact.
 template <int Dim>
 struct GivenForces {
   std::optional<double> normal;
   std::optional<Vec<Dim>> shear;
   std::optional<RotationVector<Dim>> rolling;
-  std::optional<double> twisting;  ///< the same whichever grain is the first
+  std::optional<double> twisting;  ///< independent of the order of the two grains
 };
 
 template <int Dim>
@@ -138,7 +140,7 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   if (listed.shear_force) {
     const Vec<Dim> on_first = sign * listed.shear_force->template head<Dim>();
     const double along = normal.dot(on_first);
-    // What is tangential but for rounding is kept to the last digit.
+    // A force that is tangential within rounding keeps all of its digits.
     given.shear = on_first;
     if (std::abs(along) > kRounding * on_first.norm()) *given.shear -= normal * along;
   }
@@ -158,7 +160,8 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   return given;
 }
 
-/// Lays forces that were given over those of the law.
+/// Replaces forces of the law by the forces and stiffnesses that the list gives.
+/// @throws InputError for a force or stiffness of a kind that the law lacks
 template <int Dim>
 void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const GivenForces<Dim>& given,
                 Contact<Dim>& c) {
@@ -185,7 +188,7 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
   if (listed.ktw && law.has_twisting() && !c.distant) c.ktw = *listed.ktw;
 }
 
-/// @throws InputError for a stiffness that no spring of surfaces that touch has
+/// @throws InputError for a stiffness that is impossible for surfaces in contact
 void require_stiffness(const ListedContact& listed, const char* name, const std::optional<double>& value,
                        bool right, const char* expected) {
   if (value && !right)
@@ -198,7 +201,7 @@ void require_stiffnesses(const ListedContact& listed) {
   require_stiffness(listed, "ktw", listed.ktw, listed.ktw >= 0.0, "a twisting stiffness >= 0");
 }
 
-/// Makes contacts of the rows of a list, and counts what had to be done to them.
+/// Makes contacts from the rows of a list, and counts those that need special treatment.
 template <int Dim>
 class ListedContacts {
  public:
@@ -211,7 +214,8 @@ class ListedContacts {
     for (const ListedContact& row : *listed.contacts) largest_force_ = std::max(largest_force_, force_of(row));
   }
 
-  /// The contact, filled from the law and with the forces that were given laid over it; none if it is left out.
+  /// Makes the contact of a row: forces that the list gives replace those of the law. Returns none if the contact is
+  /// dropped.
   std::optional<Contact<Dim>> place(const ListedContact& row) {
     Contact<Dim> c;
     c.i = identifiers_.index(row.place, "id1", row.id1);
@@ -250,7 +254,7 @@ class ListedContacts {
     }
     require_stiffnesses(row);
     set_forces(packing_, row, given, c);
-    // That of a distant attraction is negative.
+    // kn of an attraction across a gap is negative, so its sign is tested only for surfaces that touch.
     if (!c.distant)
       require_stiffness(row, "kn", row.kn, row.kn > 0.0,
                         "a positive number, the stiffness of surfaces that touch");
@@ -264,7 +268,7 @@ class ListedContacts {
     return counts;
   }
 
-  /// @throws InputError if contacts pull under a law without adhesion: a network without them is another one.
+  /// @throws InputError if contacts pull under a law without adhesion, because dropping them changes the network
   void require_no_tensile() const {
     if (counts_.n_tensile == 0) return;
     const bool adhesive_law_exists = packing_.law.force_exponent() == 1.0;
@@ -289,7 +293,7 @@ class ListedContacts {
   void compare_stiffnesses(const ListedContact& row, const Contact<Dim>& c) {
     if (!row.has_stiffness()) return;
     Contact<Dim> touching = c;
-    // A list need not say where the liquid is: there is some wherever surfaces touch.
+    // A list may omit liquid bridges; surfaces that touch then have one, which contributes its full strength.
     if (const CapillaryAdhesion* liquid = packing_.law.liquid();
         liquid != nullptr && touches(packing_, c) && bridge_volume(packing_, c) == 0.0)
       touching.elastic_force = std::max(
@@ -300,7 +304,7 @@ class ListedContacts {
                      by_law, fmt::format("{}-{}", row.id1, row.id2));
   }
 
-  /// Size of the forces that a row gives (force).
+  /// Returns the size of the largest force that a row gives (force).
   static double force_of(const ListedContact& row) {
     const auto norm = [](const std::optional<Eigen::Vector3d>& v) { return v ? v->norm() : 0.0; };
     return std::max({norm(row.force), std::abs(row.normal_force.value_or(0.0)), norm(row.shear_force)});
@@ -314,7 +318,7 @@ class ListedContacts {
     return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
   }
 
-  /// @throws InputError for liquid under a law without
+  /// Sets the volume of the liquid bridge. @throws InputError for liquid under a law without it
   void set_liquid(const ListedContact& row, Contact<Dim>& c) const {
     if (!row.bridge_volume) return;
     if (!holds_liquid(packing_) && *row.bridge_volume != 0.0)
@@ -325,8 +329,8 @@ class ListedContacts {
     if (holds_liquid(packing_)) set_bridge_volume(*row.bridge_volume, c);
   }
 
-  /// The image listed, or the nearest one, also where the one listed cannot be: programs list images that go
-  /// with positions outside of the cell, beside positions that were brought into it.
+  /// Sets the image: the listed one or, if it is missing or impossible, the nearest one. Some programs list images
+  /// that belong to positions outside the cell together with positions moved into it.
   void set_image(const ListedContact& row, Contact<Dim>& c) {
     if (row.image) c.image = row.image->template head<Dim>();
     if (row.image && c.i == c.j && c.image.isZero())
@@ -337,7 +341,7 @@ class ListedContacts {
     if (row.image && can_touch(c)) ++counts_.n_other_image;
   }
 
-  /// @throws InputError if no image of one grain that an integer names is near the other
+  /// @throws InputError if no image that fits an integer is near the other grain
   void require_within_reach(const Contact<Dim>& c) const {
     const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
     if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthest) return;
@@ -346,7 +350,7 @@ class ListedContacts {
                                  listed_.grains[c.j].place.text()));
   }
 
-  /// @throws InputError if no contact can be there, or another image may be as near
+  /// @throws InputError if no contact is possible there, or another image may be equally near
   void require_possible(const ListedContact& row, const Contact<Dim>& c) const {
     const double distance = branch(packing_, c).norm();
     const bool chosen = !row.image || c.image != row.image->template head<Dim>();
@@ -402,7 +406,7 @@ ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers&
   return contacts.counts();
 }
 
-/// Brings every grain into the cell; images of contacts follow.
+/// Moves every grain into the cell and updates the images of contacts.
 template <int Dim>
 void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
   std::vector<Vec<Dim, int>> moved;
@@ -432,7 +436,8 @@ bool lists_liquid(const ListedPacking& listed) {
                      [](const ListedContact& c) { return c.bridge_volume.has_value(); });
 }
 
-/// The liquid listed is that of the law, but for the digits of the file.
+/// Reports an inconsistency if the listed volume of liquid differs from that of the law by more than the digits of
+/// files.
 template <int Dim>
 void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& inconsistencies) {
   constexpr double kDigits = 1e-6;

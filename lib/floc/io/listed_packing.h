@@ -16,7 +16,7 @@ struct ListedGrain {
   FileLine place;                                          ///< "file:line", for messages
   std::int64_t id = 0;                                     ///< unique in the file
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< centre, inside the cell or not (length)
-  Eigen::Vector3d position_low = Eigen::Vector3d::Zero();  ///< what the file's digits say beyond these doubles
+  Eigen::Vector3d position_low = Eigen::Vector3d::Zero();  ///< position in the file minus `position`
   double radius = 0.0;                                     ///< (length)
   std::optional<double> mass;                              ///< none: unit mass at unit diameter
 };
@@ -28,16 +28,16 @@ struct ListedContact {
   std::int64_t id2 = 0;
   /// branch = x[id2] + image * cell - x[id1] with the positions of the file; none: the nearest image.
   std::optional<Eigen::Vector3i> image;
-  std::optional<Eigen::Vector3d> force;  ///< all of it: normal and tangential; or these two:
-  std::optional<double> normal_force;    ///< positive in compression; none: follows from the law
+  std::optional<Eigen::Vector3d> force;  ///< total force; or else its two parts:
+  std::optional<double> normal_force;    ///< positive in compression; none: given by the law
   std::optional<Eigen::Vector3d> shear_force;
   std::optional<Eigen::Vector3d> rolling_moment;
   std::optional<double> twisting_moment;  ///< about the normal from id1 to id2
-  std::optional<double> kn;               ///< none: the law's (force/length)
+  std::optional<double> kn;               ///< (force/length); none: given by the law
   std::optional<double> kt;
-  std::optional<double> kr;   ///< (force * length); springs of rolling follow from the law's
-  std::optional<double> ktw;  ///< the same of twisting
-  /// Of the liquid at it, negative where the bridge has broken (length^3).
+  std::optional<double> kr;   ///< (force * length)
+  std::optional<double> ktw;  ///< twisting stiffness (force * length)
+  /// Volume of the liquid bridge (length^3); negative if the bridge has broken.
   std::optional<double> bridge_volume;
 
   bool has_stiffness() const { return kn || kt || kr || ktw; }
@@ -46,7 +46,7 @@ struct ListedContact {
 /// A packing as a file lists it.
 struct ListedPacking {
   std::string place;       ///< the file
-  std::string cell_place;  ///< where its cell was given, for messages
+  std::string cell_place;  ///< place where the cell is given, for messages
   /// Lattice vectors, one per row (length); their number is the dimension.
   std::vector<std::vector<double>> cell;
   Law law;
@@ -58,19 +58,20 @@ struct ListedPacking {
   std::vector<std::string> inconsistencies;
 };
 
-/// The law of `--law`. @throws InputError naming `path`, whose file does not say the law, if there is none.
+/// Returns the law given by `--law`. @throws InputError naming `path`, a file that does not contain the law, if none
+/// is given
 const Law& required_law(const std::string& path, const ImportOptions& options);
 
-/// Puts a packing together: identifiers become indices, grains are brought into the cell, contacts are
-/// completed by the law and sorted, springs are stretched to the forces that were given. Forces are kept to the
-/// last digit: the part of `force` along the branch is normal force, the rest tangential. Listed neighbours
-/// that do not touch, carry nothing and are out of the law's reach are left out; an image at which two grains
-/// cannot touch gives way to the nearest one.
-/// @throws InputError naming place, value and what was expected: no grains, a repeated identifier, a cell
-/// without volume; a contact of an unknown grain, listed twice, out of the law's reach where no force is listed
-/// at all, with a force though no image of the grains is near, that pulls under a law without adhesion (unless
-/// `drop_tensile`), or without an image where a branch of half the cell or more leaves two as near; a stiffness
-/// that is none, forces that contradict each other.
+/// Assembles a packing from listed grains and contacts. Identifiers become indices, grains are moved into the cell,
+/// contacts are completed by the law and sorted, and springs are stretched to the given forces. Forces are kept to
+/// the last digit: the part of `force` along the branch becomes the normal force, the rest the tangential force. A
+/// listed neighbour is dropped if it does not touch, carries no force and is outside the range of the law. An image
+/// at which two grains cannot touch is replaced by the nearest one.
+/// @throws InputError naming place, value and expectation: no grains, a repeated identifier, a cell without volume; a
+/// contact of an unknown grain, a contact listed twice, a contact out of the range of the law in a list without any
+/// forces, a contact with a force but without a near image of its grains, a tensile contact under a law without
+/// adhesion (unless `drop_tensile`), or a contact without an image whose branch is half the cell or longer, so that
+/// two images are equally near; an invalid stiffness; forces that contradict each other
 Imported assemble(const ListedPacking& listed);
 
 }  // namespace floc

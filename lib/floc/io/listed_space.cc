@@ -11,10 +11,11 @@
 namespace floc {
 namespace {
 
-/// Spheres that overlap their images by more of their diameter are none: the third side of disks is any length.
+/// Largest overlap of spheres with their own images, relative to the diameter. Grains that would overlap by more are
+/// disks, for which the third side of the cell is arbitrary.
 constexpr double kDeepestOverlap = 0.1;
 
-/// Heights of disks agree up to this fraction of the smallest diameter, whatever few digits the file has.
+/// Largest difference in height of disks, relative to the smallest diameter; it allows for files with few digits.
 constexpr double kOnePlane = 1e-6;
 
 struct Guess {
@@ -23,13 +24,13 @@ struct Guess {
   bool doubtful = false;
 };
 
-/// Whether a lattice vector of the plane leaves it, or the third one leans.
+/// Whether one of the first two lattice vectors has a component along z, or the third one a component across it.
 bool tilts_along_z(const std::vector<std::vector<double>>& cell) {
   return cell[0][2] != 0.0 || cell[1][2] != 0.0 || cell[2][0] != 0.0 || cell[2][1] != 0.0;
 }
 
-/// What one layer of grains is whose images along z are `height` apart: a sphere touches its own image where that
-/// is less than its diameter.
+/// Guesses the dimension of one layer of grains whose images along z are `height` apart. A sphere touches its own
+/// image if `height` is less than its diameter.
 Guess guess_of_layer(const std::vector<ListedGrain>& grains, double height, bool mid_plane) {
   std::size_t n_touching = 0;
   double largest = 0.0;
@@ -86,6 +87,7 @@ void require_periodic(const ListedSpace& space, int dimension, std::vector<std::
 int settle_space(const ListedSpace& space, const ImportOptions& options, ListedPacking& listed) {
   if (listed.grains.empty()) throw InputError(listed.place, "has no grains");
   int dimension = 0;
+  // Options of the user take precedence over the file, and the file over a guess.
   if (options.dimension || !options.cell.empty() || space.dimension) {
     const int of_cell = static_cast<int>(options.cell.size());
     dimension = options.dimension ? *options.dimension : of_cell > 0 ? of_cell : *space.dimension;
@@ -95,6 +97,7 @@ int settle_space(const ListedSpace& space, const ImportOptions& options, ListedP
     if (!guess.words.empty())
       (guess.doubtful ? listed.inconsistencies : listed.remarks).push_back(std::move(guess.words));
   }
+  // A cell given by the user is periodic by definition, so the boundary of the file is not checked.
   if (!options.cell.empty()) {
     listed.cell_place = "--cell";
     listed.cell = options.cell;

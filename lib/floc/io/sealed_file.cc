@@ -24,7 +24,7 @@ static_assert(kSealBegin.size() + 64 + kSealEnd.size() == kSealSize);
 
 constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
-/// Whether HDF5 can open it by its name, which it resolves first; a file in memory has none.
+/// Whether HDF5 can open the file by its name, which it resolves first; a file in memory has no such name.
 bool is_plain_file(const std::string& path) {
   std::error_code error;
   return path != "-" && std::filesystem::is_regular_file(path, error) &&
@@ -39,7 +39,7 @@ std::unique_ptr<TemporaryFile> copy_of(const std::string& path) {
   return copy;
 }
 
-/// At most n bytes from a place of a file; fewer where it ends.
+/// Returns at most n bytes from a position of a file; fewer at its end.
 std::string_view read_at(int fd, const std::string& path, std::size_t offset, std::size_t n,
                          std::vector<char>& buffer) {
   buffer.resize(n);

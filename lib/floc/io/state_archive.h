@@ -17,10 +17,10 @@
 
 namespace floc {
 
-/// Text of the `units` attribute of what an array measures. @param system  "SI" or "reduced"
+/// Returns the `units` attribute of an array with this quantity. @param system  "SI" or "reduced"
 std::string units_of(Quantity quantity, const std::string& system, int dim);
 
-/// How one item of an array lies in a row: its components, stored as real numbers, integers or flags.
+/// Layout of one item of an array in a row: its number of components, stored as real numbers, integers or flags.
 template <class T>
 struct ArchiveItem {
   using Stored = double;
@@ -64,7 +64,7 @@ struct ArchiveItem<Eigen::Quaterniond> {
   static void set(Eigen::Quaterniond& q, int k, double value) { (k == 0 ? q.w() : q.vec()[k - 1]) = value; }
 };
 
-/// One row per item; items of one component make a flat array.
+/// Returns the shape of an array with one row per item; an array of single components is flat.
 inline Shape shape_of(std::size_t n, int components) {
   if (components == 1) return {n};
   return {n, static_cast<std::uint64_t>(components)};
@@ -74,7 +74,7 @@ inline constexpr auto kItself = [](auto& item) -> auto& {
   return item;
 };
 
-/// Writes what the layout of a state describes (state_layout.h) into a file.
+/// Writes the fields of the layout of a state (state_layout.h) to a file.
 class WritingArchive {
  public:
   WritingArchive(Hdf5Writer& file, std::string units, int dim)
@@ -120,7 +120,7 @@ class WritingArchive {
   void value(const char* group, const char* name, const T& v) {
     file_.attribute(group, name, v);
   }
-  /// A value that files of this version need not have.
+  /// Writes a value that is optional in files of this version.
   template <class T>
   void value_if_there(const char* group, const char* name, const T& v) {
     value(group, name, v);
@@ -137,12 +137,13 @@ class WritingArchive {
   int dim_;
 };
 
-/// Reads it back. Arrays of another shape and numbers that are not finite are refused with an InputError.
+/// Reads the fields that WritingArchive writes. An array of another shape, or a number that is not finite, throws an
+/// InputError.
 class ReadingArchive {
  public:
   explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}
 
-  /// Fills one member of each of `items`, whose number is already right.
+  /// Fills one member of each of `items`, which already has the right size.
   template <class Items, class Get>
   void rows(const Field& field, Items& items, const Get& get) {
     using Layout = ArchiveItem<std::remove_cvref_t<decltype(get(items.front()))>>;
@@ -197,7 +198,8 @@ class ReadingArchive {
   }
 
  private:
-  /// @param first  number of the first of the rows, each with that many components
+  /// Checks that all numbers of a block are finite.
+  /// @param first  number of the first row of the block  @param components  numbers per row
   template <class T>
   void check_finite(const Field& field, std::uint64_t first, std::size_t components,
                     std::span<const T> values) const {

@@ -64,7 +64,7 @@ void write_equilibrium(WritingArchive& archive, const State<Dim>& s) {
   if (s.packing.law.liquid()) archive.put(kUnsettled, {}, std::vector<std::int32_t>{s.n_bridges_unsettled});
 }
 
-/// Only of states that have such a load.
+/// Writes the load along individual axes, for states that have one.
 template <int Dim>
 void write_directed_load(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& s) {
   if (!s.target_side.isZero(0.0))
@@ -107,7 +107,7 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   const auto target = archive.take<double>(kTarget, {Dim});
   for (int a = 0; a < Dim; ++a) s.target_stress[a] = target[a];
   archive.matrix(kStress, s.stress);
-  // Residuals alone may be infinite: those of a packing that has no scale of force.
+  // Only residuals may be infinite: those of a packing without a scale of force.
   std::vector<double> r;
   file.array(kResiduals.path, {4}, r);
   s.residuals.force = r[0], s.residuals.moment = r[1], s.residuals.stress = r[2], s.residuals.energy = r[3];
@@ -117,8 +117,8 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   if (file.has(kUnsettled.path)) s.n_bridges_unsettled = archive.take<std::int32_t>(kUnsettled, {})[0];
 }
 
-/// Groups that a state may have beside those that every one has, so that physics to come needs no new version:
-/// the root attribute `features` names them, and a reader refuses one that it does not know.
+/// Optional groups of a state. The root attribute `features` names those present, and a reader rejects a file with
+/// one that it does not support. New physics therefore needs no new version of the format.
 const std::string kContactMemory = "contacts/memory";
 const std::string kNoFeatures = "none";
 const std::string kWalls = "walls";
@@ -147,7 +147,7 @@ Quantity quantity_of(Unit unit) {
   return Quantity::ratio;
 }
 
-/// What contacts remember, under the law between grains or that of the walls.
+/// Returns the history quantities of contacts, under the law between grains and that of the walls.
 template <int Dim>
 std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   std::vector<HistoryQuantity> all = history_quantities(packing.law, Dim);
@@ -160,7 +160,7 @@ std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   return all;
 }
 
-/// One array of a quantity that contacts remember: a row a contact.
+/// Writes the history of contacts: one array per quantity, with one row per contact.
 template <int Dim>
 void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   for (const HistoryQuantity& q : quantities_of(packing)) {
@@ -175,7 +175,7 @@ void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   }
 }
 
-/// An array that files of version 1 have whatever the law.
+/// Array that files of version 1 contain under every law.
 struct Version1Name {
   const char* name;
   HistoryKind kind;
@@ -191,7 +191,8 @@ bool remembers(const Packing<Dim>& packing, const std::string& name) {
                      [&](const HistoryQuantity& q) { return name == q.declared.name; });
 }
 
-/// Scripts find them under their names of then, zeros where the law remembers nothing of the kind.
+/// Writes the history also under the names of version 1, for scripts that read these; zeros if the law has no such
+/// history.
 template <int Dim>
 void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
   for (const Version1Name& known : kVersion1Names) {
@@ -219,7 +220,7 @@ void check_version_1_names(const Hdf5Reader& file, ReadingArchive& archive, cons
   }
 }
 
-/// @param version  files of version 1 have the arrays beside those of the contacts
+/// Reads the history of contacts. @param version  in version 1 the arrays are in the group of the contacts itself
 template <int Dim>
 void read_memory(ReadingArchive& archive, std::int64_t version, Packing<Dim>& packing) {
   for (const HistoryQuantity& q : quantities_of(packing)) {
@@ -245,7 +246,7 @@ void check_features(const Hdf5Reader& file) {
                       features, name, fmt::join(kKnownFeatures, ", ")));
 }
 
-/// The features of a state, by name.
+/// Returns the names of the features of a state, separated by blanks.
 template <int Dim>
 std::string features_of(const Packing<Dim>& packing, bool remembers) {
   std::string features = remembers ? kContactMemory : "";
@@ -253,7 +254,8 @@ std::string features_of(const Packing<Dim>& packing, bool remembers) {
   return features.empty() ? kNoFeatures : features;
 }
 
-/// What bounds each axis, in a word each.
+/// Describes the boundary of each axis by one word, "periodic" or "walls"; a packing without walls has one word for
+/// all.
 template <int Dim>
 std::string boundary_of(const Packing<Dim>& packing) {
   if (packing.walls.empty()) return "periodic";
@@ -281,6 +283,7 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
 
   WritingArchive archive(file, s.units, Dim);
   describe_cell(archive, s.packing.cell);
+  // The identifiers of the layout are the indices; identifiers of an imported file are stored in grains/imported_id.
   std::vector<std::int32_t> id(s.packing.grains.size());
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int32_t>(i);
   archive.put(kId, {id.size()}, id);
@@ -305,7 +308,8 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
   throw InputError(file.place(path), fmt::format("entry {} is {}", entry, what));
 }
 
-/// More of them do not fit the indices of grains and contacts, nor images the whole cells they count.
+/// Largest number of rows, and largest image in cells: larger numbers do not fit the indices and images, which are
+/// ints.
 constexpr std::uint64_t kMaxRows = 1'000'000'000;
 constexpr int kFarthestImage = 1'000'000'000;
 
@@ -316,7 +320,7 @@ std::uint64_t counted_rows(const Hdf5Reader& file, const char* path) {
   return n;
 }
 
-/// What no state can hold, beyond numbers that are not finite.
+/// Checks the cell, identifiers, radii and masses, beyond the test that numbers are finite.
 template <int Dim>
 void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std::vector<std::int32_t>& id) {
   if (!(packing.cell.volume() > 0.0)) throw InputError(file.place("cell/matrix"), "the cell has no volume");
@@ -331,7 +335,7 @@ void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std
   }
 }
 
-/// Identifiers of another program are each of one grain.
+/// Checks that identifiers of another program are unique.
 template <int Dim>
 void check_names(const Hdf5Reader& file, const Grains<Dim>& grains) {
   std::vector<std::pair<std::int64_t, std::size_t>> sorted;
@@ -364,7 +368,7 @@ void check_contacts(const Hdf5Reader& file, const Packing<Dim>& packing) {
   }
 }
 
-/// What a file says in words of its own content, for other readers, is to be true.
+/// Checks the attributes that describe the content of the file for other readers against this content.
 template <int Dim>
 void check_descriptions(const Hdf5Reader& file, std::int64_t version, const State<Dim>& s) {
   const auto require = [&file](const char* group, const char* name, const std::string& expected) {
@@ -401,7 +405,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   set_arms(packing);
   packing.law = read_law(file, Dim);
   if (packing.law.has_twisting()) describe_twisting(archive, packing.contacts);
-  // A packing that is stopped in its motion may be on the way out of what it cannot stay in.
+  // A packing stopped in its motion may pass through overlaps that it could not keep, so a checkpoint is not tested.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);
   read_memory(archive, version, packing);
   check_version_1_names(file, archive, packing);
@@ -418,7 +422,7 @@ struct Header {
   std::int64_t dimension = 0;
 };
 
-/// Checks format, version and features.
+/// Reads the header and checks format, version, features, sign convention, units and dimension.
 Header read_header(const Hdf5Reader& file) {
   std::string format;
   file.attribute("/", "format", format);
@@ -432,6 +436,7 @@ Header read_header(const Hdf5Reader& file) {
         file.place("/"),
         fmt::format("version = {}: written by a newer floc; this one reads up to {}", version, kStateVersion));
   if (version < 1) throw InputError(file.place("/"), fmt::format("version = {}, expected 1 or more", version));
+  // Files of version 1 have no attribute `features`; none of the features existed then.
   if (version >= 2) check_features(file);
   std::string sign;
   file.attribute("/", "sign_convention", sign);
@@ -448,7 +453,8 @@ Header read_header(const Hdf5Reader& file) {
   return header;
 }
 
-/// What `read` makes of the content of a file and of its header. @param path  its name in messages
+/// Returns the result of `read`, called with the content of a file and its header. @param path  name of the file in
+/// messages
 template <class Read>
 auto read_content(const std::string& path, const std::string& content_path, const Read& read) {
   try {

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// What an array of a state file measures; its `units` attribute follows from it.
+/// Physical quantity of an array of a state file; the `units` attribute of the array follows from it.
 enum class Quantity {
   count,
   flag,
@@ -26,16 +26,16 @@ enum class Quantity {
   ratio,
 };
 
-/// One array of a state file: its place in the file, what it measures, and its convention in words.
+/// One array of a state file: its path in the file, its quantity, and its convention in words.
 struct Field {
   const char* path;
   Quantity quantity;
   const char* meaning;
 };
 
-/// The arrays of a state file, described once for writing and reading. `Archive` has rows(field, items, get)
-/// for one member of each item, column(field, values) for an array of its own, column_if_there(field, values,
-/// size) for one that a file holds only where it is not empty, matrix(field, m) and vector(field, v).
+/// Describe the arrays of a state file, once for writing and reading. `Archive` has rows(field, items, get) for one
+/// member of each item, column(field, values) for an array of its own, column_if_there(field, values, size) for an
+/// array that is omitted from a file if it is empty, matrix(field, m) and vector(field, v).
 template <class Archive, class Cell>
 void describe_cell(Archive& archive, Cell& cell) {
   archive.matrix({"cell/matrix", Quantity::length, "rows are the lattice vectors"}, cell.matrix);
@@ -78,9 +78,11 @@ void describe_walls(Archive& archive, Walls& walls) {
       {"walls/velocity", velocity, "along the axis"}, [](auto& w) -> auto& { return w.velocity; });
 }
 
+/// Describes the arrays that contacts have under every law; flags and springs that a law lacks are zero.
 template <int Dim, class Archive, class Contacts>
 void describe_contacts(Archive& archive, Contacts& contacts) {
   using enum Quantity;
+  // Names, quantities and conventions below are part of the file format (docs/states.md).
   const auto rows = [&](const Field& field, auto get) { archive.rows(field, contacts, get); };
   rows(
       {"contacts/id1", count, "first grain"}, [](auto& c) -> auto& { return c.i; });
@@ -125,7 +127,7 @@ void describe_contacts(Archive& archive, Contacts& contacts) {
       {"contacts/distant", flag, "attraction across a gap"}, [](auto& c) -> auto& { return c.distant; });
 }
 
-/// What contacts have in addition under a law with resistance to twisting.
+/// Describes the arrays that contacts have in addition under a law with resistance to twisting.
 template <class Archive, class Contacts>
 void describe_twisting(Archive& archive, Contacts& contacts) {
   using enum Quantity;
@@ -141,7 +143,7 @@ void describe_twisting(Archive& archive, Contacts& contacts) {
       [](auto& c) -> auto& { return c.twisting_yield; });
 }
 
-/// The attributes of a state file: `archive.value(group, name, variable)`.
+/// Describes the attributes of a state file by calls archive.value(group, name, variable).
 template <class Archive, class State>
 void describe_attributes(Archive& archive, State& s) {
   archive.value("equilibrium", "worst_force_grain", s.residuals.worst_force_grain);

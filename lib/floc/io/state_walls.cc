@@ -19,7 +19,7 @@ const std::string kWallLaw = "wall_law";
 constexpr Field kWallMass = {"walls/mass", Quantity::mass, "0: it moves at its velocity whatever pushes it"};
 constexpr Field kWallForce = {"walls/force", Quantity::force, "static normal force of the grains, outwards"};
 
-/// @throws InputError unless they come in pairs of an axis, the lower one first, axes ascending
+/// @throws InputError unless walls come in pairs across an axis, the lower wall first, with ascending axes
 template <int Dim>
 void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
   const std::vector<Wall<Dim>>& walls = packing.walls;
@@ -28,6 +28,7 @@ void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
     const auto refuse = [&](const char* path, const std::string& what) {
       throw InputError(file.place(path), fmt::format("entry {} is {}", w, what));
     };
+    // Walls of odd index are the upper ones of a pair; they are compared with the wall before them.
     const bool lower = w % 2 == 0;
     if (walls[w].axis < next_axis || walls[w].axis >= Dim || (!lower && walls[w].axis != walls[w - 1].axis))
       refuse("walls/axis", fmt::format("{}, expected two walls of an axis from 0 to {}, axes ascending",
@@ -37,6 +38,7 @@ void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
     if (walls[w].mass < 0.0) refuse("walls/mass", fmt::format("{}, expected 0 or more", walls[w].mass));
     if (lower) continue;
     next_axis = walls[w].axis + 1;
+    // The cell of a box ends at its walls; the positions may differ from it by rounding only.
     const double distance = walls[w].position - walls[w - 1].position;
     const double side = packing.cell.matrix(walls[w].axis, walls[w].axis);
     if (!packing.cell.rectangular() || !(distance > 0.0) || !(std::abs(distance / side - 1.0) < 1e-9))

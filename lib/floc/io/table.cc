@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// A value as text; "" when undefined. `number` is the format of a real number.
+/// Returns a value as text; empty if undefined. @param number  format of a real number
 std::string to_text(const TableValue& value, const char* number) {
   return std::visit(
       [number](const auto& v) -> std::string {

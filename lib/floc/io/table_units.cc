@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// What a unit measures and how large it is in SI.
+/// Quantity that a unit measures, and its size in SI.
 struct KnownUnit {
   std::string_view measures;
   double size;
@@ -66,7 +66,7 @@ constexpr auto kPrefixes = std::to_array<std::pair<std::string_view, double>>({{
                                                                                {"n", 1e-9},
                                                                                {"p", 1e-12}});
 
-/// Ways of writing pressures that are no SI, but leave no doubt.
+/// Spellings of pressures that do not follow the SI but are unambiguous.
 std::string respelled(const std::string& text) {
   if (text == "pa" || text == "PA") return "Pa";
   if (text == "kpa" || text == "KPa" || text == "Kpa" || text == "KPA") return "kPa";

@@ -6,19 +6,19 @@
 
 namespace floc {
 
-/// A header of a table in parts: "sigma' [kPa]" or "sigma' (kPa)" -> name and unit. The unit is empty without
-/// brackets at the end, and where they say that there is none, as in "P [-]" and "P [1]".
+/// Splits a header of a table into name and unit: "sigma' [kPa]" or "sigma' (kPa)". The unit is empty if no brackets
+/// end the header, or if they denote a pure number, as in "P [-]" and "P [1]".
 std::pair<std::string, std::string> name_and_unit(const std::string& header);
 
-/// What a number in one unit is multiplied by to be in another: 1 of the same text, the ratio of two known units of
-/// pressure, of force per length, of force or of length, SI prefixes included.
-/// @param place  what has the unit, for messages   @param other  what has the unit that is wanted
-/// @throws InputError where only one of the two is given, where one is unknown and they differ, or where they measure
-/// different things
+/// Returns the factor that converts a number from `unit` to `wanted`: 1 for the same text, or the ratio of two known
+/// units of pressure, of force per length, of force or of length, with SI prefixes.
+/// @param place  item that has `unit`, for messages   @param other  item that has `wanted`, for messages
+/// @throws InputError if only one of the two units is given, if one is unknown and they differ, or if they measure
+/// different quantities
 double unit_factor(const std::string& place, const std::string& unit, const std::string& other,
                    const std::string& wanted);
 
-/// Units that unit_factor() knows by name, SI prefixes left out, for messages and tests.
+/// Returns the units that unit_factor() accepts, without SI prefixes, for messages and tests.
 std::vector<std::string> known_units();
 
 }  // namespace floc

@@ -4,17 +4,17 @@
 
 namespace floc {
 
-/// The name of a file that is removed at the end of the scope, or when a signal ends the program, unless kept.
+/// A file that is removed at the end of the scope, or when a signal ends the program, unless it is kept.
 class TransientFile {
  public:
-  /// @param path  of a file that exists or is going to
+  /// @param path  file that exists or will be made
   explicit TransientFile(std::string path);
   ~TransientFile();
   TransientFile(const TransientFile&) = delete;
   TransientFile& operator=(const TransientFile&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Makes the file one that stays.
+  /// Keeps the file: it is no longer removed.
   void keep();
 
  private:
@@ -22,8 +22,8 @@ class TransientFile {
   bool kept_ = false;
 };
 
-/// From here on SIGINT, SIGTERM and SIGHUP remove transient files before they end the program; a signal that
-/// the caller had ignored stays ignored.
+/// Installs handlers by which SIGINT, SIGTERM and SIGHUP remove transient files before they end the program. A signal
+/// that the caller ignores stays ignored.
 void remove_transient_files_on_signals();
 
 }  // namespace floc

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Bytes of base64 text, up to a character that is none of base64. Padding may be inside: VTK encodes
+/// Decodes base64 text up to the first character that is not base64. Padding may occur inside, because VTK encodes
 /// the length of a block and its data one after the other.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -35,7 +35,7 @@ std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-/// The numbers of type T in `bytes`, as doubles.
+/// Returns the numbers of type T in `bytes`, as doubles.
 template <class T>
 std::vector<double> convert(std::string_view bytes) {
   std::vector<double> values(bytes.size() / sizeof(T));
@@ -76,8 +76,8 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
   return values;
 }
 
-/// How many characters of base64 a block takes at most: its length comes first, encoded by itself or with the
-/// data.
+/// Returns an upper limit of the number of base64 characters of a block. Its length comes first, encoded on its own
+/// or together with the data.
 std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   const std::string header = from_base64(text.substr(0, 12)).substr(0, header_size);
   std::uint64_t length = 0;
@@ -85,7 +85,8 @@ std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   return length > text.size() ? text.size() : 12 + 4 * (length / 3 + 2);
 }
 
-/// The payload of a block: its length in bytes as an integer of `header_size` bytes, then the bytes.
+/// Returns the payload of a block, which consists of its length in bytes, an integer of `header_size` bytes, and the
+/// payload.
 std::string_view payload(const std::string& place, std::string_view block, std::size_t header_size) {
   std::uint64_t length = 0;
   if (block.size() >= header_size) std::memcpy(&length, block.data(), header_size);
@@ -99,7 +100,7 @@ std::string_view payload(const std::string& place, std::string_view block, std::
 struct VtkArrays::Document {
   std::string path;
   pugi::xml_document xml;
-  std::string appended;  ///< behind the underscore
+  std::string appended;  ///< appended data after the underscore
   bool appended_raw = false;
   std::size_t header_size = 4;
 
@@ -116,7 +117,7 @@ struct VtkArrays::Document {
 VtkArrays::VtkArrays(const std::string& path, const std::string& content) : document_(new Document) {
   Document& d = *document_;
   d.path = path;
-  // Raw data after the XML are no XML: they are taken out before it is parsed.
+  // Appended raw data are not XML, so they are removed before parsing.
   std::string text = content;
   if (const std::size_t begin = content.find("<AppendedData"); begin != std::string::npos) {
     const std::size_t end = content.rfind("</AppendedData>");
@@ -170,6 +171,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   const pugi::xml_node array = d.array(section, name);
   const std::string here = place(section, name);
   if (!array) throw InputError(here, "is missing");
+  // Several arrays of one name would be ambiguous; Points holds a single array, whatever its name.
   for (pugi::xml_node next = array.next_sibling("DataArray"); next && section != "Points";
        next = next.next_sibling("DataArray"))
     if (name == next.attribute("Name").as_string())
@@ -187,6 +189,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
     const auto offset = static_cast<std::size_t>(array.attribute("offset").as_ullong());
     if (offset > d.appended.size())
       throw InputError(here, fmt::format("offset = {} lies beyond the data", offset));
+    // The length of an appended array stands in the header of its block.
     block = std::string_view(d.appended).substr(offset);
     if (!d.appended_raw) block = decoded = from_base64(block.substr(0, encoded_size(block, d.header_size)));
   } else if (format == "binary") {

@@ -23,7 +23,7 @@ namespace {
 constexpr int kVertex = 1;
 constexpr int kLine = 3;
 
-/// The points that are grains: those of vertices, or all if there are none.
+/// Returns the indices of the points that are grains: those of vertices, or all points without vertices.
 std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_points) {
   std::vector<std::size_t> points;
   if (arrays.has("Cells", "types")) {
@@ -45,7 +45,7 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
   return points;
 }
 
-/// One array of the points with one number each.
+/// One array of the points with one number per point.
 class PointArray {
  public:
   PointArray(const VtkArrays& arrays, const std::string& name, std::size_t n_points)
@@ -75,7 +75,7 @@ class PointArray {
   std::vector<double> values_;
 };
 
-/// Name of the array for one of our names, or "".
+/// Returns the name of the array for a name of floc, or "".
 std::string find_array(const VtkArrays& arrays, const ImportOptions& options,
                        const std::vector<std::string>& names) {
   for (const std::string& name : names) {
@@ -121,7 +121,7 @@ std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arr
   return grains;
 }
 
-/// What the field arrays say of the cell, as vtu_text() writes them.
+/// Reads cell, dimension and periodicity from the field arrays, as vtu_text() writes them.
 ListedSpace space_of(const VtkArrays& arrays) {
   ListedSpace space;
   space.place = arrays.place("FieldData", "cell");
@@ -180,7 +180,7 @@ Eigen::Vector3d in_space(const Vec<Dim>& v) {
   return out;
 }
 
-/// Numbers of one array, as text.
+/// Returns the numbers of one array as text.
 struct ArrayText {
   std::string type;
   std::string name;

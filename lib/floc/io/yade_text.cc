@@ -24,7 +24,7 @@ struct YadeTable {
   std::string cell_place;
 };
 
-/// Tokens of a comment line; those of "#format x_y_z_r" are the columns alone.
+/// Returns the tokens of a comment line; for "#format x_y_z_r" only the columns.
 std::vector<std::string> comment_tokens(std::string line) {
   line.erase(0, line.find_first_not_of("# \t"));
   if (line.starts_with("format ")) {
@@ -53,8 +53,9 @@ std::vector<std::vector<double>> parse_cell(const std::string& place, const std:
   return cell;
 }
 
-/// @param mark     a column that a comment naming the columns has
-/// @param columns  what they are when no comment names them; empty if one has to
+/// Reads a table.
+/// @param mark     column that identifies the comment with the names of the columns
+/// @param columns  names of the columns if no comment gives them; empty if a comment is required
 YadeTable read_table(const std::string& path, const std::string& mark, std::vector<std::string> columns) {
   YadeTable result;
   std::istringstream in(read_text(path));
@@ -73,6 +74,7 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
         result.cell_place = fmt::format("{}:{}", path, number);
         result.cell = parse_cell(result.cell_place, tokens);
       } else if (!begun && contains(tokens, mark)) {
+        // A comment after the first row that holds this word is ordinary text.
         columns = tokens;
       }
       continue;
@@ -88,7 +90,7 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
   return result;
 }
 
-/// Forces in YADE are those on the second body.
+/// Reverses the forces, because YADE gives those on the second body.
 std::vector<ListedContact> read_interactions(const CsvTable& table, int dimension) {
   std::map<std::string, std::string> names;
   if (table.has("ks")) names["kt"] = "ks";
@@ -104,7 +106,7 @@ std::vector<ListedContact> read_interactions(const CsvTable& table, int dimensio
   return contacts;
 }
 
-/// The one law that the interactions share, as far as it is one.
+/// Returns the law that the interactions share, as far as they agree.
 Law law_of(const CsvTable& table, const std::string& path) {
   if (!table.has("kn") || !table.has("ks") || !table.has("tan_phi") || table.n_rows() == 0)
     throw InputError(path, "its interactions lack kn, ks and tan_phi: give --law");
@@ -140,7 +142,7 @@ bool begins_with_number(const std::string& path) {
   return first != std::string::npos && text[first] >= '0' && text[first] <= '9';
 }
 
-/// Tokens of the first line, if that is a comment.
+/// Returns the tokens of the first line, if it is a comment.
 std::vector<std::string> first_comment(const std::string& path) {
   if (!begins_with(path, "#")) return {};
   std::istringstream in(read_text(path));

@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Visits every member of a point under its name.
+/// Calls the visitor with every member of a point and its name.
 constexpr auto kMembers = [](auto& point, const auto& visit) {
   visit("step", point.step);
   visit("aggregating", point.aggregating);

@@ -6,10 +6,10 @@
 
 namespace floc {
 
-/// A run's point as text (JSON; numbers round-trip), and back.
+/// Returns the progress of a run as text (JSON; numbers round-trip), which parse_progress() reads.
 std::string progress_text(const RunPoint& point);
 
-/// @param place  file the text came from, for messages
+/// Reads the progress of a run. @param place  file that the text comes from, for messages
 /// @throws InputError if the text is not that of a checkpoint
 RunPoint parse_progress(const std::string& text, const std::string& place);
 

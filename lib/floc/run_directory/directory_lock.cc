@@ -17,7 +17,8 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-/// The processes of an ensemble that was killed end a moment after it: they are waited for, so often and so long.
+/// Number of attempts to lock and the pause between two (microseconds): the processes of a killed ensemble end
+/// slightly later than the ensemble, so a new run waits for them.
 constexpr int kAttempts = 50;
 constexpr useconds_t kPause = 10'000;
 
@@ -26,14 +27,14 @@ std::string host_name() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
 }
 
-/// What the holder wrote into the file; nothing if it has not come to it.
+/// Returns the text that the holder wrote into the lock file, or "another process" if it has not written yet.
 std::string holder(int file) {
   std::array<char, 512> text{};
   const ssize_t n = ::pread(file, text.data(), text.size() - 1, 0);
   return n > 0 ? std::string(text.data(), static_cast<std::size_t>(n)) : "another process";
 }
 
-/// Whether the name still leads to the open file: a holder removes it before it lets go.
+/// Whether the name still leads to the open file: a holder removes the file before it releases the lock.
 bool is_current(int file, const std::string& path) {
   struct stat opened {
   }, named{};
@@ -41,12 +42,13 @@ bool is_current(int file, const std::string& path) {
          opened.st_dev == named.st_dev;
 }
 
-/// Some file systems have no locks; nothing can be held there.
+/// Whether an error says that the file system has no locks; a directory there cannot be locked.
 bool has_no_locks(int error) {
   return error == ENOTSUP || error == EOPNOTSUPP || error == ENOSYS || error == ENOLCK;
 }
 
-/// @throws InputError if there is more than a lock in a directory that is to be new
+/// Checks that a directory for a new run is empty.
+/// @throws InputError if it holds more than the lock file
 void require_empty(const std::string& path, Existing existing, const std::string& runs) {
   if (existing != Existing::refuse || !fs::is_directory(path)) return;
   for (const auto& entry : fs::directory_iterator(path))
@@ -57,12 +59,12 @@ void require_empty(const std::string& path, Existing existing, const std::string
                                    runs, runs == "run" ? "it" : "them"));
 }
 
-/// The path, once it is a directory that may be locked.
+/// Makes the directory if necessary, and returns its path, which may then be locked.
 const std::string& prepared(const std::string& path, Existing existing, const std::string& runs) {
   if (path.empty()) throw InputError("\"\"", "expected the name of a directory, but it is empty");
   if (path == "-") throw InputError(path, "is standard output, expected the name of a directory");
   if (fs::exists(path) && !fs::is_directory(path)) throw InputError(path, "is a file, expected a directory");
-  // Of one that is held the holder is named.
+  // If the directory is held, the message names the holder.
   if (!fs::exists(fs::path(path) / DirectoryLock::kName)) require_empty(path, existing, runs);
   std::error_code failed;
   fs::create_directories(path, failed);
@@ -92,20 +94,20 @@ DirectoryLock::DirectoryLock(const std::string& directory)
   struct stat held {};
   if (::stat(directory.c_str(), &held) == 0) device_ = held.st_dev, inode_ = held.st_ino;
   const std::string text = fmt::format("process {} on {}", ::getpid(), host_name());
-  // It serves messages alone: a full disk is said where a state cannot be written.
+  // The text serves messages only, so a failure to write it is ignored; a full disk shows when a state is written.
   if (::ftruncate(file_, 0) != 0 || ::pwrite(file_, text.data(), text.size(), 0) < 0) return;
 }
 
 DirectoryLock::~DirectoryLock() {
   if (file_ < 0) return;
-  if (is_current(file_, path_)) ::unlink(path_.c_str());  // not that of another process
+  if (is_current(file_, path_)) ::unlink(path_.c_str());  // unless it belongs to another process
   ::close(file_);
 }
 
 bool DirectoryLock::is_held() const {
   struct stat named {};
   const bool found = ::stat(directory_.c_str(), &named) == 0;
-  // Somebody who has removed the lock alone has left the directory; another lock is that of another process.
+  // If only the lock file was removed, the directory is still held; another lock file belongs to another process.
   return found && named.st_dev == device_ && named.st_ino == inode_ &&
          (is_current(file_, path_) || ::access(path_.c_str(), F_OK) != 0);
 }
@@ -120,7 +122,7 @@ void DirectoryLock::require_held() const {
 
 ClaimedDirectory::ClaimedDirectory(const std::string& path, Existing existing, const std::string& runs)
     : lock_(prepared(path, existing, runs)) {
-  // Another process may have come and gone since.
+  // Another process may have used the directory in the meantime.
   require_empty(path, existing, runs);
 }
 

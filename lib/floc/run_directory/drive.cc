@@ -36,7 +36,7 @@ class Driver {
   }
 
  private:
-  /// Bad input that shows in motion alone: no file or key is to blame, but the packing that came of them.
+  /// Reports bad input that shows only in motion. The message names no file or key, but the packing that resulted.
   RunEvent advance() {
     try {
       return run_.advance();
@@ -58,7 +58,7 @@ class Driver {
                            state.packing);
     directory_.require_held();
     if (table_ != nullptr) table_->finish_step(run_);
-    // What leads beyond the states that are saved is forgotten when the run is taken up: the rows go first.
+    // Rows are written before the state: a run that is resumed removes rows beyond the saved states.
     if (table_ != nullptr) table_->write();
     const std::string sha256 = directory_.save(state, options_.timing ? std::optional(seconds) : std::nullopt);
     if (options_.equilibrium) options_.equilibrium(state, run_.report(), seconds);
@@ -77,7 +77,7 @@ class Driver {
     last_checkpoint_ = Clock::now();
   }
 
-  /// A checkpoint takes the step up anew, so what blocks it is asked before.
+  /// Stops with the report of the present step, which is taken before the checkpoint because that restarts the step.
   DriveReport give_up() { return stop_with({DriveReport::gave_up, run_.report()}); }
 
   DriveReport stop_with(DriveReport report) {

@@ -15,16 +15,16 @@ namespace {
 constexpr const char* kEnergyHeader =
     "step,branch,P,time,phi,work,elastic,kinetic,viscous,sliding,scaling,removed,initial,error,"
     "liquid,law,hysteresis";
-/// Columns before the terms of the account.
+/// Number of columns before the terms of the account.
 constexpr int kLeading = 5;
 
-/// The account that a row holds.
+/// Returns the account that a row holds.
 EnergyTerms terms_of(const std::string& row) {
   std::istringstream fields(row);
   std::string field;
   for (int k = 0; k < kLeading; ++k) std::getline(fields, field, ',');
   EnergyTerms t;
-  double error = 0.0;  // which follows from the others
+  double error = 0.0;  // follows from the other terms
   for (double* term : {&t.work, &t.elastic, &t.kinetic, &t.viscous, &t.sliding, &t.scaling, &t.removed,
                        &t.initial, &error, &t.liquid, &t.law, &t.hysteresis}) {
     std::getline(fields, field, ',');
@@ -55,7 +55,7 @@ void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& pac
 template <int Dim>
 void EnergyTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
   const double time_step = time - std::exchange(time_, time);
-  if (run.point().aggregating) {  // clusters fly, and what they do inside them takes no part in the load
+  if (run.point().aggregating) {  // flying clusters do not take part in the load
     account_ = EnergyAccount<Dim>(packing);
     return;
   }
@@ -94,7 +94,7 @@ template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory) {
   require_energy_account(options);
-  // A step may begin with another law than the state before it has.
+  // The law at the beginning of a step may differ from that of the state before it.
   const RunPoint& point = run.point();
   const bool at_a_state = point.step > 0 && point.equilibration.empty();
   auto tracker = std::make_unique<EnergyTracker<Dim>>(

@@ -18,7 +18,8 @@ MotionTable<Dim>::MotionTable(std::string file, std::string header, const RunPoi
   read_rows(point);
 }
 
-/// Rows of a run that was killed may lead beyond the point it goes on from.
+/// Reads the rows up to `point`. A run that was killed may have written rows beyond the point from which it
+/// continues.
 template <int Dim>
 void MotionTable<Dim>::read_rows(const RunPoint& point) {
   if (!std::filesystem::exists(file_)) return;

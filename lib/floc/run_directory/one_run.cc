@@ -15,9 +15,9 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uintmax_t kLargestOpened = 16 << 20;  // bytes
+constexpr std::uintmax_t kLargestOpened = 16 << 20;  // bytes; larger states are not opened
 
-/// What all states of a run share, and the step of one.
+/// Dimension, seed and scene, which all states of a run share, and the step of one state.
 struct Origin {
   int dimension;
   std::uint64_t seed;
@@ -25,7 +25,7 @@ struct Origin {
   int step;
 };
 
-/// Of a state; none of one that is too large to be opened for this.
+/// Returns the origin of a state; none if its file is too large to be opened for this check.
 std::optional<Origin> origin_of(const std::string& file) {
   if (fs::file_size(file) > kLargestOpened) return std::nullopt;
   return std::visit(
@@ -43,7 +43,7 @@ void require_same_scene(const Origin& found, const Origin& expected, const std::
         fmt::format("was made from a different scene than {}: expected the states of one run", reference));
 }
 
-/// A path.csv that was cut has a last line without its end.
+/// Checks that path.csv is whole. A file that was cut short has a last line without its end.
 void require_whole_table(const std::string& directory) {
   const std::string table = (fs::path(directory) / "path.csv").string();
   if (!fs::exists(table)) return;
@@ -82,6 +82,7 @@ void require_one_run(const std::string& directory) {
     ++expected;
     const std::optional<Origin> origin = origin_of(file);
     if (!origin) continue;
+    // A renamed or copied file would pass the other tests, so the step recorded in it must be that of its name.
     if (origin->step != step)
       throw InputError(file,
                        fmt::format("is state {} of its run, not {} as its name says", origin->step, step));

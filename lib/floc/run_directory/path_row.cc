@@ -59,7 +59,8 @@ std::vector<std::string> columns_of(int dimension, bool boxed) {
   return columns;
 }
 
-/// Stress and strain of each axis, and what a test with a driven axis measures: the last, where none is.
+/// Adds stress and strain of each axis, and the quantities of a test with a driven axis; without one, the last axis
+/// counts as driven.
 template <int Dim>
 void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std::vector<TableValue>& row) {
   const Vec<Dim> stress = state.stress.diagonal();
@@ -76,7 +77,8 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
     row.emplace_back(value);
   const StageReference& turn = state.path.turn;
   const bool is_sheared = state.target_offset.has_value();
-  // What resists a positive strain counts positive; between planes across an axis friction is tau/sigma.
+  // A stress that resists a positive strain counts positive; in a shear test friction is tau/sigma on planes across
+  // the axis.
   const double shear_stress = is_sheared ? -state.stress(0, turn.axis) : 0.0;
   const double mobilised = is_sheared ? shear_stress / stress[turn.axis] : test.mobilised;
   row.push_back(is_test ? TableValue{mobilised} : TableValue{});
@@ -87,8 +89,8 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
   row.push_back(is_sheared ? TableValue{shear_stress} : TableValue{});
 }
 
-/// What a packing between walls has beside. Pressure on walls and what their friction bears of it are nothing
-/// along an axis without walls.
+/// Adds the columns of a packing between walls: among them the pressure on walls and the part of it that their
+/// friction bears, both undefined along an axis without walls.
 template <int Dim>
 void add_walls(const State<Dim>& state, const Coordination& c, std::vector<TableValue>& row) {
   const Packing<Dim>& packing = state.packing;

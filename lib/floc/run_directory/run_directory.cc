@@ -16,7 +16,7 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-/// Cells of a row of csv, whose names of branches may be quoted.
+/// Returns the cells of a row of csv, in which names of branches may be quoted.
 int n_cells(const std::string& row) {
   int n = 1;
   bool quoted = false;
@@ -108,7 +108,7 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   for (int step = 0; step < n_states; ++step) {
     if (rows_.contains(step) && step + 1 < n_states) continue;
     State<Dim> state = read_run_state<Dim>(state_path(step));
-    // The time its step took died with the process that measured it.
+    // The wall time of the step was lost with the process that measured it.
     if (!rows_.contains(step)) rows_[step] = row_of(state, std::nullopt);
     if (step + 1 == n_states)
       reached =
@@ -124,7 +124,7 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   return reached;
 }
 
-/// Lengths of the axes in a state that is saved, or is being saved.
+/// Returns the lengths of the axes in a state that is saved or is being saved.
 template <int Dim>
 Vec<Dim> RunDirectory::sides_of(int step) {
   std::vector<double>& sides = sides_[step];
@@ -171,14 +171,14 @@ void RunDirectory::read_rows() {
   std::istringstream in(read_file(path_table()));
   std::string line;
   if (!std::getline(in, line)) return;
-  if (in.eof()) return;  // a header that is cut
+  if (in.eof()) return;  // the header is incomplete
   if (line != path_header(dimension_, boxed_))
     throw InputError(path_table() + ":1", "columns are not those of this version of floc: " + line);
   const int n_columns = n_cells(line);
   while (std::getline(in, line)) {
     int step = -1;
     std::istringstream first(line);
-    // A row that is cut, without its end or some of its cells, is made again of its state.
+    // A row without its end or with too few cells is made again from its state.
     const bool whole = !in.eof() && n_cells(line) == n_columns;
     if (whole && first >> step && step >= 0) rows_[step] = line;
   }

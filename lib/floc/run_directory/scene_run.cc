@@ -29,7 +29,8 @@ RunOptions run_options(const Scene& scene, const SceneRunOptions& asked) {
   return options;
 }
 
-/// The scene of a run in a directory: of its first state, or of a checkpoint before that; empty without either.
+/// Returns the scene of the run in a directory: that of its first state, or of a checkpoint before it; empty without
+/// either.
 std::string scene_of_run(const std::string& directory) {
   for (const std::string& file : {state_file(directory, 0), directory + "/checkpoint/checkpoint.h5"})
     if (std::filesystem::exists(file))
@@ -37,7 +38,7 @@ std::string scene_of_run(const std::string& directory) {
   return "";
 }
 
-/// Opens the directory of the run. What keeps it from being continued is named by its keys.
+/// Opens the directory of the run. If another scene prevents continuing it, the message names the keys that differ.
 RunDirectory open_directory(const SceneRunOptions& asked, Existing existing, const RunOptions& options) {
   try {
     return RunDirectory(asked.directory, existing, options);
@@ -51,7 +52,7 @@ RunDirectory open_directory(const SceneRunOptions& asked, Existing existing, con
   }
 }
 
-/// How a force residual that is above its tolerance changes, in words; empty otherwise.
+/// Describes how a force residual above its tolerance changes; empty otherwise.
 std::string trend_of(const RelaxationReport& report) {
   if (report.decay_rate == 0.0) return "";
   return fmt::format(", {} at {:.2g} per unit time", report.decay_rate > 0.0 ? "falls" : "grows",

@@ -16,10 +16,10 @@
 namespace floc {
 namespace {
 
-/// Factor of kappa to which the table speaks for other scenes.
+/// Factor between the kappa of a scene and that of the table up to which the table applies.
 constexpr double kStiffnessRange = 10.0;
 
-/// What each key asks for.
+/// Observables that each key stands for.
 const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"phi", {"phi"}},
     {"z", {"z_plus", "z_minus"}},
@@ -52,7 +52,7 @@ bool is_of_cell(const std::string& parameter) {
   return parameter == kMassOfCell || parameter == kCapOfCell;
 }
 
-/// Settings in the order of their cost; either those that a scene can be given, or those of its cell.
+/// Returns the settings in the order of their cost: either those that a scene can have, or those of its cell.
 std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table, bool of_cell = false) {
   std::vector<Candidate> candidates;
   for (const MeasuredAccuracy& row : table) {
@@ -69,7 +69,7 @@ std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table,
   return candidates;
 }
 
-/// The smallest error that is guaranteed of an observable at a setting; infinite where nothing was measured.
+/// Returns the smallest error that a setting guarantees for an observable; infinite if it was not measured.
 double guaranteed_error(const Candidate& candidate, const std::string& observable) {
   const auto found = candidate.of.find(observable);
   if (found == candidate.of.end()) return std::numeric_limits<double>::infinity();
@@ -79,21 +79,21 @@ double guaranteed_error(const Candidate& candidate, const std::string& observabl
   return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
 }
 
-/// The factor of a setting of the cell.
+/// Returns the factor of a setting of the cell.
 double factor_of(const Candidate& of_cell) {
   return parse_number<double>(of_cell.value.substr(0, of_cell.value.find(' ')))
       .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// What is written as a tenth of a default is that to rounding.
+/// Relative error below which two factors of the cell count as equal: a factor computed as a ratio is rounded.
 constexpr double kRoundingOfFactors = 1e-9;
 
 bool is_default(double factor) {
   return std::abs(factor - 1.0) <= kRoundingOfFactors;
 }
 
-/// The mildest of the measured factors of a parameter that is at least as far from 1 as this one, on its side;
-/// null where there is none.
+/// Returns the measured factor of a parameter that is closest to `factor` among those at least as far from 1 on the
+/// same side; null if there is none.
 const Candidate* nearest_beyond(const std::vector<Candidate>& of_cell, const std::string& parameter,
                                 double factor) {
   const auto distance = [&](double f) { return factor > 1.0 ? std::log(f) : -std::log(f); };
@@ -106,7 +106,7 @@ const Candidate* nearest_beyond(const std::vector<Candidate>& of_cell, const std
   return nearest;
 }
 
-/// Settings of the cell whose errors come to those of every other setting.
+/// Settings of the cell whose errors are added to those of every other setting.
 using Additions = std::vector<const Candidate*>;
 
 Additions additions_of(const std::vector<Candidate>& of_cell, const std::vector<CellFactors>& cells) {
@@ -124,7 +124,8 @@ Additions additions_of(const std::vector<Candidate>& of_cell, const std::vector<
   return additions;
 }
 
-/// The smallest errors that are guaranteed of all that a key asks for, with those of the cell.
+/// Returns the largest of the errors that a setting guarantees for the observables of a key, with the errors of the
+/// cell added.
 double guaranteed_error_of_key(const Candidate& candidate, const Additions& additions, const std::string& key) {
   double least = 0.0;
   for (const std::string& observable : observables_of(key)) {
@@ -171,7 +172,7 @@ std::vector<std::string> split_cells(const std::string& line) {
   return cells;
 }
 
-/// One line of the table, its values by the names of the columns.
+/// One line of the table; its values are found by the names of the columns.
 class Row {
  public:
   Row(const std::map<std::string, std::size_t>& columns, std::vector<std::string> cells, std::string place)
@@ -183,7 +184,7 @@ class Row {
       throw InputError(place_, "column " + column + " is missing: expected a table of floc tradeoff");
     return cells_[at->second];
   }
-  /// Not a number where the table has none.
+  /// Returns a number; NaN if the table has none.
   double number(const std::string& column) const {
     const std::string& cell = text(column);
     if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -226,7 +227,7 @@ std::vector<std::string> accuracy_keys() {
 }
 
 std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place) {
-  // Those of another kind change the physics, the size of the system, or what is done with its states.
+  // Settings of other kinds change the physics, the size of the system, or the use made of its states.
   const std::vector<std::string> kSettable = {"strict",   "scene",    "finish",    "tolerance", "time_step",
                                               "patience", "together", kMassOfCell, kCapOfCell};
   std::istringstream in(csv);

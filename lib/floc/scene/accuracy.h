@@ -8,67 +8,68 @@
 
 namespace floc {
 
-/// One observable at one setting, as a table of `floc tradeoff` gives it. Errors are relative.
+/// One observable at one setting, as a row of the table of `floc tradeoff`. Errors are relative.
 struct MeasuredAccuracy {
   std::string parameter, value;  ///< name of the setting
   NumericalSettings settings;
   std::string observable;
   double cost_ratio;       ///< relative to the strictest settings
-  double error;            ///< of single states: upper limit for 95 % of them; not a number where not compared
-  double mean_difference;  ///< of means over samples after a collapse; not a number where not compared
+  double error;            ///< error of single states: upper limit for 95 % of them; NaN if not compared
+  double mean_difference;  ///< difference of means after a collapse; NaN if not compared
   double mean_error;       ///< half width of its 95 % interval
   double kappa;            ///< a K_N/F0 of the scene that was run
 };
 
-/// How a part of a run moves its cell: mass and cap on the strain rate in units of what a cohesive scene that
-/// gives none takes (cell_defaults.h), as the scene of the table does.
+/// Response of the cell in one part of a run: its mass and the cap on its strain rate, relative to the defaults for a
+/// cohesive scene (cell_defaults.h). The scene of the table uses these defaults.
 struct CellFactors {
   double mass = 1.0, rate_cap = 1.0;
 };
 
-/// Reads such a table (csv, its own output). Only settings that a scene can have are kept.
+/// Reads a table that `floc tradeoff` writes as csv. Only settings that a scene can have are kept.
 /// @throws InputError if a column is missing or a value is not a number
 std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place);
 
-/// The table shipped with the program, data/tables/tradeoff/tradeoff.csv.
+/// Returns the table shipped with the program, data/tables/tradeoff/tradeoff.csv.
 const std::vector<MeasuredAccuracy>& shipped_accuracy_table();
 
-/// What a user asks for: an observable or a group of them ("phi", "z", "moduli", "reuss", "forces", "lambda",
-/// "alpha", "Phi_max") and its relative error.
+/// Requested accuracy: observables or groups of them ("phi", "z", "moduli", "reuss", "forces", "lambda", "alpha",
+/// "Phi_max"), each with its largest relative error.
 using WantedAccuracy = std::vector<std::pair<std::string, double>>;
 
-/// What can be asked for.
+/// Returns the keys that a requested accuracy may have.
 std::vector<std::string> accuracy_keys();
 
-/// The cheapest setting within the errors asked for, or why there is none.
+/// The cheapest setting within the requested errors, or the reason why there is none.
 struct AccuracyChoice {
-  std::string refused_key;     ///< the first that no setting reaches; empty when there is a choice
-  std::string failure_reason;  ///< what was expected of it
+  std::string refused_key;     ///< key that the reason is about; empty if a setting was chosen
+  std::string failure_reason;  ///< reason why no setting was chosen; empty if one was
   std::string name;            ///< parameter and value of the setting
   NumericalSettings settings;
-  std::string reason;  ///< its cost and measured errors, in words
+  std::string reason;  ///< cost and measured errors of the setting, in words
 
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Takes the cheapest setting of the table whose errors of single states, for every observable asked for, are
-/// at most what is asked, and whose differences of means do not exceed it by more than their sampling error
-/// explains (its 95 % interval). For quantities fitted to a path there are means alone: their difference and
-/// that error together then have to be below what is asked. An error below every one measured is refused: the
-/// reference's own error is not known, so it is no measure of itself.
-/// To the errors of every setting come those measured for cells as heavy and as fast as the scene's.
+/// Chooses the cheapest setting of the table that meets the requested errors. For every requested observable, its
+/// errors of single states must be at most the requested error, and its difference of means must not exceed that
+/// error by more than the sampling error (the 95 % interval). Quantities fitted to a path have means alone: the sum
+/// of their difference and its sampling error must be at most the requested error. An error below every measured one
+/// cannot be requested, because the error of the reference itself is unknown. The errors measured for cells as heavy
+/// and as fast as those of the scene are added to the errors of every setting.
 /// @param wanted  not empty, known keys, errors > 0
-/// @param cells  of the parts of the run
+/// @param cells  cell factors of the parts of the run
 /// @pre covers_cell(table, cell) for each
 [[nodiscard]] AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table,
                                              const WantedAccuracy& wanted,
                                              const std::vector<CellFactors>& cells = {});
 
-/// Whether the table was measured on grains as stiff as these, to a factor of ten: errors scale with the
-/// stiffness.
+/// Whether the table was measured on grains of similar stiffness, within a factor of ten, because errors scale with
+/// the stiffness.
+/// @param kappa  a K_N/F0 of the scene
 bool covers_stiffness(const std::vector<MeasuredAccuracy>& table, double kappa);
 
-/// Whether cells at least as far from the defaults were measured.
+/// Whether the table has measurements for a cell at least as far from the defaults.
 bool covers_cell(const std::vector<MeasuredAccuracy>& table, const CellFactors& cell);
 
 }  // namespace floc

@@ -7,16 +7,16 @@ namespace floc {
 
 /// Masses and rate caps of the cell for scenes that give none (docs/quasistatic.md has the measurements).
 
-/// During assembly. A lighter cell makes packings from a gas looser than the published ones.
+/// Mass of the cell during assembly. A lighter cell makes packings from a gas looser than the published ones.
 inline constexpr double kAssemblyCellMass = 1.0;
-/// On load paths: a heavier cell overshoots and compacts, a lighter one gives the same densities.
+/// Mass of the cell on load paths. A heavier cell overshoots and compacts; a lighter one gives the same densities.
 inline constexpr double kLoadCellMass = 0.1;
-/// For cohesive grains, in 1/T0, T0 = sqrt(a m/F0).
+/// Cap on the strain rate of cohesive grains, in 1/T0 with T0 = sqrt(a m/F0).
 inline constexpr double kStrainRateCap = 0.05;
-/// For grains without adhesion, |L'/L| sqrt(m/P).
+/// Cap on the inertial number |L'/L| sqrt(m/P) of grains without adhesion.
 inline constexpr double kLargestInertialNumber = 1e-3;
 
-/// The cap on the strain rate, of the kind for which the contact law has a scale.
+/// Returns the default cap on the strain rate: relative to T0 for a law with adhesion, else on the inertial number.
 inline CellResponse default_cap(const Law& law) {
   CellResponse response;
   if (law.adheres())
@@ -26,7 +26,7 @@ inline CellResponse default_cap(const Law& law) {
   return response;
 }
 
-/// Cell response in stages of a load path where neither they nor the scene give one.
+/// Returns the response of the cell in stages of a load path if neither they nor the scene give one.
 inline CellResponse default_load_response(const Law& law) {
   CellResponse response = default_cap(law);
   response.cell_mass = kLoadCellMass;

@@ -16,7 +16,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// The stresses that a stage ends at, each with the key that says it.
+/// Returns the stresses at the end of a stage, each with the key that gives it.
 std::vector<std::pair<const char*, double>> stresses_of(const LoadStage& stage) {
   if (stage.is_isotropic()) return {{stage.control == "axes" ? "axes" : "to", stage.to}};
   std::vector<std::pair<const char*, double>> stresses;
@@ -25,7 +25,8 @@ std::vector<std::pair<const char*, double>> stresses_of(const LoadStage& stage) 
   return stresses;
 }
 
-/// Calls check(table, key, pressure) for the first pressure and for that of each stage, until one ends it.
+/// Calls check(table, key, pressure) for the first pressure and for those of each stage before the first one for
+/// which `ends` is true.
 template <class Check, class Ends>
 void for_each_pressure(TableReader& root, const Scene& scene, const Check& check, const Ends& ends) {
   TableReader assembly = root.table("assembly", "", Need::optional);
@@ -36,7 +37,7 @@ void for_each_pressure(TableReader& root, const Scene& scene, const Check& check
     for (const auto& [key, stress] : stresses_of(scene.load[k])) check(stages[k], key, stress);
 }
 
-/// A pressure below the possible error of a stress cannot be distinguished from zero.
+/// Records a fault for a pressure below the possible error of a stress: it cannot be distinguished from zero.
 void check_pressures(TableReader& root, const Scene& scene) {
   if (!scene.law.adheres() || scene.assembly.box || !(scene.grains.diameter.max > 0)) return;
   const double area = std::pow(scene.grains.diameter.max, scene.dimension - 1);  // a length in 2D
@@ -50,14 +51,14 @@ void check_pressures(TableReader& root, const Scene& scene) {
               "have, or a smaller equilibrium.stress",
               t.path_of(key), pressure, scene.dimension == 2 ? "a" : "a^2", least));
   };
-  // A change of the adhesion changes what a stress is measured in.
+  // A change of the adhesion changes the unit of the error of a stress, so that stage and later ones are not checked.
   for_each_pressure(root, scene, check, [](const LoadStage& stage) {
     return std::any_of(stage.set.begin(), stage.set.end(),
                        [](const auto& change) { return change.first == "adhesion.force"; });
   });
 }
 
-/// Contacts may be so stiff that the rounding of sides and positions leaves more than the tolerances.
+/// Records faults of contacts so stiff that the rounding of sides and positions leaves more than the tolerances.
 void check_stiffness(TableReader& root, const Scene& scene) {
   constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
   const double a = scene.grains.diameter.max;
@@ -69,14 +70,14 @@ void check_stiffness(TableReader& root, const Scene& scene) {
   const double stiffness = area * scene.law.contact_modulus(scene.dimension, a);
   const bool varies = scene.law.force_exponent() != 1.0;
   const double kappa = varies ? std::pow(stiffness / F1, 2.0 / 3.0) : stiffness / F1;
-  // Sides of the cell are one double each: see solve_statics().
+  // Each side of the cell is stored as one double: see solve_statics().
   if (4 * kHalfUnit * kappa >= scene.relaxation.tolerance.stress)
     contact.fault("normal",
                   fmt::format("contact.normal.{} = {}: rounding leaves a stress of {:.1e} F1/a, expected "
                               "less than equilibrium.stress = {:.1e}",
                               varies ? "modulus" : "stiffness", stiffness / a, 4 * kHalfUnit * kappa,
                               scene.relaxation.tolerance.stress));
-  // Motion knows a coordinate as one double; about four contacts hold a grain.
+  // In motion each coordinate is one double; about four contacts hold a grain.
   const double side =
       std::pow(scene.grains.count / std::max(scene.assembly.solid_fraction, 0.1), 1.0 / scene.dimension);
   const double force = 4 * kHalfUnit * kappa * side;
@@ -88,7 +89,8 @@ void check_stiffness(TableReader& root, const Scene& scene) {
                               force, scene.relaxation.tolerance.force));
 }
 
-/// Overlaps of spheres go as 1/kappa: beyond, Hertz' law is not theirs.
+/// Records a fault if kappa is too small: overlaps of spheres scale as 1/kappa, and Hertz' law does not hold for
+/// large ones.
 void check_overlaps(TableReader& root, const Scene& scene) {
   constexpr double kLeastKappa = 30.0;
   if (!scene.law.is_for_small_overlaps()) return;
@@ -102,7 +104,7 @@ void check_overlaps(TableReader& root, const Scene& scene) {
   for_each_pressure(root, scene, check, [](const LoadStage&) { return false; });
 }
 
-/// A pair pulled together by its adhesion alone overlaps by F0/K_N.
+/// Records a fault if a pair pulled together by its adhesion alone overlaps too much; its overlap is F0/K_N.
 void check_cohesive_overlap(TableReader& root, const Scene& scene) {
   constexpr double kLargest = 0.1;
   if (!scene.assembly.box || !scene.law.has_adhesion() || scene.law.force_exponent() != 1.0) return;

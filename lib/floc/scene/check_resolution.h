@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Records faults of a scene whose tolerances cannot resolve what it asks for: pressures below the error that a
-/// stress may have, or contacts so stiff that rounding alone leaves a larger one.
+/// Records a fault if the tolerances of a scene cannot resolve its loads: pressures below the allowed error of a
+/// stress, or contacts so stiff that rounding alone leaves a larger error.
 void check_resolution(TableReader& root, const Scene& scene);
 
 }  // namespace floc

@@ -37,7 +37,7 @@ int steps_of(const KnownStress& from, const LoadStage& stage) {
 }
 
 struct Steps {
-  int up = 0;  ///< including holds
+  int up = 0;  ///< number of loading steps, including holds
   int down = 0;
 };
 
@@ -83,7 +83,7 @@ void add_cohesion(const Scene& scene, double a, Groups& groups) {
   groups.push_back({"h0/a", F0 / K_N, "overlap of a free pair"});
 }
 
-/// Of the liquid, and of bridges between the largest grains where each has three.
+/// Adds the groups of the liquid, and of bridges between two of the largest grains if each grain has three.
 void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   const double share = law.liquid_volume(1.0);
   const double grain = std::numbers::pi / 6.0 * a * a * a;
@@ -93,7 +93,7 @@ void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   groups.push_back({"hm/a", bridge.reach / a, "gap at which such a bridge breaks"});
 }
 
-/// Of elastic spheres: overlaps go as 1/kappa, the pressure between surfaces as kappa^(-1/2).
+/// Adds the groups of elastic spheres. Overlaps scale as 1/kappa, the pressure between surfaces as kappa^(-1/2).
 void add_spheres(const Scene& scene, Groups& groups) {
   const double E = scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max);
   double highest = scene.assembly.pressure;
@@ -106,13 +106,13 @@ void add_spheres(const Scene& scene, Groups& groups) {
                     "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure"});
   groups.push_back({"kappa", hertz_kappa(scene, highest), "at the highest pressure"});
   add_pressures(scene, E, "P/E~", "P/E~", groups);
-  // Where z Phi = 4, of a contact that carries the mean force.
+  // For z Phi = 4, at a contact that carries the mean force.
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
                     "largest pressure between surfaces under the mean force, at the highest pressure"});
 }
 
-/// A number of the law over what makes it dimensionless, named after its symbol; nothing of those that scale
-/// others.
+/// Returns a number of the law in dimensionless form, named after its symbol; none for a number that serves as a unit
+/// of others.
 std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
   const std::string& symbol = n.declared->symbol;
   switch (n.declared->unit) {
@@ -134,7 +134,7 @@ std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
   return std::nullopt;
 }
 
-/// The numbers of one slot.
+/// Adds the dimensionless numbers of one slot of the law.
 void add_slot(const std::string& slot, const Scene& scene, double a, Groups& groups) {
   LawParameters law = scene.law;
   const double K_N = scene.law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
@@ -151,8 +151,8 @@ void add_law(const Scene& scene, double a, Groups& groups) {
         {"zeta", damping_ratio(damping.get<ViscousDamping>().restitution), "fraction of critical damping"});
 }
 
-/// How the cell answers in a part of a run, in what it differs from another part.
-/// @param where  the part, in words
+/// Adds the response of the cell in a part of a run, as far as it differs from another part.
+/// @param where  part of the run, in words
 void add_cell(const RelaxationOptions& r, const RelaxationOptions& other, const std::string& where,
               Groups& groups) {
   if (r.strain_rate_cap && r.strain_rate_cap != other.strain_rate_cap)
@@ -185,12 +185,12 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
         {"T0", std::sqrt(a * m / pull_off_force(scene)), "sqrt(a m/F0), unit of time of the scene"});
 }
 
-/// T = sqrt(m/(p a^(D-2))), the unit of time of a box.
+/// Returns T = sqrt(m/(p a^(D-2))), the unit of time of a box.
 double compaction_time(const Scene& scene, double a, double m) {
   return std::sqrt(m / (scene.assembly.pressure * std::pow(a, scene.dimension - 2)));
 }
 
-/// Groups of the dynamic compaction of a box [SVI2024]: sc = F0/a^(D-1), se = K_N/a^(D-2).
+/// Adds the groups of the dynamic compaction of a box [SVI2024]: sc = F0/a^(D-1), se = K_N/a^(D-2).
 void add_box(const Scene& scene, double a, double m, Groups& groups) {
   const BoxOptions& box = *scene.assembly.box;
   const double p = scene.assembly.pressure;
@@ -216,7 +216,8 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
   groups.push_back({"T", compaction_time(scene, a, m), "sqrt(m/(p a^(D-2))), unit of time"});
 }
 
-/// Time steps of a compaction, that of the load included: as long as it may take, or what dense samples took.
+/// Returns the number of time steps of a compaction, including that of the load: the largest allowed one, or the
+/// usual one of dense samples.
 double steps_of_compaction(const Scene& scene) {
   constexpr double kUsual = 30.0;
   const double a = scene.grains.diameter.max;
@@ -224,7 +225,8 @@ double steps_of_compaction(const Scene& scene) {
          time_step_of_scene(scene);
 }
 
-/// K_N; where it varies, that of the mean force under the first pressure, 0.665 kappa P a (z Phi = 4).
+/// Returns K_N; if it varies with the force, its value at the mean force under the first pressure, 0.665 kappa P a (z
+/// Phi = 4).
 double typical_stiffness(const Scene& scene) {
   const double a = scene.grains.diameter.max, modulus = scene.law.contact_modulus(scene.dimension, a);
   if (scene.law.force_exponent() == 1.0) return modulus * std::pow(a, scene.dimension - 2);
@@ -242,18 +244,18 @@ double time_step_of_scene(const Scene& scene) {
 }
 
 double expected_cost(const Scene& scene) {
-  // Seconds a sphere and step, with some two contacts (a core of 2023).
+  // Seconds per sphere and time step, with about two contacts per sphere (a core of 2023).
   constexpr double kSecondsPerGrainStep = 4.3e-8;
   if (scene.assembly.box) {
     const Steps stages = count_steps(scene);
     return kSecondsPerGrainStep * scene.grains.count * steps_of_compaction(scene) *
            (1 + stages.up + stages.down);
   }
-  // What assembling a gas costs, in loading steps.
+  // Cost of assembling a gas, in loading steps.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
-  // The step of the scene that was timed, in sqrt(m/K_N).
+  // Time step of the scene that was timed, in sqrt(m/K_N).
   constexpr double kTimedStep = 0.1;
   const double step = time_step_of_scene(scene) /
                       std::sqrt(mass_of(scene, scene.grains.diameter.max) / typical_stiffness(scene));

@@ -14,14 +14,14 @@ namespace {
 
 constexpr NumberRule kRelativeError{positive, "a positive number (relative error)"};
 
-/// a K_N/F0; nothing without adhesion.
+/// Returns the stiffness number a K_N/F0; none without adhesion.
 std::optional<double> stiffness_number(const Scene& scene) {
   if (!scene.law.adheres()) return std::nullopt;
   const double a = scene.grains.diameter.max;
   return a * scene.law.contact_modulus(scene.dimension, a) / pull_off_force(scene);
 }
 
-/// Of the assembly, then of each stage of the load path.
+/// Returns the settings of motion of the assembly, then of each stage of the load path.
 std::vector<RelaxationOptions> motions_of_cell(const Scene& scene) {
   std::vector<RelaxationOptions> parts = {scene.assembly.cell.applied_to(scene.relaxation)};
   for (const LoadStage& stage : scene.load) parts.push_back(stage.cell.applied_to(scene.relaxation));
@@ -33,12 +33,13 @@ std::vector<CellFactors> cells_of(const Scene& scene) {
   for (const RelaxationOptions& part : motions_of_cell(scene))
     cells.push_back(
         {part.cell_mass / kLoadCellMass, part.strain_rate_cap.value_or(kStrainRateCap) / kStrainRateCap});
-  // The mass of the cell while grains are put together is no matter of accuracy: it decides which packing is made.
+  // The mass of the cell during assembly is not a matter of accuracy: it determines which packing is made.
   cells.front().mass = 1.0;
   return cells;
 }
 
-/// The table knows cells as heavy and as fast as the defaults make them, to the factors that were measured.
+/// Records a fault if the motion of the cell is outside the range of the table, which covers the default mass and
+/// strain rate up to the measured factors.
 void check_table_covers_cell(TableReader& t, const Scene& scene) {
   for (const RelaxationOptions& part : motions_of_cell(scene))
     if (part.inertial_number_cap) {
@@ -58,7 +59,7 @@ void check_table_covers_cell(TableReader& t, const Scene& scene) {
     }
 }
 
-/// Settings that [accuracy] chooses: a scene says either the accuracy or these.
+/// Records faults for settings that [accuracy] chooses: a scene gives either the accuracy or these settings.
 void refuse_settings(TableReader& root) {
   TableReader equilibrium = root.table("equilibrium", "", TableReader::Need::optional);
   TableReader run = root.table("run", "", TableReader::Need::optional);
@@ -94,7 +95,7 @@ void check_table_covers(TableReader& t, const Scene& scene) {
     check_table_covers_cell(t, scene);
 }
 
-/// Writes what was chosen into the scene, so that its text says what is run even when the table is another one.
+/// Writes the choice into the scene, so that its text gives the settings that are run even if the table changes.
 void write_choice(const AccuracyChoice& choice, toml::table& root) {
   const auto table = [&](const char* name) -> toml::table& {
     return *root.insert(name, toml::table{}).first->second.as_table();
@@ -126,7 +127,7 @@ bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
   }
   refuse_settings(root);
   check_table_covers(t, scene);
-  // A key whose value cannot be used has a fault of its own.
+  // A key with an invalid value has its own fault.
   const bool asks = std::ranges::any_of(accuracy_keys(), [&t](const std::string& key) { return t.has(key); });
   if (wanted.empty() && asks) return false;
   if (wanted.empty()) {

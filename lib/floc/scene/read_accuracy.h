@@ -6,10 +6,10 @@
 
 namespace floc {
 
-/// Reads [accuracy]: chooses settings for the errors asked for and writes them into the scene and its source,
-/// unless the scene says that this was done. Records as faults any settings given beside it, and errors below
-/// those of the shipped table.
-/// @return whether it chose
+/// Reads [accuracy]: chooses numerical settings for the requested errors and writes them into the scene and its
+/// source, unless the scene records that this was done before. Settings given beside [accuracy], and errors below
+/// those of the shipped table, are faults.
+/// @return whether settings were chosen
 bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene);
 
 }  // namespace floc

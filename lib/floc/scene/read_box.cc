@@ -16,7 +16,7 @@ using Need = TableReader::Need;
 
 constexpr NumberRule kPositive{positive, "a positive number"};
 
-/// One keyword an axis: "walls", "fixed" or "periodic".
+/// Reads the boundary: one keyword per axis, "walls", "fixed" or "periodic".
 void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
   constexpr std::array kSides = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic};
   static const char* const kAxisNames[] = {"x", "y", "z"};
@@ -46,7 +46,8 @@ void read_sides(TableReader& t, const Scene& scene, BoxOptions& box) {
   for (int a = 0; a < scene.dimension; ++a) box.sides[a] = sides[static_cast<std::size_t>(a)];
 }
 
-/// Friction and adhesion of walls have no default: they decide the result, and publications forget to say them.
+/// Reads friction and adhesion of walls. They have no default, because they determine the result and publications
+/// often omit them.
 void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
   const NumberRule friction{
       not_negative, "a friction coefficient of grains on walls, >= 0 (no default: it decides the result)"};
@@ -66,7 +67,7 @@ void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
                         box.friction));
 }
 
-/// Whether the grains can be placed in the box at random.
+/// Checks that there is room to place the grains in the box at random.
 void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
   const double d = scene.grains.diameter.max;
   if (scene.starts_from_state() || !(d > 0) || scene.grains.count == 0) return;
@@ -76,7 +77,7 @@ void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
         return t.fault("sides",
                        fmt::format("box.sides: {} along axis {}, expected more than the largest diameter {}",
                                    box.sides[a], a + 1, d));
-  // Of diameters between two, at least the volume of the smallest.
+  // For diameters between two sizes, the volume of the smallest is a lower bound.
   const double least = std::pow(scene.grains.diameter.min, scene.dimension) * std::numbers::pi /
                        (scene.dimension == 2 ? 4.0 : 6.0) * scene.grains.count;
   const double volume = box.sides.head(scene.dimension).prod();
@@ -109,6 +110,7 @@ void read_boxed_gas(TableReader& assembly, Scene& scene) {
         "assembly.kinetic_pressure is not allowed here: the grains of assembly.state start at rest");
     return;
   }
+  // Above these fractions a fluid is too dense for grains to be placed at random without overlap.
   const bool plane = scene.dimension == 2;
   scene.assembly.solid_fraction =
       assembly
@@ -128,6 +130,7 @@ void read_box(TableReader& root, Scene& scene) {
   read_boundary(t, scene.dimension, box);
   read_sides(t, scene, box);
   read_contacts(t, scene, box);
+  // Fixed walls and periodic sides do not respond to a pressure, so at least one axis needs walls that do.
   if (std::none_of(box.boundary.begin(), box.boundary.begin() + scene.dimension,
                    [](BoxSide side) { return side == BoxSide::walls; }))
     t.fault(

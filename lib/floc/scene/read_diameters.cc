@@ -21,7 +21,7 @@ using Kind = DiameterDistribution::Kind;
 
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 
-/// The text of a file; a fault, and nothing, where it cannot be read or is no text.
+/// Returns the text of a file; none, with a fault, if it cannot be read or is not text.
 std::optional<std::string> text_of_list(const std::string& path, TableReader& t, SceneSource& source) {
   try {
     std::string text = read_text(path);
@@ -71,7 +71,7 @@ void read_list(TableReader& t, SceneSource& source, const std::string& directory
   d.max = *largest;
 }
 
-/// The two sizes that a distribution lies between, or consists of.
+/// Reads the two sizes between which a distribution lies, or of which it consists.
 void read_sizes(TableReader& t, const char* small, const char* large, DiameterDistribution& d) {
   d.min = t.number(small, kDiameter).value_or(0);
   d.max = t.number(large, kDiameter).value_or(0);
@@ -85,7 +85,7 @@ void read_lognormal(TableReader& t, DiameterDistribution& d) {
   d.sigma =
       t.number("sigma", {positive, "a positive number (standard deviation of the logarithm of the diameter)"})
           .value_or(0);
-  // Quantiles of a share as small as this keep half their digits.
+  // Quantiles of a share of at least this keep half of their digits.
   constexpr double kLeastShare = 1e-12;
   if (!(d.min > 0 && d.min < d.max && d.median > 0 && d.sigma > 0)) return;
   const double share = share_within_bounds(d);
@@ -105,6 +105,7 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
   if (!chosen) return d;
   d.kind = std::array{Kind::uniform,   Kind::constant,  Kind::bidisperse, Kind::list,
                       Kind::power_law, Kind::lognormal, Kind::power_law,  Kind::power_law}[*chosen];
+  // Uniform distributions by volume or area are power laws of a fixed exponent; `chosen` tells them apart.
   constexpr std::size_t kByVolume = 6;
   switch (d.kind) {
     case Kind::uniform:

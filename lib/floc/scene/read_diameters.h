@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Reads the table grains.diameter. What cannot be used is recorded as a fault.
-/// @param directory  where the file of a list is looked for
+/// Reads the table grains.diameter. Invalid values are recorded as faults.
+/// @param directory  directory that the file of a list is relative to
 DiameterDistribution read_diameters(TableReader table, SceneSource& source, const std::string& directory);
 
 }  // namespace floc

@@ -12,7 +12,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// A placeholder for a number that was refused, so that what follows can still be checked.
+/// Value in place of an invalid number, so that the checks that follow can still be made.
 constexpr double kPlaceholder = 1.0;
 
 NumberRule rule_of(const DeclaredNumber& n) {
@@ -24,7 +24,7 @@ NumberRule rule_of(const DeclaredNumber& n) {
   return {kHolds[static_cast<int>(n.at_first)], n.expectation.c_str()};
 }
 
-/// "a table {law = "tail", force, range} or {law = "constant", force}"
+/// Returns the expectation for messages: "a table {law = "tail", force, range} or {law = "constant", force}".
 std::string expected_table(const DeclaredSlot& slot) {
   std::string text = "a table ";
   for (const DeclaredModel& model : slot.models)
@@ -32,7 +32,7 @@ std::string expected_table(const DeclaredSlot& slot) {
   return text;
 }
 
-/// Keys that other models of the slot have.
+/// Records faults for keys that belong to other models of the slot.
 void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const DeclaredModel& chosen) {
   for (const DeclaredModel& other : slot.models)
     for (const DeclaredNumber& n : other.numbers)
@@ -41,7 +41,8 @@ void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const Decla
                                     chosen.keyword, slot.key, n.key, other.keyword, n.key));
 }
 
-/// The model that is meant where none is named: the default, unless a number is given that another alone has.
+/// Returns the model of a slot that does not name one: the default, unless a number is given that only another model
+/// has.
 std::size_t unnamed_model(const TableReader& t, const DeclaredSlot& slot) {
   std::size_t meant = 0;
   for (std::size_t k = 0; k < slot.models.size(); ++k)
@@ -59,7 +60,7 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
   const auto chosen = t.choice("law", keywords, names_its_model(slot) ? Need::required : Need::optional);
   if (!chosen && (t.has("law") || (slot.models.size() > 1 && names_its_model(slot)))) return;
   const DeclaredModel& model = slot.models[chosen ? *chosen : unnamed_model(t, slot)];
-  // Of a model that does not go together with the slots before, that is all there is to say.
+  // A model that is incompatible with the slots before it gets this fault alone; its numbers are not checked.
   const bool goes_together = fits(model, law);
   model.choose(law);
   bool all_right = true;
@@ -88,7 +89,7 @@ Law read_law(TableReader& root, int dimension) {
   for (const DeclaredSlot& slot : declared_slots())
     read_slot(t.table(slot.key, expected_table(slot).c_str(), slot.optional ? Need::optional : Need::required),
               slot, law);
-  // Numbers have been checked one by one, with the words of a scene.
+  // Single numbers have been checked before, with the messages of a scene.
   for (const auto& faults : {law.faults_between_slots(), law.faults_in_dimension(dimension)})
     for (const LawFault& fault : faults) t.fault(fault.slot, fault.words);
   t.refuse_other_keys();

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Reads the table [contact]: one table for each slot of the law, its keys those that the slot's models
-/// declare. What cannot be used is recorded as a fault; the law then holds some valid number in its place.
+/// Reads the table [contact]: one table for each slot of the law, with the keys that the models of the slot declare.
+/// Invalid values are recorded as faults; the law then holds a valid number in their place.
 Law read_law(TableReader& root, int dimension);
 
 }  // namespace floc

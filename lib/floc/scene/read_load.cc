@@ -17,7 +17,7 @@ using Need = TableReader::Need;
 constexpr bool is_steps_per_decade(double x) {
   return x > 0 && x <= 1000;
 }
-/// At a logarithmic strain of 2 a side is 0.14 of what it was: beyond, the cell would close.
+/// Largest logarithmic strain. At 2 a side has 0.14 of its length; beyond, the cell would close.
 constexpr double kLargestStrain = 2.0;
 constexpr bool is_strain(double x) {
   return x >= -kLargestStrain && x <= kLargestStrain;
@@ -28,7 +28,7 @@ constexpr double kRoundingPerStep = 1e-6;
 constexpr NumberRule kStrain{is_strain,
                              "a logarithmic strain from -2 to 2 (compression positive; beyond, the cell would "
                              "close)"};
-/// Beyond, a path of shear has long been steady.
+/// Largest shear strain: beyond it a sheared packing has long been in a steady state.
 constexpr NumberRule kShear{[](double x) { return x >= -100 && x <= 100; }, "a shear strain from -100 to 100"};
 const std::vector<std::string> kControls = {"isotropic",       "oedometric", "triaxial",
                                             "constant_volume", "axes",       "simple_shear"};
@@ -39,7 +39,7 @@ std::vector<std::string> law_keys(LawParameters law) {
   return keys;
 }
 
-/// Applies the changes of a stage to the law in force, with the faults they make.
+/// Applies the changes of a stage to the present law, and records their faults.
 void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   LawParameters law = present;
   for (const auto& [key, value] : stage.set) {
@@ -58,8 +58,8 @@ void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   present = law;
 }
 
-/// Reads a stress or a strain that one axis is brought to.
-/// @param of_stress  key of the stress, and what is expected of it
+/// Reads the stress or strain at the end of a stage of one axis.
+/// @param of_stress  key of the stress and its requirement
 AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_stress) {
   const bool has_stress = t.has(stress_key);
   const auto stress = t.number(stress_key, {not_negative, of_stress}, Need::optional);
@@ -72,7 +72,7 @@ AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_s
   return {AxisLoad::stress, stress.value_or(0.0)};
 }
 
-/// `axes = [{stress = ..}, {strain = ..}, {as = 1}]`.
+/// Reads `axes = [{stress = ..}, {strain = ..}, {as = 1}]`.
 std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   std::vector<AxisLoad> axes;
   const char* expectation = "an array of one table per axis, {stress = ..}, {strain = ..} or {as = 1}";
@@ -97,7 +97,7 @@ std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   return axes;
 }
 
-/// The axes of a test in which one is driven.
+/// Returns the loads on the axes of a test in which one axis is driven.
 std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int axis, int dimension) {
   if (control == "constant_volume" && t.has("to"))
     t.fault("to", fmt::format("{}: at constant volume the driven axis is given a length; expected strain",
@@ -111,7 +111,8 @@ std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int 
   return axes;
 }
 
-/// The planes across an axis, which keep their stress, move along the first one. Nothing else changes its length.
+/// Reads a simple shear: the planes across an axis, which keeps its stress, move along the first axis. The lengths of
+/// all other axes are kept.
 void read_shear(TableReader& t, int dimension, LoadStage& stage) {
   const char* which = dimension == 2
                           ? "the number of the axis across whose planes the lattice is sheared, 2"
@@ -153,7 +154,8 @@ double largest_strain(const LoadStage& stage) {
   return largest;
 }
 
-/// Whether steps_per_decade says how many steps a stage takes: its stresses start from known ones above zero.
+/// Whether steps_per_decade determines the number of steps of a stage, which requires that its stresses start from
+/// known ones above zero.
 bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   bool any = false;
   for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a) {
@@ -164,7 +166,7 @@ bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   return any;
 }
 
-/// The number of steps of a stage whose axes are loaded differently.
+/// Reads the number of steps of a stage whose axes are loaded differently.
 void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
   const auto strain_step =
       t.number("strain_step", {positive, "a positive strain, of one step"}, Need::optional);
@@ -177,6 +179,7 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
     t.fault("strain_step", fmt::format("{}: no axis is strained; expected steps or steps_per_decade",
                                        t.path_of("strain_step")));
   if (strain_step && strain > 0.0) {
+    // An exact multiple of strain_step must not get one step more because of rounding.
     const double n = std::ceil(strain / *strain_step - kRoundingPerStep);
     if (n > static_cast<double>(kMaxSteps))
       t.fault("strain_step", fmt::format("{} = {}: {} steps to a strain of {}, expected at most {}",
@@ -184,6 +187,7 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
     else
       stage.steps = std::max(1, static_cast<int>(n));
   }
+  // Steps per decade need the ratio of the last stress to the first one, so both must be known and positive.
   if (stage.steps_per_decade && !counts_in_decades(from, stage))
     t.fault("steps_per_decade",
             fmt::format("{}: the stress that the stage starts from is not known before the run, or zero; "
@@ -194,7 +198,7 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
                                  strain > 0.0 ? " or strain_step" : " or steps_per_decade"));
 }
 
-/// Of a stage to the same pressure on every axis.
+/// Checks the number of steps of a stage that ends at the same pressure on every axis.
 void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end, const LoadStage& stage) {
   const bool by_decade = t.has("steps_per_decade");
   const bool by_number = t.has("steps");
@@ -211,7 +215,7 @@ void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end
                                             t.path_of("steps_per_decade")));
 }
 
-/// "load", "unload" or "hold" where the stress before is known, else the kind of test.
+/// Returns "load", "unload" or "hold" if the stress before is known, otherwise the kind of the test.
 std::string default_name(const KnownStress& from, const LoadStage& stage) {
   const std::size_t axis = static_cast<std::size_t>(stage.axis);
   const AxisLoad driven = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to}
@@ -223,7 +227,7 @@ std::string default_name(const KnownStress& from, const LoadStage& stage) {
   return driven.end > *before ? "load" : driven.end < *before ? "unload" : "hold";
 }
 
-/// Where every axis is given a length, their strains together are the volume's.
+/// Checks the strains of a stage that imposes one on every axis: their sum is the strain of the volume.
 void check_volume(TableReader& t, const LoadStage& stage) {
   double sum = 0.0;
   for (const AxisLoad& axis : stage.axes) {
@@ -236,7 +240,7 @@ void check_volume(TableReader& t, const LoadStage& stage) {
                         t.path_of("axes"), sum, kLargestStrain));
 }
 
-/// An axis cannot keep a stress of zero, known from the stage before, once there is no adhesion.
+/// Checks that no axis keeps a stress of zero without adhesion, if it is known from the stage before.
 void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage, const Law& law) {
   if (law.adheres()) return;
   for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a)
@@ -247,7 +251,8 @@ void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage&
                                  t.path_of("control"), stage.control, a + 1));
 }
 
-/// @param cell_cap  whether the scene caps rates by the inertial number, which is zero without a pressure
+/// Checks stages that end at zero stress.
+/// @param cell_cap  whether the scene caps rates by the inertial number, which allows no motion at zero pressure
 void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const Law& law, bool cell_cap) {
   const bool zero = stage.is_isotropic()
                         ? has_end && stage.to == 0.0
@@ -271,7 +276,7 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
                              t.path_of(key)));
 }
 
-/// Between walls an axis is under a stress where its walls move, and keeps its length elsewhere.
+/// Checks the loads on axes of a box: a stress is imposed by walls that move, and all other axes keep their length.
 void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) {
   const char* key = t.has("axes") ? "axes" : "control";
   for (std::size_t a = 0; a < stage.axes.size(); ++a) {
@@ -287,7 +292,8 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
   }
 }
 
-/// @param scene  all but its stages
+/// Reads one stage of the load path.
+/// @param scene  scene without its stages
 /// @param from   stresses before the stage
 LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from, Law& law) {
   const std::optional<BoxOptions>& box = scene.assembly.box;
@@ -307,7 +313,7 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
                    t.path_of(key)));
   } else {
     read_axes_of(t, dimension, stage);
-    // The same stress on every axis is the isotropic load, to the last bit.
+    // An equal stress on every axis is treated as the isotropic load, so that both give identical results.
     if (stage.control == "axes" && !stage.axes.empty() && stage.axes[0].kind == AxisLoad::stress &&
         std::count(stage.axes.begin(), stage.axes.end(), stage.axes[0]) == dimension) {
       stage.to = stage.axes[0].end;

@@ -15,12 +15,12 @@ inline constexpr NumberRule kStrainRateCapRule{
 /// inertial_number_cap, or none.
 CellResponse read_rate_caps(TableReader& t);
 
-/// How the cell, or the walls of a box, respond to their load in one part of a run.
-/// @param boxed  the grains stand in a [box]
+/// Reads the response of the cell, or of the walls of a box, to their load in one part of a run.
+/// @param boxed  whether the scene has a [box]
 CellResponse read_cell_response(TableReader& t, bool boxed);
 
-/// Reads [[load]], the stages of the load path. @pre the scene has its law, its assembly and its box
-/// @param unsaid  cell response of stages that do not give one, where the rest of the scene does not either
+/// Reads [[load]], the stages of the load path. @pre law, assembly and box of the scene have been read
+/// @param unsaid  cell response of stages that give none, if the rest of the scene gives none either
 void read_load(TableReader& root, const CellResponse& unsaid, Scene& scene);
 
 }  // namespace floc

@@ -17,7 +17,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// The packing of a file that was looked at before. @throws InputError if it is no longer the same
+/// Reads again the packing of a file that was read before. @throws InputError if the file has changed
 std::variant<Packing<2>, Packing<3>> read_again(const std::string& file, const std::string& sha256) {
   if (sha256_of_file(file) != sha256)
     throw InputError(file, "has changed since the scene was read: expected the state it starts from");
@@ -25,7 +25,7 @@ std::variant<Packing<2>, Packing<3>> read_again(const std::string& file, const s
                     read_state(file));
 }
 
-/// Number of copies along each axis, 1 along one that there is not.
+/// Returns the number of copies along each axis; 1 along a third axis in 2D.
 Vec<3, int> read_copies(TableReader& t, int dimension) {
   const bool plane = dimension == 2;
   const char* example = plane
@@ -43,7 +43,7 @@ Vec<3, int> read_copies(TableReader& t, int dimension) {
   return out;
 }
 
-/// Why a run cannot start from a state; empty if it can.
+/// Returns the reason why a run cannot start from a state; empty if it can.
 template <int Dim>
 std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   if (Dim != scene.dimension)
@@ -63,7 +63,7 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   return "";
 }
 
-/// The grains as a scene describes them: number, sizes, density of the heaviest.
+/// Returns the grains as a scene describes them: number, sizes, density of the heaviest.
 template <int Dim>
 GrainOptions grains_of(const Grains<Dim>& grains, int n_tiles) {
   GrainOptions out;
@@ -90,7 +90,7 @@ std::string start_description(const State<Dim>& state, const std::string& file, 
                      law == scene.law ? "as in the state" : "of the scene, in place of " + law_text(law));
 }
 
-/// Takes what a scene needs to know of the state that it starts from.
+/// Copies the data of the starting state that the scene needs into the scene.
 template <int Dim>
 void describe_start(TableReader& t, const State<Dim>& state, const std::string& file, Scene& scene) {
   SavedStart& start = scene.assembly.saved;

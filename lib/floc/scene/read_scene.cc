@@ -37,7 +37,7 @@ constexpr bool is_gas_of_disks(double x) {
 constexpr bool is_gas_of_spheres(double x) {
   return x > 0 && x <= kDensestGasOfSpheres;
 }
-/// The explicit scheme is unstable from 0.4 on (RelaxationOptions::time_step).
+/// Whether a time step is stable: the explicit scheme is unstable from 0.4 on (RelaxationOptions::time_step).
 constexpr bool is_stable_step(double x) {
   return x > 0 && x < 0.4;
 }
@@ -71,7 +71,8 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
   t.refuse_other_keys();
 }
 
-/// @return  how the cell answers on the load path where the stages do not say it: nothing that the scene says
+/// Reads [cell].
+/// @return default response of the cell in stages of the load path, without the values that [cell] gives
 CellResponse read_cell(TableReader& root, Scene& scene) {
   const bool from_state = scene.starts_from_state();
   TableReader t = root.table("cell", "a table [cell]", from_state ? Need::optional : Need::required);
@@ -97,7 +98,7 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   CellResponse unsaid = default_load_response(scene.law);
   if (said.has_cap()) unsaid.strain_rate_cap = unsaid.inertial_number_cap = std::nullopt;
   if (said.cell_mass) unsaid.cell_mass.reset();
-  // A saved packing that is not shaken is only taken to its first pressure.
+  // A saved packing that is not vibrated is only brought to its first pressure.
   if (from_state && !scene.assembly.vibration) scene.assembly.cell = scene.assembly.cell.or_else(unsaid);
   return unsaid;
 }
@@ -107,7 +108,7 @@ bool has_box(const TableReader& root) {
   return root.has("box");
 }
 
-/// How a saved packing is shaken before it is compressed.
+/// Reads the vibration of a packing before its compression.
 std::optional<Vibration> read_vibration(TableReader& assembly) {
   if (!assembly.has("vibration")) return std::nullopt;
   TableReader t = assembly.table("vibration", "a table {dilation, collisions}");
@@ -132,6 +133,8 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
     t.refuse("gas", "assembly.gas is not allowed here: the grains come from assembly.state");
   else if (const auto gas = t.choice("gas", {"equilibrated", "sequential_addition"}, Need::optional))
     scene.assembly.gas = std::array{GasKind::equilibrated, GasKind::sequential_addition}[*gas];
+  // In a [box] the pressure is that of the walls (box.pressure) and acts from the start, so keys of the periodic cell
+  // are faults there.
   const bool boxed = has_box(root);
   if (boxed) {
     read_boxed_gas(t, scene);
@@ -143,6 +146,8 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
       t.refuse(key, fmt::format("assembly.{} is not allowed here: it is that of the gas in a [box]", key));
   }
   const NumberRule agitation{positive, "a positive number (V0/V*, V* = sqrt(F0 D0/m))"};
+  // Agitation is required for aggregation, where it brings grains into contact. It is refused for cohesive grains
+  // that are compressed directly.
   const bool aggregates = scene.assembly.protocol == Protocol::aggregation;
   if (boxed && aggregates)
     t.fault("protocol",
@@ -226,7 +231,7 @@ void read_run(TableReader& root, Scene& scene) {
   t.refuse_other_keys();
 }
 
-/// What tables must agree on.
+/// Records faults of tables that contradict each other.
 void check_consistency(TableReader& root, SceneSource& source, const Scene& scene) {
   const bool cohesive = scene.law.has_adhesion() || source.is_faulty("contact.adhesion.law");
   TableReader contact = root.table("contact", "", Need::optional);
@@ -252,7 +257,8 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
     assembly.fault("inertial_number_cap", fmt::format(kNothingMoves, "assembly.inertial_number_cap"));
 }
 
-/// Puts diameters that came from a file into the scene itself, so that its text is complete; true if it did.
+/// Replaces a file of diameters in the scene by its values, so that the text of the scene is complete. @return
+/// whether it did
 bool inline_list(toml::table& root, const std::vector<double>& values) {
   if (values.empty()) return false;
   toml::table& diameter = *root["grains"]["diameter"].as_table();
@@ -264,7 +270,7 @@ bool inline_list(toml::table& root, const std::vector<double>& values) {
   return true;
 }
 
-/// Puts the checksum of the state that the scene starts from into the scene itself; true if it did.
+/// Writes the checksum of the state from which the scene starts into the scene. @return whether it did
 bool name_state(toml::table& root, const Scene& scene) {
   return scene.starts_from_state() &&
          root["assembly"].as_table()->insert("state_sha256", scene.assembly.saved.sha256).second;

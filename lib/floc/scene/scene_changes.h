@@ -5,10 +5,10 @@
 
 namespace floc {
 
-/// Keys in which two scenes differ, each with both values: "grains.count = 400 in A, 200 in B". Empty where
+/// Returns the keys in which two scenes differ, each with both values: "grains.count = 400 in A, 200 in B". Empty if
 /// they differ only in comments and layout.
-/// @param first, second       texts of the scenes (TOML)
-/// @param here, there         what they are called: "in A", "in B"
+/// @param first, second  texts of the scenes (TOML)
+/// @param here, there    names of the scenes in the result: "in A", "in B"
 /// @throws InputError if a text is not TOML
 std::vector<std::string> scene_changes(const std::string& first, const std::string& here,
                                        const std::string& second, const std::string& there);

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Mass over the cube of the diameter (for disks, its square) that the text of a scene gives its grains: from
-/// their density, or 1 in reduced units without a density. None where the grains are those of a saved state.
-/// @param place  what messages call the text
+/// Returns the mass of a grain over the cube of its diameter (for disks, its square), as the text of a scene gives
+/// it: from the density, or 1 in reduced units without a density. None if the grains are those of a saved state.
+/// @param place  name of the text in messages
 /// @throws InputError if the text is not TOML
 std::optional<double> mass_per_cubed_diameter(const std::string& scene, int dimension,
                                               const std::string& place);

@@ -27,7 +27,7 @@ std::vector<std::string> split_key(const std::string& key) {
   return parts;
 }
 
-/// The value of an override as a table {v = value}; a bare word is a string.
+/// Returns the value of an override as a table {v = value}; a bare word is a string.
 toml::table parse_value(const std::string& text) {
   try {
     return toml::parse("v = " + text);
@@ -36,7 +36,7 @@ toml::table parse_value(const std::string& text) {
   }
 }
 
-/// The node below `node` named `part`; tables that are missing are made, items of arrays are not.
+/// Returns the node below `node` named `part`. A missing table is made, an item of an array is not.
 toml::node* descend(toml::node* node, const std::string& part) {
   if (toml::table* table = node->as_table()) {
     if (!table->contains(part)) table->insert(part, toml::table{});
@@ -88,7 +88,7 @@ void SceneSource::apply(const std::string& override_text) {
   if (!table) throw InputError(place, "expected the name of a key in a table");
   const toml::table value = parse_value(trimmed(override_text.substr(equals + 1)));
   value.get("v")->visit([&](const auto& v) { table->insert_or_assign(parts.back(), v); });
-  // The last override of a key is the one to blame for it.
+  // The last override of a key determines its value, so faults of the key refer to it.
   overrides_.insert(overrides_.begin(), {key, override_text});
 }
 
@@ -105,7 +105,7 @@ unsigned SceneSource::line_of(const std::string& key, const toml::node* node) co
 std::string SceneSource::place_of(const std::string& key, const toml::node* node) const {
   if (const Override* o = override_of(key)) return "--set " + o->text;
   if (const unsigned line = line_of(key, node)) return fmt::format("{}:{}", place_, line);
-  // A table that only exists because an override put a key into it.
+  // The table exists only because an override added a key to it.
   for (const Override& o : overrides_)
     if (is_below(o.key, key)) return "--set " + o.text;
   return place_;
@@ -135,7 +135,7 @@ void SceneSource::throw_faults() const {
 
 std::string as_written(const toml::node& node) {
   if (node.is_table()) return "a table";
-  // The shortest form that reads back; toml++ writes 17 digits.
+  // fmt prints the shortest digits that read back as the same number; toml++ prints 17.
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   std::ostringstream out;
   node.visit([&](const auto& n) { out << n; });

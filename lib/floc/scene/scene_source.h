@@ -18,15 +18,15 @@ class SceneSource {
   const toml::table& root() const { return root_; }
   toml::table& root() { return root_; }
 
-  /// "file:line" of a key, or the override it came from.
+  /// Returns "file:line" of a key, or the override that set it.
   std::string place_of(const std::string& key, const toml::node* node) const;
 
-  /// Records a fault; `node` is what the message is about, or the table that lacks it.
+  /// Records a fault. @param node  node that the message is about, or the table that lacks the key
   void fault(const std::string& key, const toml::node* node, const std::string& problem);
   /// Records a fault of another file.
   void fault_at(const std::string& place, const std::string& problem);
 
-  /// True if a fault of this very key was recorded.
+  /// Whether a fault of exactly this key was recorded.
   bool is_faulty(const std::string& key) const;
 
   /// @throws InputError with all faults in the order of the file, if there are any.
@@ -34,7 +34,7 @@ class SceneSource {
 
  private:
   struct Fault {
-    unsigned line;  ///< 0 when it has none
+    unsigned line;  ///< line in the file; 0 without one
     std::string key;
     std::string message;
   };
@@ -53,10 +53,10 @@ class SceneSource {
   std::vector<Fault> faults_;
 };
 
-/// A value as the user would write it, for messages.
+/// Returns a value as the user would write it, for messages.
 std::string as_written(const toml::node& node);
 
-/// The candidate with the smallest edit distance to `key`; empty without candidates.
+/// Returns the candidate with the smallest edit distance to `key`; empty without candidates.
 std::string nearest_key(std::string_view key, const std::vector<std::string>& candidates);
 
 }  // namespace floc

@@ -19,9 +19,9 @@ namespace {
 
 using Warnings = std::vector<std::string>;
 
-/// Rounding of the four or so forces of a grain, each of a few F1, leaves this much of them.
+/// Rounding error of the net force on a grain, in F1: about four forces of a few F1 each.
 constexpr double kRounding = 1e-15;
-/// Kinetic energy that rounding keeps alive: of velocities of 1e-12 of the natural ones.
+/// Kinetic energy that rounding maintains: velocities of 1e-12 of the natural ones.
 constexpr double kLeastEnergy = 1e-24;
 
 void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
@@ -46,7 +46,7 @@ void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
                     t.energy, kLeastEnergy));
 }
 
-/// The largest stress that a stage asks for, 0 where it asks for strains alone.
+/// Returns the largest stress at the end of a stage; 0 if it imposes strains only.
 double largest_stress(const LoadStage& stage) {
   if (stage.is_isotropic()) return stage.to;
   double largest = 0.0;
@@ -55,8 +55,8 @@ double largest_stress(const LoadStage& stage) {
   return largest;
 }
 
-/// Overlap, over their radius, of two of the largest grains under so many times the mean force of a pressure and
-/// their adhesion: P = z Phi F/(pi a^(d-1)) of equal grains, of which z Phi = 4 bear it.
+/// Returns the overlap over the radius of two of the largest grains, under a multiple of the mean force at a pressure
+/// and their adhesion: P = z Phi F/(pi a^(d-1)) of equal grains, with z Phi = 4.
 double overlap_under(const Scene& scene, const Law& law, double pressure, double times_mean) {
   const double a = scene.grains.diameter.max;
   const double mean = 0.25 * std::numbers::pi * pressure * std::pow(a, scene.dimension - 1);
@@ -71,9 +71,10 @@ double overlap_under(const Scene& scene, const Law& law, double pressure, double
   return overlap / (0.5 * a);
 }
 
-/// Grains too soft for what the path asks for, as where the stiffness is in other units: see overlap_warning().
+/// Warns of grains too soft for the pressures of the path, for example because the stiffness is in other units: see
+/// overlap_warning().
 void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
-  constexpr double kLoaded = 3.0;  // times the mean force, which some contacts in a hundred bear
+  constexpr double kLoaded = 3.0;  // multiple of the mean force that some percent of the contacts carry
   if (!(scene.grains.diameter.max > 0.0)) return;
   Law law = scene.law, softest = law;
   double deepest = overlap_under(scene, law, scene.assembly.pressure, kLoaded), at = scene.assembly.pressure;
@@ -98,7 +99,7 @@ void warn_of_range(const Scene& scene, Warnings& warnings) {
                     scene.law.range(), radius));
 }
 
-/// The largest water content that the scene begins with or sets in a stage.
+/// Returns the largest water content at the beginning or set in a stage.
 double most_water(const Scene& scene, double at_first) {
   double most = at_first;
   for (const LoadStage& stage : scene.load)
@@ -107,7 +108,7 @@ double most_water(const Scene& scene, double at_first) {
   return most;
 }
 
-/// What liquid bridges do that the scene does not say.
+/// Warns of effects of liquid bridges that the keys of the scene do not show.
 void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   const auto& adhesion = scene.law.parameters().adhesion;
   if (!adhesion.holds<CapillaryAdhesion>()) return;
@@ -121,7 +122,7 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
     warnings.push_back(
         "contact.adhesion.contact_angle = 90: the liquid does not attract; the grains behave as if they were "
         "dry");
-  // Of three bridges to each of equal grains, V_b over R'^3.
+  // Volume of a bridge over R'^3 from which bridges merge, for equal grains with three bridges each.
   constexpr double kMerging = 0.1;
   const double filled = law.liquid_volume(4.0 / 3.0 * std::numbers::pi) / kBridgesPerGrain;
   if (filled > kMerging)
@@ -135,23 +136,24 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
         "grains");
 }
 
-/// sqrt(a m/F1) at a pressure.
+/// Returns the unit of time sqrt(a m/F1) at a pressure.
 double time_unit(const Scene& scene, double pressure) {
   const double a = scene.grains.diameter.max, m = mass_of(scene, a);
   const double F1 = std::max(pull_off_force(scene), pressure * std::pow(a, scene.dimension - 1));
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
-/// A gas has to be compressed until grains hold each other before the step that compresses it is given up.
+/// Warns if a step ends at equilibrium.max_time before the compression of a gas can bring its grains into contact.
 void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
-  // Looser than this no gas that is compressed at once comes to rest, even with adhesion.
+  // No gas that is compressed at once comes to rest at a smaller solid fraction, even with adhesion.
   const double loosest = scene.dimension == 2 ? 0.5 : 0.35;
   const bool gas = scene.assembly.protocol == AssemblyOptions::Protocol::direct;
   const double phi = scene.assembly.solid_fraction, pressure = scene.assembly.pressure;
   if (!gas || !(phi > 0.0) || phi >= loosest || !(pressure > 0.0)) return;
   const double unit = time_unit(scene, pressure);
   const RelaxationOptions r = scene.assembly.cell.applied_to(scene.relaxation);
-  // The inertial number is the rate times sqrt(m/P), of spheres sqrt(m/(P a)): sqrt(a m/F1) where F1 is of P.
+  // The inertial number is the rate times sqrt(m/P), for spheres sqrt(m/(P a)); this equals sqrt(a m/F1) if P
+  // determines F1.
   const double free_unit = scene.law.adheres() ? time_unit(scene, 0.0) : unit;
   const double rate = r.strain_rate_cap       ? *r.strain_rate_cap / free_unit
                       : r.inertial_number_cap ? *r.inertial_number_cap / unit
@@ -166,23 +168,23 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
                     r.strain_rate_cap ? *r.strain_rate_cap : *r.inertial_number_cap, phi, least, r.max_time));
 }
 
-/// Length of a close packing of the grains along an axis, in largest diameters.
+/// Returns the side of a dense packing of the grains, in largest diameters.
 double packed_side(const Scene& scene) {
   const double densest = scene.dimension == 2 ? 0.8 : 0.6;
   const double unit_volume = scene.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
   return std::pow(scene.grains.count * unit_volume / densest, 1.0 / scene.dimension);
 }
 
-/// Mass of the smallest grain over that of the largest.
+/// Returns the mass of the smallest grain over that of the largest.
 double lightest(const Scene& scene) {
   return std::pow(scene.grains.diameter.min / scene.grains.diameter.max, scene.dimension);
 }
 
-/// A cell that weighs less than a few grains vibrates faster than they do, and the time step follows it
-/// (cell_time_step_of()).
+/// Warns of a light cell: one that weighs less than a few grains vibrates faster than they do, and reduces the time
+/// step (cell_time_step_of()).
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
   if (scene.assembly.box) return;
-  constexpr double kSlow = 0.1;  // of the step that the grains allow
+  constexpr double kSlow = 0.1;  // smallest time step, relative to the one that the grains allow
   const double along = scene.dimension == 2 ? 1.5 : 2.0;
   const auto check = [&](const std::string& key, const CellResponse& cell) {
     const double mass = cell.applied_to(scene.relaxation).cell_mass;
@@ -201,10 +203,10 @@ void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
       return;
 }
 
-/// Walls have the time step of the grains: those that are too light for it diverge.
+/// Warns of light walls: the time step is that of the grains, and the motion of walls too light for it diverges.
 void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
   if (!scene.assembly.box) return;
-  // Two in three grains that a wall has room for touch it; beyond dt w = 2, w^2 = n K/M, motion grows.
+  // Two of three grains that fit along a wall touch it. Motion diverges beyond dt w = 2, with w^2 = n K/M.
   const double n_touching = 2.0 / 3.0 * std::pow(packed_side(scene), scene.dimension - 1);
   const double step = scene.relaxation.time_step * (scene.dimension == 2 ? 1.0 : 0.775);
   const double least = n_touching * lightest(scene) * std::pow(0.5 * step, 2);
@@ -215,8 +217,8 @@ void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
         scene.assembly.box->mass, least));
 }
 
-/// What is stiff against its load needs many time steps for the motion that settles it: spheres, whose forces depend
-/// on the way and are not found by Newton steps at once.
+/// Warns of contacts that are stiff relative to the load: the motion that settles them takes many time steps. This
+/// concerns spheres, whose forces depend on the path and cannot be found by Newton steps alone.
 void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
   constexpr double kMany = 3000.0;  // twice the most of the shipped scenes
   if (scene.law.force_exponent() == 1.0) return;

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// The finite number a node holds, whole or not.
+/// Returns the finite number of a node, whole or not.
 std::optional<double> finite_number(const toml::node& node) {
   std::optional<double> value;
   if (node.is_integer()) value = static_cast<double>(node.as_integer()->get());
@@ -60,7 +60,7 @@ std::optional<std::int64_t> TableReader::integer(const std::string& key, Integer
   const std::int64_t value = node->is_integer() ? node->as_integer()->get() : 0;
   if (node->is_integer() && value >= rule.at_least && value <= rule.at_most) return value;
   const auto* number = node->as_floating_point();
-  if (number != nullptr && whole_number(number->get()))  // TOML tells 2.0 from 2
+  if (number != nullptr && whole_number(number->get()))  // TOML distinguishes 2.0 from 2
     fault(key, fmt::format("{} = {:.1f}: expected {}, written without a decimal point", path_of(key),
                            number->get(), rule.expectation));
   else

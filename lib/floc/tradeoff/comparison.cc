@@ -13,12 +13,11 @@ namespace {
 
 constexpr double kQuantile = 0.95;
 constexpr double kConfidence = 0.95;
-/// Changes of the solid fraction that elasticity explains: so many times dP/B, and what Newton refinement
-/// moves.
+/// Changes of the solid fraction that count as elastic: this multiple of dP/B, and the change by Newton refinement.
 constexpr double kElastic = 3.0;
 constexpr double kStill = 1e-5;
 
-/// Probability of at most k of n independent values below the quantile.
+/// Returns the probability that at most k of n independent values lie below the quantile.
 double at_most(int k, int n) {
   double sum = 0.0;
   for (int j = 0; j <= k; ++j)
@@ -42,7 +41,7 @@ bool is_elastic(const ObservedState& from, const ObservedState& to) {
   return change <= kStill + (modulus > 0.0 ? kElastic * step / modulus : 0.0);
 }
 
-/// Mean of finite values over the k below n for which `counts(k)`.
+/// Returns the mean of finite values over those k below n for which `counts(k)` holds.
 double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
                  const std::function<double(std::size_t)>& value) {
   double sum = 0.0;
@@ -54,10 +53,10 @@ double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
     sum += at;
     ++used;
   }
-  return sum / used;  // not a number where there is none
+  return sum / used;  // NaN without values
 }
 
-/// Mean over the states that count of how far a path is off.
+/// Returns the mean error of a path over the states that count.
 double mean_difference(int k, const SamplePath& reference, const SamplePath& path,
                        const std::function<bool(std::size_t)>& counts) {
   return mean_over(path.states.size(), counts, [&](std::size_t i) {
@@ -168,7 +167,7 @@ ObservableErrors sampling_errors(const std::vector<const SamplePath*>& reference
   ObservableErrors out;
   const std::size_t n_states = references.front()->states.size();
   for (std::size_t k = 0; k < kObservables; ++k) {
-    // Mean over the samples, state by state, that each sample is held against.
+    // Mean over the samples, state by state, with which each sample is compared.
     std::vector<double> mean(n_states);
     for (std::size_t i = 0; i < n_states; ++i)
       mean[i] = mean_over(

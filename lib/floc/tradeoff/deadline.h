@@ -4,13 +4,13 @@
 
 namespace floc {
 
-/// An amount of processor time after which a study has to end. On a free core that is wall time; on a busy one,
-/// or while the process is suspended, waiting does not count.
+/// Processor time after which a study has to end. On a free core it equals wall time; on a busy one, or while the
+/// process is suspended, waiting does not count.
 class Deadline {
  public:
   /// @param seconds  of processor time from now on
   explicit Deadline(double seconds) : end_(processor_seconds() + seconds) {}
-  /// Seconds that are left; negative once it has passed.
+  /// Returns the processor time that is left (s); negative after the deadline.
   double left() const { return end_ - processor_seconds(); }
   bool passed() const { return left() <= 0.0; }
 

@@ -14,7 +14,8 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMinSamples = 3;
 using Fitted = std::array<double, kFittedNames.size()>;
 
-/// States of the first loading: the last one assembled, then those of the first stage, if it goes up.
+/// Returns the states of the first loading: the last assembled one, then those of the first stage, if its pressure
+/// increases.
 std::vector<std::size_t> first_loading(const SamplePath& path) {
   std::vector<std::size_t> at;
   for (std::size_t k = 0; k < path.states.size() && path.states[k].stage <= 0; ++k) {
@@ -26,7 +27,7 @@ std::vector<std::size_t> first_loading(const SamplePath& path) {
   return at;
 }
 
-/// Mean of 1/Phi of all samples but one.
+/// Returns the mean of 1/Phi of all samples but one.
 ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
                                  std::optional<std::size_t> left_out) {
   ConsolidationCurve curve;
@@ -46,7 +47,7 @@ ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
   return curve;
 }
 
-/// lambda, alpha and Phi_max of the full law on a window.
+/// Returns lambda, alpha and Phi_max of the full law, fitted on a window of pressures.
 Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
   std::vector<double> log_P, y;
   for (std::size_t k = 0; k < curve.P_star.size(); ++k)
@@ -92,7 +93,7 @@ std::array<MeanDifference, kFittedNames.size()> compare_fits(const std::vector<c
     for (const Fitted& f : without) values.push_back(f[p]);
     const MeanDifference spread = mean_of(values);
     if (!std::isfinite(all[p]) || spread.n < static_cast<int>(n)) continue;
-    // Leaving out moves the mean (n - 1) times less than samples differ.
+    // Leaving out one sample changes the mean by (n - 1) times less than samples differ.
     const auto scale = static_cast<double>(n - 1);
     out[p] = {all[p], scale * spread.standard_error, scale * spread.error95, spread.n};
   }

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Runs until the equilibrium of number `end` is made; the states go to `path`.
+/// Runs up to equilibrium number `end`; its states are added to `path`.
 void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path) {
   while (run.point().step < end && path.whole()) {
     switch (run.advance()) {
@@ -28,7 +28,8 @@ void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path)
   }
 }
 
-/// @param capped  a response of the cell, or the options of a relaxation
+/// Multiplies the caps on the strain rate by `factor`. @param capped  response of the cell, or options of a
+/// relaxation
 template <class Capped>
 void scale_caps(double factor, Capped& capped) {
   if (capped.strain_rate_cap) *capped.strain_rate_cap *= factor;
@@ -86,7 +87,7 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
 
 void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePath& path) {
   RelaxationOptions options = strict;
-  options.finish = Finish::statics;  // most states are so near that no motion is needed
+  options.finish = Finish::statics;  // most states are so close to it that no motion is needed
   for (ObservedState& s : path.states) {
     s.settled = s.observation;
     if (s.state.residuals.within(strict.tolerance)) continue;

@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Builds the list: a setting differs from the scene's own in what `change` does.
+/// Builds the list of settings; `change` makes the difference of a setting from those of the scene.
 class SettingList {
  public:
   explicit SettingList(const Scene& scene) { base_.numerical = NumericalSettings::of(scene.relaxation); }
@@ -70,7 +70,7 @@ std::vector<StudiedSetting> studied_settings(const Scene& scene) {
   using Setting = StudiedSetting;
   list.add("finish", "dynamic", [](Setting& s) { s.numerical.finish = Finish::dynamic; });
   list.add("finish", "static", [](Setting& s) { s.numerical.finish = Finish::statics; });
-  // Without Newton refinement, which reaches 1e-8 whatever is asked for.
+  // Motion alone is used here, because Newton refinement reaches 1e-8 for every tolerance.
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8})
     list.add("tolerance", fmt::format("{:.0e} dynamic", tolerance), [&](Setting& s) {
       s.numerical.tolerance = tolerance;

@@ -15,16 +15,16 @@
 namespace floc {
 namespace {
 
-/// Grains of the sample that measures how fast the machine is, and the fewest that a study is made with.
+/// Number of grains of the sample that measures the speed of the machine, and smallest number of a study.
 constexpr int kMinGrains = 40;
-/// Samples of everything that have to fit before grains are taken away: errors of means need two.
+/// Number of samples of every setting that must fit before grains are removed: errors of means need two.
 constexpr double kSamplesWanted = 2.0;
-/// Cost of the reference over that of the scene's own settings, before it is measured: the ratio of the time
+/// Assumed cost of the reference relative to the settings of the scene, before it is measured: the ratio of the time
 /// steps, and longer waits.
 constexpr double kReferenceCost = 4.0;
-/// Share of the budget that runs may take; comparing them and fitting takes the rest.
+/// Share of the budget for runs; comparing and fitting take the rest.
 constexpr double kShareOfRuns = 0.97;
-/// Share of the expected costs by which a run may exceed them.
+/// Share of its expected cost by which a run may exceed it.
 constexpr double kMargin = 1.3;
 
 class Study {
@@ -51,11 +51,11 @@ class Study {
   struct Sample {
     int index;
     SamplePath path;
-    std::vector<Observation> levels;  // of a level of moduli: what it makes of the reference's states
-    double base_seconds = 0.0;        // of the path it is added to
+    std::vector<Observation> levels;  // for a level of moduli: observables of the states of the reference
+    double base_seconds = 0.0;        // cost of the path to which it is added
   };
 
-  /// Expected seconds of one sample of every setting at a size.
+  /// Returns the expected cost (s) of one sample of every setting with a number of grains.
   double sample_cost(int n_grains, double speed) const {
     Scene sized = scene_;
     sized.grains.count = n_grains;
@@ -67,8 +67,7 @@ class Study {
     return units * expected_cost(sized) * speed;
   }
 
-  /// Runs a small sample, which measures the speed of this machine, then takes as many grains as the budget
-  /// allows.
+  /// Runs a small sample, which measures the speed of this machine, then takes as many grains as the budget allows.
   void fit_size_to_budget() {
     Scene small = scene_;
     small.grains.count = std::min(scene_.grains.count, kMinGrains);
@@ -136,7 +135,7 @@ class Study {
     return path;
   }
 
-  /// A setting that would not fit any more is left out, from the first sample on.
+  /// Leaves out a setting that would not fit into the budget any more, from the first sample on.
   bool affordable(std::size_t i, const SamplePath& reference) {
     const double share = scene_.relaxation.time_step / settings_[i].numerical.time_step / kReferenceCost;
     const double expected =
@@ -155,7 +154,7 @@ class Study {
     left_out_.push_back(fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed,
                                     path.out_of_time ? "stopped at the end of the budget" : path.failure));
     if (path.out_of_time) return;
-    skipped_.insert(i);  // where one sample fails the others may
+    skipped_.insert(i);  // other samples may fail as well
   }
 
   Sample moduli_level(int k, const StudiedSetting& setting, const SamplePath& reference,
@@ -211,7 +210,8 @@ class Study {
             {}};
   }
 
-  /// Number of samples: what averaging over 1, 2, 4, ... of the reference leaves of scatter.
+  /// Adds the settings of the parameter "samples": the scatter that remains after averaging over 1, 2, 4, ... samples
+  /// of the reference.
   void add_sample_numbers(Tradeoff& out) const {
     std::vector<const SamplePath*> references;
     for (const Sample& s : samples_[0]) references.push_back(&s.path);
@@ -234,7 +234,7 @@ class Study {
   const TradeoffOptions& options_;
   Deadline deadline_;
   std::vector<StudiedSetting> settings_;
-  std::vector<std::vector<Sample>> samples_;  // of each setting
+  std::vector<std::vector<Sample>> samples_;  // by setting, then by sample
   std::set<std::size_t> skipped_;
   std::vector<std::string> left_out_;
   double last_seed_seconds_ = 0.0;

@@ -5,9 +5,10 @@
 
 namespace floc {
 
-/// The kinetic energy of the boundary, which the energy of the grains leaves out: of the walls that follow their
-/// forces, and of the grains as they would follow the motion of the cell about its centre. A grain's share of it is
-/// held to the tolerance of a grain's kinetic energy. Walls that stand still have no velocity at all.
+/// Checks the kinetic energy of the boundary, which the energy of the grains leaves out. It is that of the walls that
+/// move under their forces or, in a cell without walls, that of the grains if they followed the motion of the cell
+/// about its centre. This energy per grain must be below the tolerance of the kinetic energy of a grain. Fixed walls
+/// must have no velocity.
 template <int Dim>
 Criterion verify_boundary_motion(const State<Dim>& state);
 

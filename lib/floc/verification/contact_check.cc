@@ -14,10 +14,10 @@
 namespace floc {
 namespace {
 
-/// A tangential force above its cap by this much, relative, is beyond it: files print six digits or more, and what
-/// is along the branch of a force that is not quite tangential counts as normal force.
+/// Relative excess of a tangential force over its limit above which it counts as beyond. Files print six digits or
+/// more, and the part of a nearly tangential force along the branch counts as normal force.
 constexpr double kCapTolerance = 1e-4;
-/// A pull below this fraction of the largest normal force is rounding.
+/// Tensile force below which a contact does not count as pulling, relative to the largest normal force: rounding.
 constexpr double kNoForce = 1e-9;
 
 template <int Dim>
@@ -25,7 +25,7 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return fmt::format("{}-{}", packing.grains.name(c.i), packing.grains.name(c.j));
 }
 
-/// The law's normal force at the geometry of a contact, with the stiffness that the contact has. A spring that
+/// Returns the normal force of the law at the geometry of a contact, with the stiffness of the contact. A spring that
 /// was read as touching pulls across a gap.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {

@@ -7,44 +7,44 @@
 
 namespace floc {
 
-/// The law of a contact: that between grains, or that of the walls.
+/// Returns the law of a contact: the law between grains, or that of the walls.
 template <int Dim>
 const Law& law_of(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return packing.is_wall(contact.j) ? packing.wall_law : packing.law;
 }
 
-/// How far a distance may be off by rounding: of the positions, their differences and the radii (length).
+/// Returns the largest error of a distance by rounding of the positions, their differences and the radii (length).
 template <int Dim>
 double distance_error(const Packing<Dim>& packing);
 
-/// Pairs of grains, and of grains with walls, that overlap by more than `open` (length), or are within the
-/// range of their law by more, but are not among the contacts; gap and normal are set.
+/// Returns the pairs of grains, or of a grain and a wall, that are missing among the contacts: they overlap by more
+/// than `open` (length), or are inside the range of their law by more than that. Their gap and normal are set.
 template <int Dim>
 std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>& packing, double open);
 
-/// What the contacts of a packing are, and how far their forces are from those that its law gives.
+/// Numbers of contacts by kind, and differences of their forces from the law.
 struct ContactCheck {
   int n_contacts = 0;
-  int n_with_gap = 0;               ///< taken as touching, but their surfaces are apart
+  int n_with_gap = 0;               ///< contacts taken as touching whose surfaces are apart
   int n_distant = 0;                ///< attractions across a gap
   int n_pulling = 0;                ///< normal force below zero, beyond rounding
-  int n_at_cap = 0;                 ///< slide or yield
-  int n_beyond_cap = 0;             ///< tangential force or rolling moment above its cap
+  int n_at_cap = 0;                 ///< mobilised: sliding, or yielding in rolling or twisting
+  int n_beyond_cap = 0;             ///< tangential force or rolling moment above its limit
   int n_different = 0;              ///< normal force differs from the law's
-  double largest_difference = 0.0;  ///< of normal forces, over the mean of their sizes
-  std::string most_different;       ///< the grains of that contact
+  double largest_difference = 0.0;  ///< largest difference of normal forces, relative to their mean size
+  std::string most_different;       ///< grains of the contact with that difference
   int n_missing = 0;                ///< pairs that touch and are not listed
-  std::string missing;              ///< the first of them
+  std::string missing;              ///< the first missing pair
 };
 
 /// Checks the forces of a packing against its law and its contacts against its geometry. The normal force of a
-/// contact with a stiffness of its own (linear law) is compared with that stiffness times its overlap.
-/// @param tolerance  difference that counts, over the mean size of the normal forces; what rounding of the
-/// positions may cause never counts
+/// contact with its own stiffness (linear law) is compared with this stiffness times its overlap.
+/// @param tolerance  smallest difference that counts, relative to the mean size of the normal forces; differences
+/// that rounding of the positions explains never count
 template <int Dim>
 ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance);
 
-/// Looks for pairs that touch and are not among the contacts, where these do not come from the geometry.
+/// Adds pairs that touch but are not among the contacts to `check`, for contacts that do not come from the geometry.
 template <int Dim>
 void add_missing_contacts(const Packing<Dim>& packing, ContactCheck& check);
 

@@ -17,7 +17,8 @@
 namespace floc {
 namespace {
 
-/// The masses stored against radii and the density that the scene gives: the largest relative difference.
+/// Compares the stored masses with the radii and the density of the scene; the value is the largest relative
+/// difference.
 template <int Dim>
 Criterion check_mass(const std::string& file, const State<Dim>& state) {
   constexpr double kRelative = 1e-12;
@@ -39,7 +40,8 @@ Criterion check_mass(const std::string& file, const State<Dim>& state) {
   return result;
 }
 
-/// The scene of a state. None without one, nor where it cannot be read, as without a state that it starts from.
+/// Reads the scene of a state. None if the state has no scene, or if the scene cannot be read, for example without
+/// the state that it starts from.
 /// @param why_not  set to the reason
 std::optional<Scene> scene_of(const std::string& file, const std::string& text, std::string& why_not) {
   if (text.empty()) return std::nullopt;
@@ -51,10 +53,11 @@ std::optional<Scene> scene_of(const std::string& file, const std::string& text, 
   }
 }
 
-/// In units of F1 and the largest diameter: whatever is out of balance by so much is not near an equilibrium.
+/// Largest tolerance of a state without a scene, in units of F1 and the largest diameter: a packing out of balance by
+/// this much is not near an equilibrium.
 constexpr double kLargestTolerance = 10.0;
 
-/// @param expected  none without a scene
+/// Checks the recorded tolerances. @param expected  tolerances of the scene; none without a scene
 Criterion check_tolerances(const EquilibriumTolerance& t, const std::optional<EquilibriumTolerance>& expected) {
   struct Named {
     const char* name;
@@ -77,7 +80,7 @@ Criterion check_tolerances(const EquilibriumTolerance& t, const std::optional<Eq
   return {"tolerances", static_cast<double>(n_wrong), 0.0, n_wrong == 0, where};
 }
 
-/// What differs from the scene, in words.
+/// Differences between a state and its scene, in words.
 class Differences {
  public:
   template <class Value>
@@ -85,7 +88,7 @@ class Differences {
     if (recorded != of_scene)
       add(fmt::format("{} is recorded as {}, the scene says {}", name, recorded, of_scene));
   }
-  /// Of numbers that the compiler may round otherwise.
+  /// Compares numbers that another compiler may round differently.
   void compare_number(const std::string& name, double recorded, double of_scene) {
     constexpr double kRelative = 1e-12;
     if (std::abs(recorded - of_scene) > kRelative * std::abs(of_scene))

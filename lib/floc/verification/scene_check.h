@@ -8,14 +8,14 @@
 
 namespace floc {
 
-/// What a state has of its scene, held against the text of the scene that it carries:
+/// Compares a state with the text of the scene that it carries. The criteria are
 ///   mass        masses of the grains, against radii and density
-///   tolerances  those recorded, against those of the scene; without a scene they are to be at most 10, since
-///               any packing is within larger ones
-///   scene       number of other things that are not those of the scene: unit system, place on the load path, what the
-///               boundary is loaded with, contact law, law and masses of walls. A scene that starts from a saved state
-///               is compared where that state is found.
-/// @param file  what messages call the state
+///   tolerances  recorded tolerances, against those of the scene. Without a scene they must be at most 10, because
+///               any packing satisfies larger ones.
+///   scene       number of other differences: unit system, place on the load path, load on the boundary, contact law,
+///               law and masses of walls. A scene that starts from a saved state is compared only if that state
+///               is found.
+/// @param file  name of the state in messages
 template <int Dim>
 std::vector<Criterion> check_against_scene(const std::string& file, const State<Dim>& state);
 

@@ -22,7 +22,7 @@
 namespace floc {
 namespace {
 
-/// What identifies a pair, the same whichever of its grains, or of opposite images, comes first.
+/// Identity of a pair, independent of the order of its grains and of the choice between opposite images.
 using PairIdentity = std::tuple<int, int, std::vector<int>>;
 
 template <class Pair>
@@ -31,9 +31,9 @@ PairIdentity identity(Pair pair) {
   return {pair.i, pair.j, {pair.image.begin(), pair.image.end()}};
 }
 
-constexpr std::size_t kMaxListed = 5;  ///< how many violations a message names
+constexpr std::size_t kMaxListed = 5;  ///< largest number of violations that a message names
 
-/// What violates a criterion, and by how much.
+/// Items that violate a criterion, each with the size of its violation.
 class Violations {
  public:
   void add(double how_bad, std::string name) { found_.emplace_back(how_bad, std::move(name)); }
@@ -89,7 +89,7 @@ Criterion check_list(const Packing<Dim>& recomputed) {
     if (c.distant && c.gap >= law_of(recomputed, c).range() + open && bridge_volume(recomputed, c) == 0.0)
       wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(recomputed, c), c.gap));
   }
-  // Several contacts of a pair have the keys 0, 1, ...
+  // Several contacts of one pair are numbered by the keys 0, 1, ...
   for (const Contact<Dim>& c : recomputed.contacts)
     if (c.key < 0 || (c.key > 0 && !listed.contains({identity(c), c.key - 1})))
       wrong(fmt::format("{} listed with key {}", name_of(recomputed, c), c.key));
@@ -98,8 +98,8 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
-/// The liquid of a state: it is all there, and stays where it is when it is shared out once more, but for the
-/// bridges that the state says would change.
+/// Checks the liquid of a state: its volume is that of the law, and a new distribution of the liquid changes only as
+/// many bridges as the state records.
 template <int Dim>
 Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) {
   if (!holds_liquid(recomputed)) return {"liquid", 0.0, 0.0, true, ""};
@@ -119,7 +119,7 @@ Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) 
   return {"liquid", static_cast<double>(n_changed), static_cast<double>(recorded), where.empty(), where};
 }
 
-/// What positions leave open of a force.
+/// Returns the uncertainty of a force that the rounding of positions causes.
 template <int Dim>
 double force_error(const Packing<Dim>& packing) {
   double largest = 0.0;
@@ -131,10 +131,10 @@ double force_error(const Packing<Dim>& packing) {
   return stiffest * distance_error(packing) + 1e-12 * largest;
 }
 
-/// How far a stiffness may be from the law's, relative. That of surfaces that touch is a constant, or follows from
-/// the elastic force by a root, which some roundings hold to 1e-15: also after a change of units. That of a
-/// distant attraction follows its gap: kn over the force is the rate at which the force falls with the gap, and
-/// kn itself falls at up to three times that rate.
+/// Returns the largest relative difference of a stiffness from the law. Surfaces that touch have a constant
+/// stiffness, or one that follows from the elastic force by a root, with a rounding error of some 1e-15, also after a
+/// change of units. The stiffness of a distant attraction depends on its gap: kn over the force is the relative rate
+/// at which the force decreases with the gap, and kn itself decreases at up to three times that rate.
 template <int Dim>
 double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
   constexpr double kRelative = 1e-12;
@@ -143,7 +143,7 @@ double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return kRelative + kSteepest * std::abs(c.kn / c.normal_force) * distance_error(packing);
 }
 
-/// The first of the stiffnesses stored that is not the law's, in words; empty if all are.
+/// Describes the first stored stiffness that differs from the law; empty if all agree.
 template <int Dim>
 std::string wrong_stiffness(const Packing<Dim>& packing, const Contact<Dim>& stored, double tolerance) {
   const Stiffnesses found = stiffnesses(stored), by_law = law_stiffnesses(packing, stored);
@@ -181,7 +181,7 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
   return result;
 }
 
-/// Grains whose net force or moment, measured in unit(grain), is not below `limit`.
+/// Lists the grains whose net force or moment, in units of unit(grain), is not below `limit`.
 template <int Dim, class Vector, class Unit>
 std::string unbalanced(const Grains<Dim>& grains, const std::vector<Vector>& net, const Unit& unit,
                        double limit) {
@@ -222,7 +222,7 @@ void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, co
   add("energy", r.energy, t.energy, "the grains still move");
 }
 
-/// The offset of a sheared lattice vector, against the one imposed, over the length of its axis.
+/// Compares the offset of a sheared lattice vector with the imposed one, relative to the length of its axis.
 template <int Dim>
 void check_offset(const State<Dim>& state, double limit, Criterion& result) {
   if (!state.target_offset) return;
@@ -235,7 +235,8 @@ void check_offset(const State<Dim>& state, double limit, Criterion& result) {
                                 axis + 1, lattice(axis, 0), imposed);
 }
 
-/// The lengths imposed on axes, which motion reaches but for rounding, and how far the lattice is sheared.
+/// Compares the lengths of axes, and the offset of a sheared lattice, with the imposed values, which motion reaches
+/// within rounding.
 template <int Dim>
 void check_lengths(const State<Dim>& state, std::vector<Criterion>& criteria) {
   if (state.target_side.isZero(0.0)) return;
@@ -256,7 +257,7 @@ void check_lengths(const State<Dim>& state, std::vector<Criterion>& criteria) {
   criteria.push_back(std::move(result));
 }
 
-/// The components of a stress, row by row.
+/// Returns the components of a stress as text, row by row.
 template <int Dim>
 std::string components(const Mat<Dim>& stress) {
   std::string text;
@@ -265,23 +266,24 @@ std::string components(const Mat<Dim>& stress) {
   return text;
 }
 
-/// The stress that the file records, against that of the forces recomputed, in units of the mean stress.
+/// Compares the recorded stress with that of the recomputed forces, in units of the mean stress.
 template <int Dim>
 Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& recomputed,
                                 const Mat<Dim>& stress) {
   constexpr double kRelative = 1e-10;
-  double lengths = 0.0;    // of all branches
-  double magnitude = 0.0;  // of the virial, without signs
+  double lengths = 0.0;    // sum of the lengths of all branches
+  double magnitude = 0.0;  // sum of the absolute terms of the virial
   for (const Contact<Dim>& c : recomputed.contacts) {
     const double length = branch(recomputed, c).norm();
     lengths += length;
     magnitude += std::abs(c.normal_force) * length;
   }
   const double volume = recomputed.cell.volume();
-  // At zero pressure tensions and compressions cancel; rounding then is relative to what cancels.
+  // At zero pressure tension and compression cancel, so the rounding error is relative to the terms, not to their
+  // sum.
   const double scale = std::max(std::abs(stress.trace() / Dim), 1e-5 * magnitude / (Dim * volume));
   const double error = (state.stress - stress).cwiseAbs().maxCoeff();
-  // Normal and tangential force may each be off by what the law's criterion grants.
+  // Normal and tangential force may each have the error that the criterion "law" allows.
   const double limit = kRelative * scale + 2.0 * force_error(recomputed) * lengths / volume;
   const bool holds = error <= limit;
   const double unit = scale > 0.0 ? scale : 1.0;
@@ -290,9 +292,9 @@ Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& rec
                 : fmt::format("recorded {}, recomputed {}", components<Dim>(state.stress), components(stress))};
 }
 
-/// The forces across the faces of the cell, against the stress. What net forces may leave of the difference
-/// (see boundary_stress()) is counted for each grain up to the tolerance of forces only: beyond it there is no
-/// balance.
+/// Compares the stress of the forces across the faces of the cell with that of the contacts. Net forces explain part
+/// of the difference (see boundary_stress()); each grain contributes up to the tolerance of forces only, because
+/// beyond it there is no balance.
 template <int Dim>
 Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress) {
   const Grains<Dim>& g = recomputed.grains;
@@ -301,7 +303,7 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
   Vec<Dim> centre = Vec<Dim>::Zero();
   if (recomputed.walls.empty())
     for (const Vec<Dim>& x : g.position) centre += x / g.size();
-  double open = 0.0;  // force * length
+  double open = 0.0;  // difference that net forces explain (force * length)
   for (int i = 0; i < g.size(); ++i)
     open += std::min(net.force[i].norm(), largest) * (g.position[i] - centre).norm();
   double rounded = 0.0;
@@ -319,12 +321,13 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
           holds ? "" : fmt::format("across the faces {}, stress {}", components(across), components(stress))};
 }
 
-/// What the file records besides its forces, against what these give: the number and the first of what differs.
+/// Comparison of recorded quantities other than forces with those that the forces give: the number of differences,
+/// and the first of them.
 class Record {
  public:
-  /// @param rounding  what rounding of the positions leaves open of the value
+  /// Compares one quantity. @param rounding  uncertainty of the value that rounding of the positions causes
   void compare(const char* name, double recorded, double found, double rounding) {
-    constexpr double kRelative = 1e-6;  // rounding of another compiler's sums
+    constexpr double kRelative = 1e-6;  // sums of another compiler are rounded differently
     if (recorded == found || std::abs(recorded - found) <= kRelative * std::max(recorded, found) + rounding)
       return;
     wrong(fmt::format("{} recorded as {:.3g}, found {:.3g}", name, recorded, found));
@@ -338,9 +341,10 @@ class Record {
   int n_ = 0;
 };
 
-/// A flag may differ from its spring by this much, relative: files of other programs print six digits or more.
+/// Relative distance of a force from its limit up to which a flag of a mobilised contact is accepted: files of other
+/// programs print six digits or more.
 constexpr double kFlagTolerance = 1e-5;
-/// A spring this close to its cap, relative, is at it for every program.
+/// Relative distance of a force from its limit below which every program counts it as mobilised.
 constexpr double kAtCap = 1e-13;
 
 template <int Dim>
@@ -358,8 +362,8 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
   }
 }
 
-/// The grains that are recorded as the worst, whose residuals are to be those of the worst found.
-/// @param rounding  of residuals
+/// Compares the residuals of the grains recorded as the worst ones with the largest residuals found.
+/// @param rounding  rounding error of residuals
 template <int Dim>
 void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recomputed, const Residuals& found,
                           double rounding, Record& record) {
@@ -369,7 +373,7 @@ void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recompute
   const auto compare = [&](const char* name, int i, double largest, const auto& residual) {
     if (i >= recomputed.grains.size())
       record.wrong(fmt::format("{} recorded as {}, expected a grain", name, i));
-    else if (i >= 0)  // a file need not say it
+    else if (i >= 0)  // negative: not recorded
       record.compare(name, residual(i), largest, rounding);
   };
   compare("the residual of worst_force_grain", state.residuals.worst_force_grain, found.force,
@@ -378,7 +382,8 @@ void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recompute
           [&](int i) { return net.moment[i].norm() / (scales.of(i).force * scales.of(i).length); });
 }
 
-/// What walls bear and how the sides of a box move, against contacts and walls.
+/// Compares the recorded forces on walls with the contacts, and the recorded rates of the sides of a box with the
+/// velocities of its walls.
 template <int Dim>
 void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Record& record) {
   const std::vector<double> found = wall_forces(recomputed);
@@ -396,7 +401,7 @@ void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Reco
 
 template <int Dim>
 void compare_orientations(const Grains<Dim>& grains, Record& record) {
-  constexpr double kRounding = 1e-9;  // of the motion of many steps
+  constexpr double kRounding = 1e-9;  // rounding error of the motion of many steps
   if constexpr (Dim == 3)
     for (int i = 0; i < grains.size(); ++i)
       if (!(std::abs(grains.orientation[i].norm() - 1.0) <= kRounding))
@@ -405,20 +410,20 @@ void compare_orientations(const Grains<Dim>& grains, Record& record) {
                         grains.name(i), grains.orientation[i].norm()));
 }
 
-/// The residuals, the number of negative eigenvalues and the flags that the file records.
+/// Compares the recorded residuals, number of negative eigenvalues and flags with those found.
 template <int Dim>
 Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
                        const Stability& tested) {
   Record record;
   const Residuals found = residuals(recomputed, state.target_stress, stress);
   const ForceScale scale = force_scale(recomputed, state.target_stress);
-  constexpr double kContacts = 8.0;  // whose roundings add up on a grain
+  constexpr double kContacts = 8.0;  // contacts per grain whose rounding errors add up
   const double open = scale.force > 0.0 ? kContacts * force_error(recomputed) / scale.force : 0.0;
   record.compare("residuals.force", state.residuals.force, found.force, open);
   record.compare("residuals.moment", state.residuals.moment, found.moment, open);
   double lengths = 0.0;
   for (const Contact<Dim>& c : recomputed.contacts) lengths += branch(recomputed, c).norm();
-  // The residual of a box is in units of the pressure.
+  // The residual of the stress of a box is in units of the pressure.
   const bool by_pressure = !recomputed.walls.empty() && state.target_stress.mean() > 0.0;
   const double unit = by_pressure ? state.target_stress.mean() : scale.force / std::pow(scale.length, Dim - 1);
   record.compare(

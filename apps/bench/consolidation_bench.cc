@@ -1,4 +1,4 @@
-// What a fit of the consolidation law and its bootstrap cost, for a curve of 26 pressures:
+// Cost of a fit of the consolidation law and of its bootstrap, for a curve of 26 pressures:
 //   floc_bench --benchmark_filter=consolidation
 
 #include <benchmark/benchmark.h>
@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Ten points a decade of a law with a plateau before it, each with a relative error of 0.3 %.
+/// Returns a curve of the law with a plateau before it: ten points per decade, each with a relative error of 0.3 %.
 ConsolidationCurve noisy_curve() {
   const ConsolidationLawParameters law{0.11, 0.9, 0.8, 2.0};
   RandomStream random(2, 0);
@@ -24,7 +24,7 @@ ConsolidationCurve noisy_curve() {
   return curve;
 }
 
-/// @param state  range(0): samples of the bootstrap
+/// @param state  range(0) is the number of samples of the bootstrap
 void consolidation(benchmark::State& state) {
   const ConsolidationCurve curve = noisy_curve();
   ConsolidationOptions options;

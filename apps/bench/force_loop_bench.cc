@@ -1,7 +1,6 @@
-// Contact updates per second of the time stepping, law by law, size by size and for each instruction set: what
-// a scene pays for the physics it names. Time is that of the processor. Compare the rows of one run; single
-// figures depend on the machine. FLOC_BENCH_GRAINS=1000000 adds a size; FLOC_BENCH_STATE=state.h5 adds a
-// packing from a file.
+// Contact updates per second of the time stepping, for each law, size and instruction set: the cost of the contact
+// physics of a scene. Time is processor time. Compare the rows of one run; single figures depend on the machine.
+// FLOC_BENCH_GRAINS=1000000 adds a size; FLOC_BENCH_STATE=state.h5 adds a packing from a file.
 
 #include <benchmark/benchmark.h>
 
@@ -35,7 +34,7 @@ constexpr int kUnit = 1400;  ///< grains of the packing that larger ones are til
 
 enum Physics { kFrictionless, kFriction, kFrictionAndRolling };
 
-/// The law of [GRC2008] in units F0 = a = m = 1, with the slots asked for.
+/// Returns the law of [GRC2008] in units F0 = a = m = 1, with the slots that are selected.
 LawParameters law_of(int physics, bool adhesive) {
   LawParameters law;
   law.normal = LinearRepulsion{1e5};
@@ -52,7 +51,7 @@ RelaxationOptions relaxation() {
   return options;
 }
 
-/// A gas compressed to equilibrium under P = 10 F0/a, that is P/K_N = 1e-4.
+/// Compresses a gas to equilibrium under P = 10 F0/a, that is P/K_N = 1e-4.
 Packing<2> relaxed_from_gas(int n, const LawParameters& law, double cell_mass) {
   GrainOptions grains;
   grains.count = n;
@@ -66,7 +65,7 @@ Packing<2> relaxed_from_gas(int n, const LawParameters& law, double cell_mass) {
   return relaxer.packing();
 }
 
-/// The equilibrium of a law, tiled to at least n grains; each is made once.
+/// Returns the equilibrium of a law, tiled to at least n grains. Each packing is made once.
 const Packing<2>& dense(int n, int physics, bool adhesive) {
   static std::map<std::tuple<int, int, bool>, Packing<2>> made;
   const auto [entry, is_new] = made.try_emplace({n, physics, adhesive});
@@ -83,8 +82,8 @@ void force_loop(benchmark::State& state) {
        relaxation().time_step, static_cast<int>(state.range(3)), static_cast<InstructionSet>(state.range(4)));
 }
 
-/// Processor time of the passes of a step, as shares, and of a new list of pairs, in steps; the packing stays
-/// where it is.
+/// Measures the processor time of the passes of a step, as shares of it, and of a new list of pairs, in steps. The
+/// grains do not move.
 void passes(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
   const AnyContactLaw law = compose_law(packing.law);
@@ -104,7 +103,7 @@ void passes(benchmark::State& state) {
   const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
   const GrainView<2> g = grains.view(x_list, inverse_skin_squared);
   const int n_blocks = (grains.size() + kGrainBlock - 1) / kGrainBlock;
-  // All blocks are one group, whose rows stay where they are: passes go through all of them.
+  // All blocks form one group, so that its rows hold those of all pairs, and every pass covers all of them.
   const auto rows_of = [&](const PairArrays<2>& list) {
     return RowSums<2>({&list}, row_kind<2>(law), grains.size(), SweepPlan(list, n_blocks, 1, n_blocks));
   };
@@ -171,8 +170,8 @@ void steps_of_state(benchmark::State& state, const char* file) {
               : nullptr;
 }();
 
-/// From the gas to equilibrium under P/K_N = 1e-4 with friction, to the default tolerance, by the mass of the
-/// cell: one as heavy as its grains bounces on them for four times as long as one of a tenth.
+/// Measures the relaxation from a gas to equilibrium under P/K_N = 1e-4 with friction, to the default tolerance, for
+/// several masses of the cell. A cell as heavy as its grains oscillates four times as long as one of a tenth of that.
 void gas_to_equilibrium(benchmark::State& state) {
   const double cell_mass = 0.01 * static_cast<double>(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(relaxed_from_gas(kUnit, law_of(kFriction, false), cell_mass));

@@ -1,15 +1,15 @@
-// How far the response of packings of spheres to a change of pressure is from their elastic moduli.
+// Compares the response of packings of spheres to a change of pressure with their elastic moduli.
 //
-// Moduli take every contact as two springs of its present stiffness. The contact law does not: where the normal
-// force falls, Mindlin's tangential force is scaled down with the stiffness, and contacts at their cap slide. The
-// response therefore depends on the sign of the change (docs/physics.md, "Moduli and the response"). Each state
-// is brought to balance to rounding; its pressure is then raised and lowered by a small share, and balance found
-// again by Newton steps on the law itself.
+// For the moduli every contact is two springs of its present stiffness. The contact law differs from this: if the
+// normal force decreases, Mindlin's tangential force is reduced with the stiffness, and contacts with fully mobilised
+// friction slide. The response therefore depends on the sign of the change (docs/physics.md, "Moduli and the
+// response"). Each state is brought to balance to rounding. Its pressure is then raised and lowered by a small share,
+// and Newton steps on the law itself find the balance again.
 //
 //   floc_pressure_response [--step SHARE] STATE...
 //
-// A row a state and sign: the bulk modulus of the network with prestress, 1/(sum of its compliances), what
-// -dP/d(ln V) is beside it, the contacts at their cap before, and those that open or close on the way.
+// Prints one row per state and sign: the bulk modulus of the network with prestress, 1/(sum of its compliances), the
+// measured -dP/d(ln V), the number of contacts with fully mobilised friction before, and of those that open or close.
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ std::set<std::array<int, 5>> touching(const Packing<3>& packing) {
   return pairs;
 }
 
-/// Contacts that only one of two packings has.
+/// Counts the contacts that only one of two packings has.
 std::size_t count_changed(const Packing<3>& from, const Packing<3>& to) {
   const auto before = touching(from), after = touching(to);
   std::vector<std::array<int, 5>> changed;
@@ -60,7 +60,7 @@ std::size_t count_changed(const Packing<3>& from, const Packing<3>& to) {
   return changed.size();
 }
 
-/// Bulk modulus of the network, with prestress, under a stress that grows alike on all axes.
+/// Returns the bulk modulus of the network, with prestress, under an isotropic increment of stress.
 double bulk_modulus(const Packing<3>& packing) {
   ModuliOptions options;
   options.prestress = true;

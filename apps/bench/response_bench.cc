@@ -1,10 +1,10 @@
 // Cost of the linear response of a network for packings tiled to size from a relaxed state:
 //   FLOC_BENCH_STATE=state.h5 floc_bench --benchmark_filter='response/grains:90000'
-// Without a state a triangular lattice of disks stands in. Grains are renumbered along a space-filling curve,
-// as runs do, and stiffnesses carry a jitter of a percent, so that the copies are no symmetry. Spheres are an
-// fcc lattice with bonds taken out at random to z = 6, or tiles of the state FLOC_BENCH_SPHERES, such as
+// Without a state a triangular lattice of disks is used. Grains are renumbered along a space-filling curve, as in runs,
+// and stiffnesses have a jitter of a percent, so that the copies are no symmetry. Spheres are an fcc lattice with bonds
+// removed at random down to z = 6, or tiles of the state FLOC_BENCH_SPHERES, such as
 //   floc convert data/packings/yade/spheres.txt spheres.h5 --contacts data/packings/yade/spheres.interactions
-// peak_MB is that of the process: filter for one case a call.
+// peak_MB is the peak of the whole process: select one case per call.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -25,15 +25,15 @@
 namespace floc {
 namespace {
 
-/// Seconds of processor time, so that other programs on the machine do not count.
+/// Returns the processor time (s), which other programs on the machine do not affect.
 double seconds_of(const auto& work) {
   const std::clock_t start = std::clock();
   work();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Seconds that the system took of this process's time so far: much of it goes into handing out fresh memory,
-/// and it varies from run to run by a factor of three with what the machine has at hand.
+/// Returns the system time of this process so far (s). Most of it is spent on providing fresh memory, and it varies
+/// between runs by a factor of three with the state of the machine.
 double system_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -46,7 +46,7 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Grains numbered along a space-filling curve, contacts with them.
+/// Renumbers grains along a space-filling curve, and their contacts accordingly.
 template <int Dim>
 void renumber(Packing<Dim>& packing) {
   const std::vector<int> order = space_order(packing.cell, packing.grains);
@@ -62,7 +62,7 @@ void renumber(Packing<Dim>& packing) {
   for (Contact<Dim>& c : packing.contacts) c.i = place[c.i], c.j = place[c.j];
 }
 
-/// Copies of a packing along each lattice vector, numbered anew.
+/// Tiles a packing along each lattice vector and renumbers its grains.
 template <int Dim>
 Packing<Dim> large(const Packing<Dim>& unit, const Vec<Dim, int>& copies) {
   Packing<Dim> packing = tiled(unit, copies);
@@ -84,7 +84,7 @@ LawParameters lattice_law() {
   return law;
 }
 
-/// One lattice cell with unit distance between touching grains.
+/// Returns one lattice cell with unit distance between touching grains.
 template <int Dim>
 Packing<Dim> lattice() {
   Packing<Dim> packing;
@@ -109,7 +109,7 @@ ContactNetwork<2> disks(int n) {
   return contact_network(packing);
 }
 
-/// A relaxed packing where FLOC_BENCH_SPHERES names one, else the thinned lattice.
+/// Returns the packing that FLOC_BENCH_SPHERES names, otherwise the thinned lattice.
 ContactNetwork<3> spheres(int n) {
   const char* file = std::getenv("FLOC_BENCH_SPHERES");
   const Packing<3> unit = file == nullptr ? lattice<3>() : std::get<State<3>>(read_state(file)).packing;
@@ -125,7 +125,7 @@ ContactNetwork<3> spheres(int n) {
   return contact_network(packing);
 }
 
-/// Assembly, ordering, factor and two solves by themselves, on K plus a shift in place of pinned grains.
+/// Measures assembly, ordering, factor and two solves separately, on K plus a shift in place of pinned grains.
 template <int Dim>
 void solve_stages(benchmark::State& state, const ContactNetwork<Dim>& network) {
   double unit = 0.0;
@@ -173,7 +173,7 @@ BENCHMARK(stages)
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
 
-/// The whole response with its error bound, as `floc moduli` asks for it.
+/// Measures the whole response with its error bound, as `floc moduli` computes it.
 void response(benchmark::State& state) {
   const ContactNetwork<2> network = disks(static_cast<int>(state.range(0)));
   for (auto _ : state) {

@@ -1,10 +1,10 @@
-// Contact updates per second of the time stepping, new lists of pairs among it, for grains of sizes 1:2 and
-// 1:30, under P/K_N = 1e-4 with friction. Diameters are uniform, as scenes draw them, or uniform by area, P(d)
-// ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), of which most are small and touch nothing. Compare the
-// rows of one run and distribution. FLOC_BENCH_RATIO=100 adds a ratio.
+// Contact updates per second of the time stepping, including new lists of pairs, for grains of sizes 1:2 and 1:30,
+// under P/K_N = 1e-4 with friction. Diameters are uniform, as in scenes, or uniform by area, P(d) ~ d^-2 (Voivret et
+// al., Phys. Rev. Lett. 102, 178001), in which case most grains are small and touch no other. Compare the rows of one
+// run and distribution. FLOC_BENCH_RATIO=100 adds a ratio.
 //
-// Spheres of one size and of sizes 1:20, uniform by volume, P(d) ~ d^-3, of a gas whose spheres have grown until some
-// touch: pairs found a second, and contact updates a second.
+// Pairs found per second and contact updates per second, for spheres of one size and of sizes 1:20, uniform by volume,
+// P(d) ~ d^-3. The packing is a gas whose spheres have grown until some touch.
 
 #include <benchmark/benchmark.h>
 
@@ -28,8 +28,8 @@ constexpr int kGrains = 5000;
 constexpr double kPressure = 10.0;  ///< of K_N = 1e5, a = m = 1
 
 enum Load {
-  kIsotropic,  ///< the packing comes to rest
-  kBiaxial,    ///< and flows: one axis under half the pressure, the other under half as much again
+  kIsotropic,  ///< isotropic pressure: the packing comes to rest
+  kBiaxial,    ///< 0.5 of the pressure on one axis and 1.5 on the other: the packing flows
 };
 
 enum Sizes {
@@ -37,7 +37,7 @@ enum Sizes {
   kUniformByArea,  ///< P(d) ~ d^-2
 };
 
-/// n diameters in [1/ratio, 1], equally spaced quantiles of their distribution.
+/// Returns n diameters in [1/ratio, 1], equally spaced quantiles of their distribution.
 std::vector<double> diameters(int n, double ratio, Sizes sizes) {
   std::vector<double> diameter(n);
   for (int i = 0; i < n; ++i) {
@@ -71,7 +71,8 @@ DynamicsSettings settings_of(const Packing<Dim>& packing) {
   return {time_step_of(packing, RelaxationOptions().time_step), 0.01};
 }
 
-/// A gas compressed for half as long again as it takes to be dense, then loaded; each is made once.
+/// Returns a loaded packing: a gas compressed for 1.5 times as long as it takes to become dense, then loaded. Each
+/// packing is made once.
 const Packing<2>& dense(double ratio, Sizes sizes, Load load) {
   static std::map<std::tuple<double, Sizes, Load>, Packing<2>> made;
   const auto [entry, is_new] = made.try_emplace({ratio, sizes, load});
@@ -102,7 +103,7 @@ void size_ratio(benchmark::State& state) {
   const Packing<2>& start = dense(static_cast<double>(state.range(0)), sizes, load);
   const Vec<2> stress = load == kBiaxial ? Vec<2>(kPressure * Vec<2>(0.5, 1.5)) : Vec<2>::Constant(kPressure);
   DynamicsSettings settings = settings_of(start);
-  // The skin of the lists comes from ten chunks that are not timed.
+  // Ten chunks that are not timed set the skin of the lists.
   Packing<2> packing = moved_for(start, stress, 10 * kStepsPerChunk * settings.time_step, settings);
   std::int64_t updates = 0;
   for (auto _ : state) {
@@ -117,7 +118,7 @@ void size_ratio(benchmark::State& state) {
   state.counters["skin"] = settings.skin;
 }
 
-/// Spheres at a solid fraction of 0.45 without overlap, then all 6 % larger; each is made once.
+/// Returns spheres at a solid fraction of 0.45 without overlap, then enlarged by 6 %. Each packing is made once.
 const Packing<3>& grown_gas(double ratio) {
   static std::map<double, Packing<3>> made;
   const auto [entry, is_new] = made.try_emplace(ratio);

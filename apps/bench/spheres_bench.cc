@@ -1,6 +1,5 @@
-// Contact updates per second of spheres: elastic ones (Hertz, Mindlin friction, damping) and linear ones, size by
-// size and for each instruction set; wet ones; and sticky ones between walls beside the same without walls. Time is
-// that of the processor:
+// Contact updates per second of spheres: elastic spheres (Hertz, Mindlin friction, damping) and linear ones, for each
+// size and instruction set; wet spheres; and sticky spheres with and without walls. Time is processor time:
 //   floc_bench --benchmark_filter='spheres|box'
 
 #include <benchmark/benchmark.h>
@@ -25,7 +24,7 @@ constexpr int kUnit = 500;  ///< grains of the packing that larger ones are tile
 
 enum Law { kHertz, kLinear, kLinearRolling, kWet };
 
-/// In units of the diameter, the mass and E~ of a grain, or its K_N.
+/// Returns a law in units of the diameter, the mass and E~ of a grain, or its K_N.
 LawParameters law_of(int which) {
   LawParameters law;
   if (which == kHertz) {
@@ -43,7 +42,7 @@ LawParameters law_of(int which) {
   return law;
 }
 
-/// Equilibrium under a pressure of kappa = 8395 (glass at 100 kPa), or of P a/K_N = 1e-4.
+/// Relaxes a gas to equilibrium under a pressure of kappa = 8395 (glass at 100 kPa), or of P a/K_N = 1e-4.
 Packing<3> relaxed_from_gas(int which) {
   GrainOptions grains;
   grains.count = kUnit;
@@ -64,7 +63,7 @@ Packing<3> relaxed_from_gas(int which) {
   return relaxed(std::move(packing));
 }
 
-/// That of a law, tiled to at least n grains; each is made once.
+/// Returns the relaxed packing of a law, tiled to at least n grains. Each packing is made once.
 const Packing<3>& dense(int n, int which) {
   static std::map<std::tuple<int, int>, Packing<3>> made;
   const auto [entry, is_new] = made.try_emplace({n, which});
@@ -89,7 +88,7 @@ BENCHMARK(spheres)
                    {static_cast<int>(InstructionSet::portable), static_cast<int>(InstructionSet::avx2)}})
     ->Unit(benchmark::kMillisecond);
 
-/// Sticky spheres that six walls have pressed together from a gas, at eta* = 0.05 [SVI2024] in units of their
+/// Returns sticky spheres that six walls have compressed from a gas, at eta* = 0.05 [SVI2024], in units of their
 /// diameter, their mass and the pressure.
 Packing<3> compacted(int n) {
   constexpr double kPressure = 1.0, kStiffness = 1e4, kAdhesion = 5.0;
@@ -114,7 +113,8 @@ Packing<3> compacted(int n) {
   return dynamics->packing();
 }
 
-/// The same grains and contacts in a periodic cell: opposite walls have kept them apart.
+/// Removes the walls of a packing and puts its grains in a periodic cell. The contacts between grains are kept; none is
+/// added across the boundary, where opposite walls have kept the grains apart.
 Packing<3> without_walls(Packing<3> packing) {
   for (const Wall<3>& wall : packing.walls)
     if (wall.side < 0)

@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// The stress it has stays imposed.
+/// Returns a boundary that imposes the present normal stresses of a packing, with the mass of its grains as cell mass.
 template <int Dim>
 BoundaryControl<Dim> pressed(const Packing<Dim>& packing) {
   double mass = 0.0;
@@ -17,14 +17,15 @@ BoundaryControl<Dim> pressed(const Packing<Dim>& packing) {
   return BoundaryControl<Dim>::normal_stress(static_stress(packing).diagonal(), mass);
 }
 
+/// Returns the largest memory that this process has had so far (MB).
 inline double peak_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Time steps of a packing under the stress it has, as contact updates.
-/// @param time_step  of RelaxationOptions
+/// Benchmarks time steps of a packing under its present stress; items are contact updates.
+/// @param time_step  as RelaxationOptions::time_step
 template <int Dim>
 void step(benchmark::State& state, const Packing<Dim>& packing, double time_step, int threads,
           InstructionSet instructions) {

@@ -1,6 +1,6 @@
-// What `floc network` and `floc structure` compute, for a state tiled to size:
+// Cost of the quantities that `floc network` and `floc structure` compute, for a state tiled to size:
 //   FLOC_BENCH_STATE=state.h5 floc_bench --benchmark_filter='network|structure'
-// Without a state a triangular lattice stands in. Reading the file is left out.
+// Without a state a triangular lattice is used. The reading of the file is not timed.
 
 #include <benchmark/benchmark.h>
 
@@ -43,7 +43,7 @@ Packing<2> unit_packing() {
   return packing;
 }
 
-/// Copies of the unit, at least n grains.
+/// Tiles the unit packing to at least n grains.
 Packing<2> packing_of(int n) {
   const Packing<2> unit = unit_packing();
   const auto side = static_cast<int>(std::ceil(std::sqrt(n / static_cast<double>(unit.grains.size()))));

@@ -43,10 +43,10 @@ int report(int code, const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // "| head -1" ends the program without a word, also where the caller had the signal ignored.
+  // A closed pipe, as with "| head -1", ends the program silently, even if the caller ignored the signal.
   std::signal(SIGPIPE, SIG_DFL);
   floc::remove_transient_files_on_signals();
-  // A file that may not grow as large is an error with words.
+  // A file beyond the size limit of the system is an error with a message, not a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   spdlog::set_default_logger(spdlog::stderr_logger_st("floc"));
   spdlog::set_pattern("%v");

@@ -157,7 +157,7 @@ TEST_F(CampaignInBrowser, ShowsTheNumbersOfTheCsv) {
     for (std::size_t k = 0; k < columns.size(); ++k)
       EXPECT_EQ(seen_.at("cells").at(static_cast<std::size_t>(row)).at(k),
                 means.text(row, means.column(columns[k])));
-  // What is read is that number rounded.
+  // The cell shows the number to five digits and sorts by the whole one.
   EXPECT_THAT(page(), HasSubstr("data-v=\"" + means.text(0, means.column("mean")) + "\">" +
                                 fmt::format("{:.5g}", means.number(0, means.column("mean"))) + "</td>"));
 }

@@ -59,7 +59,7 @@ TEST_F(Report, RefusesWhatIsNoRun) {
   EXPECT_EQ(floc("report run -o absent/r.html").code, 1);
 }
 
-/// What needs a browser.
+/// Tests that need a browser.
 class Browser : public Report {
  protected:
   void SetUp() override {

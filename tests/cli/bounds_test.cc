@@ -56,7 +56,7 @@ struct Coverage {
 /// A share of a modulus by which forces that balance to 1e-5 may put B_reuss above it.
 constexpr double kSlack = 1e-5;
 
-/// What is printed of a state and what the method bounds gives of it agree.
+/// Checks that the moduli printed of a state agree with those that the method `bounds` gives of it.
 void check_state(const std::string& what, const json& exact, const json* by_bounds, Coverage& covered) {
   const double B = number(exact, "B"), B_S = number(exact, "B_S"), G = number(exact, "G");
   const bool hold = exact.at("bounds_hold"), hold_B_S = exact.at("bounds_hold_B_S");

@@ -72,7 +72,8 @@ TEST_P(BoxRun, HoldsGrainsOfAllLaws) {
   }
 }
 
-/// What floc network and floc structure say of a box agrees with the row of the run; what needs images is empty.
+/// The values of floc network and floc structure of a box agree with the row of the run; columns that need periodic
+/// images are empty.
 TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
   ASSERT_EQ(run(box_scene(GetParam()), "-o out").code, 0);
   const Outcome network = floc(
@@ -298,7 +299,7 @@ TEST(BoxRefusal, OfKeysInAPeriodicScene) {
   EXPECT_THAT(check.err, testing::HasSubstr("assembly.kinetic_pressure is not allowed here: it is that of the gas in a [box]"));
 }
 
-/// What knows periodic cells alone says so.
+/// Commands that support periodic cells alone name this as the reason of their failure.
 TEST(BoxRefusal, OfCommandsThatKnowPeriodicCellsAlone) {
   const ScratchDirectory scratch;
   write_text(scratch.file("box.toml"), box_scene(2));

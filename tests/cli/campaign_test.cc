@@ -39,7 +39,7 @@ class Campaigns : public testing::Test {
   ScratchDirectory scratch_;
 };
 
-/// What needs snakemake, with the small campaign made once in whole/.
+/// Tests that need snakemake; the small campaign is run once, in whole/.
 class CampaignOnSnakemake : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -272,7 +272,7 @@ TEST_F(Campaigns, HaveARuleARunWithSceneChangesAndSeed) {
         "--table '0008-3-compare.csv: compare state-0001.h5 state-0008.h5'", "rule table_means:", "rule page:"})
     EXPECT_THAT(rules, HasSubstr(part));
   EXPECT_THAT(rules, Not(HasSubstr("run_13")));
-  EXPECT_EQ(floc("campaign plan planned.toml -o planned").code, 0);  // the same again
+  EXPECT_EQ(floc("campaign plan planned.toml -o planned").code, 0);  // a second time, from the list
   EXPECT_EQ(content_of(file("planned/campaign.toml")), small_campaign());
 }
 

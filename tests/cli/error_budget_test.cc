@@ -7,7 +7,7 @@
 #include "support/places.h"
 #include "support/run_program.h"
 
-/// What limits a result is said with it.
+/// Results are printed with the source of error that limits them.
 namespace floc::test {
 namespace {
 

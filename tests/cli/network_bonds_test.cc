@@ -61,7 +61,7 @@ TEST_F(Bonds, ColumnsComeWhenAskedFor) {
   const Outcome o = floc("network layers.h5 spheres.h5 --with bonds,phases --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json flat = json::parse(o.out).at(0), solid = json::parse(o.out).at(1);
-  // What was there before has not moved.
+  // The columns are added to those of the plain table, which stay.
   EXPECT_EQ(std::distance(plain.begin(), plain.end()) + 10 + 5 + 14, std::distance(flat.begin(), flat.end()));
   EXPECT_EQ(flat.at("n_bonds"), 48);
   EXPECT_EQ(flat.at("z_bonds"), 4.0);

@@ -7,7 +7,7 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// What is written is written to its end, or said not to be.
+/// Output is written completely, or the command fails with a message.
 namespace floc::test {
 namespace {
 

@@ -99,7 +99,7 @@ TEST_F(Petsc, GivesTheSameOnOneTwoAndFourProcesses) {
     const Outcome o = together(n, options + name + " disks.h5 granular.h5");
     ASSERT_EQ(o.code, 0) << o.err;
     EXPECT_EQ(o.out, "");
-    // What the first of them says, nobody else does.
+    // Only the first process prints warnings.
     EXPECT_EQ(o.err.find("is not in equilibrium"), o.err.rfind("is not in equilibrium")) << o.err;
     const json rows = json::parse(content_of(file(name)));
     ASSERT_EQ(rows.size(), 2u);

@@ -10,8 +10,8 @@
 #include "support/places.h"
 #include "support/run_program.h"
 
-/// What the program refuses, and the message with which it does: where (file, line, array, option), what, and
-/// what was expected.
+/// Input that the program rejects, and the message with which it does so: the place (file, line, array, option), the
+/// value, and the expectation.
 namespace floc::test {
 namespace {
 
@@ -360,7 +360,7 @@ const Refusal kOfCommands[] = {
 INSTANTIATE_TEST_SUITE_P(Commands, Refused, ::testing::ValuesIn(kOfCommands),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// What a run finds in its directory has to be its own.
+/// A run that is resumed rejects files in its directory that it did not write.
 TEST(RefusedRun, FindsWhatIsNotItsOwn) {
   const ScratchDirectory scratch;
   const std::string run = "run " + source_directory() +

@@ -81,7 +81,7 @@ TEST(SceneCheck, WarnsOfWhatWillNotComeOutAsMeant) {
               HasSubstr("cell.strain_rate_cap = 1e-09: compressing the gas from solid_fraction"));
 }
 
-/// What the time step does not follow, or what makes it so short that no state comes out.
+/// Settings whose motion the time step cannot resolve, or that make it so short that no equilibrium is reached.
 TEST(SceneCheck, WarnsOfTimeStepsThatLeadNowhere) {
   struct {
     const char *scene, *changes, *warning;

@@ -71,7 +71,7 @@ std::string lattice_rows(int dimension) {
 
 class SoftPackings : public testing::Test {
  protected:
-  /// What a command says, which has to be that grains overlap too far, and ask for the units.
+  /// Expects that the message of a command holds `words`, that grains overlap too far, and asks to check the units.
   void expect_said(const std::vector<std::string>& arguments, const std::string& words) {
     const Outcome o = floc_arguments(arguments);
     EXPECT_THAT(o.err, AllOf(HasSubstr(words), HasSubstr("in the units of lengths and forces?")))

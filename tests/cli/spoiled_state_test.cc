@@ -49,8 +49,8 @@ std::vector<Kind> kinds() {
   };
 }
 
-/// Whatever of a state is changed, floc verify says that it is none, or is no equilibrium: every dataset and attribute of
-/// states of every kind, but for those that may have any value (listed in the script).
+/// Changes every dataset and attribute of states of every kind, except those that may have any value (listed in the
+/// script): floc verify reports each time that the file is no state, or no equilibrium.
 TEST(SpoiledState, IsNoticedWhateverIsChanged) {
   const ScratchDirectory scratch;
   std::string states;

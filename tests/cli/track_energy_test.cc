@@ -146,7 +146,7 @@ void PrintTo(const ShippedPath& path, std::ostream* out) {
 
 class EnergyOfShippedPath : public ::testing::TestWithParam<ShippedPath> {
  protected:
-  /// What is left over at the end of the path of a few grains, over the work of its boundary.
+  /// Returns the error of the energy balance at the end of the path of a few grains, over the work of its boundary.
   double error_at(double time_step) const {
     const std::string directory = fmt::format("at-{}", time_step);
     const Outcome o = run_floc(

@@ -51,7 +51,7 @@ Packing<Dim> stretched_pair(const LawParameters& law) {
   else
     test::shear_spring(contact) = to_shear<double>(direction<3>(), {1e-5, 2e-5, -1e-5});
   if (law.friction.holds<MindlinFriction>())
-    test::shear_spring(contact) *= 1e5;  // what it remembers is a force
+    test::shear_spring(contact) *= 1e5;  // its history holds a force, not a displacement
   packing.contacts.push_back(contact);
   return packing;
 }

@@ -25,7 +25,7 @@ constexpr time_t kMaxSeconds = 10;              ///< of processor time that an i
 constexpr rlim_t kMaxMemory = rlim_t{1} << 30;  ///< address space of the process, bytes
 constexpr std::size_t kLongestInput = 1 << 16;
 
-std::string current;  ///< what is being read, for the handler
+std::string current;  ///< input that is being read, for the handler
 const char* reader_name = "";
 
 /// Keeps the input that killed the process. Only calls that a signal handler may make.

@@ -10,7 +10,7 @@
 #include "floc/tradeoff/comparison.h"
 #include "support/places.h"
 
-// What [accuracy] guarantees, on scenes and seeds that did not make the shipped table. By itself:
+// The guarantee of [accuracy], on scenes and seeds that are not in the data of the shipped table. To run it alone:
 //   build/release/tests/long_tests --gtest_filter='AccuracyGuarantee.*'
 
 namespace floc {

@@ -10,7 +10,7 @@
 namespace floc::test {
 namespace {
 
-/// What repeated fits say about one parameter.
+/// Errors and coverage of one parameter over repeated fits.
 struct Tally {
   double truth;
   int n = 0, covered = 0;

@@ -27,7 +27,7 @@ bool goes_together(const LawParameters& law) {
   return law.faults_between_slots().empty();
 }
 
-/// What a slot may hold beside the models of a law, in words.
+/// Lists in words the models that a slot may hold beside the models of a law.
 std::string models_beside(const LawParameters& law, const std::string& key) {
   std::vector<std::string> with_any, with_friction;
   for (const DeclaredModel& model : slot_of(key).models) {

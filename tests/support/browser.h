@@ -16,7 +16,7 @@ inline std::string browser() {
   return "";
 }
 
-/// What a browser made of a page.
+/// A page as a browser rendered it.
 struct RenderedPage {
   std::string document;  ///< after loading and scripts
   std::string console;   ///< lines that the page wrote to the console, errors among them
@@ -25,7 +25,7 @@ struct RenderedPage {
 };
 
 /// Loads a page headless. Pictures are counted by a script added to a copy of it, once all is loaded.
-/// @param extra  what else is added to the copy
+/// @param extra  text appended to the copy
 inline RenderedPage render_in_browser(const std::string& page, const std::string& directory,
                                       const std::string& extra = "") {
   const std::string script =

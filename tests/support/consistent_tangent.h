@@ -17,7 +17,7 @@ Packing<Dim> at_rest(const Packing<Dim>& packing) {
   return at;
 }
 
-/// What the first n strains do to a contact.
+/// Returns the columns of a contact for the first n strains.
 template <int Dim>
 BoundaryColumns<Dim> strain_columns(const NetworkContact<Dim>& c, int n) {
   const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal();

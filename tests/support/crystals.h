@@ -39,7 +39,7 @@ inline std::vector<CubicCrystal> cubic_crystals() {
 }
 
 /// The crystal with its neighbours at a distance, as spheres of a diameter.
-/// @param distance, diameter  (length); those that touch are in contact by the law
+/// @param distance, diameter  (length); grains that touch are in contact by the law
 inline Packing<3> crystal_of(const CubicCrystal& crystal, double distance, double diameter, const Law& law) {
   Packing<3> packing;
   packing.law = law;

@@ -35,8 +35,8 @@ Packing<Dim> agitated_gas(int n, const Law& law) {
   return gas;
 }
 
-/// The same with so many grains that the rows of many blocks have been summed before those of the last are written, and
-/// so long that threads share few blocks.
+/// An agitated gas of so many grains that the rows of many blocks are summed before those of the last block are
+/// written. Its cell is so long that threads share few blocks.
 template <int Dim>
 Packing<Dim> large_agitated_gas(const Law& law) {
   Vec<Dim, int> copies = Vec<Dim, int>::Ones();

@@ -39,7 +39,7 @@ struct HystereticRepulsion {
   T elastic_stiffness(const PairGeometry<T>& pair, const T* history) const {
     return lanes::select(touches(pair, history), T(unloading), T(0));
   }
-  /// What unloading gives back.
+  /// Energy that unloading returns.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* history) const {
     const T elastic = force(pair, history);

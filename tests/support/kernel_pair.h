@@ -37,7 +37,7 @@ class KernelPair {
     for (int a = 0; a < 3; ++a) cell.lattice[a][a] = 100.0;
     interaction_.compute(interaction_.view(), 0, 1, grains_.view(grains_.x, inverse_skin_squared_), cell);
   }
-  /// The same to an overlap, without slip.
+  /// Moves the second sphere along the normal to an overlap, without slip.
   void approach(double overlap, double time = 1.0) {
     const Vec<3> n = normal();
     move({position(0), position(0) + (1.0 - overlap) * n}, {Vec<3>::Zero(), Vec<3>::Zero()}, time);
@@ -72,7 +72,7 @@ class KernelPair {
   /// On i.
   Vec<3> tangential_force() const { return normal() * normal_force() - force_on_j(); }
 
-  /// What the pair remembers.
+  /// History of the contact of the pair.
   ContactHistory<3> history() const { return interaction_.history(0, false); }
   void set_memory(const ContactHistory<3>& history) {
     interaction_.load_history(0, history, false), interaction_.refresh_bridges();

@@ -68,7 +68,7 @@ inline std::string rows_without_seconds(const std::string& file) {
 }
 
 /// Every state is byte for byte the same, and every row but for its wall time.
-/// @param n_states  there have to be; those of the small scene
+/// @param n_states  number of states expected; by default that of the small scene
 inline void expect_same_results(const std::string& a, const std::string& b, int n_states = 9) {
   int n = 0;
   for (const auto& entry : std::filesystem::directory_iterator(a)) {

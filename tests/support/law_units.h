@@ -4,8 +4,8 @@
 
 namespace floc::test {
 
-/// The same law in other units, by what its numbers are declared to measure.
-/// @param length, force  the old units in the new ones
+/// Converts a law to other units, by the declared dimension of each of its parameters.
+/// @param length, force  the old units in terms of the new ones
 Law in_units(const Law& law, double length, double force);
 
 }  // namespace floc::test

@@ -135,7 +135,7 @@ using LawsOfOtherKinds = std::variant<
     ContactLaw<StickySpring, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>,
     ContactLaw<StickySpring, NoAdhesion, ViscousDamping, CoulombFriction, RollingSpring, TwistingSpring>>;
 
-/// The same for the rows of the table and for laws of other kinds.
+/// Calls check(law) for every row of the table and for every law of another kind, as for_each_law() does.
 template <class Check>
 void for_each_kind_of_law(Check&& check) {
   for_each_law(check);
@@ -163,7 +163,7 @@ void for_each_law_and_dimension(Check&& check) {
   for_each_law([&](const auto& law) { in_each_dimension(law, check); });
 }
 
-/// What a contact remembers under a law, and a pair of the suite's grains at a gap.
+/// History of a contact under a law.
 template <class Law, int Dim, class T = double>
 using Remembered = PackedHistory<std::decay_t<Law>::template kHistorySize<Dim>, T>;
 

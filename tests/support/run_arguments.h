@@ -9,7 +9,7 @@
 namespace floc::test {
 
 /// Runs a program with arguments that no shell reads, so that file names may hold any character.
-/// @param input  what the program finds on stdin
+/// @param input  stdin of the program
 inline Outcome run_arguments(const std::string& program, const std::vector<std::string>& arguments,
                              const std::string& input = "") {
   const ScratchDirectory scratch;
@@ -28,7 +28,7 @@ inline Outcome run_arguments(const std::string& program, const std::vector<std::
           content_of(scratch.file("err"))};
 }
 
-/// The same of floc itself.
+/// Runs floc with arguments that no shell reads.
 inline Outcome floc_arguments(const std::vector<std::string>& arguments, const std::string& input = "") {
   return run_arguments(floc_program(), arguments, input);
 }

@@ -11,7 +11,7 @@
 namespace floc::test {
 
 /// Runs floc with stdout on a terminal of that many columns; what it says on stderr comes apart, as always.
-/// @return what the terminal got, lines ending in \n
+/// @return text written to the terminal, lines ending in \n
 inline Outcome run_on_terminal(const std::string& arguments, const std::string& directory, int columns) {
   const ScratchDirectory scratch;
   winsize size{};

@@ -12,7 +12,7 @@
 
 namespace floc::test {
 
-/// What the program did.
+/// Outcome of a run of a program.
 struct Outcome {
   int code;         ///< exit code, -1 if it did not exit by itself
   std::string out;  ///< stdout

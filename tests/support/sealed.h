@@ -16,7 +16,7 @@ inline std::string sealed(const std::string& content) {
   return content + seal_of(sha256(content));
 }
 
-/// What a state file holds before its seal. @pre it is sealed
+/// Returns the content of a state file before its seal. @pre it is sealed
 inline std::string without_seal(const std::string& bytes) {
   return bytes.substr(0, bytes.size() - kSealSize);
 }

@@ -68,7 +68,7 @@ inline pid_t start_snakemake(const std::string& directory, const std::string& ar
   return child;
 }
 
-/// Runs it to its end. @return its exit code, and what it said in `out`
+/// Runs it to its end. @return its exit code, with its messages in `out`
 inline Outcome snakemake(const std::string& directory, const std::string& arguments = "--cores 2") {
   const int status = wait_for(start_snakemake(directory, arguments));
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(directory + ".snakemake"), ""};

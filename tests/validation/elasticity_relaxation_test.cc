@@ -64,8 +64,8 @@ double worst_difference(const Packing<2>& start, double pressure, double relativ
 TEST(ModuliAndRelaxation, AgreeOnACohesivePacking) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Packing<2> packing = solved(equilibrium(40, test::cohesive_law(), 1.0, seed), Vec<2>::Constant(1.0));
-    // What is left is the geometric terms of the tangential forces, which K leaves out: 2e-5 at most, whatever
-    // the step.
+    // The remaining difference is the geometric terms of the tangential forces, which K omits: 2e-5 at most, for any
+    // step.
     EXPECT_LT(worst_difference(packing, 1.0, 1e-3, true), 1e-4);
     EXPECT_GT(worst_difference(packing, 1.0, 1e-3, false), 2e-4);
   }

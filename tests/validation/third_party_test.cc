@@ -25,8 +25,8 @@ const std::string kData = test::source_directory() + "/data/packings/";
 /// Relative rounding of a sum of a hundred products.
 constexpr double kRounding = 1e-13;
 
-/// What rounding of positions at the size of the cell leaves open of the force of a contact, of which up to six
-/// meet at a grain: both programs compute branches across the side of the cell from shifted positions.
+/// Uncertainty of the forces on a grain from the rounding of positions at the size of the cell; up to six contacts meet
+/// at a grain. Both programs compute branches across the side of the cell from shifted positions.
 template <int Dim>
 double force_rounding(const Packing<Dim>& packing) {
   double stiffest = 0.0;
@@ -146,7 +146,7 @@ TEST(Yade, StiffnessesAreThoseOfEachContactAndTheLawHasTheirMeans) {
   EXPECT_NEAR(test::law_number(state.packing.law, "friction.coefficient"), std::tan(0.4), 1e-15);
 }
 
-/// What lever arms of another convention leave: LAMMPS takes whole radii, 1 + overlap/branch times ours.
+/// Residual moments from lever arms of another convention: LAMMPS takes whole radii, 1 + overlap/branch times ours.
 TEST(ThirdParties, PackingsAreInEquilibriumToTheirConventionOfContactPoints) {
   const Packing<2> disks = std::get<State<2>>(read_lammps().state).packing;
   const Residuals of_disks = residuals<2>(disks, static_stress(disks).diagonal());

@@ -4,6 +4,7 @@
 
 namespace floc {
 
+/// Adds `floc campaign` with its subcommands.
 Command add_campaign(CommandLine program);
 
 }  // namespace floc

@@ -23,7 +23,7 @@ struct CollectArguments {
   bool forget = false;
 };
 
-/// Fits the samples of one case that succeeded. A fit that is not found leaves no rows, and a word on stderr.
+/// Fits the samples of one case that succeeded. A fit that fails adds no rows, and its reason is printed on stderr.
 void fit_case(const PlannedCampaign& planned, int case_number, int fit_number, const std::string& directory,
               Table& table) {
   const CampaignCase& one = planned.campaign.cases[static_cast<std::size_t>(case_number)];
@@ -68,7 +68,7 @@ int collect(const CollectArguments& arguments) {
   return kDone;
 }
 
-/// Exit code for a run that ended with another.
+/// Returns the exit code of floc for a run that ended with this one; other failures count as kFailure.
 int as_own(int code) {
   return code == kNotConverged || code == kBadInput || code == kVerificationFailed ? code : int{kFailure};
 }
@@ -87,10 +87,13 @@ int report_outcome(const CollectArguments& arguments) {
          or_undefined(outcome ? outcome->command : ""), or_undefined(outcome ? outcome->words : "")});
     if (is_done(outcome)) continue;
     ++n_failed;
+    // A run without an outcome was killed or has not been started: it counts as a failure inside.
     code = worse(code, outcome ? as_own(outcome->exit_code) : int{kFailure});
     lines += outcome ? fmt::format("\n  {}: floc {}: exit code {}: {}", run.directory, outcome->command,
                                    outcome->exit_code, outcome->words)
                      : fmt::format("\n  {}: has not ended", run.directory);
+    // snakemake repeats a run whose outcome file is missing. The file is renamed, not removed, so that the tables of
+    // the campaign still report the failure.
     if (arguments.forget && fs::exists(place / kOutcomeFile))
       fs::rename(place / kOutcomeFile, place / kFailureFile);
   }

@@ -16,16 +16,17 @@ Command add_campaign_collect(CommandLine campaign);
 Command add_campaign_outcome(CommandLine campaign);
 Command add_campaign_page(CommandLine campaign);
 
-/// A campaign and what each of its cases does.
+/// A campaign and the plan of each of its cases.
 struct PlannedCampaign {
   Campaign campaign;
   std::vector<CasePlan> plans;
 };
 
-/// Reads a campaign file and plans it. @throws InputError naming file and line, also of columns that no table has
+/// Reads a campaign file and plans it.
+/// @throws InputError naming file and line, also if the file names a column that no table has
 PlannedCampaign planned_campaign(const std::string& file);
 
-/// The campaign that `floc campaign plan` wrote into a directory. @throws InputError if there is none
+/// Reads the campaign that `floc campaign plan` wrote into a directory. @throws InputError if there is none
 PlannedCampaign campaign_of(const std::string& directory);
 
 }  // namespace floc

@@ -14,13 +14,13 @@
 namespace floc {
 namespace {
 
-/// One mean of a curve. Branches follow each other in the order of the path.
+/// One mean of a curve, with the lowest and the highest sample. The branches are in the order of the path.
 struct Point {
   std::string branch;
   double P_star, mean, low, high;
 };
 
-/// Points of a quantity under pressure in each case.
+/// Points of a quantity by the label of the case.
 using Curves = std::map<std::string, std::vector<Point>>;
 
 Curves curves_of(const CsvTable& means, const std::string& quantity) {
@@ -38,8 +38,8 @@ Curves curves_of(const CsvTable& means, const std::string& quantity) {
 
 /// One axis of a plot.
 struct Axis {
-  double low, high;   ///< the values at its ends
-  double begin, end;  ///< their places on the page
+  double low, high;   ///< values at its ends
+  double begin, end;  ///< coordinates of its ends on the page
   bool logarithmic = false;
 
   double place(double value) const {
@@ -49,7 +49,7 @@ struct Axis {
   }
 };
 
-/// An axis that holds values with some air at its ends.
+/// Returns an axis that holds the values from low to high, with a margin at its ends.
 Axis axis_of(double low, double high, double begin, double end, bool logarithmic) {
   if (logarithmic) {
     const double air = std::max(std::pow(high / low, 0.04), 1.05);
@@ -59,7 +59,7 @@ Axis axis_of(double low, double high, double begin, double end, bool logarithmic
   return {low - air, high + air, begin, end, false};
 }
 
-/// Values marked on an axis: whole decades, or five to ten round numbers.
+/// Returns the values marked on an axis: whole decades, or five to ten round numbers.
 std::vector<double> marks_of(const Axis& axis) {
   std::vector<double> marks;
   if (axis.logarithmic) {
@@ -102,7 +102,7 @@ std::string axes_svg(const Axis& x, const Axis& y, const std::string& quantity) 
                    0.5 * (kLeft + kWidth - kRight), kHeight - 10.0, middle, html_text(quantity));
 }
 
-/// The points of one branch: a band, a line, and marks.
+/// Draws the points of one branch as a band, a line and marks.
 std::string branch_svg(const std::vector<Point>& points, const Axis& x, const Axis& y,
                        const std::string& colour, bool dashed) {
   std::string up, down, line, marks;
@@ -124,7 +124,7 @@ std::string branch_svg(const std::vector<Point>& points, const Axis& x, const Ax
          marks;
 }
 
-/// One case. Branches after the first that loads are dashed.
+/// Draws one case. Branches other than the first loading are dashed.
 std::string curve_svg(const std::vector<Point>& points, const Axis& x, const Axis& y, const std::string& label,
                       const std::string& colour) {
   std::string out = fmt::format("<g class=\"curve\" data-case=\"{}\">\n", html_text(label));
@@ -142,7 +142,7 @@ std::string curve_svg(const std::vector<Point>& points, const Axis& x, const Axi
 }  // namespace
 
 std::string curve_colour(std::size_t number) {
-  // Okabe and Ito: told apart by all eyes.
+  // Palette of Okabe and Ito, which is safe for colour-blind readers.
   constexpr std::array<const char*, 8> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                    "#E69F00", "#56B4E9", "#000000", "#8B7500"};
   return kColours[number % kColours.size()];
@@ -178,7 +178,7 @@ std::string curves_svg(const CsvTable& means, const std::string& quantity,
       high = std::max(high, p.high);
     }
   const Axis x = axis_of(P_low, P_high, kLeft, kWidth - kRight, true);
-  constexpr double kDecades = 50.0;  // more than this from end to end is read on a logarithmic axis
+  constexpr double kDecades = 50.0;  // smallest ratio of high to low of a logarithmic axis
   const Axis y = axis_of(low, high, kHeight - kBottom, kTop, low > 0.0 && high / low > kDecades);
   std::string out =
       fmt::format("<svg class=\"curves\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against P*\">\n",

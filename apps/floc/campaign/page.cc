@@ -31,8 +31,8 @@ struct PageArguments {
   Printing printing;
 };
 
-/// What the page adds to style and behaviour of a report: tables sorted by a click on a heading, curves switched on and
-/// off by their boxes.
+/// Style and script that the page adds to those of a report: a click on a heading sorts its table, a box switches a
+/// curve on and off.
 constexpr const char* kHead = R"(<style>
 th[data-sorts] { cursor: pointer; } th[data-sorts]:hover { background: #eee; }
 th[aria-sort=ascending]::after { content: " \25B2"; } th[aria-sort=descending]::after { content: " \25BC"; }
@@ -69,7 +69,7 @@ document.addEventListener('change', event => {
 </script>
 )";
 
-/// What the page is made of, read once.
+/// Contents of the page, read once.
 struct CampaignPage {
   std::string directory;
   PlannedCampaign planned;
@@ -83,8 +83,8 @@ struct CampaignPage {
   }
 };
 
-/// Columns of a table that have a value anywhere. Values of keys of the scene, whose names have dots, stand in the
-/// table of cases.
+/// Returns the columns of a table that have a value in some row. Columns with keys of the scene, whose names have dots,
+/// are left out, because the table of cases has their values.
 std::vector<int> used_columns(const CsvTable& table) {
   const auto is_used = [&table](int column) {
     if (table.columns()[static_cast<std::size_t>(column)].find('.') != std::string::npos) return false;
@@ -98,7 +98,7 @@ std::vector<int> used_columns(const CsvTable& table) {
   return used;
 }
 
-/// A cell shows a number with five digits and carries all of them, as the csv has them.
+/// Returns a cell of a table. It shows a number with five digits, and keeps all digits of the csv in data-v.
 std::string cell_html(const std::string& column, const std::string& text) {
   const auto number = parse_number<double>(text);
   std::string classes = number ? "number" : "";
@@ -108,7 +108,7 @@ std::string cell_html(const std::string& column, const std::string& text) {
                      html_text(text), shown);
 }
 
-/// A table that sorts. @param rows  those shown
+/// Returns a table that can be sorted, as html. @param rows  rows of `table` that are shown
 std::string sorting_table(const std::string& id, const CsvTable& table, const std::vector<int>& rows) {
   const std::vector<int> columns = used_columns(table);
   std::string out = fmt::format("<div class=\"wide\"><table id=\"{}\">\n<thead><tr>", id);
@@ -190,7 +190,8 @@ std::string tables_section(const CampaignPage& page) {
   return out;
 }
 
-/// The state of a case that is drawn: under the largest pressure, or the last.
+/// Returns the index of the state of a case that is drawn: the one under the largest pressure, or the last if no
+/// pressure is known.
 int drawn_state(const CasePlan& plan) {
   int best = static_cast<int>(plan.states.size()) - 1;
   double highest = 0.0;
@@ -210,10 +211,11 @@ std::map<int, CampaignRun> drawn_runs(const Campaign& campaign, const std::strin
   return drawn;
 }
 
-/// How many cases a page has pictures of: those of hundreds would make it slow to open.
+/// Largest number of cases with pictures; hundreds of pictures would make the page slow to open.
 constexpr std::size_t kMostPictures = 24;
 
-/// As the page shows them, beside each other. Spheres are images: as vectors each sample would take megabytes.
+/// Returns the options of the pictures on the page. Spheres are drawn as images, because vectors would take megabytes
+/// per sample.
 template <int Dim>
 SheetOptions picture_options() {
   SheetOptions options;
@@ -223,7 +225,7 @@ SheetOptions picture_options() {
 
 std::string pictures_section(const CampaignPage& page) {
   std::string out;
-  // Spread over the cases where there are too many.
+  // If there are too many cases, the pictures are spread evenly over them.
   const std::size_t n = page.drawn.size(), spread = std::max(n, kMostPictures);
   std::size_t k = 0;
   for (const auto& [number, run] : page.drawn) {

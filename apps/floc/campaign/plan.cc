@@ -42,7 +42,7 @@ const DescribedTable& described_table(const std::string& name) {
   return *std::ranges::find(tables, name, &DescribedTable::name);
 }
 
-/// Holds the columns of a campaign against those that the tables have.
+/// Checks that the tables have the columns that a campaign names. @throws InputError naming place and column
 void check_columns(const Campaign& campaign) {
   for (const Collection& collection : campaign.collections) {
     const std::string name = collection.table == "path" ? "path.csv" : collection.table;
@@ -57,7 +57,7 @@ void check_columns(const Campaign& campaign) {
   }
 }
 
-/// Number of runs and what they are expected to take, in words.
+/// Returns the number of runs and their expected processor time, in words.
 std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
   double cost = 0.0;
@@ -67,7 +67,7 @@ std::string extent_of(const PlannedCampaign& planned) {
       planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration_text(cost));
 }
 
-/// A file of the user's that is not there yet.
+/// Writes a new file. @throws InputError if it exists, so that no file of a user is replaced
 void write_new(const fs::path& path, const std::string& text) {
   if (fs::exists(path)) throw InputError(path.string(), "exists; expected a name that is not taken");
   write_bytes_atomically(path.string(), text);
@@ -77,7 +77,7 @@ int start_campaign(const PlanArguments& arguments) {
   fs::path path(arguments.name);
   if (path.extension() != ".toml") path += ".toml";
   const std::string name = path.stem().string();
-  const std::string own = starting_scene(name);  // refuses what is no name
+  const std::string own = starting_scene(name);  // throws if the name is not valid
   const fs::path scene = arguments.scene.empty() ? fs::path(name + "-scene.toml") : fs::path(arguments.scene);
   if (fs::exists(path)) throw InputError(path.string(), "exists; expected a name that is not taken");
   if (arguments.scene.empty())
@@ -115,14 +115,15 @@ int check_campaign(const PlanArguments& arguments) {
   return kDone;
 }
 
-/// Replaces what differs, so that Snakemake sees as changed only what is; the runs stay.
+/// Writes the files of a campaign into its directory. Only files whose content differs are replaced, so that Snakemake
+/// does not repeat work that is up to date. Runs in the directory are kept.
 int plan_campaign(const PlanArguments& arguments) {
   PlannedCampaign planned = planned_campaign(arguments.file);
   const fs::path directory(arguments.directory);
   const std::string scene = portable_scene(planned.campaign);
   planned.campaign.scene = scene;
   planned.campaign.scene_file = (directory / kSceneFile).string();
-  planned.plans = plan_cases(planned.campaign);  // files that cases name have to be found from there
+  planned.plans = plan_cases(planned.campaign);  // files that cases name are found relative to that directory
   const std::pair<const char*, std::string> files[] = {
       {kCampaignFile, read_file(arguments.file)},
       {kSceneFile, scene},
@@ -159,7 +160,7 @@ PlannedCampaign campaign_of(const std::string& directory) {
   if (!fs::is_regular_file(file) || !fs::is_regular_file(fs::path(directory) / kSceneFile))
     throw InputError(directory, "holds no campaign: expected a directory of floc campaign plan");
   PlannedCampaign planned{read_campaign(file.string(), kSceneFile), {}};
-  // One without a name was called by that of its file.
+  // A campaign without a name has the name of its file, which is the same for all directories of campaigns.
   if (planned.campaign.name == file.stem().string())
     planned.campaign.name = fs::canonical(directory).filename().string();
   planned.plans = plan_cases(planned.campaign);

@@ -31,7 +31,7 @@ struct CampaignRunArguments {
   bool with_parent = false;
 };
 
-/// A table to make after the run.
+/// A table that is made after the run, and the command that makes it.
 struct TableCommand {
   std::string file;
   std::vector<std::string> words;
@@ -49,12 +49,12 @@ TableCommand table_command(const std::string& text) {
   return command;
 }
 
-/// What the last line of a log says.
+/// Returns the last line of a log that is not blank.
 std::string last_line(const std::string& log) {
   std::istringstream lines(read_file(log));
   std::string last;
   for (std::string line; std::getline(lines, line);) {
-    // Progress overwrites itself on a terminal.
+    // Lines of progress end in \r, so that the next one overwrites them on a terminal: only the last one counts.
     line.erase(0, line.find_last_of('\r') + 1);
     if (!trimmed(line).empty()) last = trimmed(line);
   }
@@ -86,9 +86,11 @@ int make_table(const TableCommand& command, const CampaignRunArguments& argument
   return code;
 }
 
-/// @return exit code: of a run that failed 0 too, since outcome.csv says so and the others go on
+/// Runs one sample and makes its tables.
+/// @return exit code, which is also 0 if the run failed: outcome.csv records the failure, and the other runs go on
 int run_sample(const CampaignRunArguments& arguments) {
-  // What snakemake started does not go on without it: the next one would find two processes at the same run.
+  // A sample ends with the snakemake that started it: otherwise the next snakemake would start a second process in the
+  // same run directory.
   if (arguments.with_parent) ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::vector<TableCommand> tables;
   for (const std::string& text : arguments.tables) tables.push_back(table_command(text));
@@ -114,7 +116,7 @@ int run_sample(const CampaignRunArguments& arguments) {
     if (outcome.exit_code != kDone) outcome.command = table.words.front();
   }
   outcome.seconds = children_seconds() - before;
-  if (was_signalled()) return kInterrupted;  // to be taken up again: no outcome
+  if (was_signalled()) return kInterrupted;  // the run will be resumed, so it has no outcome yet
   if (outcome.exit_code != kDone) outcome.words = words_of(outcome.exit_code, log);
   write_csv(arguments.directory + "/" + kOutcomeFile, table_of(outcome));
   if (outcome.exit_code != kDone)

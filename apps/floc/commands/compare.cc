@@ -25,7 +25,8 @@ struct CompareCommand {
   Printing printing;
 };
 
-/// Two directories are two runs, to be compared step by step; the states of one follow each other.
+/// Returns whether the inputs are two directories of runs, which are compared step by step. The states of a single
+/// directory are compared one after the other.
 bool are_two_runs(const std::vector<std::string>& inputs) {
   return inputs.size() == 2 && std::ranges::all_of(inputs, [](const std::string& input) {
            return input != "-" && std::filesystem::is_directory(input);
@@ -44,7 +45,7 @@ int run_compare(CompareCommand command) {
   CompareTables side;
   std::optional<std::pair<std::string, AnyState>> reference;
   const int code = for_each_file(states_of_inputs(command.files), [&](const std::string& file) {
-    // A state that cannot be read has no successor either, unless all are held against the first.
+    // The state after one that cannot be read has no state to be compared with, unless all are compared with the first.
     std::optional<std::pair<std::string, AnyState>> before = reference;
     if (!command.against_first) reference.reset();
     std::pair<std::string, AnyState> now(file, read_state(file));

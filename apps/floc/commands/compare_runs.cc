@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What no run has twice.
+/// Column of wall times, which differ between any two runs and are not compared.
 constexpr const char* kTiming = "seconds";
 
 /// One run: its states and the rows of its path by step.
@@ -42,16 +42,16 @@ struct RunFiles {
   }
 };
 
-/// One row: what a step has in common.
+/// One row: the comparison of a step in both runs.
 struct StepComparison {
   int step = 0;
-  std::string before, after;  ///< state files; empty: that run does not have it
+  std::string before, after;  ///< state files; empty if the run does not have the state
   bool identical = false;
-  std::vector<std::string> differing;  ///< columns of path.csv
-  std::optional<double> largest;       ///< relative difference of two numbers
+  std::vector<std::string> differing;  ///< columns of path.csv that differ
+  std::optional<double> largest;       ///< largest relative difference of two numbers
 };
 
-/// The column of a path that stands beside one of another, and the factor from its unit to that one's.
+/// The column of a path that corresponds to a column of another path, and the factor between their units.
 struct Counterpart {
   int column;
   double factor;
@@ -66,10 +66,10 @@ std::optional<Counterpart> counterpart(const CsvTable& of, const std::string& he
   return std::nullopt;
 }
 
-/// @param factor  that b is multiplied by
+/// Compares two values of a column. @param factor  factor that converts b to the unit of a
 void compare_values(const std::string& column, const std::string& a, const std::string& b, double factor,
                     StepComparison& row) {
-  constexpr double kConverted = 1e-12;  // what changing units may leave
+  constexpr double kConverted = 1e-12;  // relative rounding of a conversion of units
   if (a == b && factor == 1.0) return;
   const auto x = parse_number<double>(a), its = parse_number<double>(b);
   const double y = factor * its.value_or(0.0);
@@ -97,7 +97,7 @@ StepComparison compare_step(int step, const RunFiles& before, const RunFiles& af
   return row;
 }
 
-/// In words what two runs came to.
+/// Returns the result of the comparison of two runs in words.
 std::string verdict(const std::vector<StepComparison>& rows) {
   const auto n_same = std::ranges::count_if(rows, &StepComparison::identical);
   const auto n_rows = std::ranges::count_if(rows, [](const StepComparison& r) { return r.differing.empty(); });

@@ -93,7 +93,7 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   return options;
 }
 
-/// Fills in what the file did not say and an analysis needs.
+/// Completes a state with quantities that the file lacks and an analysis needs, and with its provenance.
 template <int Dim>
 void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
               State<Dim>& state) {
@@ -164,7 +164,7 @@ int run_convert(const ConvertArguments& arguments) {
   });
 }
 
-/// The keywords of a table of formats.
+/// Returns the keywords of a list of formats.
 template <class Format>
 std::string keywords(const std::vector<Format>& formats) {
   std::string list;
@@ -173,6 +173,8 @@ std::string keywords(const std::vector<Format>& formats) {
 }
 
 void add_reading_options(CommandLine app, ConvertArguments& arguments) {
+  // Brackets at the end of a help text hold the default. Defaults that depend on the format of IN are set by its
+  // reader, so most variables begin empty.
   app.add_option("--from", arguments.from,
                  "format of IN: " + keywords(import_formats()) + " [by name and content]");
   app.add_option("--law", arguments.law,

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file or folder that comes with floc, below share/floc beside bin/, where this program is installed.
+/// Returns the path of a file or folder that is installed with floc, in share/floc beside the bin/ of this program.
 std::string shipped(const std::string& name) {
   const fs::path path = (fs::path(this_program()).parent_path() / "../share/floc" / name).lexically_normal();
   if (!fs::exists(path))
@@ -28,14 +28,15 @@ std::string shipped(const std::string& name) {
   return path.string();
 }
 
-/// Shows the command and runs it. @param about  what it does
-/// @param shown  whether what it prints is
+/// Prints a command line and runs it. @param about  purpose of the command, printed above it
+/// @param shown  whether the output of the command is printed
 int step(const std::string& about, const std::vector<std::string>& arguments, bool shown) {
   fmt::print(stderr, "\n== {}\n   floc {}\n", about, fmt::join(arguments, " "));
   return run_floc(arguments, {"", shown ? "" : "/dev/null", "", false});
 }
 
-/// The law of this sample beside that of the mean of eight. What one sample does not identify has no value.
+/// Prints the parameters of the law for this sample beside those for the mean of eight samples. Parameters that one
+/// sample does not identify have no value.
 void print_laws(const std::string& directory, const std::string& tables) {
   fmt::print(
       stderr,

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPointsPerCentimetre = 72.0 / 2.54;
-constexpr int kPictures = 4;  ///< of a directory without --steps
+constexpr int kPictures = 4;  ///< number of states drawn of a directory without --steps
 
 struct DrawArguments {
   std::vector<std::string> inputs;
@@ -36,12 +36,12 @@ struct DrawArguments {
   std::string compare;
   std::vector<int> steps;
   std::string as;
-  double width = 17.0;  ///< (cm)
+  double width = 17.0;  ///< width of the page (cm)
   SheetOptions sheet;
   bool image = false;
   bool vectors = false;
   std::string view, slab;
-  std::optional<Slab> cut;  ///< slab, read
+  std::optional<Slab> cut;  ///< value of `slab`
   Printing printing;
 };
 
@@ -57,7 +57,7 @@ PictureFormat format_named(const std::string& keyword) {
   return keyword == "pdf" ? PictureFormat::pdf : keyword == "png" ? PictureFormat::png : PictureFormat::svg;
 }
 
-/// Where pictures go: one file, stdout, or a file a state in a directory.
+/// Destination of the pictures: one file, stdout, or one file per state in a directory.
 struct Target {
   bool directory = false;
   bool standard_output = false;
@@ -84,7 +84,7 @@ Target target_of(const DrawArguments& arguments) {
   return target;
 }
 
-/// The numbers of "A,B,...", or nothing if they are not `count`.
+/// Returns the numbers in the text "A,B,...", or nothing unless there are `count` of them.
 std::optional<std::vector<double>> numbers_of(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
   std::size_t begin = 0;
@@ -98,7 +98,7 @@ std::optional<std::vector<double>> numbers_of(const std::string& text, std::size
   return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
 
-/// Reads --view and --slab.
+/// Parses the values of --view and --slab.
 void read_sight(DrawArguments& arguments) {
   if (!arguments.view.empty()) {
     const auto angles = numbers_of(arguments.view, 2);
@@ -136,7 +136,7 @@ void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPi
                                         short_number(arguments.cut->from), short_number(arguments.cut->to)));
 }
 
-/// @param other  the state to compare with, if there is one
+/// Returns the picture of a state. @param other  state to compare with, if there is one
 template <int Dim>
 Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
                       const std::optional<AnyState>& other) {
@@ -172,7 +172,7 @@ void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
   table.rows.push_back(std::move(row));
 }
 
-/// One scale of colours for all pictures of a strip.
+/// Sets one scale of colours for all pictures of a strip.
 template <int Dim>
 void share_shades(std::vector<PackingPicture<Dim>>& strip) {
   double largest = 0.0;
@@ -184,7 +184,7 @@ void write_picture(const Target& target, const std::string& path, const std::str
   write_bytes_atomically(target.standard_output ? "-" : path, bytes);
 }
 
-/// Draws the states, each by itself or all as a strip.
+/// Draws the states, each as a picture of its own or all as a strip.
 class Drawer {
  public:
   Drawer(const DrawArguments& arguments, const Target& target) : arguments_(arguments), target_(target) {
@@ -277,6 +277,7 @@ Command add_draw(CommandLine program) {
   app.add_option("--step", arguments->step,
                  "stress step of --forces increment: isotropic or deviatoric [isotropic]")
       .one_of({"isotropic", "deviatoric"});
+  // A picture of changes shows displacements in place of forces.
   app.add_option("--compare", arguments->compare,
                  "STATE2: draw the contacts lost and gained on the way to this state, and the non-affine "
                  "displacements of the grains")
@@ -298,6 +299,7 @@ Command add_draw(CommandLine program) {
   app.add_option("--resolution", arguments->sheet.resolution,
                  "pixels per inch of a png or an image [6 pixels per grain, at least 200 pixels per inch, at "
                  "most 3000 pixels per side]");
+  // Without --image or --vectors the number of grains decides between an image and vectors.
   const Option image =
       app.add_flag("--image", arguments->image,
                    "svg and pdf: grains and lines as an image [if there are more than 15000, in 3D 6000]");

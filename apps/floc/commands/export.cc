@@ -44,7 +44,8 @@ Table grain_table(const Packing<Dim>& packing) {
   return table;
 }
 
-/// Moments are listed of laws that roll alone: others have none, and are refused any.
+/// Returns the table of the contacts. Moments are listed only if the law has rolling resistance: `floc convert` rejects
+/// them for other laws.
 template <int Dim>
 Table contact_table(const Packing<Dim>& packing) {
   const bool rolls = packing.law.has_rolling(), twists = packing.law.has_twisting();
@@ -52,6 +53,8 @@ Table contact_table(const Packing<Dim>& packing) {
   const auto numbered = [&table](const char* name, int n) {
     for (int a = 1; a <= n; ++a) table.columns.push_back(fmt::format("{}{}", name, a));
   };
+  // The names are those that `floc convert --contacts` reads, so that an exported table can be imported. In 2D a
+  // rolling moment is a scalar, and its column has no index.
   numbered("image", Dim);
   table.columns.emplace_back("normal_force");
   numbered("shear_force", Dim);
@@ -77,7 +80,8 @@ Table contact_table(const Packing<Dim>& packing) {
   return table;
 }
 
-/// The command that makes the state again: what the two tables do not say.
+/// Returns the command that makes the state again from the two tables; its options hold the quantities that are in
+/// neither table.
 template <int Dim>
 std::string convert_command(const ExportArguments& arguments, const State<Dim>& state) {
   std::vector<std::string> vectors;

@@ -4,6 +4,7 @@
 
 namespace floc {
 
+/// Adds `floc export`.
 Command add_export(CommandLine program);
 
 }  // namespace floc

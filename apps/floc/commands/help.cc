@@ -21,7 +21,7 @@ struct HelpArguments {
   Printing printing;
 };
 
-/// Those that `name` names.
+/// Returns the tables called `name` and those of its subcommands; all tables for an empty name.
 std::vector<DescribedTable> tables_named(const std::string& name) {
   std::vector<DescribedTable> found;
   std::vector<std::string> names;
@@ -35,9 +35,9 @@ std::vector<DescribedTable> tables_named(const std::string& name) {
   return found;
 }
 
-/// Prints columns with unit and meaning of the tables named: "moduli" also names "moduli --increments". All if
-/// `name` is empty.
-/// @throws InputError with the nearest name if there is no such table
+/// Prints the columns of tables with unit and meaning. A name such as "moduli" includes "moduli --increments"; an empty
+/// name means all tables.
+/// @throws InputError naming the most similar table if there is none of this name
 void print_column_reference(const std::string& name, const Printing& printing) {
   const std::vector<DescribedTable> tables = tables_named(name);
   Table all{{"table", "column", "unit", "meaning"}, {}};

@@ -4,11 +4,11 @@
 
 namespace floc {
 
-/// `floc help columns [TABLE]`. Help of a command is asked of the command: see arguments_of_help().
+/// Adds `floc help columns [TABLE]`. The help of a command is an option of that command: see arguments_of_help().
 Command add_help(CommandLine program);
 
-/// What stands for the command line where it asks for help of a command: "floc help fit elastic" is
-/// "floc fit elastic --help", and "floc help" "floc --help". Others stay as they are.
+/// Rewrites a command line that asks for the help of a command: "floc help fit elastic" becomes
+/// "floc fit elastic --help", and "floc help" becomes "floc --help". Returns other command lines unchanged.
 std::vector<char*> arguments_of_help(int argc, char** argv);
 
 }  // namespace floc

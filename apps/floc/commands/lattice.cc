@@ -34,13 +34,13 @@ void say(const std::string& line) {
   std::cerr << line << '\n';
 }
 
-/// Nodes a mean diameter below which errors of several per cent are to be expected.
+/// Number of nodes per mean diameter below which errors of several per cent are expected.
 constexpr double kCoarse = 8.0;
-/// Nodes up to which a sample is broken without being asked again.
+/// Largest number of nodes of a sample that is broken without --yes.
 constexpr int kBrokenUnasked = 20000;
 
-/// Memory that a solution takes (bytes): what runs of 1e5 nodes took, 2.5 kB a node in 2D and 2.3 kB in 3D, and a margin;
-/// the factor of a plane lattice grows with the logarithm of its size.
+/// Returns the memory that a solution takes (bytes): that of runs with 1e5 nodes, 2.5 kB per node in 2D and 2.3 kB in
+/// 3D, plus a margin. In 2D the factor per node grows with the logarithm of the number of nodes.
 double expected_memory(int dimension, double n_nodes) {
   if (dimension == 3) return 2600.0 * n_nodes;
   return n_nodes * (1600.0 + 90.0 * std::log2(std::max(n_nodes, 2.0)));
@@ -117,7 +117,7 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
   return network;
 }
 
-/// @param telling  whether rounds are told
+/// Returns the settings of the solver. @param telling  whether its rounds are printed; read at each round
 template <int Dim>
 RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& telling) {
   RelaxationSettings settings;
@@ -130,8 +130,8 @@ RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& te
   return settings;
 }
 
-/// Normal forces that the load gives to the same contacts as bonds of one stiffness, each a beam as wide as its
-/// bridge.
+/// Returns the normal forces of the contacts under the load if they were bonds of one stiffness, each a beam as wide as
+/// its bridge.
 template <int Dim>
 std::vector<double> bonded_forces(const Packing<Dim>& packing, const LatticeLoad<Dim>& load, double width) {
   ContactNetwork<Dim> network = contact_network(packing);
@@ -153,7 +153,7 @@ std::vector<double> normal_forces(const std::vector<Contact<Dim>>& contacts) {
   return normal;
 }
 
-/// Forces between the grains, compared with those of other models of the same packing.
+/// Computes the forces between the grains, and their correlation with those of other models of the packing.
 template <int Dim>
 Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim>& state,
                               const LatticeLoad<Dim>& load, LoadedSample<Dim>& loaded, double sign,
@@ -196,8 +196,8 @@ void write_packing(const std::string& path, const LatticeArguments& arguments, c
   write_state(path, state);
 }
 
-/// Bulk and shear moduli of each phase alone: those of the triangular lattice in 2D, in 3D of this lattice all
-/// of one stiffness.
+/// Returns bounds of the moduli from the bulk and shear moduli of each phase alone. In 2D these are the moduli of the
+/// triangular lattice; in 3D they are computed for this lattice with one stiffness everywhere.
 template <int Dim>
 CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                           const RelaxationSettings& settings) {
@@ -228,11 +228,11 @@ CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffn
                           Dim);
 }
 
-/// Breaking a large sample takes a solution for each of many elements.
+/// Rejects the breaking of a large sample without --yes, because every breakage takes a solution.
 void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
-  /// Elements that break until the stress has fallen, about, in units of the nodes along a side; and the time that each
-  /// node adds to each solution (s).
+  /// Approximate number of elements that break until the stress has fallen, per node along a side; and the time that
+  /// each node adds to a solution (s).
   constexpr double kBrokenAcross = 10.0, kSecondsPerNode = 1e-5;
   const auto n = static_cast<double>(row.n_nodes);
   const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsPerNode * n / 60.0;
@@ -276,6 +276,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   describe(arguments, state, row);
   const LatticeLoad<Dim> load = load_of<Dim>(arguments);
   const ElementStiffness stiffness = stiffness_of(arguments);
+  // Options that are used only after the solution are checked before it, because it can take minutes.
   if (!arguments.strength.empty()) (void)strength_of(arguments);
   check_lattice_pictures(arguments, state.packing.cell);
   const CementedSample<Dim> sample = make_sample(arguments, state.packing, row);
@@ -298,6 +299,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   row.n_open = solution.n_open();
   row.strain.assign(solution.strain.begin(), solution.strain.end());
   row.stress.assign(solution.stress.begin(), solution.stress.end());
+  // Without a converged solution there are no stresses to write: the row is printed, but no file.
   if (!solution.report.holds || !solution.report.converged) {
     say(solution.report.holds
             ? fmt::format("floc: {}: not converged: an imbalance of {:.1e} of the load is left", arguments.file,
@@ -310,6 +312,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
     return kNotConverged;
   }
   LoadedSample<Dim> loaded{sample, network, solution, node_stress(sample.lattice, network, solution), {}};
+  // Distributions count stresses of the sign of the load as positive, in tension as in compression.
   const double sign = solution.stress[row.axis] < 0.0 ? -1.0 : 1.0;
   row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign);
   row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign);
@@ -325,6 +328,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
     write_packing(arguments.output, arguments, state, packing_of(sample.lattice, network, solution), "lattice");
   write_lattice_files(arguments, row, loaded);
   if (!arguments.strength.empty()) {
+    // Each breakage is a solution of its own: break_sample() reports the breakages, and the rounds of the solver are
+    // not printed.
     telling = false;
     break_sample(arguments, load, solver, loaded, row);
     write_fracture_files(arguments, row, loaded);

@@ -43,6 +43,8 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("--stiffness", a.stiffness,
                  "grain=K,matrix=K,interface=K,contact=K: stiffnesses of the elements, force/length [1; "
                  "interface 2 K K'/(K + K'), contact that of the grains]");
+  // Defaults that differ between 2D and 3D are set where the dimension of STATE is known; here the variables stay
+  // empty.
   app.add_option("--per-diameter", a.per_diameter, "nodes per mean diameter [15 in 2D, 6.5 in 3D]").positive();
   app.add_option("--spacing", a.spacing, "spacing of the nodes instead (length)")
       .positive()
@@ -89,6 +91,7 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("--cut", a.cut, "3D: section that the pictures show: an axis and a share of the cell [y,0.5]");
   app.add_option("--pixels", a.pixels, "pixels per node in pictures, which stay below 3000 pixels per side [4]")
       .within(LatticeSheetOptions::kPixels);
+  // Giving a strength makes the command break the sample; the options below apply to breaking alone.
   app.add_option("--strength", a.strength,
                  "grain=F,matrix=F,interface=F,contact=F: tension at which elements break; a kind left out "
                  "never breaks. The sample is then broken, element by element");

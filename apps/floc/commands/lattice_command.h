@@ -4,6 +4,7 @@
 
 namespace floc {
 
+/// Adds `floc lattice`.
 Command add_lattice(CommandLine program);
 
 }  // namespace floc

@@ -41,7 +41,8 @@ std::vector<std::pair<int, int>> stress_components() {
   return {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 }
 
-/// Rows of the nodes that have an element, numbered as the grains of the state that is written of them.
+/// Returns the table of the nodes that have an element, numbered as the grains of the lattice that is written as a
+/// state.
 template <int Dim>
 Table node_table(const LoadedSample<Dim>& of) {
   Table table;
@@ -98,8 +99,8 @@ Table distribution_table(const std::vector<Named>& all, double width) {
   return table;
 }
 
-/// Points of a fitted tail, from its threshold to the largest value: the share of all that it holds times its
-/// density.
+/// Returns points of a fitted tail, from its threshold to the largest value: the density of the tail times its share of
+/// all values.
 std::vector<std::vector<double>> tail_points(const StressTail& tail, int n, double largest, double sign) {
   std::vector<std::vector<double>> rows;
   if (!tail.beta) return rows;
@@ -116,9 +117,11 @@ Plot stress_plot(const LatticeRow& row, const std::vector<Named>& all, double wi
   const char* axis_names[] = {"11", "22", "33"};
   for (std::size_t s = 0; s < all.size(); ++s) {
     const StressDistribution& d = all[s].distribution;
+    // x = stress/unit is undefined if no value has the sign of the load.
     if (d.unit == 0.0) continue;
     const ForceDistribution h = distribution_of(all[s].values, d.unit, width);
     std::vector<std::vector<double>> points;
+    // The axis of densities is logarithmic, so empty bins have no point.
     for (int b = 0; b < static_cast<int>(h.counts.size()); ++b)
       if (h.counts[b] > 0) points.push_back({h.middle(b), h.density(b)});
     const int of_points = plot.add(all[s].name + ": x density", std::move(points));
@@ -151,7 +154,7 @@ PictureFormat format_of(const std::string& path) {
   throw InputError(path, "expected a name that ends in .svg, .pdf or .png");
 }
 
-/// Reads --cut.
+/// Parses the value of --cut.
 LatticeSheetOptions section_of(const std::string& cut) {
   LatticeSheetOptions sheet;
   const std::size_t axis =

@@ -25,14 +25,14 @@ struct ModuliCommand {
   std::string method = "factor";
   std::string solver = "automatic";
   std::optional<double> memory;       ///< GB
-  std::vector<std::string> accuracy;  ///< "X", or "B=X", "G=X"; empty: the method says what is spent
+  std::vector<std::string> accuracy;  ///< "X", or "B=X", "G=X"; empty: `method` is used
   bool force = false;
   std::string increments;  ///< file for the increments of every contact; empty: none
   std::string output;      ///< file for the table; empty: stdout
   Printing printing;
 };
 
-/// @throws InputError naming the option at fault
+/// Returns the options of the library. @throws InputError naming the option at fault
 ModuliTableOptions options_of(const ModuliCommand& command) {
   constexpr double kGigabyte = 1e9;
   ModuliTableOptions options = command.options;
@@ -48,7 +48,7 @@ ModuliTableOptions options_of(const ModuliCommand& command) {
   return options;
 }
 
-/// Whether rows keep what was asked for; if not, says so on stderr.
+/// Returns whether rows reach the required accuracy; prints on stderr how one misses it.
 bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<ModuliAccuracy>& accuracy) {
   return std::ranges::all_of(rows, [&](const ModuliRow& row) {
     const std::string fault = accuracy_fault(row, accuracy);
@@ -57,8 +57,7 @@ bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<Moduli
   });
 }
 
-/// Whether a state is an equilibrium; if not, says so on stderr. A state not refused with `force` is warned
-/// about.
+/// Returns whether a state is an equilibrium. If it is not, prints an error, or with `force` adds a warning.
 bool check_equilibrium(const std::string& file, const AnyState& any, bool force, const Remarks& remarks) {
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
   if (faults.empty()) return true;
@@ -71,7 +70,7 @@ bool check_equilibrium(const std::string& file, const AnyState& any, bool force,
   return false;
 }
 
-/// Writes a table as `--format` asks for it, csv without. @throws IoError if the file cannot take it
+/// Writes a table in the format of `--format`, as csv without it. @throws IoError if the file cannot be written
 void write_file(const std::string& path, const Table& table, const Printing& printing) {
   std::ostringstream text;
   write_table(text, with_chosen_columns(table, printing, false),
@@ -88,7 +87,7 @@ void print_rows(const ModuliCommand& command, const ModuliTableOptions& options,
     write_file(command.output, table, command.printing);
 }
 
-/// One process, state by state.
+/// Computes the moduli of one state after the other, in this process.
 int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   ModuliRows computation(options);
   std::vector<ModuliRow> rows;
@@ -112,7 +111,7 @@ int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   return code;
 }
 
-/// All processes of mpirun together, of which the first speaks.
+/// Computes the moduli of each state on all processes of mpirun together. Only the first process prints.
 int run_together(const ModuliCommand& command, const ModuliTableOptions& options) {
   const std::unique_ptr<ParallelSolver> solver = load_parallel_solver();
   std::vector<ModuliRow> rows;
@@ -162,6 +161,7 @@ Command add_moduli(CommandLine program) {
                      "bounds. The last three are approximate, and their errors are printed too")
           .one_of({"factor", "single-factor", "iterative", "bounds"})
           .show_default();
+  // --accuracy chooses the method and its tolerance itself, so it excludes both options.
   const Option accuracy = app.add_option("--accuracy", command->accuracy,
                                          "X, or B=X, G=X: relative errors that are good enough; the cheapest "
                                          "method that keeps them is taken and named in the column method")
@@ -189,6 +189,7 @@ Command add_moduli(CommandLine program) {
                  "cholmod where its factor fits into memory")
       .one_of({"automatic", "cholmod", "petsc"})
       .show_default();
+  // GB here, bytes in the options of the library: options_of() converts it.
   app.add_option("--memory", command->memory,
                  "GB that a factor may take before --solver automatic leaves it to petsc [0.7 of what is free]")
       .positive();

@@ -22,7 +22,7 @@ struct NetworkCommand {
   Printing printing;
 };
 
-/// The options, with what the words and the files of the command line ask for.
+/// Returns the options of the library, with the groups and tables that the command line selects.
 NetworkTableOptions options_of(const NetworkCommand& command) {
   NetworkTableOptions options = command.options;
   options.unit = command.unit == "F0"  ? ForceUnit::pull_off
@@ -73,6 +73,7 @@ void add_bond_options(CommandLine app, NetworkCommand& command) {
          "phases: how grains of positive and negative pressure are joined, compared with shuffled signs")
       .delimiter(',')
       .one_of({"bonds", "phases"});
+  // The variables hold the defaults of BondTableOptions, which show_default() prints.
   app.add_option("--near-zero", command.options.bonds.near,
                  "normal forces below this are near zero, in units of F0")
       .non_negative()
@@ -104,6 +105,7 @@ Command add_network(CommandLine program) {
                                            "forces, particle pressures, what carries the load");
   const auto command = std::make_shared<NetworkCommand>();
   add_states_argument(app, command->files);
+  // The defaults of --zero-force and --least-contacts depend on the state, so their variables begin empty.
   app.add_option("--zero-force", command->options.zero_force,
                  "normal forces below this count as zero, in units of max(F0, P a^(d-1)) [the force tolerance "
                  "of the state]")

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Whether every path of the directory, and their mean, has enough rows for a fit.
+/// Returns whether every path of the directory, and their mean, can be fitted.
 bool can_be_fitted(const std::vector<std::string>& tables) {
   try {
     const ConsolidationFitOptions asked;
@@ -22,12 +22,13 @@ bool can_be_fitted(const std::vector<std::string>& tables) {
     return std::all_of(samples.begin(), samples.end(), [&](const ConsolidationSample& sample) {
       return fit_of(sample, asked, options).found();
     });
-  } catch (const InputError&) {  // a path of other loads than pressures that grow
+  } catch (const InputError&) {  // a path whose pressure does not rise
     return false;
   }
 }
 
-/// A box that was recorded as it was is no equilibrium: floc verify would say so, and floc moduli refuse it.
+/// Returns whether a state was recorded before it reached equilibrium: floc verify would reject it, and so would floc
+/// moduli.
 bool has_stopped(const std::string& table) {
   const CsvTable rows = CsvTable::read(table);
   const int ending = rows.column("ending");
@@ -36,7 +37,7 @@ bool has_stopped(const std::string& table) {
   return false;
 }
 
-/// As a shell takes it for one word.
+/// Returns text quoted such that a shell reads it as one word.
 std::string one_word(const std::string& text) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-=:,@%";
   if (text.find_first_not_of(kPlain) == std::string::npos) return text;

@@ -32,11 +32,11 @@ struct PlotArguments {
   std::string kind = "normal";
   std::string unit = "mean";
   std::string columns;
-  ColumnNames names;  ///< what of `columns` says which columns to read
+  ColumnNames names;  ///< columns to read, as `columns` maps them
   Printing printing;
 };
 
-/// A plot, and how the inputs fared.
+/// A plot, and the exit code for its inputs.
 struct Made {
   int code = kDone;
   std::optional<Plot> plot;
@@ -74,8 +74,8 @@ ModuliPoint moduli_of_state(const AnyState& any) {
       any);
 }
 
-/// Unit of the moduli of a table of `floc moduli`. In reduced units P* is P where there is cohesion, but for the
-/// largest grain, which is a little smaller than a.
+/// Returns the unit of the moduli of a table of `floc moduli`. In reduced units with cohesion P* is about P: they
+/// differ because the largest grain is a little smaller than a. This distinguishes them from units without cohesion.
 std::string unit_of_table(const CsvTable& table) {
   for (const char* name : {"units", "dimension", "P", "P_star"})
     if (!table.has(name)) return "units of the state";
@@ -85,14 +85,15 @@ std::string unit_of_table(const CsvTable& table) {
                      std::abs(number("P") - number("P_star")) < 0.1 * std::abs(number("P")));
 }
 
-/// Whether the bounds of a row of a table of `floc moduli` hold: as it says, or, in one of floc 0.2 and before,
-/// where nothing acts across a gap.
+/// Returns whether the bounds of a row of a table of `floc moduli` hold: as its column bounds_hold says. Tables of floc
+/// 0.2 and before lack that column; there the bounds hold if nothing acts across a gap.
 bool bounds_hold(const CsvTable& table, int row) {
   if (table.has("bounds_hold")) return table.text(row, table.column("bounds_hold")) == "true";
   return !table.has("n_distant") || table.number(row, table.column("n_distant")) == 0.0;
 }
 
-/// Whether a row counts no negative eigenvalue; some methods count none.
+/// Returns whether a row has no negative eigenvalue; methods that do not count them leave the column empty, which is
+/// taken as none.
 bool is_stable(const CsvTable& table, int row) {
   if (!table.has("n_negative")) return true;
   const int column = table.column("n_negative");
@@ -148,13 +149,13 @@ Made test_of_path(const PlotArguments& arguments) {
   return {kDone, axial_test_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
 }
 
-/// The states to plot: of a directory without --steps, three from the first to the last.
+/// Returns the states to plot; of a directory without --steps, three from the first to the last.
 std::vector<std::string> states_of(const PlotArguments& arguments) {
   return drawn_states(arguments.inputs, arguments.steps, 3);
 }
 
-/// States of a run whose forces can be compared: at the lowest pressure of its loading, half way up and at the
-/// highest. Without any pressure forces are those that grains have locked in between them.
+/// Returns states of a run whose forces can be compared: at the lowest pressure of its loading, half way up and at the
+/// highest. States without pressure are left out, because they have only forces that are locked in between the grains.
 std::vector<std::string> loading_states(const std::string& directory) {
   const std::vector<PathRow> rows = read_path(table_of_run(directory), {}).rows;
   const auto highest = static_cast<int>(std::ranges::max_element(rows, {}, &PathRow::P_star) - rows.begin());
@@ -166,7 +167,7 @@ std::vector<std::string> loading_states(const std::string& directory) {
   return states_of_inputs({directory}, steps);
 }
 
-/// The states of which forces are plotted.
+/// Returns the states whose forces are plotted.
 std::vector<std::string> force_states(const PlotArguments& arguments) {
   if (!arguments.steps.empty()) return states_of(arguments);
   std::vector<std::string> files;
@@ -178,7 +179,7 @@ std::vector<std::string> force_states(const PlotArguments& arguments) {
   return files;
 }
 
-/// Its pressure, and its branch where that is not the first loading.
+/// Returns the name of a state in a plot: its pressure, and its branch if that is not the first loading.
 std::string name_of_state(const AnyState& any) {
   return std::visit(
       [](const auto& state) {
@@ -250,7 +251,7 @@ Made scattering_of_states(const PlotArguments& arguments) {
   return made;
 }
 
-constexpr int kDirections = 36;  // bins of a rose diagram, five degrees each
+constexpr int kDirections = 36;  // bins of a rose diagram over 180 degrees, five degrees each
 
 Made fabric(const PlotArguments& arguments) {
   Made made;
@@ -328,6 +329,7 @@ Command add_plot(CommandLine program) {
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] {
+            // The default of --show depends on the inputs, which are known only after parsing.
             if (arguments->show.empty())
               arguments->show = arguments->inputs.front().ends_with(".h5") ? "forces" : "consolidation";
             arguments->names = parse_column_names(arguments->columns, {"P_star", "phi", "void_ratio", "branch"},

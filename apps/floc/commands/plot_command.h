@@ -7,14 +7,15 @@
 
 namespace floc {
 
-/// One curve of a plot command: how a block is drawn, and how a loop over curves begins ("for [k=1:4]").
+/// One curve of a plot command.
 struct Curve {
-  int block;
-  std::string how;  ///< "using 1:2 with lines title 'law'"
-  std::string loop = {};
+  int block;              ///< index of the block that it draws
+  std::string how;        ///< "using 1:2 with lines title 'law'"
+  std::string loop = {};  ///< loop over curves, such as "for [k=1:4]"; may be empty
 };
 
-/// The command that plots the curves whose blocks have a number to draw, and so no legend of what is not drawn.
+/// Returns the gnuplot command that plots the curves. Curves whose blocks have no finite values are left out, so that
+/// they have no entry in the legend.
 std::string plot_command(const Plot& plot, const std::vector<Curve>& curves);
 
 }  // namespace floc

@@ -39,13 +39,13 @@ struct ReportArguments {
   Printing printing;
 };
 
-/// What a report needs of a run, read once.
+/// The parts of a run that a report shows, read once.
 template <int Dim>
 struct ReportedRun {
   std::string directory;
   PathTable path;
   std::vector<std::string> files;
-  std::vector<State<Dim>> shown;  ///< the states of which there are pictures and distributions
+  std::vector<State<Dim>> shown;  ///< states with pictures and distributions
   std::vector<std::string> shown_files;
   std::optional<State<Dim>> first;
   std::vector<ModuliPoint> moduli;
@@ -54,10 +54,12 @@ struct ReportedRun {
                     "unstable", "bounds hold"},
                    {}};
   std::vector<std::string> warnings;
-  std::map<std::string, std::vector<int>> state_warnings;  ///< what is to be said of which states
+  std::map<std::string, std::vector<int>>
+      state_warnings;  ///< text of a warning, and the indices of the states it holds for
 };
 
-/// The loosest state under load, one half way up in the logarithm of the pressure, and the densest.
+/// Returns the indices of the loosest state under load, of one half way up in the logarithm of the pressure, and of the
+/// densest.
 std::set<std::size_t> shown_states(const PathTable& path) {
   std::set<std::size_t> shown;
   const Loading loading = first_loading(path.rows);
@@ -94,7 +96,7 @@ void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
 template <int Dim>
 constexpr const char* kPressureUnit = Dim == 2 ? "F0/a" : "F0/a²";
 
-/// Reads all states, which must be as many as the path has rows.
+/// Reads all states of a run. @throws InputError unless there are as many as rows of the path
 template <int Dim>
 ReportedRun<Dim> read_run(const std::string& directory) {
   ReportedRun<Dim> run;
@@ -147,8 +149,8 @@ std::string provenance_section(const ReportedRun<Dim>& run) {
   return "<h2>Provenance</h2>\n" + html_table(table);
 }
 
-/// The scene of a run, from the text in its states. Of one that started from a state only the run is sure to be
-/// there: its first state has the same grains.
+/// Returns the scene of a run, from the text in its states. If the run started from a state file, that file may be
+/// gone; the first state of the run, which has the same grains, takes its place.
 template <int Dim>
 Scene scene_of(const ReportedRun<Dim>& run) {
   std::vector<std::string> changes;
@@ -277,7 +279,7 @@ int report_of(const ReportArguments& arguments) {
 }
 
 int report(const ReportArguments& arguments) {
-  table_of_run(arguments.directory);  // names what is missing in the directory of an ensemble
+  table_of_run(arguments.directory);  // for the directory of an ensemble its error names a sample
   const AnyState first = read_state(states_of_run(arguments.directory).front());
   return std::holds_alternative<State<2>>(first) ? report_of<2>(arguments) : report_of<3>(arguments);
 }

@@ -34,7 +34,7 @@ void interrupt(int) {
   g_interrupted = 1;
 }
 
-/// Says how a run ended. @return exit code
+/// Prints how a run ended. @return exit code
 template <int Dim>
 int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::string& directory) {
   switch (report.outcome) {
@@ -53,13 +53,13 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
   return kDone;
 }
 
-/// Smallest block that goes back to the system when it is freed, where glibc would keep those up to 32 MB:
-/// lists, states and files of a large packing follow each other, and need not be held together.
+/// Size of the smallest block of memory that is returned to the system when it is freed (bytes). glibc would keep
+/// blocks of up to 32 MB, so that the lists, states and files of a large packing would occupy memory at the same time.
 constexpr int kReturnedBlock = 1 << 22;
 
 template <int Dim>
 int run_scene(const Scene& scene, const SceneRunOptions& asked) {
-  // From here on there may be a directory to leave in order.
+  // From here on a signal has to leave the directory of the run in a consistent state.
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   SceneRun<Dim> scene_run(scene, asked);
@@ -87,11 +87,11 @@ int run_scene(const RunArguments& arguments) {
   return scene.dimension == 3 ? run_scene<3>(scene, arguments.run) : run_scene<2>(scene, arguments.run);
 }
 
-/// One process a seed, each a run of this scene with these arguments.
+/// Runs one process per seed, each with this scene and these arguments.
 int run_seeds(const RunArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
-  // Faults that all samples would have are reported once, before any of them starts.
+  // Faults that all samples share are reported once, before any of them starts.
   const RunOptions options = checked_options(scene, arguments.run);
   if (!scene.is_random())
     throw InputError("--seeds " + arguments.seeds,
@@ -102,7 +102,7 @@ int run_seeds(const RunArguments& arguments) {
   tell_unused_threads(scene, arguments.run);
   std::vector<std::string> args = {arguments.scene};
   for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
-  // Those that are useful, so that no sample says once more that others are not.
+  // The number of threads that are of use, so that no sample repeats the remark that more are not.
   args.insert(args.end(), {"--threads", std::to_string(options.relaxation.threads)});
   if (arguments.run.until) args.insert(args.end(), {"--until", std::to_string(*arguments.run.until)});
   if (arguments.run.track_contacts)
@@ -123,11 +123,13 @@ Command add_run(CommandLine program) {
   app.add_option("SCENE", arguments->scene, "scene file (TOML)").required();
   app.add_option("-o,--output", arguments->run.directory, "directory for states, path.csv and checkpoints")
       .required();
+  // Without --resume or --overwrite a directory that holds a run is rejected.
   const Option resume = app.add_flag("--resume", arguments->run.resume,
                                      "continue the run in the directory (harmless on a first run)");
   app.add_flag("--overwrite", arguments->run.overwrite, "replace the run in the directory").excludes(resume);
   const Option seed =
       app.add_option("--seed", arguments->run.seed, "seed of the random numbers, instead of run.seed");
+  // Every sample of an ensemble has a seed of its own, so --seed does not apply to it.
   const Option seeds =
       app.add_option("--seeds", arguments->seeds,
                      "A..B: an ensemble with one sample per seed, each in its own directory seed-N")

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Interval at which samples are polled (microseconds): they run for seconds at least.
+/// Interval at which samples are polled (microseconds); a sample runs for seconds at least.
 constexpr useconds_t kPause = 20000;
 
 class Ensemble {
@@ -35,7 +35,7 @@ class Ensemble {
     seed_of_[start_floc(args, {"", "", sample + ".log", append_})] = seed;
   }
 
-  /// Waits until one sample has ended, and passes a signal on meanwhile.
+  /// Waits until one sample has ended, and passes signals on to the samples.
   void wait() {
     int status = 0;
     pid_t ended = 0;

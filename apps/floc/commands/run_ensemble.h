@@ -8,19 +8,19 @@
 
 namespace floc {
 
-/// @throws InputError unless `text` is A..B with A <= B, two whole numbers
+/// Parses a range of seeds. @throws InputError unless `text` is A..B with two whole numbers A <= B
 SeedRange parse_seeds(const std::string& text);
 
-/// Runs one sample a seed, each a process of its own with the directory DIR/seed-N; what it says goes to
-/// DIR/seed-N.log. SIGINT and SIGTERM are passed on, so that every sample writes its checkpoint.
+/// Runs one sample per seed, each in a process of its own with the directory DIR/seed-N and the log DIR/seed-N.log.
+/// SIGINT and SIGTERM are passed on, so that every sample writes its checkpoint.
 ///
-/// @param claim      on DIR, which no sample is begun in once it leads elsewhere
+/// @param claim      claim on DIR; no sample starts after DIR has been renamed or replaced
 /// @param directory  DIR
-/// @param jobs       processes at a time
-/// @param arguments  of `floc run` for each sample, without its directory and seed
-/// @param append     to the logs, instead of writing them anew
+/// @param jobs       number of processes at a time
+/// @param arguments  arguments of `floc run` for each sample, without its directory and seed
+/// @param append     appends to the logs instead of replacing them
 /// @return the worst exit code of all
-/// @throws IoError if the directory is renamed meanwhile
+/// @throws IoError if DIR is renamed during the runs
 int run_ensemble(const ClaimedDirectory& claim, const std::string& directory, const SeedRange& seeds, int jobs,
                  const std::vector<std::string>& arguments, bool append);
 

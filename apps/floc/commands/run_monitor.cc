@@ -26,13 +26,14 @@ std::string phase_of(const Run<Dim>& run) {
   return text;
 }
 
-/// A state between walls that is no equilibrium says how many mechanisms keep it from being one.
+/// Returns how a relaxation ended, with the number of mechanisms if a state between walls is no equilibrium because of
+/// them.
 std::string ending_of(const RelaxationReport& report) {
   if (report.n_mechanisms <= 0) return report.ending;
   return fmt::format("{}, {} mechanisms", report.ending, report.n_mechanisms);
 }
 
-/// Of scenes in SI units some 1e-4 s, of others thousands of periods.
+/// Formats a simulated time, which is about 1e-4 s in scenes in SI units and thousands of periods in others.
 std::string time_text(double time) {
   return time < 100.0 ? fmt::format("{:.3g}", time) : fmt::format("{:.0f}", time);
 }
@@ -42,7 +43,8 @@ std::string time_text(double time) {
 RunMonitor::RunMonitor(int n_steps)
     : n_steps_(n_steps), terminal_(isatty(STDERR_FILENO) == 1), last_line_(Clock::now()) {}
 
-/// Collapses are longer than quiet steps and come unannounced: the mean of the steps done is all there is.
+/// Returns the time that the remaining steps will take (s), from the mean of the steps done. Collapses take longer, but
+/// cannot be predicted.
 double RunMonitor::expected_seconds_left(int steps_left) const {
   return seconds_done_ / steps_done_ * steps_left;
 }
@@ -65,7 +67,7 @@ void RunMonitor::chunk(const Run<Dim>& run) {
 
 template <int Dim>
 void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds) {
-  if (state.path.branch != "assembly") {  // which takes longer than any step of a load path
+  if (state.path.branch != "assembly") {  // the assembly takes longer than any step of a load path
     ++steps_done_;
     seconds_done_ += seconds;
   }

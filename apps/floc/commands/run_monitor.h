@@ -6,14 +6,16 @@
 
 namespace floc {
 
-/// Reports the progress of a run on stderr: on a terminal one line that is redrawn, else a line now and then.
+/// Reports the progress of a run on stderr: on a terminal as one line that is redrawn, otherwise as a line from time to
+/// time.
 class RunMonitor {
  public:
   explicit RunMonitor(int n_steps);
 
+  /// Reports the state of a run that is in motion.
   template <int Dim>
   void chunk(const Run<Dim>& run);
-  /// @param seconds  wall time of the step
+  /// Reports an equilibrium. @param seconds  wall time of the step (s)
   template <int Dim>
   void equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds);
 

@@ -43,7 +43,7 @@ int check_scene(const SceneArguments& arguments) {
   return kDone;
 }
 
-/// Writes NAME.toml, or on stdout for -; a file of that name stays as it is.
+/// Writes NAME.toml, or to stdout for -. @throws InputError if the file exists
 int start_scene(const std::string& name) {
   if (name == "-") {
     write_bytes_atomically(name, starting_scene("powder"));

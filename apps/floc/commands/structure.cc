@@ -16,13 +16,13 @@ namespace {
 struct StructureCommand {
   std::vector<std::string> files;
   StructureTableOptions options;
-  std::string profile_axis;  ///< empty: the last
+  std::string profile_axis;  ///< axis of the profile; empty: the last
   /// Files of the tables beside the main one; empty: none.
   std::string intensity, pairs, gaps, pores, map, prediction, porosity, profile;
   Printing printing;
 };
 
-/// The options, with the tables that the files of the command line ask for.
+/// Returns the options of the library, with the tables whose files the command line names.
 /// @throws InputError naming the option at fault
 StructureTableOptions options_of(const StructureCommand& command) {
   StructureTableOptions options = command.options;
@@ -89,6 +89,7 @@ Command add_structure(CommandLine program) {
                  "mesh cells per wavelength at the largest wave number, at least 4")
       .within(ScatteringOptions::kCellsPerWave)
       .show_default();
+  // A table beside the main one is computed only if its file is named: see options_of().
   app.add_option("--intensity", command->intensity, "file for I(k), one row per bin of k");
   app.add_option("--pair-correlation", command->pairs, "file for g(r), one row per bin of r");
   app.add_option("--reach", command->options.reach, "largest r of g(r), in largest diameters")

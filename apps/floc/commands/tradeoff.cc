@@ -33,7 +33,7 @@ std::vector<std::string> observable_names() {
   return names;
 }
 
-/// A number of a comparison of n values, undefined without any.
+/// Returns a number of a comparison of n values; undefined if n is 0.
 TableValue of_compared(int n, double value) {
   return n > 0 && std::isfinite(value) ? TableValue{value} : TableValue{};
 }
@@ -104,10 +104,12 @@ Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vec
   const std::vector<std::string> names = observable_names();
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), names[k]) == wanted.end()) continue;
+    // The Pareto front is that of one observable: a setting may be on it for one and not for another.
     const std::vector<bool> front = pareto_front(tradeoff, k);
     for (std::size_t i = 0; i < tradeoff.settings.size(); ++i) {
       const MeasuredSetting& m = tradeoff.settings[i];
       const ObservableError& e = m.errors[k];
+      // A setting that was compared in no state of this observable has no row.
       if (e.before.n + e.after.n + e.mean.n > 0) table.rows.push_back(row_of(run, m, names[k], e, front[i]));
     }
   }
@@ -120,7 +122,7 @@ double stiffness_of(const Scene& scene) {
   return 0.0;
 }
 
-/// On a terminal the first columns, which fit its width.
+/// Prints the table; on a terminal only the first columns, which fit its width.
 void print_tradeoff(Table table, const Printing& printing) {
   constexpr std::size_t kShort = 11;
   if (chosen_format(printing.format) == TableFormat::table && printing.columns.empty()) {

@@ -18,7 +18,7 @@ struct VerifyArguments {
   Printing printing;
 };
 
-/// Appends one row and says on stderr which criteria do not hold, and where.
+/// Appends one row, and prints on stderr which criteria do not hold, and where.
 int report(const std::string& file, const std::vector<Criterion>& criteria, Table& table) {
   for (const Criterion& c : criteria) {
     if (c.holds && !c.where.empty()) spdlog::info("{}: {}: {}", file, c.name, c.where);

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Blocks 0 to 2, as the script names them: points fitted, points left out, the law.
+/// Adds blocks 0 to 2, as the script refers to them: points fitted, points left out, the law.
 void add_blocks(const ConsolidationPlot& of, Plot& plot) {
   const ConsolidationCurve& curve = of.curve;
   const ConsolidationFit& fit = of.fit;
@@ -37,6 +37,8 @@ std::string title_of(const ConsolidationPlot& plot) {
 }
 
 std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
+  // Two panels share the axis of pressures: the curve above, the residuals below. The points fitted are drawn last,
+  // above the law.
   const std::string curves = plot_command(
       drawn,
       {{2, "using 1:2 with lines linewidth 2 linecolor rgb '#c0392b' title 'law'"},
@@ -46,6 +48,7 @@ std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
         "dashed'"}});
   const double low = plot.curve.P_star.front();
   const double high = plot.curve.P_star.back();
+  // The title holds names such as Phi_max, of which gnuplot would make subscripts without noenhanced.
   return fmt::format(
       R"(set termoption noenhanced
 set multiplot

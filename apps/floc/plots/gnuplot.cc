@@ -33,7 +33,7 @@ std::string data_of(const Plot& plot) {
   return text;
 }
 
-/// The terminal for an ending; empty for one that is none.
+/// Returns the gnuplot terminal for a file extension; empty if the extension is not supported.
 std::string terminal_for(const std::string& extension, const Plot& plot) {
   constexpr const char* kFont = "font 'DejaVu Sans,{}'";
   constexpr double kPixelsPerInch = 96.0;
@@ -57,9 +57,9 @@ std::string script_of(const Plot& plot, const fs::path& picture, const fs::path&
       terminal_for(picture.extension().string(), plot), plot.script);
 }
 
-/// Has gnuplot run a script in its directory. What it says goes to the file `words`: its warnings are about
-/// what a plot of few points looks like, and are of use where it fails alone.
-/// @throws IoError if it is missing or fails
+/// Runs gnuplot on a script, in the directory of the script. The messages of gnuplot go to the file `words`: its
+/// warnings concern the look of plots of few points, and are useful only if it fails.
+/// @throws IoError if gnuplot is missing or fails
 void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path& words) {
   const std::string directory = script.has_parent_path() ? script.parent_path().string() : ".";
   posix_spawn_file_actions_t actions;
@@ -80,7 +80,7 @@ void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path
     throw IoError("gnuplot", fmt::format("failed on {}: {}", script.string(), read_file(words.string())));
 }
 
-/// A pdf without the time it was made, its other bytes where they were.
+/// Removes the creation time from a pdf; the other bytes keep their positions.
 void blank_creation_date(std::string& bytes) {
   const std::string key = "/CreationDate (";
   const std::size_t first = bytes.find(key);

@@ -37,7 +37,7 @@ struct CellText {
   std::string operator()(const std::string& value) const { return "<td>" + html_text(value) + "</td>"; }
 };
 
-/// Bytes as part of an address.
+/// Returns bytes as part of a data URL.
 std::string percent_encoded(const std::string& text) {
   constexpr std::string_view kPlain = "-_.~ /:;=,()+*!'";
   std::string out;

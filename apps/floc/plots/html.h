@@ -6,21 +6,21 @@
 
 namespace floc {
 
-/// Text with the characters that mean something in html written as entities.
+/// Returns text with the special characters of html written as entities.
 std::string html_text(const std::string& text);
 
-/// The same as an element, such as "li".
+/// Returns the escaped text as an element, such as "li".
 std::string html_text(const std::string& text, const std::string& element);
 
-/// A table; numbers with four significant digits, undefined values as a dash.
+/// Returns a table as html: numbers with four significant digits, undefined values as a dash.
 std::string html_table(const Table& table);
 
-/// A figure that carries its svg within itself, as a data address.
-/// @param caption  what it shows; it is read out in its place too
+/// Returns a figure that holds its svg as a data URL.
+/// @param caption  description of the figure; also its alternative text, for screen readers
 std::string html_figure(const std::string& svg, const std::string& caption);
 
-/// A whole page that needs nothing else: style for screen and paper included.
-/// @param head  what goes into its head besides: further style, scripts
+/// Returns a page that refers to no other file; it includes the style for screen and paper.
+/// @param head  further content of its head element: style, scripts
 std::string html_page(const std::string& title, const std::string& body, const std::string& head = "");
 
 }  // namespace floc

@@ -11,45 +11,47 @@
 
 namespace floc {
 
-/// Curve and law of `consolidation_plot`.
+/// Curve and fitted law of `consolidation_plot`.
 struct FittedConsolidation {
-  ConsolidationCurve curve;  ///< of the one sample, or the mean of several
+  ConsolidationCurve curve;  ///< curve of the only sample, or mean of several
   ConsolidationFit fit;
 };
 
-/// The full law fitted to the first loading of a sample, or to the mean of several.
+/// Fits the full law to the first loading of a sample, or to the mean of several samples.
 FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples);
 
-/// 1/Phi against P* (Phi on the right): samples, their mean with errors, the law with its regimes, unloading
-/// branches and their elastic lines dPhi/Phi = dP/B, by the modulus of the state each starts from where it lies
-/// beside the table, else by that of the branch.
+/// Plots 1/Phi against P* (Phi on the right axis): samples, their mean with errors, the law with its regimes, unloading
+/// branches and their elastic lines dPhi/Phi = dP/B. B is computed from the state at the start of the branch if its
+/// file lies beside the table, otherwise fitted to the branch.
 /// @param samples  at least one
 Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConsolidation& fitted);
 
-/// Coordination numbers by sign of the normal force against P*; loading filled, unloading open symbols.
+/// Plots coordination numbers by sign of the normal force against P*, with filled symbols for loading and open ones for
+/// unloading.
 /// @throws InputError if a column of path.csv is missing
 Plot coordination_plot(const CsvTable& path);
 
-/// Unit of stresses and moduli as gnuplot writes it: that of SI, or F_0/a (F_0/a^2 of spheres) of reduced units,
-/// which have a force F_0 where there is cohesion.
+/// Returns the unit of stresses and moduli as gnuplot text: the SI unit, or in reduced units F_0/a for disks and
+/// F_0/a^2 for spheres. Reduced units without cohesion have no force F_0 and are called "units of the state".
 /// @param units  "reduced" or "SI"
 std::string stress_unit(const std::string& units, int dimension, bool cohesive);
 
-/// A state's moduli and their bounds (stress); NaN where they are none.
+/// Moduli of a state and their bounds (stress). A bound that does not hold is NaN.
 struct ModuliPoint {
   double P_star;
   double B, B_S, G, B_reuss, B_voigt, G_voigt;
 
-  /// Takes away what is no bound. @param hold  whether B_reuss <= B <= B_voigt is a theorem
-  /// @param stable  whether no eigenvalue of the stiffness matrix is negative: G <= G_voigt then
+  /// Sets bounds that do not hold to NaN. @param hold  whether the conditions of B_reuss <= B <= B_voigt hold
+  /// @param stable  whether no eigenvalue of the stiffness matrix is negative, so that G <= G_voigt
   ModuliPoint with_bounds(bool hold, bool stable) const;
 };
 
-/// The point of moduli that were solved for.
+/// Returns the point of moduli that were solved for.
 ModuliPoint moduli_point(double P_star, const Moduli& moduli);
 
-/// Moduli against P*, both logarithmic, with what bounds them; loading filled, unloading open symbols.
-/// @param unit  of the moduli, in words
+/// Plots moduli and their bounds against P*, both logarithmic, with filled symbols for loading and open ones for
+/// unloading.
+/// @param unit  unit of the moduli, as text
 Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit);
 
 }  // namespace floc

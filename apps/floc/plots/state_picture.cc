@@ -33,7 +33,7 @@ std::string pressure_of(const State<Dim>& state) {
   return short_number(reduced_pressure(state.packing, state.target_stress.mean()));
 }
 
-/// Normal forces that path.csv counts as zero.
+/// Returns the largest normal force that path.csv counts as zero.
 template <int Dim>
 double zero_force_of(const State<Dim>& state) {
   return state.tolerance.force * force_scale(state.packing, state.target_stress).force;

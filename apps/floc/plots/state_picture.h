@@ -7,24 +7,24 @@
 
 namespace floc {
 
-/// What of a state a picture shows.
+/// Quantity of a state that a picture shows.
 enum class Shown {
-  equilibrium,        ///< the forces it carries
-  isotropic_step,     ///< what a small step of pressure adds to them
-  deviatoric_step,    ///< what a small step of sigma_1 - sigma_2 adds
-  particle_pressure,  ///< as the colour of the grains
+  equilibrium,        ///< contact forces
+  isotropic_step,     ///< increments of the contact forces in a small step of pressure
+  deviatoric_step,    ///< increments of the contact forces in a small step of sigma_1 - sigma_2
+  particle_pressure,  ///< pressure of each grain, as its colour
   phases,             ///< grains under pressure and under tension, and the bonds within either kind
-  grains,             ///< nothing but grains
+  grains,             ///< grains alone
 };
 
-/// The picture of a state, its numbers as caption.
-/// @throws InputError where a mechanism leaves a step of stress without a solution
+/// Draws a state, with its numbers as caption.
+/// @throws InputError if a step of stress has no solution because of a mechanism
 template <int Dim>
 PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state, Shown shown);
 
-/// What changed from one state to another, on the geometry of the first: contacts lost and gained, where the
-/// grains went with the affine part taken off.
-/// @throws InputError where the two are not of the same grains
+/// Draws the changes from one state to another on the geometry of the first: contacts lost and gained, and the
+/// displacements of the grains without their affine part.
+/// @throws InputError if the two states are not of the same grains
 template <int Dim>
 PackingPicture<Dim> picture_of_changes(const std::string& before_file, const State<Dim>& before,
                                        const std::string& after_file, const State<Dim>& after);

@@ -24,12 +24,12 @@
 namespace floc {
 namespace {
 
-/// Line colours that stay apart, in the order of use; later samples begin again.
+/// Line colours that are easy to distinguish, in the order of use; further samples start again with the first.
 constexpr const char* kColors =
     "array color[6] = ['#0072b2', '#d55e00', '#00b377', '#202020', '#cc79a7', '#e69f00']\n";
 constexpr int kDrawsForNoPValue = 1;
 
-/// Histogram width that puts nine tenths of the forces in about twenty bins.
+/// Returns the bin width with which about twenty bins hold nine tenths of the forces.
 double bin_width(std::vector<double> forces) {
   const auto quantile = [&forces](double share) {
     const auto at =
@@ -41,8 +41,8 @@ double bin_width(std::vector<double> forces) {
   return range > 0.0 ? round_number_below(range / 20.0) : 0.1;
 }
 
-/// The density of a tail: its share of all forces times exp[-(f - threshold)/f_0]/f_0, from the threshold to
-/// the largest.
+/// Adds the density of a tail, from the threshold to the largest force: its share of all forces times
+/// exp[-(f - threshold)/f_0]/f_0.
 void add_tail(const std::vector<double>& forces, double sign, std::vector<std::vector<double>>& rows) {
   std::vector<double> sizes;
   double sum = 0.0;
@@ -61,12 +61,12 @@ void add_tail(const std::vector<double>& forces, double sign, std::vector<std::v
     rows.push_back({sign * f, at_threshold * std::exp(-(f - fit.mean) / f0)});
 }
 
-/// Rows of a histogram: value, density, about its 68 % interval, count.
+/// Returns the rows of a histogram: value, density, ends of its approximate 68 % interval, count.
 std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   std::vector<std::vector<double>> rows;
   for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
     if (d.counts[b] > 0) {
-      // About the 68 % interval of a mean of which n were counted.
+      // Approximate 68 % interval of the mean of a Poisson variable of which n were counted.
       const auto n = static_cast<double>(d.counts[b]);
       const double half = std::sqrt(n + 0.25), density = d.density(b) / n;
       rows.push_back({d.middle(b), n * density, (n + 0.5 - half) * density, (n + 0.5 + half) * density, n});
@@ -74,7 +74,7 @@ std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   return rows;
 }
 
-/// The exponential of one sign from zero on: its share of all values times b exp(-b |p|).
+/// Adds the exponential of one sign, from zero on: its share of all values times b exp(-b |p|).
 void add_exponential(const std::vector<double>& values, double sign, std::vector<std::vector<double>>& rows) {
   const std::vector<double> sizes = sizes_of(values, sign);
   const ExponentEstimate fit = fit_exponent({cut_sample(sizes, 0.0, std::numeric_limits<double>::infinity())});
@@ -105,9 +105,9 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
 
 namespace {
 
-/// Lowest and highest value shown, so that all curves are seen: each holds 99 % of its values, unless that takes
-/// more than three times the width of the narrowest, which it would press into a spike.
-/// @param samples  the values of each curve
+/// Returns the lowest and the highest value shown, such that all curves can be seen. Each curve shows 99 % of its
+/// values, unless these take more than three times the width of the narrowest curve, which would then become a spike.
+/// @param samples  values of each curve
 std::pair<double, double> shown_values(std::vector<std::vector<double>> samples) {
   constexpr double kLeftOut = 0.005, kWidest = 3.0;
   std::vector<std::pair<double, double>> held;
@@ -130,7 +130,8 @@ std::pair<double, double> shown_values(std::vector<std::vector<double>> samples)
   return {shown.first < 0.0 ? shown.first - margin : 0.0, shown.second + margin};
 }
 
-/// Name of a sample in the legend, with the number of its values beyond the axis. @param what  they are
+/// Returns the name of a sample in the legend, with the number of its values beyond the axis.
+/// @param what  word for the values
 std::string name_in_legend(const std::string& name, const std::vector<double>& values, const char* what,
                            const std::pair<double, double>& shown) {
   const auto n =
@@ -138,7 +139,7 @@ std::string name_in_legend(const std::string& name, const std::vector<double>& v
   return n == 0 ? name : fmt::format("{} ({} of {} {} not shown)", name, n, values.size(), what);
 }
 
-/// Axes that hold the points between the values shown, tails cut where they leave them.
+/// Returns commands for axes that hold the points between the values shown; tails are cut at the ends of the axes.
 std::string density_axes(const Plot& plot, const std::vector<int>& points,
                          const std::pair<double, double>& shown) {
   double low = std::numeric_limits<double>::infinity(), high = 0.0;
@@ -159,22 +160,24 @@ struct DensityCurve {
   std::vector<std::vector<double>> rows, fits;
 };
 
-/// What a plot of densities calls its values and the exponentials.
+/// Words for the values and for the fitted exponentials in the labels of a plot of densities.
 struct DensityWords {
   const char *value, *values, *fits;
 };
 
-/// Densities on a logarithmic axis with their exponentials, a color each.
+/// Plots densities on a logarithmic axis with their exponentials, in one colour for each sample.
 Plot density_plot(std::vector<DensityCurve> densities, const DensityWords& words, const std::string& xlabel) {
   Plot plot;
   std::vector<Curve> curves, fits;
   std::vector<int> all;
   std::vector<std::vector<double>> values;
   for (const DensityCurve& d : densities) values.push_back(d.values);
+  // All samples share one range of values, limited so that a wide sample does not press a narrow one into a spike.
   const std::pair<double, double> shown = shown_values(std::move(values));
   for (std::size_t s = 0; s < densities.size(); ++s) {
     DensityCurve& d = densities[s];
     const std::size_t color = s % 6 + 1;
+    // The legend has one entry for all exponentials, at the first of them.
     const bool named = d.fits.empty() || !fits.empty();
     all.push_back(
         plot.add(fmt::format("{}: {} density low high count", d.name, words.value), std::move(d.rows)));
@@ -271,11 +274,14 @@ ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& 
     points.push_back({s.k[b], s.I[b], s.n_vectors[b]});
     sample.k.push_back(s.k[b] / unit);
     sample.I.push_back(s.I[b] / unit_I);
+    // The intensity of one wave vector has the exponential distribution of speckles, so that the mean over n of them
+    // has a relative error of 1/sqrt(n).
     sample.error.push_back(sample.I.back() / std::sqrt(static_cast<double>(s.n_vectors[b])));
   }
   const ScatteringFit fit = fit_scattering(points, 0.0, kLargestFitted * unit);
   sample.failure_reason = fit.failure_reason;
   if (!fit.found()) return sample;
+  // The law is drawn only if the data identify all its parameters.
   for (const FittedParameter& p : fit.parameters)
     if (!p.value) {
       sample.failure_reason = p.name + " is not identified by these data";
@@ -317,6 +323,7 @@ Plot scattering_plot(const std::vector<ScatteringSample>& samples) {
     laws.push_back(
         {line, fmt::format("using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] notitle", color)});
   }
+  // The laws follow all points, so that gnuplot draws them above the points of every sample.
   std::ranges::move(laws, std::back_inserter(curves));
   plot.script = fmt::format(R"(set logscale xy
 set bars 0.4

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// The columns that a plot of tests reads.
+/// Columns of a path that a plot of tests reads.
 struct TestColumns {
   explicit TestColumns(const CsvTable& path) : axis(path.column("axis")), branch(path.column("branch")) {
     stress.push_back(path.column("stress_1"));
@@ -28,8 +28,8 @@ struct TestColumns {
   std::vector<int> stress, strain;
 };
 
-/// Row `row` of a simple shear that started from row `first`: shear strain, tau/sigma and volumetric strain.
-/// @param axis  across whose planes it goes
+/// Returns shear strain, tau/sigma and volumetric strain at row `row` of a simple shear that started from row `first`.
+/// @param axis  axis normal to the planes of shear
 std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns, int row, int first,
                                 int axis) {
   double volumetric = 0.0;
@@ -40,7 +40,8 @@ std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns
 
 using Rows = std::vector<std::vector<double>>;
 
-/// From stresses and strains themselves: q and K0 of the row where a test starts are of another axis.
+/// Computes q, K0 and the strains of a row from its stresses and strains, because the columns q and K0 of the row where
+/// a test starts belong to another axis.
 template <int Dim>
 AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int axis, int first) {
   Vec<Dim> stress, strain;
@@ -62,7 +63,7 @@ plot data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.4 linecolor
      data index 0 using 1:3 axes x1y2 with lines linewidth 2 linecolor rgb '#0072b2' title 'volumetric strain'
 )";
 
-/// Simple shear has none: no axis is driven by a stress of its own.
+/// Panel of K0 against the driven stress. It is left out for simple shear, in which no axis has a driven stress.
 constexpr const char* kLateralPanel = R"(unset y2tics
 unset y2label
 set ytics mirror
@@ -96,7 +97,7 @@ Plot axial_test_plot(const CsvTable& path) {
     test.push_back({strain, measured.deviator / measured.mean_stress, measured.volumetric_strain});
     lateral.push_back({path.number(row, columns.stress[axis]), measured.lateral_ratio});
   };
-  int first = 0;  // row that the present test starts from
+  int first = 0;  // row from which the present test starts
   for (int i = 1; i < path.n_rows(); ++i) {
     const int axis = axis_of(i);
     if (axis < 0) continue;
@@ -133,6 +134,8 @@ Plot fabric_plot(const std::vector<std::pair<std::string, ContactDirections>>& s
   for (std::size_t k = 0; k < states.size(); ++k) {
     const ContactDirections& d = states[k].second;
     Rows rows;
+    // Directions n and -n are equal: the bins from 0 to 180 degrees are drawn twice. A bin is an arc between its edges,
+    // and the first point, repeated, closes the rose.
     for (int turn = 0; turn < 2; ++turn)
       for (int b = 0; b < d.n_bins; ++b)
         for (const int edge : {b, b + 1})

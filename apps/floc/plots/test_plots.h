@@ -10,12 +10,13 @@
 
 namespace floc {
 
-/// What tests with a driven axis measure: q/p and volumetric strain over the axial strain since the test began,
-/// and K0 over the driven stress; of simple shear tau/sigma over the shear strain. Every turn is a line of its own.
-/// @param path  of floc run  @throws InputError if a column is missing, or no row belongs to such a test
+/// Plots the results of tests with a driven axis: q/p and volumetric strain against the axial strain since the test
+/// began, and K0 against the driven stress; for simple shear, tau/sigma against the shear strain. Every stage of the
+/// load path is a line of its own.
+/// @param path  table path.csv of floc run  @throws InputError if a column is missing, or no row belongs to such a test
 Plot axial_test_plot(const CsvTable& path);
 
-/// Rose diagrams of the directions of contacts, one colour a state: of all contacts, and of the strong ones.
+/// Plots rose diagrams of the directions of contacts, one colour per state: of all contacts, and of the strong ones.
 Plot fabric_plot(const std::vector<std::pair<std::string, ContactDirections>>& states);
 
 }  // namespace floc

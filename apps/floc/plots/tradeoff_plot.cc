@@ -11,10 +11,10 @@
 namespace floc {
 namespace {
 
-/// Errors below are drawn here: zero has no place on a logarithmic axis.
+/// Smallest error drawn: smaller ones are drawn at this value, because the axis is logarithmic.
 constexpr double kSmallest = 1e-10;
 
-/// A curve: the settings of one parameter, the scene's own among them, in the order of their cost.
+/// A curve: the settings of one parameter, including that of the scene, in the order of their cost.
 struct ParameterCurve {
   std::string parameter;
   std::vector<const MeasuredSetting*> settings;
@@ -36,7 +36,7 @@ std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff) {
   return curves;
 }
 
-/// A block a curve: cost, errors of Phi and B.
+/// Adds one block per curve: cost, errors of Phi and B.
 Plot blocks_of(const std::vector<ParameterCurve>& curves) {
   const auto drawn = [](const MeasuredSetting& m, std::size_t k) {
     return std::max(single_state_error(m.errors[k]), kSmallest);

@@ -23,7 +23,7 @@ void pass_on(int signal) {
   if (g_child > 0) ::kill(g_child, SIGTERM);
 }
 
-/// Puts a file in the place of one of the standard streams.
+/// Redirects one of the standard streams to a file.
 bool redirect(const std::string& file, int flags, int stream) {
   if (file.empty()) return true;
   const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | flags, 0666);
@@ -83,7 +83,7 @@ bool was_signalled() {
 int run_floc(const std::vector<std::string>& arguments, const ChildOptions& options) {
   const pid_t child = start_floc(arguments, options);
   g_child = child;
-  // It may have come before the child was known.
+  // A signal may have arrived before the child was known to the handler.
   if (was_signalled()) ::kill(child, SIGTERM);
   const int code = wait_for(child);
   g_child = 0;

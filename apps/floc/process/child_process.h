@@ -7,39 +7,40 @@
 
 namespace floc {
 
-/// Where a child process works and writes.
+/// Working directory and output files of a child process.
 struct ChildOptions {
-  std::string directory;  ///< it works in; empty: this one's
-  std::string output;     ///< file that its stdout replaces; empty: this one's stdout
-  std::string log;        ///< file that its stderr goes to; empty: this one's stderr
-  bool append = false;    ///< to the log, instead of writing it anew
+  std::string directory;  ///< its working directory; empty: that of this process
+  std::string output;     ///< file for its stdout, which is replaced; empty: stdout of this process
+  std::string log;        ///< file for its stderr; empty: stderr of this process
+  bool append = false;    ///< append to the log instead of replacing it
 };
 
-/// Starts this program once more. The child does not outlive this process: what resumes its work would find two
-/// processes at it. Files are named relative to the directory of this process.
-/// @param arguments  those after the name of the program
-/// @return its process
+/// Starts this program in a child process. The child ends with this process: otherwise two processes would work on its
+/// files when the work is resumed. File names are relative to the directory of this process.
+/// @param arguments  arguments after the name of the program
+/// @return identifier of its process
 /// @throws IoError if no process can be started
 pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& options);
 
-/// How a process ended, from the status of waitpid(): its exit code, or 128 and the number of the signal that ended it.
+/// Converts the status of waitpid() to an exit code: that of the process, or 128 plus the number of the signal that
+/// ended it.
 int exit_code_of(int status);
 
-/// Waits for a child, through signals. @return as exit_code_of()
+/// Waits for a child; signals do not end the waiting. @return exit code as by exit_code_of()
 int wait_for(pid_t child);
 
-/// From here on SIGINT and SIGTERM do not end this process, but go to the child that run_floc() waits for, if any, as
+/// Makes SIGINT and SIGTERM no longer end this process. If run_floc() waits for a child, the signal is sent to it as
 /// SIGTERM, on which a run writes its checkpoint.
 void pass_signals_on();
 
-/// Whether such a signal has come.
+/// Returns whether such a signal has arrived.
 bool was_signalled();
 
-/// Starts this program once more and waits for it. @return as exit_code_of()
-/// @throws IoError as start_floc()
+/// Starts this program in a child process and waits for it. @return exit code as by exit_code_of()
+/// @throws IoError if no process can be started
 int run_floc(const std::vector<std::string>& arguments, const ChildOptions& options);
 
-/// Path of this program.
+/// Returns the path of this program.
 std::string this_program();
 
 }  // namespace floc

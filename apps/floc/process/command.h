@@ -9,15 +9,15 @@ namespace floc {
 /// Exit codes of the program.
 enum ExitCode {
   kDone = 0,
-  kFailure = 1,  ///< failure inside: disk full, not writable
-  kUsage = 2,    ///< bad usage of the command line
-  kNotConverged = 3,
-  kBadInput = 4,
-  kVerificationFailed = 5,
-  kInterrupted = 130,  ///< a checkpoint was written
+  kFailure = 1,             ///< the system or the program failed: disk full, file not writable
+  kUsage = 2,               ///< the command line is not valid
+  kNotConverged = 3,        ///< there is no result: not converged, or a quantity does not exist
+  kBadInput = 4,            ///< an input file or a value is not valid
+  kVerificationFailed = 5,  ///< a comparison or a check of a state failed
+  kInterrupted = 130,       ///< a signal ended the run after it wrote its checkpoint
 };
 
-/// A subcommand: its command line, and what it does once that is parsed.
+/// A subcommand: its command line, and the function that runs it after parsing.
 struct Command {
   CommandLine app;
   std::function<int()> run;  ///< returns the exit code; may throw InputError and IoError

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// "--name" and "-n" of the options of a command.
+/// Returns the names "--name" and "-n" of the options of a command.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -33,16 +33,16 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// The first argument of `app` or of the command given to it that names no option or command, in words, with
-/// the nearest that there is; empty if all are known.
-/// @param called  how the user called `app`, "floc fit"
+/// Returns a message on the first argument of `app`, or of the command given to it, that names no option or command,
+/// with the most similar name; empty if all are known.
+/// @param called  name by which the user called `app`, "floc fit"
 std::string unknown_name(const CLI::App& app, const std::string& called) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   for (const std::string& argument : app.remaining()) {
     const std::string name = argument.substr(0, argument.find('='));
     if (name.starts_with('-') && name.size() > 1)
       return called + " has no option " + name + "; the nearest is " + nearest_name(name, option_names(app));
-    // Also where a command follows: "floc modli demo".
+    // The name is unknown even if a valid command follows: "floc modli demo".
     if (const std::vector<std::string> commands = command_names(app); !commands.empty())
       return called + " has no command " + name + "; the nearest is " + nearest_name(name, commands) + " (" +
              called + " --help lists them all)";
@@ -60,7 +60,8 @@ struct ValueOf<std::optional<T>> : ValueOf<T> {};
 template <class T>
 struct ValueOf<std::vector<T>> : ValueOf<T> {};
 
-/// CLI11 itself would take "nan" and "inf" for numbers, 0x10 for 16, 010 for 8, and -1 for the largest seed.
+/// Checks the text of a number. CLI11 itself would read "nan" and "inf" as numbers, 0x10 as 16, 010 as 8, and -1 as the
+/// largest seed.
 template <class Number>
 std::string read_number(std::string& given) {
   const auto value = parse_number<Number>(given);
@@ -81,8 +82,8 @@ std::string read_number(std::string& given) {
   }
 }
 
-/// In place of CLI11's own, whose messages name the largest double in three hundred digits.
-/// @param name  of the kind of number, in the help
+/// Returns a validator of a range. The one of CLI11 names the largest double with three hundred digits in its messages.
+/// @param name  name of the kind of number, in the help
 template <class Number, class Range>
 CLI::Validator number_within(const std::string& name, const Range& range) {
   return {[range](const std::string& given) {
@@ -93,7 +94,7 @@ CLI::Validator number_within(const std::string& name, const Range& range) {
           name};
 }
 
-/// The limits of a range as the help has them.
+/// Returns the limits of a range as text for the help.
 template <class Range>
 std::string limits_of(const char* type, const Range& range) {
   return fmt::format("{} in [{} - {}]", type, range.least, range.most);
@@ -255,7 +256,7 @@ std::optional<int> ProgramLine::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // "floc modli --help" asks for the help of a command that there is not.
+    // "floc modli --help" names a command that does not exist.
     const bool fault = error.get_exit_code() != 0 || app_->get_subcommands().empty();
     if (const std::string unknown = unknown_name(*app_, app_->get_name()); fault && !unknown.empty()) {
       std::cerr << "floc: " << unknown << "\nRun with --help for more information.\n";

@@ -15,24 +15,24 @@ class Option;
 
 namespace floc {
 
-/// An option, flag or positional argument of a command. What is said of it chains:
+/// An option, flag or positional argument of a command. Its functions can be chained:
 /// `line.add_option(...).required().positive()`. Handles may be copied; the command line owns the option.
 class Option {
  public:
   Option required();
-  /// As many values as `count`, or `least` to `most` (-1: no limit).
+  /// Takes `count` values, or `least` to `most` values (-1: no limit).
   Option expected(int count);
   Option expected(int least, int most);
-  /// Values may also come as one argument, between these.
+  /// Also accepts several values as one argument, separated by this character.
   Option delimiter(char between);
-  /// Several mentions of the option are one value, joined by this.
+  /// Joins the values of an option that is given several times to one value, separated by this character.
   Option joined(char between);
-  /// Each mention of the option takes one argument, and what follows is positional again.
+  /// Takes one argument each time the option is given; the arguments after it are positional.
   Option one_argument_each();
-  /// The help shows the value that the variable has now.
+  /// Shows the present value of the variable in the help, as the default.
   Option show_default();
 
-  /// Ranges are those of the library, which refuses the same values.
+  /// Accepts numbers within a range. The ranges are those of the library, which rejects the same values.
   Option within(const NumberRange& range);
   Option within(const WholeRange& range);
   Option positive() { return within(kPositiveNumber); }
@@ -44,7 +44,7 @@ class Option {
   Option excludes(const std::string& name);
   Option needs(Option other);
 
-  /// How often it was given.
+  /// Returns how many times the option was given.
   std::size_t count() const;
 
  private:
@@ -53,29 +53,29 @@ class Option {
   CLI::Option* option_;
 };
 
-/// The command line of the program or of one of its commands. Handles may be copied; ProgramLine owns what they
-/// name.
+/// The command line of the program or of one of its commands. Handles may be copied; ProgramLine owns the parser that
+/// they refer to.
 ///
-/// This class and Option hide CLI11 from the commands, whose headers and option templates cost each file
-/// that includes them about as much as all else in it: command_line.cc alone does.
+/// This class and Option hide CLI11, whose headers and templates would about double the time to compile each command.
+/// Only command_line.cc includes it.
 class CommandLine {
  public:
   CommandLine add_subcommand(const std::string& name, const std::string& description);
-  /// One of the subcommands must be given, and no more than one.
+  /// Requires exactly one of the subcommands.
   void require_one_subcommand();
-  /// Was this subcommand the one given?
+  /// Returns whether this subcommand was given.
   bool parsed() const;
-  /// Names from that of the top command's subcommand on: "fit elastic".
+  /// Returns the name without that of the program: "fit elastic".
   std::string full_name() const;
-  /// Calls `work` if this command was given, once the whole line is read and without fault.
+  /// Calls `work` if this command was given, after the whole line has been parsed without a fault.
   void after_parsing(const std::function<void()>& work);
   bool has_option(const std::string& name) const;
-  /// Text below the help.
+  /// Sets the text below the help.
   void footer(const std::string& text);
 
-  /// Adds an option ("-o,--output") or a positional argument ("STATE"), read into `value` when the line is
-  /// parsed. Numbers are decimal and finite, whole numbers fit the type of the variable.
-  /// Defined for the types that command_line.cc lists; a new type takes a line there.
+  /// Adds an option ("-o,--output") or a positional argument ("STATE"), which is read into `value` when the line is
+  /// parsed. Numbers have to be decimal and finite, whole numbers have to fit the type of the variable.
+  /// Defined for the types that command_line.cc lists; a new type needs a line there.
   template <class T>
   Option add_option(const std::string& name, T& value, const std::string& text);
   Option add_flag(const std::string& name, bool& value, const std::string& text);
@@ -94,11 +94,12 @@ class ProgramLine {
   ProgramLine(const ProgramLine&) = delete;
   ProgramLine& operator=(const ProgramLine&) = delete;
 
+  /// Returns the command line of the program itself.
   CommandLine top();
 
   /// Reads the arguments into the variables of the options.
-  /// @return nothing if a command is to be run; otherwise help, version or a fault was printed and the program
-  ///   is to end: with an exit code of 0, or of kUsage for a fault
+  /// @return nothing if a command is to be run. Otherwise help, version or a fault was printed, and the program has to
+  /// end with the exit code returned: 0, or kUsage for a fault
   std::optional<int> parse(int argc, char** argv);
 
  private:

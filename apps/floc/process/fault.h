@@ -5,11 +5,12 @@
 
 namespace floc {
 
-/// What a piece of work ended with: its exit code, or that of what it threw, with the words for stderr.
+/// Outcome of a piece of work: its exit code or, if it threw, the exit code of the exception and a message for stderr.
 struct Fault {
   int code = 0;
   std::string message;
 };
+/// Runs `work` and catches its exceptions. @param file  file that the message names where the exception does not
 Fault fault_of(const std::string& file, const std::function<int()>& work);
 
 }  // namespace floc

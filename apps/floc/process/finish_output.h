@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// To be called when all of stdout is written. @throws IoError if some of it could not be
+/// Flushes stdout; has to be called after all output. @throws IoError if some of it could not be written
 void finish_output();
 
 }  // namespace floc

@@ -22,8 +22,8 @@ std::string pattern_of(const std::string& chosen) {
   return chosen == "all" ? "*" : chosen;
 }
 
-/// Names of the columns that a command may print; patterns among them as they are. A table "moduli --increments"
-/// goes into a file, unless the command has no other, as `campaign collect --table runs`.
+/// Returns the names of the columns that a command may print; some are patterns. A table such as "moduli --increments"
+/// is written to a file and does not count, unless the command has no other table, as `campaign collect --table runs`.
 std::vector<std::string> names_printed_by(const std::string& command) {
   std::vector<std::string> printed, with_option;
   for (const DescribedTable& table : described_tables()) {
@@ -34,7 +34,7 @@ std::vector<std::string> names_printed_by(const std::string& command) {
   return printed.empty() ? with_option : printed;
 }
 
-/// @throws InputError if the command prints tables and no column of them is meant
+/// Checks a chosen name or pattern. @throws InputError if the command prints tables, but none with such a column
 void expect_column_of(const std::string& command, const std::string& chosen) {
   const std::vector<std::string> names = names_printed_by(command);
   const std::string pattern = pattern_of(chosen);
@@ -64,7 +64,7 @@ Table of_columns(const Table& table, const std::vector<std::size_t>& indices) {
   return part;
 }
 
-/// Letters of the longest line of a table as it is printed.
+/// Returns the length of the longest line of a table as it is printed (characters).
 std::size_t printed_width(const Table& table) {
   std::ostringstream text;
   write_table(text, table, TableFormat::table);
@@ -74,7 +74,7 @@ std::size_t printed_width(const Table& table) {
   return widest;
 }
 
-/// As many of the columns wanted, the first at least, as fit the terminal.
+/// Returns as many of the wanted columns as fit the width of the terminal, but at least the first.
 Table fitting(const Table& table, const std::vector<std::string>& wanted) {
   const auto room = static_cast<std::size_t>(terminal_width());
   std::vector<std::size_t> shown;

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Keeps the remarks made on many states and prints each once at its end: the one of the worst state, with the number
-/// of states. Texts that differ in their numbers alone are one remark.
+/// Collects the remarks on many states and prints each once, when it is destroyed: with the text of the worst state and
+/// the number of states. Texts that differ only in their numbers are one remark.
 class RepeatedWarnings {
  public:
   RepeatedWarnings() = default;
@@ -16,12 +16,12 @@ class RepeatedWarnings {
   RepeatedWarnings(const RepeatedWarnings&) = delete;
   RepeatedWarnings& operator=(const RepeatedWarnings&) = delete;
 
-  /// Hands remarks to this object, which has to outlive them.
+  /// Returns remarks that this object receives; it has to outlive them.
   Remarks remarks();
 
  private:
   struct Warning {
-    std::string kind;  ///< its text without numbers
+    std::string kind;  ///< text without its numbers
     std::string file, text;
     double severity = 0.0;
     int n_states = 1;
@@ -32,7 +32,7 @@ class RepeatedWarnings {
   std::vector<Warning> kept_;
 };
 
-/// Prints each remark on stderr at once: "floc: FILE: TEXT".
+/// Returns remarks that are printed on stderr immediately: "floc: FILE: TEXT".
 Remarks printed_remarks();
 
 }  // namespace floc

@@ -16,7 +16,7 @@ std::vector<std::string> states_of_directory(const std::string& directory) {
   for (const auto& entry : fs::directory_iterator(directory))
     if (const std::string name = entry.path().filename(); name.starts_with("seed-") && entry.is_directory())
       samples[{name.size(), name}] = entry.path();
-  if (samples.empty()) return states_of_run(directory);  // which says that there is none
+  if (samples.empty()) return states_of_run(directory);  // throws if there are no states
   std::vector<std::string> files;
   for (const auto& [name, sample] : samples) {
     const std::vector<std::string> of_sample = states_of_run(sample);

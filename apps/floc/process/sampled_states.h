@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// States of a directory of floc run in their order; of an ensemble those of all its samples DIR/seed-N, one after
-/// the other.
-/// @throws InputError if there is none
+/// Returns the state files in the directory of a run, in order. For the directory of an ensemble these are the states
+/// of all samples DIR/seed-N, one sample after the other.
+/// @throws InputError if there are none
 std::vector<std::string> states_of_directory(const std::string& directory);
 
 }  // namespace floc

@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Does a piece of work on every process. One that fails is said on stderr by the first of those it failed on.
-/// @return its exit code there, on all
+/// Does a piece of work on every process. An error is printed by the first of the processes on which it occurred.
+/// @return exit code of that process, on all processes
 int together(ParallelSolver& solver, const std::string& file, const std::function<int()>& work) {
   const Fault fault = fault_of(file, work);
   double first = fault.code == kDone ? 0.0 : solver.size() - solver.rank();
@@ -27,7 +27,7 @@ int together(ParallelSolver& solver, const std::string& file, const std::functio
   return static_cast<int>(code);
 }
 
-/// The files that arguments name: those in directories one by one.
+/// Returns the files that an argument names: the file itself, or the states in a directory.
 std::vector<std::string> files_of(const std::string& argument) {
   if (!std::filesystem::is_directory(argument)) return {argument};
   return states_of_directory(argument);
@@ -63,7 +63,8 @@ int for_each_state_together(const std::vector<std::string>& files, ParallelSolve
     if (code != kDone) return code;
     const Fault fault = fault_of(file, [&] { return work(file, state, remarks), int{kDone}; });
     if (fault.code == kDone) return kDone;
-    // That there are no moduli is what all found; nobody waits for those that fail alone.
+    // All processes find that there are no moduli, so the first reports it. Another error may occur on some processes
+    // alone, for which the others would wait forever: it ends all of them.
     if (speaks || fault.code != kNotConverged) std::cerr << "floc: " << fault.message << '\n';
     if (fault.code != kNotConverged && solver.size() > 1) solver.abort(fault.code);
     return fault.code;

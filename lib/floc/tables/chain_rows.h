@@ -10,22 +10,23 @@ namespace floc {
 
 /// A chain of equal disks.
 struct ChainOptions {
-  int n = 0;       ///< disks
-  double R = 0.0;  ///< their radius (length)
-  ChainStiffness k{};
-  double bend = 0.0;  ///< degrees by which each branch is turned against the one before
+  int n = 0;           ///< number of disks
+  double R = 0.0;      ///< radius of the disks (length)
+  ChainStiffness k{};  ///< stiffnesses of the contacts
+  double bend = 0.0;   ///< angle between each branch and the one before (degrees)
 };
 
-/// One compliance: what it is, its closed form if the chain is straight, and the network's answer.
+/// One compliance of a chain.
 struct ChainRow {
   std::string name;
-  double formula;
-  BoundedValue solved;
+  double formula;       ///< closed form of a straight chain
+  BoundedValue solved;  ///< solution of the contact network, with a bound of its error
 };
 
+/// Computes the compliances of a chain.
 std::vector<ChainRow> chain_rows(const ChainOptions& chain);
 
-/// The table of the rows: no value where double precision leaves no digit of it.
+/// Returns the rows as a table. A value is left empty if double precision keeps no digit of it.
 Table chain_table(const ChainOptions& chain, const std::vector<ChainRow>& rows);
 
 }  // namespace floc

@@ -14,6 +14,7 @@ namespace floc {
 template <class Row>
 using Column = std::pair<std::string, std::function<TableValue(const Row&)>>;
 
+/// Returns a table with one row for each of `rows`.
 template <class Row>
 Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
   Table table;
@@ -26,8 +27,8 @@ Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
   return table;
 }
 
-/// Gives a table that many states fill its columns. @throws InputError if it has others: states of another
-/// dimension
+/// Sets the columns of an empty table that is filled from several states.
+/// @throws InputError if the table already has other columns, as for a state of another dimension
 inline void expect_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.columns.empty()) table.columns = names;
   if (table.columns != names)
@@ -35,7 +36,7 @@ inline void expect_columns(const std::string& file, const std::vector<std::strin
                      "differs in dimension from the states before it: one file holds states of one dimension");
 }
 
-/// A count as tables hold it.
+/// Returns a count as a value of a table.
 inline TableValue count(std::int64_t n) {
   return n;
 }

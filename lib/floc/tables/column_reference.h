@@ -15,17 +15,17 @@ struct DescribedColumn {
 /// A table that commands print or write.
 struct DescribedTable {
   std::string name;                      ///< "moduli", "fit elastic", "moduli --increments"
-  std::vector<std::string> on_terminal;  ///< columns shown there, most wanted first; empty: all
+  std::vector<std::string> on_terminal;  ///< columns shown on a terminal, in order of priority; empty: all
   std::vector<DescribedColumn> columns;
 };
 
-/// THE reference of all tables: docs/columns.md, which is compiled in.
+/// Returns the reference of all tables: docs/columns.md, which is compiled into the library.
 const std::vector<DescribedTable>& described_tables();
 
-/// The smallest table that describes all of these columns; nullptr if there is none.
+/// Returns the table with the fewest columns that describes all of these; nullptr if there is none.
 const DescribedTable* table_with(const std::vector<std::string>& columns);
 
-/// Whether a name is one that a pattern of `*` and `?` stands for.
+/// Returns whether a name matches a pattern of `*` and `?`.
 bool stands_for(const std::string& pattern, const std::string& name);
 
 }  // namespace floc

@@ -11,18 +11,18 @@ namespace floc {
 
 /// Options of the rows of `floc compare`.
 struct CompareTableOptions {
-  /// Of a contact that moves as rigid: how far its two contact points may part, in largest diameters, and how much the
-  /// rotations of its grains may differ, in radians.
+  /// Largest motion within a contact that counts as rigid: distance between its two contact points, in largest
+  /// diameters, and difference of the rotations of its grains, in radians.
   double rigid_tolerance = 0.01;
-  bool displacements = false;  ///< also the table with a row for each grain
-  bool contacts = false;       ///< also the table with a row for each contact
+  bool displacements = false;  ///< adds a table with a row for each grain
+  bool contacts = false;       ///< adds a table with a row for each contact
 };
 
-/// One row: what happened between two states.
+/// One row: the changes between two states.
 struct CompareRow {
   std::string before, after;
   int n_grains = 0;
-  double pressure[2] = {}, solid_fraction[2] = {};  ///< before, after; pressures reduced
+  double pressure[2] = {}, solid_fraction[2] = {};  ///< before and after; the pressures are reduced
   int n_before = 0, n_after = 0, n_kept = 0, n_lost = 0, n_gained = 0, n_parted = 0;
   Eigen::MatrixXd strain;  ///< of the cell, shortening positive
   double rms = 0.0, largest = 0.0;
@@ -34,13 +34,13 @@ struct CompareTables {
   Table displacements, contacts;
 };
 
-/// Compares two states; `side` takes the rows of the other tables.
-/// @throws InputError if they are not of the same grains
+/// Compares two states. The rows of the other tables are added to `side`.
+/// @throws InputError if the states are not of the same grains
 template <int Dim>
 CompareRow compare_row(const std::string& old_file, const State<Dim>& before, const std::string& new_file,
                        const State<Dim>& after, const CompareTableOptions& options, CompareTables& side);
 
-/// The columns of a table of these rows.
+/// Returns the columns of a table of these rows.
 std::vector<Column<CompareRow>> compare_columns(const std::vector<CompareRow>& rows);
 
 }  // namespace floc

@@ -21,7 +21,7 @@ constexpr LeftOutStep kLeftOut[] = {
     {PathStep::first_loading, "before_loading", "before the branch \"load\""},
 };
 
-/// --P0 X: the window starts at the pressure of the curve that is nearest to X.
+/// Applies --P0 X: the window starts at the pressure of the curve that is nearest to X.
 void start_at_P0(double P0, const ConsolidationCurve& curve, ConsolidationOptions& options) {
   if (P0 <= 0.0 || curve.P_star.empty()) return;
   const auto distance = [P0](double P) { return std::abs(std::log(P / P0)); };
@@ -41,7 +41,7 @@ const char* word_for(Weighting weighting) {
   }
 }
 
-/// Pressures between which a change lies, and over which its probable places range.
+/// Returns the pressures between which a change of regime lies, and the limits of its 95 % interval.
 Json change_as_json(const std::optional<ChangePoint>& change, const ConsolidationCurve& curve) {
   if (!change) return nullptr;
   const auto pressure = [&](int i) {
@@ -56,7 +56,7 @@ Json change_as_json(const std::optional<ChangePoint>& change, const Consolidatio
           {"probability", change->places.empty() ? Json(nullptr) : Json(change->places.front().probability)}};
 }
 
-/// Table rows (of a mean: indices of its pressures) of points first to end.
+/// Returns the table rows of the points first to end; for a mean, the indices of its pressures.
 Json rows_of(const ConsolidationSample& sample, int first, int end) {
   Json rows = Json::array();
   for (int i = first; i < end; ++i)

@@ -11,7 +11,7 @@
 
 namespace floc {
 
-/// Options of a fit of the consolidation law to paths, by the words of `floc fit consolidation`.
+/// Options of a fit of the consolidation law to paths, as keywords of `floc fit consolidation`.
 struct ConsolidationFitOptions {
   std::string law = "full";
   std::string protocol;
@@ -25,57 +25,58 @@ struct ConsolidationFitOptions {
   std::string stress = "driven";
 };
 
-/// A named curve with the rows of its table; a mean has none.
+/// A named curve with the rows of its table; the mean of several samples has no rows.
 struct ConsolidationSample {
   std::string name;
   Loading loading;
   std::vector<PathStep> steps;  ///< of all rows
   std::string unit;             ///< of the pressures
-  std::string stress = {};      ///< that of oedometric rows: see PathTable
+  std::string stress = {};      ///< stress that is the pressure of oedometric rows: see PathTable::stress
 };
 
-/// A step of a path whose rows are not fitted: its key in json, and in words.
+/// A kind of step whose rows are not fitted, with its key in json and its description in messages.
 struct LeftOutStep {
   PathStep step;
   const char *key, *description;
 };
+/// Returns all kinds of steps whose rows are not fitted.
 std::span<const LeftOutStep> left_out_steps();
 
-/// Rows that do `step` and are not fitted.
+/// Returns the indices of the rows that are not fitted because their step is of this kind.
 std::vector<int> left_out(const ConsolidationSample& sample, PathStep step);
 
-/// The first loading of a path, or the virgin one, as the options say.
+/// Returns the first loading of a path or its virgin loading, as the option `loading` says.
 ConsolidationSample consolidation_sample(const PathTable& path, const ConsolidationFitOptions& asked);
 
-/// @throws InputError naming the option at fault
+/// Converts keywords to the options of fit_consolidation(). @throws InputError naming the option at fault
 ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked);
 
-/// What is fitted: each sample and their mean; the published protocol fits the mean alone.
+/// Returns the curves to fit: each sample and, behind them, their mean. The published protocol fits the mean alone.
 std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> samples, bool only_pooled);
 
-/// The fit of one of these. @param options  of all
+/// Fits one of the samples. @param options  options that all samples share
 ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFitOptions& asked,
                         const ConsolidationOptions& options);
 
-/// Fits the law to paths in one call, as `floc fit consolidation` does: to the mean of all samples where there are
-/// several.
+/// Fits the law to paths in one call, as `floc fit consolidation` does. Several samples are fitted by their mean.
 /// @param inputs   csv tables with columns P_star and phi or void_ratio, or directories of floc run
 /// @param columns  columns of the tables under other names
-/// @throws InputError for what is no path or no option
+/// @throws InputError if an input is no path or an option is not valid
 ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs,
                                    const ConsolidationFitOptions& options = {},
                                    const ColumnNames& columns = {});
 
-/// What a smaller error would need: "samples", "points" on the curve, or a clearer end of the "regimes".
+/// Names the part that limits the error of a fit: the number of "samples" or of "points" on the curve, or the ends of
+/// its "regimes".
 const char* limit_of(const ErrorParts& parts, const ConsolidationFit& fit);
 
-/// The table of `floc fit consolidation`, without rows.
+/// Returns the table of `floc fit consolidation`, without rows.
 Table consolidation_table(const ConsolidationFitOptions& asked);
 /// Adds a row for each parameter of a fit.
 void add_rows(const ConsolidationSample& sample, const ConsolidationFit& fit,
               const ConsolidationFitOptions& asked, Table& table);
 
-/// A fit as `--format json` prints it.
+/// Returns a fit as `--format json` prints it.
 Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
              const ConsolidationFitOptions& asked);
 

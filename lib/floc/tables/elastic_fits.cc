@@ -6,19 +6,19 @@
 namespace floc {
 namespace {
 
-/// The state to compare with, in the unit of the table: the one asked for, else that of the branch's first row if it
-/// lies beside the table.
+/// Finds the state to compare with, in the unit of the table: the file that is given, otherwise the state of a row of
+/// the path if its file lies beside the table.
 std::optional<StateModuli> find_state(const std::string& state, const PathTable& path, int row, int axis) {
   const auto found = state.empty() ? moduli_of_row(path, row, axis) : std::optional(moduli_of(state, axis));
   return found ? std::optional(in_unit_of(path, *found)) : std::nullopt;
 }
 
-/// Modulus that answers the mean stress along a branch.
+/// Returns the modulus that relates the mean stress to ln Phi along a branch.
 double bulk_modulus_of(const StateModuli& state) {
   return state.B_uniaxial.value_or(state.B_S);
 }
 
-/// The driven axis of a branch, from 0; -1 where not every step of it is one of an oedometer.
+/// Returns the driven axis of a branch, from 0; -1 unless every step is oedometric along that axis.
 int driven_axis_of(const PathTable& path, const Loading& branch) {
   int axis = driven_axis(path, branch.rows.back());
   for (std::size_t i = 1; i < branch.rows.size(); ++i)
@@ -26,14 +26,14 @@ int driven_axis_of(const PathTable& path, const Loading& branch) {
   return axis;
 }
 
-/// A branch against the driven stress instead of the mean.
+/// Replaces the mean stress of a branch by the driven stress.
 Loading against_driven_stress(const PathTable& path, Loading branch) {
   for (std::size_t i = 0; i < branch.rows.size(); ++i)
     branch.curve.P_star[i] *= path.rows[static_cast<std::size_t>(branch.rows[i])].driven_over_mean;
   return branch;
 }
 
-/// The points of a branch that were fitted: all of them, or the straight part of a curved one.
+/// Returns the points of a branch that were fitted: all of them, or the straight part of a curved one.
 Loading part_fitted(const Loading& branch, const ElasticFit& fit) {
   if (fit.n_points == 0) return branch;
   const auto part = [&](const auto& all) {
@@ -98,6 +98,7 @@ Json as_json(const PathTable& path, const ElasticBranch& branch) {
   object["sample"] = path.name;
   object["refusal"] = branch.fit.found() ? Json(nullptr) : Json(branch.fit.failure_reason);
   object["rows_used"] = branch.branch.rows;
+  // The pressure falls along an unloading branch, so its last row has the lowest pressure.
   object["window"] = Json{branch.branch.curve.P_star.back(), branch.branch.curve.P_star.front()};
   object["pressure_unit"] = path.unit.empty() ? Json(nullptr) : Json(path.unit);
   object["n_points"] = branch.branch.rows.size();
@@ -108,6 +109,7 @@ Json as_json(const PathTable& path, const ElasticBranch& branch) {
   object["rms"] = branch.fit.found() ? Json(branch.fit.rms) : Json(nullptr);
   object["secant_low"] = number_or_null(branch.fit.secant_low);
   object["secant_high"] = number_or_null(branch.fit.secant_high);
+  // Scripts may rely on every key: what a branch does not have is null.
   object["state"] = nullptr;
   if (branch.state)
     object["state"] = {{"file", branch.state->file},

@@ -11,13 +11,13 @@ namespace floc {
 
 using Json = nlohmann::ordered_json;
 
-/// null for a number that is absent or not finite.
+/// Returns a number, or null if it is absent or not finite.
 Json number_or_null(const std::optional<double>& x);
 
-/// {name: {value, stderr, low95, high95, identified}}.
+/// Returns {name: {value, stderr, low95, high95, identified}}.
 Json parameters_as_json(const std::vector<FittedParameter>& parameters);
 
-/// Cells value, stderr, low95, high95, identified of one parameter.
+/// Returns the cells value, stderr, low95, high95, identified of one parameter.
 std::vector<TableValue> parameter_cells(const FittedParameter& parameter);
 
 }  // namespace floc

@@ -17,7 +17,7 @@
 namespace floc {
 namespace {
 
-/// @throws InputError if two columns have the name
+/// Finds a column by its name, with or without a unit in brackets. @throws InputError if two columns have the name
 std::optional<UnitColumn> find_optional_column(const CsvTable& table, const std::string& name) {
   std::optional<UnitColumn> found;
   for (const bool whole : {true, false}) {
@@ -55,8 +55,8 @@ double solid_fraction_of(const std::string& place, double value, bool is_void_ra
   return is_void_ratio ? 1.0 / (1.0 + value) : value;
 }
 
-/// How far a number may be from what was rounded to it: half a unit in its last place, or of three decimals where
-/// it has fewer, as 0.5 may be exact.
+/// Returns the largest rounding error of a number as it is written: half a unit in its last place. Numbers with fewer
+/// than three decimals count as if they had three, because 0.5 may be exact.
 double rounding_of(std::string_view text) {
   constexpr double kThreeDecimals = 5e-4;
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
@@ -67,8 +67,8 @@ double rounding_of(std::string_view text) {
   return std::min(0.5 * std::pow(10.0, exponent), kThreeDecimals);
 }
 
-/// The solid fractions of a table, from phi or void_ratio: the one that `--columns` names, or both, which may not
-/// contradict each other.
+/// Reads the solid fractions of a table from the column phi or void_ratio. If `--columns` does not name one of them and
+/// the table has both, they must not contradict each other.
 class DensityColumns {
  public:
   DensityColumns(const CsvTable& table, const ColumnNames& columns) : table_(table) {
@@ -91,7 +91,7 @@ class DensityColumns {
   }
 
  private:
-  /// A column of shares, and what its numbers are multiplied by: those in "phi [%]" are hundredths.
+  /// A column of shares and the factor of its numbers, which is 0.01 for a header such as "phi [%]".
   struct ShareColumn {
     int index;
     double unit;
@@ -123,7 +123,8 @@ class DensityColumns {
   std::optional<ShareColumn> phi_, void_ratio_;
 };
 
-/// @throws InputError unless rows keep to their branches. @param place  of a row, for messages
+/// Checks the pressures of rows against their branches. @param place  returns the place of a row, for messages
+/// @throws InputError if a pressure contradicts its branch
 void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
                   const std::function<std::string(int)>& place) {
   if (const auto fault = path_fault(rows))
@@ -132,7 +133,7 @@ void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
                                  rows[static_cast<std::size_t>(fault->row)].P_star, fault->expected));
 }
 
-/// Doubts void ratios that are so large throughout that they may be percentages.
+/// Adds a warning if all void ratios are so large that they may be percentages.
 void doubt_percent(PathTable& path) {
   constexpr double kLoosest = 10.0;  // void ratio; that of the loosest soils is 5
   double smallest = std::numeric_limits<double>::infinity();
@@ -144,7 +145,7 @@ void doubt_percent(PathTable& path) {
                   smallest));
 }
 
-/// How the rows of a table of `floc run` are loaded, and the factor from their mean stress to the driven one.
+/// Loading of the rows of a table of `floc run`, and the factor from their mean stress to the driven stress.
 class LoadColumns {
  public:
   explicit LoadColumns(const CsvTable& table) : table_(table) {
@@ -171,18 +172,18 @@ class LoadColumns {
   int control_ = -1, axis_ = -1, mean_ = -1;
 };
 
-/// P_star of `floc run` is over the force of the contact law, which a stage may change: factors to the unit of the
-/// first rows under pressure.
+/// Factors that convert P_star of `floc run` to the unit of the first rows under pressure. P_star is in units of the
+/// force of the contact law, which a stage of the load path may change.
 class PressureUnit {
  public:
-  /// @param name  of the column of the pressures; without a name of the user's choice
+  /// @param name  name of the column of pressures  @param mapped  whether the user mapped the pressures to a column
   PressureUnit(const CsvTable& table, const std::string& name, bool mapped) : table_(table) {
     if (mapped || name != "P_star" || !table.has("P") || !table.has("state")) return;
     reduced_ = table.column("P_star");
     stress_ = table.column("P");
   }
 
-  /// By what the P_star of a row is multiplied; says where the unit changes.
+  /// Returns the factor of P_star of a row, and notes where the unit changes.
   double factor(int row, std::vector<std::string>& notes) {
     if (reduced_ < 0) return 1.0;
     const double reduced = table_.number(row, reduced_), stress = table_.number(row, stress_);

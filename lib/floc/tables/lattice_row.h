@@ -11,7 +11,7 @@
 
 namespace floc {
 
-/// What floc lattice prints of one sample.
+/// One row of the table of floc lattice: a sample, its load and its response.
 struct LatticeRow {
   std::string file;
   int dimension = 2;
@@ -21,12 +21,12 @@ struct LatticeRow {
   int n_bridges = 0, n_removed = 0, n_islands = 0;
   double k_grain = 0.0, k_matrix = 0.0, k_interface = 0.0, k_contact = 0.0;
   std::string load, boundary;
-  int axis = 1;  ///< of the load, from 0
+  int axis = 1;  ///< axis of the load, from 0
   int n_bare = 0, n_open = 0;
   SpringRelaxationReport report;
   std::vector<double> strain, stress;  ///< in the order of StrainSet::full
   StressDistribution all, grain, matrix, forces;
-  int n_pairs = 0;  ///< of grains that exert forces on each other
+  int n_pairs = 0;  ///< pairs of grains that exert forces on each other
   std::optional<double> pearson_bonded, pearson_state;
   std::optional<Eigen::MatrixXd> moduli;
   std::optional<CompositeBounds> bounds;
@@ -34,6 +34,7 @@ struct LatticeRow {
   double seconds_lattice = 0.0, seconds_solve = 0.0, seconds = 0.0;
 };
 
+/// Returns the row as a table.
 Table table_of(const LatticeRow& row);
 
 }  // namespace floc

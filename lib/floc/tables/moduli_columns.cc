@@ -27,7 +27,7 @@ std::string entry_name(int a, int b) {
   return fmt::format("C{}{}", a + 1, b + 1);
 }
 
-/// Entries of the upper triangle beyond C11, C22, C12: diagonal first, then row by row.
+/// Returns the indices of the upper triangle of C other than C11, C22, C12: the diagonal first, then row by row.
 std::vector<std::pair<int, int>> further_entries(int size) {
   std::vector<std::pair<int, int>> entries;
   for (int a = 2; a < size; ++a) entries.emplace_back(a, a);
@@ -41,14 +41,14 @@ TableValue entry(const Eigen::MatrixXd& c, int a, int b) {
   return c(a, b);
 }
 
-/// Mean of the shear entries of C, C33 of disks, C44, C55 and C66 of spheres; empty where shear is clamped.
+/// Returns the mean of the shear entries of C: C33 for disks, C44, C55 and C66 for spheres. Empty if shear is clamped.
 TableValue shear_strain_modulus(const ModuliRow& r) {
   const Eigen::Index n_shear = r.moduli.C.rows() - r.dimension;
   if (n_shear <= 0) return {};
   return r.moduli.C.diagonal().tail(n_shear).mean();
 }
 
-/// Compliances of the normal strains, shear clamped (or relaxed, where the strains are full).
+/// Returns the compliances of the normal strains. Shear strains are clamped, or relaxed if the strains are full.
 std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
   const Eigen::FullPivLU<Eigen::MatrixXd> factor(r.moduli.C);
   if (!r.moduli.C.allFinite() || !factor.isInvertible()) return std::nullopt;
@@ -59,6 +59,8 @@ std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
 using ModuliColumn = Column<ModuliRow>;
 
 std::vector<ModuliColumn> contract_columns() {
+  // Only the factor in double precision counts eigenvalues and mechanisms. Other methods leave these columns empty,
+  // because a zero would claim that there are none.
   const auto counted = [](const ModuliRow& r, int n) {
     return r.moduli.method == ModuliMethod::factor ? TableValue{std::int64_t{n}} : TableValue{};
   };
@@ -113,6 +115,7 @@ std::vector<ModuliColumn> network_columns() {
   const auto maybe = [](std::optional<double> NetworkMechanics::*member) -> Value {
     return [member](const NetworkMechanics& m) { return or_undefined(m.*member); };
   };
+  // Rows whose moduli were not solved for by the factor have no network mechanics, and these columns are empty.
   const auto column = [](const char* name, const Value& value) -> ModuliColumn {
     return {name, [value](const ModuliRow& r) { return r.network ? value(*r.network) : TableValue{}; }};
   };
@@ -149,8 +152,8 @@ std::vector<ModuliColumn> budget_columns() {
           column("limited_by", [](const ErrorBudget& b) { return std::string(b.limit()); })};
 }
 
-/// Young's modulus along each axis, and what the axes b shorten by when a lengthens: of states whose axes
-/// differ, which B and G are means of.
+/// Returns columns with Young's modulus along each axis a and Poisson's ratio of each pair of axes a, b. They describe
+/// anisotropic states, for which B and G are means over the axes.
 std::vector<ModuliColumn> axis_columns(int dimension) {
   std::vector<ModuliColumn> columns;
   for (int a = 0; a < dimension; ++a)

@@ -13,11 +13,11 @@
 
 namespace floc {
 
-/// A method by the keyword of `floc moduli --method`.
-/// @pre there is one
+/// Returns the method that a keyword of `floc moduli --method` names.
+/// @pre the keyword is valid
 ModuliMethod moduli_method(const std::string& keyword);
 
-/// One row: what a state is and its moduli.
+/// One row: properties of a state and its moduli.
 struct ModuliRow {
   std::string file;
   std::string units;
@@ -26,29 +26,30 @@ struct ModuliRow {
   std::int64_t n_contacts;
   std::int64_t n_distant;
   double z;
-  double pressure;  ///< of the contacts
+  double pressure;  ///< mean normal stress of the contacts (stress)
   double reduced_pressure;
-  std::optional<double> wall_pressure;  ///< of boxes alone
+  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); only in boxes
   double solid_fraction;
   Moduli moduli;
-  std::optional<NetworkMechanics> network;  ///< where moduli are solved for in full
-  std::optional<ErrorBudget> budget;        ///< likewise
+  std::optional<NetworkMechanics> network;  ///< present if the moduli were solved for in full
+  std::optional<ErrorBudget> budget;        ///< present if the moduli were solved for in full
   std::optional<int> n_near_mechanisms;
-  std::optional<double> B_prestress;  ///< where near-mechanisms make it count
+  std::optional<double>
+      B_prestress;  ///< bulk modulus with prestress (stress); only if there are near-mechanisms
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
   MeanFieldEstimates mean_field;
-  double seconds;            ///< of the moduli
-  double seconds_row = 0.0;  ///< of the whole row, the reading of the state included
+  double seconds;            ///< processor time of the moduli (s)
+  double seconds_row = 0.0;  ///< processor time of the whole row, including the reading of the state (s)
 };
 
-/// What rows were asked for, where that decides on their columns.
+/// Options of the rows on which their columns depend.
 struct ModuliColumnChoice {
-  bool rolling_stiffness = false;  ///< rows of several of them
+  bool rolling_stiffness = false;  ///< the rows have rolling stiffnesses given in place of those of the states
   bool prestress = false;
 };
 
-/// The columns of a table of these rows: those of the contract first.
+/// Returns the columns of a table of these rows. The first ones keep their order, on which scripts may rely.
 std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
                                               const std::vector<ModuliRow>& rows);
 

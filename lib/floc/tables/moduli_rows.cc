@@ -20,7 +20,7 @@
 namespace floc {
 namespace {
 
-/// What a state is, beside its moduli.
+/// Returns a row with the properties of a state other than its moduli.
 template <int Dim>
 ModuliRow described(const std::string& file, const State<Dim>& state) {
   const Packing<Dim>& packing = state.packing;
@@ -40,7 +40,7 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   return row;
 }
 
-/// A state may have been asked for an equilibrium that its numbers cannot hold.
+/// Warns if the tolerances of a state are below the rounding errors of its positions.
 template <int Dim>
 void warn_of_rounding(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
   const RoundingFloor floor = rounding_floor(state.packing, state.target_stress);
@@ -53,15 +53,15 @@ void warn_of_rounding(const std::string& file, const State<Dim>& state, const Re
         std::max(floor.force / state.tolerance.force, floor.stress / state.tolerance.stress));
 }
 
-/// Moduli are those of the stiffnesses that the state has, also where its law gives others.
+/// Warns if the stiffnesses of a state differ from those of its law: the moduli are computed from those of the state.
 template <int Dim>
 void warn_of_stiffnesses(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
   const std::string differences = stiffness_differences(state.packing);
   if (!differences.empty()) remarks.warn(file, differences, first_number(differences));
 }
 
-/// What the contact network says beside the moduli of a row; increments of its contacts where they are asked
-/// for.
+/// Adds the mechanics of the contact network to a row that has its moduli, and rows for its contacts to the table
+/// `increments` unless that is null.
 template <int Dim>
 void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row, Table* increments,
                  const Remarks& remarks) {
@@ -86,7 +86,7 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
   row.moduli.response = {};  // rows are kept until all are printed
 }
 
-/// The options with one of the rolling stiffnesses asked for, or with none.
+/// Returns the options with a rolling stiffness in place of that of the state, if one is given.
 ModuliOptions with_rolling(ModuliOptions options, std::optional<double> rolling_stiffness) {
   if (rolling_stiffness) options.rolling_stiffness = rolling_stiffness;
   return options;
@@ -97,8 +97,8 @@ std::vector<std::optional<double>> rolling_of(const ModuliTableOptions& options)
   return {options.rolling_stiffness.begin(), options.rolling_stiffness.end()};
 }
 
-/// @throws InputError where the state has no bounds to take the moduli from, NoResult where there are none for
-/// another reason
+/// Checks that there are moduli. @throws InputError if the method `bounds` does not apply to the state, NoResult if
+/// there are no moduli for another reason
 void require_moduli(const std::string& file, const Moduli& moduli) {
   if (moduli.failure.empty()) return;
   if (moduli.method == ModuliMethod::bounds)
@@ -110,7 +110,7 @@ bool by_factor(const ModuliTableOptions& options) {
   return options.moduli.method == ModuliMethod::factor && !options.accuracy;
 }
 
-/// The options with the size that a factor may have: the rest of the memory is for its matrix and workspace.
+/// Returns the options with the largest size of a factor; the rest of the memory is for its matrix and workspace.
 ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
   constexpr double kShare = 0.7;
   if (options.solver == ModuliSolver::automatic && by_factor(options))
@@ -118,7 +118,7 @@ ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
   return options;
 }
 
-/// Moduli of a packing by PETSc.
+/// Computes the moduli of a packing by PETSc.
 template <int Dim>
 Moduli by_petsc(const Packing<Dim>& packing, const ModuliOptions& options, ParallelSolver& solver) {
   return elastic_moduli(options.loaded_network(packing), packing.grains.position,
@@ -133,7 +133,7 @@ ModuliRows::ModuliRows(const ModuliTableOptions& options)
       space_(options_.moduli),
       last_row_(processor_seconds()) {}
 
-/// Where the factor is predicted to be too large.
+/// Computes moduli without a factor, for packings whose factor is predicted to be too large.
 template <int Dim>
 std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Packing<Dim>& packing,
                                                double bytes, const ModuliOptions& options,

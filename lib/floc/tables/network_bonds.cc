@@ -36,7 +36,7 @@ struct Measured {
   std::optional<double> window_plus, window_minus;  ///< ends of windows beside the whole sides
 };
 
-/// The samples of a pool have each their own unit.
+/// Returns the size of a unit; empty for pooled samples, each of which has a unit of its own.
 TableValue size_or_none(double unit) {
   return unit > 0.0 ? TableValue{unit} : TableValue{};
 }
@@ -127,7 +127,7 @@ void add_phase_tables(const std::string& file, const PhaseStructure& phases, Bon
   }
 }
 
-/// "xy", "z": the lattice vectors that a part of the phase winds along; "none".
+/// Returns the lattice vectors along which a part of the phase winds around the cell, as "xy" or "z", or "none".
 std::string axes_of(const PhaseGeometry& phase) {
   std::string axes;
   for (int a = 0; a < 3; ++a)
@@ -211,6 +211,7 @@ std::vector<Column<BondRow>> bond_columns(const BondTableOptions& options) {
     columns.emplace_back(
         name, [value](const Row& r) { return r.phases ? TableValue{value(*r.phases)} : TableValue{}; });
   };
+  // p0 is the unit of the particle pressures, whose signs define the phases.
   columns.emplace_back("p0", [](const Row& r) { return r.unit_pressure; });
   add("n_signed_bonds", [](const PhaseStructure& p) { return count(p.n_bonds); });
   add("like_share", [](const PhaseStructure& p) { return p.like_share; });

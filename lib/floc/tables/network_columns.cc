@@ -40,6 +40,7 @@ std::vector<Column<NetworkRow>> carrying_columns() {
       {"fabric", &CarryingForces::fabric},
       {"strong_fabric", &CarryingForces::strong_fabric},
       {"weak_fabric", &CarryingForces::weak_fabric}};
+  // Tables of disks also have the columns of axis 3, empty, so that states of both dimensions fit in one table.
   for (const auto& [name, fabric] : fabrics)
     for (int a = 0; a < 3; ++a)
       for (int b = a; b < 3; ++b)

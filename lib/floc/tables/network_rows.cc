@@ -18,8 +18,9 @@ namespace {
 
 constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
-/// The degree of hyperstaticity of the force-carrying structure.
-/// @param network, response  of all contacts that carry or might, taken over where they are the same
+/// Computes the degree of hyperstaticity of the force-carrying structure.
+/// @param network, response  network of the moduli and its response; they are used if that network has the contacts of
+/// the structure
 template <int Dim>
 Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
                              const ContactNetwork<Dim>& network, const ElasticResponse& response) {
@@ -30,7 +31,7 @@ Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructur
   return force_indeterminacy(carrying, elastic_response(carrying, {}));
 }
 
-/// What needs the moduli.
+/// Adds the columns that need the moduli: mechanics of the network, correlation of forces, hyperstaticity.
 template <int Dim>
 void add_mechanics(const State<Dim>& state, const CarryingStructure& held, double tolerance, NetworkRow& row,
                    const Remarks& remarks) {
@@ -49,7 +50,7 @@ void add_mechanics(const State<Dim>& state, const CarryingStructure& held, doubl
     remarks.warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
 }
 
-/// The same grains held, without the contacts that hold them to walls.
+/// Removes the contacts with walls from a carrying structure; the grains held stay as they are.
 template <int Dim>
 CarryingStructure between_grains(const Packing<Dim>& packing, CarryingStructure held) {
   const auto on_wall = [&](int k) { return packing.is_wall(packing.contacts[k].j); };
@@ -77,13 +78,13 @@ void add_distribution(const std::string& file, ForceKind kind, const ForceDistri
         {file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b), d.n_outside});
 }
 
-/// Force of a pressure that is no more than equilibrium leaves of zero.
+/// Returns the largest force P a^(Dim-1) that the tolerance of equilibrium does not distinguish from zero.
 template <int Dim>
 double least_pressure_force(const State<Dim>& state) {
   return state.tolerance.stress * force_scale(state.packing, state.target_stress).force;
 }
 
-/// Why there is no unit for the normal forces of a state.
+/// Returns the reason why the normal forces of a state have no unit.
 const char* why_no_unit(ForceUnit unit) {
   switch (unit) {
     case ForceUnit::pull_off:

@@ -20,17 +20,18 @@ namespace floc {
 
 /// Options of the rows of `floc network`.
 struct NetworkTableOptions {
-  std::optional<double> zero_force;   ///< in F1; without it the tolerance of the state
-  std::optional<int> least_contacts;  ///< of a grain that is held; without it least_contacts()
-  bool mechanics = true;              ///< columns that need the moduli
-  bool distributions = false;         ///< also the table of force distributions
-  ForceUnit unit = ForceUnit::mean;   ///< of these distributions
-  double bin_width = 0.1;             ///< of these distributions, in that unit
-  bool pressures = false;             ///< also the table of particle stresses
+  std::optional<double>
+      zero_force;  ///< normal force that counts as zero, in F1; default: tolerance of the state
+  std::optional<int> least_contacts;  ///< fewest contacts of a grain that carries; default: least_contacts()
+  bool mechanics = true;              ///< adds the columns that need the moduli
+  bool distributions = false;         ///< adds the table of force distributions
+  ForceUnit unit = ForceUnit::mean;   ///< unit of these distributions
+  double bin_width = 0.1;             ///< bin width of these distributions, in that unit
+  bool pressures = false;             ///< adds the table of particle stresses
   BondTableOptions bonds;
 };
 
-/// One row: what the contact network of a state is like.
+/// One row: the contact network of a state.
 struct NetworkRow {
   std::string file;
   std::string units;
@@ -38,13 +39,13 @@ struct NetworkRow {
   int n_grains;
   double pressure;
   double reduced_pressure;
-  std::optional<double> wall_pressure;  ///< of boxes alone
+  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); only in boxes
   double solid_fraction;
   Coordination coordination;
   ForceMoments moments;
   PressurePhases phases;
-  std::optional<NetworkMechanics> mechanics;  ///< absent, as the next two, where they are left out
-  ForceCorrelation correlation;
+  std::optional<NetworkMechanics> mechanics;  ///< absent without NetworkTableOptions::mechanics
+  ForceCorrelation correlation;               ///< needs the mechanics, as does hyperstaticity
   std::optional<Indeterminacy> hyperstaticity;
   CarryingForces carrying;
   double energy;
@@ -54,7 +55,7 @@ struct NetworkRow {
   double seconds;
 };
 
-/// Counts of forces by kind, of all states together.
+/// Distributions of forces by kind, of all states together.
 using Pooled = std::map<ForceKind, ForceDistribution>;
 
 /// Tables beside the main one.
@@ -65,23 +66,25 @@ struct NetworkTables {
   BondTables bonds;
 };
 
-/// The row of one state; `side` takes the rows of the other tables that are asked for. Contacts with walls hold grains and press them, but
-/// are not among the contacts counted, and the mechanics of a state with walls are left out.
+/// Computes the row of one state, and adds the rows of the other tables that the options select to `side`. Contacts
+/// with walls support grains and contribute to their pressure, but are not counted as contacts. The mechanics of a
+/// state with walls are left out.
 template <int Dim>
 NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkTableOptions& options,
                        NetworkTables& side, const Remarks& remarks = {});
 
-/// The columns of the table of `floc network`.
+/// Returns the columns of the table of `floc network`.
 std::vector<Column<NetworkRow>> network_columns(const NetworkTableOptions& options);
 
-/// The row of `floc network` of one state, in one call: see docs/columns.md for its columns.
+/// Computes the row of `floc network` of one state in one call; docs/columns.md describes its columns.
 /// @param file     name of the state in the table and in messages
-/// @param further  takes the other tables that are asked for; null: none is kept
+/// @param further  receives the other tables that the options select; null: they are dropped
 Table network_table(const AnyState& state, const NetworkTableOptions& options = {},
                     const std::string& file = "", NetworkTables* further = nullptr,
                     const Remarks& remarks = {});
 
-/// Adds what the tables hold of all states together, where there are several. @param n_states  read
+/// Adds the rows of all states together to the tables, if there are several states.
+/// @param n_states  number of states read
 void add_pooled(const NetworkTableOptions& options, std::size_t n_states, NetworkTables& side,
                 const Remarks& remarks = {});
 

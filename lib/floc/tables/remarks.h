@@ -13,7 +13,7 @@ class Remarks {
   /// @param severity  among remarks that differ in their numbers alone, the largest is the worst
   using Receiver = std::function<void(const std::string& file, const std::string& text, double severity)>;
 
-  /// Remarks that nobody receives.
+  /// Makes remarks without a receiver: they are dropped.
   Remarks() = default;
   explicit Remarks(Receiver receiver) : receiver_(std::move(receiver)) {}
 
@@ -28,7 +28,7 @@ class Remarks {
   Receiver receiver_;
 };
 
-/// The first number in a text, for texts whose count or error is their severity; 0 without a number.
+/// Returns the first number in a text, which is its severity if it is a count or an error; 0 without a number.
 double first_number(const std::string& text);
 
 }  // namespace floc

@@ -8,13 +8,13 @@
 
 namespace floc {
 
-/// The columns of the table of `floc structure`.
+/// Returns the columns of the table of `floc structure`.
 std::vector<Column<StructureRow>> structure_columns();
 
-/// The row of `floc structure` of one state, in one call: see docs/columns.md for its columns.
+/// Computes the row of `floc structure` of one state in one call; docs/columns.md describes its columns.
 /// @param file     name of the state in the table and in messages
-/// @param further  takes the other tables that are asked for; null: none is kept
-/// @throws InputError for options that are no options, or that the state cannot have
+/// @param further  receives the other tables that the options select; null: they are dropped
+/// @throws InputError if an option is not valid or cannot apply to the state
 Table structure_table(const AnyState& state, const StructureTableOptions& options = {},
                       const std::string& file = "", Series* further = nullptr, const Remarks& remarks = {});
 

@@ -35,7 +35,7 @@ ScatteringFit fit_of(const Scattering& s, const StructureTableOptions& options, 
   return fit_scattering(points, options.fit_range[0] * unit, options.fit_range[1] * unit);
 }
 
-/// Says what a fit could not do, and adds the intensity to its table.
+/// Warns if the fit failed or did not identify a parameter, and adds the intensity to its table.
 void report(const std::string& file, const Scattering& s, const ScatteringFit& fit, Table& table,
             const Remarks& remarks) {
   if (!fit.found()) remarks.remark(file, "no fit of I(k): " + fit.failure_reason);
@@ -52,14 +52,14 @@ void report(const std::string& file, const Scattering& s, const ScatteringFit& f
   }
 }
 
-/// The fit of a state's I(k), and its table.
+/// Fits I(k) of a state and adds its rows to the table.
 void add_fit(const Scattering& s, double diameter, const StructureTableOptions& options, Series& series,
              StructureRow& row, const Remarks& remarks) {
   row.fit = fit_of(s, options, diameter);
   report(row.file, s, *row.fit, series.intensity, remarks);
 }
 
-/// The average over states, binned like the first of them.
+/// Returns the average over states; the first state sets its bins.
 ScatteringAverage& average_in(Series& series, const std::vector<double>& edges, double diameter) {
   if (!series.average) {
     series.diameter = diameter;
@@ -94,7 +94,7 @@ void add_scattering(const Packing<3>& packing, const StructureTableOptions& opti
   if (options.average) average_in(series, edges, diameter).add(packing, options.scattering.most_vectors);
 }
 
-/// Gives a table that no state has filled the columns of a dimension.
+/// Sets the columns of an empty table to those of a dimension.
 void choose_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.rows.empty()) table.columns.clear();
   expect_columns(file, names, table);
@@ -174,7 +174,7 @@ void add_voronoi(const Packing<3>& packing, const StructureTableOptions& options
   }
 }
 
-/// What lengths are multiplied by to compare a packing with the first one: (Phi/Phi0)^(1/Dim).
+/// Returns the factor of lengths by which a packing is compared with the first one: (Phi/Phi0)^(1/Dim).
 template <int Dim>
 double rescaling(const Packing<Dim>& packing, const Series& series) {
   return std::pow(solid_fraction(packing) / *series.reference_phi, 1.0 / Dim);
@@ -193,14 +193,14 @@ void add_pairs(const std::string& file, const Packing<Dim>& packing, const Struc
     series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
 }
 
-/// Gaps from none over 1e-6 to 1 largest diameters, ten a decade.
+/// Returns the gaps 0 and 1e-6 to 1 largest diameters, with ten per decade.
 std::vector<double> gaps_of(double diameter) {
   std::vector<double> gaps = {0.0};
   for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
   return gaps;
 }
 
-/// Rattlers by the tolerance that the state was brought to equilibrium with.
+/// Finds the rattlers, by the tolerance with which the state was brought to equilibrium.
 template <int Dim>
 std::vector<bool> rattlers_of(const State<Dim>& state) {
   return find_rattlers(state.packing,
@@ -219,7 +219,7 @@ void add_gaps(const std::string& file, const State<Dim>& state, Series& series) 
     series.gaps.rows.push_back({file, gaps[k], z[k], pushed[k], scale * (a + gaps[k]) - a});
 }
 
-/// 1/Phi - 1, undefined where there is nothing solid.
+/// Returns the void ratio 1/Phi - 1; undefined if Phi is zero.
 TableValue void_ratio(double solid_fraction) {
   return solid_fraction > 0.0 ? TableValue{1.0 / solid_fraction - 1.0} : TableValue{};
 }
@@ -233,7 +233,7 @@ void add_porosity(const std::string& file, const Packing<Dim>& packing, const St
                           probe.in_cell ? TableValue{1.0 - *probe.in_cell} : TableValue{}});
 }
 
-/// Contacts that touch, of each grain; with walls too.
+/// Counts the touching contacts of each grain, including those with walls.
 template <int Dim>
 std::vector<double> contacts_of_each(const Packing<Dim>& packing) {
   std::vector<double> n(packing.grains.size(), 0.0);
@@ -272,7 +272,7 @@ void add_prediction(const std::string& file, const State<Dim>& state, Series& se
                                     coordination(state.packing, 0.0).z, p.pressure, p.z, p.z_pushed});
 }
 
-/// What is worked out with the periodic images of the grains.
+/// Adds the quantities that need the periodic images of the grains, and so a cell without walls.
 template <int Dim>
 void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOptions& options, Series& series,
                             StructureRow& row, const Remarks& remarks) {
@@ -285,7 +285,8 @@ void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOpt
   }
 }
 
-/// Between walls there are no such images. @throws InputError naming a table that needs them
+/// Checks the tables selected for a state with walls, which has no periodic images of its grains.
+/// @throws InputError naming a table that needs the images
 template <int Dim>
 void refuse_periodic_tables(const Packing<Dim>& packing, const StructureTableOptions& options,
                             const std::string& file) {

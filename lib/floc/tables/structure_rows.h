@@ -17,29 +17,30 @@ namespace floc {
 /// Options of the rows of `floc structure`.
 struct StructureTableOptions {
   ScatteringOptions scattering;
-  std::vector<double> fit_range = {0.0, 1.0};  ///< in 2 pi over the largest diameter
-  bool average = false;                        ///< also a row for all states as samples of one
+  std::vector<double> fit_range = {0.0, 1.0};  ///< wave numbers fitted, in 2 pi over the largest diameter
+  bool average = false;                        ///< adds a row for all states as samples of one ensemble
   /// Tables beside the main one.
   bool intensity = false, pairs = false, gaps = false, pores = false, map = false, prediction = false;
   bool porosity = false, profile = false;
-  int n_probes = 40;                ///< boxes about the centre
-  std::optional<int> profile_axis;  ///< from 0; without it the last
-  int n_slices = 20;                ///< of a profile
-  double reach = 5.0;               ///< of g(r), in largest diameters
-  std::vector<int> map_size = {32, 32};
+  int n_probes = 40;                     ///< number of boxes about the centre, for the porosity
+  std::optional<int> profile_axis;       ///< axis of the profile, from 0; default: the last
+  int n_slices = 20;                     ///< slices of the profile
+  double reach = 5.0;                    ///< largest r of g(r), in largest diameters
+  std::vector<int> map_size = {32, 32};  ///< mesh cells of the map along each lattice vector
 
-  /// Every fault as "name = value: requirement".
+  /// Lists every fault as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// Of spheres: how the volume of their Voronoi cells varies, and the balls in the voids.
+/// Local structure of spheres: the solid fraction of their Voronoi cells, and the balls that fit in the voids.
 struct LocalStructure {
-  double mean = 0.0, deviation = 0.0;  ///< of the local solid fraction over the grains
+  double mean = 0.0,
+         deviation = 0.0;  ///< mean and standard deviation of the local solid fraction over the grains
   std::int64_t n_voids = 0;
-  double mean_void = 0.0, largest_void = 0.0;  ///< radii
+  double mean_void = 0.0, largest_void = 0.0;  ///< radii of the balls (length)
 };
 
-/// One row: the structure of a state, or of all together.
+/// One row: the structure of a state, or of all states together.
 struct StructureRow {
   std::string file;
   int dimension = 0;
@@ -55,7 +56,7 @@ struct StructureRow {
   double seconds = 0.0;
 };
 
-/// Columns of the pores and of the map of disks; those of spheres are others.
+/// Columns of the pores and of the map of disks; the tables of spheres have other columns.
 inline const std::vector<std::string> kPoreColumns = {"file",    "x1", "x2", "area", "gyration_radius",
                                                       "n_grains"};
 inline const std::vector<std::string> kMapColumns = {"file", "k1", "k2", "x1", "x2", "solid_fraction"};
@@ -71,24 +72,25 @@ struct Series {
                    {}};
   Table porosity{{"file", "half_side", "void_ratio", "porosity", "void_ratio_cell", "porosity_cell"}, {}};
   Table profile{{"file", "low", "high", "phi", "void_ratio", "n_grains", "z", "pressure"}, {}};
-  int dimension = 0;                    ///< of the first state
+  int dimension = 0;                    ///< dimension of the first state
   std::string reference;                ///< file of the first state
-  std::optional<double> reference_phi;  ///< its solid fraction
-  /// What it would be at other solid fractions, where that is asked for.
+  std::optional<double> reference_phi;  ///< solid fraction of the first state
+  /// Affine prediction of the first state for other solid fractions, if that table is selected.
   std::variant<std::monostate, AffineReference<2>, AffineReference<3>> affine;
   std::optional<ScatteringAverage> average;
-  double diameter = 0.0;  ///< largest, of the first state
+  double diameter = 0.0;  ///< largest diameter of the first state (length)
   double pore_area = 0.0, pore_second_moment = 0.0;
-  StructureRow mean;  ///< sums, until they are divided by the number of states
+  StructureRow mean;  ///< sums over the states, until they are divided by their number
 };
 
-/// The row of one state; `series` takes the rows of the other tables that are asked for. Between walls these are g(r), porosity and profiles.
-/// @throws InputError if the state has walls and another table is asked for
+/// Computes the row of one state, and adds the rows of the other tables that the options select to `series`. For a
+/// state with walls the tables can be g(r), porosity and profiles.
+/// @throws InputError if the state has walls and another table is selected
 template <int Dim>
 StructureRow structure_row(const std::string& file, const State<Dim>& state,
                            const StructureTableOptions& options, Series& series, const Remarks& remarks = {});
 
-/// The last row: all states as samples of one.
+/// Returns the last row, which takes all states as samples of one ensemble.
 StructureRow averaged(const std::vector<StructureRow>& rows, const StructureTableOptions& options,
                       Series& series, const Remarks& remarks = {});
 

@@ -19,44 +19,49 @@ struct ReloadingFit {
   Reloading branch;
   PreconsolidationFit fit;
 };
+/// Fits every reloading branch of a path.
 std::vector<ReloadingFit> preconsolidation_fits(const PathTable& path);
-/// The table of `floc fit preconsolidation`, without rows.
+/// Returns the table of `floc fit preconsolidation`, without rows.
 Table preconsolidation_table();
 /// Adds a row for each parameter of a fit.
 void add_rows(const PathTable& path, const ReloadingFit& reloading, Table& table);
+/// Returns a fit as `--format json` prints it.
 Json as_json(const PathTable& path, const ReloadingFit& reloading);
 
-/// The table of `floc fit cycle`, without rows.
+/// Returns the table of `floc fit cycle`, without rows.
 Table cycle_table();
-/// Adds the rows of a path's cycles of pressure. @return how many
+/// Adds a row for each cycle of pressure of a path. @return number of cycles
 int add_cycles(const PathTable& path, Table& table);
 
-/// What a smaller error would need: more "samples", another "law", or a clearer "plateau".
+/// Names the part that limits the error of a fit: the number of "samples", the "law", or the distance of the samples
+/// from the "plateau".
 const char* limit_of(const CompactionErrorParts& parts);
-/// A sample of dynamic compaction with void ratio e, p, sc and se.
-/// @param place  of its row, for messages  @throws InputError unless all are positive
+/// Returns a sample of dynamic compaction with void ratio e, pressure p, and the stresses sc = f_c/d^2 and se = k_n/d.
+/// @param place  place of its row, for messages  @throws InputError unless all are positive
 CompactedSample compacted_sample(const std::string& place, double e, double p, double sc, double se);
-/// The table of `floc fit dynamic-compaction`, without rows.
+/// Returns the table of `floc fit dynamic-compaction`, without rows.
 Table compaction_table();
-/// Adds a row for each parameter of a fit. @param name  of its samples
+/// Adds a row for each parameter of a fit. @param name  name of the samples fitted
 void add_rows(const std::string& name, const CompactionFit& fit, Table& table);
+/// Returns a fit as `--format json` prints it.
 Json as_json(const std::string& name, const CompactionFit& fit, const CompactionReference& reference);
 
-/// Options of fits to force distributions, by the words of `floc fit force-distribution`.
+/// Options of fits to force distributions, as keywords of `floc fit force-distribution`.
 struct ForceDistributionOptions {
   std::string form = "all";
   std::optional<double>
-      threshold;  ///< magnitude at which tails begin; without it the mean of the forces of a sign
+      threshold;  ///< magnitude at which tails begin (force); default: the mean of the forces of each sign
   ForceFitOptions fit;
 };
 
-/// Tails of both signs if there are tensions, the forms of compressive networks if there are none; or the form
-/// asked for.
+/// Fits the forms that the options name. The form "all" means the exponential tails of each sign that occurs, and the
+/// two forms of compressive networks, which are fitted to the compressive forces.
 std::vector<ForceFit> fit_forms(const std::vector<double>& forces, const ForceDistributionOptions& options);
-/// The table of `floc fit force-distribution`, without rows.
+/// Returns the table of `floc fit force-distribution`, without rows.
 Table force_table();
-/// Adds a row for each parameter of a fit. @param name  of the forces
+/// Adds a row for each parameter of a fit. @param name  name of the forces
 void add_rows(const std::string& name, const ForceFit& fit, Table& table);
+/// Returns a fit as `--format json` prints it.
 Json as_json(const std::string& name, const std::vector<double>& forces, const ForceFit& fit);
 
 }  // namespace floc

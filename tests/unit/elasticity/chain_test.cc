@@ -19,8 +19,8 @@ ChainStiffness stiffness(double rolling) {
   return {2.0, 1.4, rolling * 2.0 * kR * kR};
 }
 
-/// What rounding can do: 8 units an entry, some 5 entries each of n contacts, and the square of these 35 times
-/// the condition number.
+/// Largest effect of rounding: 8 units per entry with about 5 entries for each of n contacts, plus the square of 35
+/// units of rounding times the condition number.
 double largest_bound(int n, double condition) {
   const double unit = std::numeric_limits<double>::epsilon();
   return 50.0 * n * unit + 1200.0 * unit * unit * condition;

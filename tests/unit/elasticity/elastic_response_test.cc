@@ -17,7 +17,7 @@ struct DenseAnswer {
   int n_negative;
 };
 
-/// The same by brute force: pseudo-inverse of the block of the grains.
+/// Computes the response of a network by brute force, with the pseudo-inverse of the block of the grains.
 template <int Dim>
 DenseAnswer dense_response(const ContactNetwork<Dim>& network, bool prestress) {
   const StiffnessMatrix k = stiffness_matrix(network, {StrainSet::full, prestress});

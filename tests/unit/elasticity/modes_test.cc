@@ -115,7 +115,7 @@ TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
   EXPECT_GT(stretched.modes.front().with_prestress, stretched.modes.front().eigenvalue);
 }
 
-/// What a count of near-mechanisms met.
+/// Tally of the states in which near-mechanisms were counted.
 struct Met {
   int states = 0, without_any = 0, near = 0, largest = 0;
   int with_mechanisms = 0, unstable = 0, with_free_motions = 0, with_rattlers = 0, without_contacts = 0;
@@ -219,7 +219,7 @@ TEST(NearMechanisms, AreNotCountedWhereTheFactorWouldNotFit) {
 }
 
 TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
-  // The same chain: its eigenvalue goes with the square of the distance from the line; two mechanisms stay.
+  // A chain bent off its line: an eigenvalue grows with the square of the distance from the line; two mechanisms stay.
   double ratio_before = 0.0;
   for (const double off : {1e-4, 1e-5, 1e-6, 1e-7}) {
     Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));

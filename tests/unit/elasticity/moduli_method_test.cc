@@ -17,7 +17,7 @@ Moduli by_method(const Packing<2>& packing, ModuliMethod method, double toleranc
   return elastic_moduli(packing, options);
 }
 
-/// The same packing later on: a few contacts have opened.
+/// Returns the packing as it may be in a later state: a few contacts have opened.
 Packing<2> with_contacts_lost(Packing<2> packing, int n) {
   packing.contacts.erase(packing.contacts.begin() + 5, packing.contacts.begin() + 5 + n);
   return packing;

@@ -19,7 +19,7 @@ TEST(Moduli, RollingStiffnessIsReplacedInEveryTouchingContact) {
   options.strains = StrainSet::full;
   const Eigen::MatrixXd expected = elastic_moduli(stiff, options).C;
   options.rolling_stiffness = 0.2;
-  // The same sums of the same numbers.
+  // Exact equality: both are equal sums of equal numbers.
   EXPECT_EQ((elastic_moduli(soft, options).C - expected).cwiseAbs().maxCoeff(), 0.0);
 }
 
@@ -31,7 +31,7 @@ TEST(Moduli, OfSeveralRollingStiffnessesAreThoseOfEachAlone) {
   for (std::size_t k = 0; k < rolling.size(); ++k) {
     ModuliOptions options;
     options.rolling_stiffness = rolling[k];
-    // The same sums of the same numbers.
+    // Exact equality: both are equal sums of equal numbers.
     EXPECT_EQ((all[k].C - elastic_moduli(packing, options).C).cwiseAbs().maxCoeff(), 0.0) << rolling[k];
   }
 }

@@ -73,8 +73,8 @@ TEST(ModuliWithin, SolveForAShearModulus) {
   }
 }
 
-/// What B_reuss <= B <= B_voigt needs: no prestress, no attraction across a gap, equal principal stresses; and
-/// they are no bounds of single entries of C.
+/// Conditions of B_reuss <= B <= B_voigt: no prestress, no attraction across a gap, equal principal stresses. The two
+/// are no bounds of single entries of C.
 TEST(ModuliWithin, TrustBoundsOnlyWhereTheyAreSome) {
   const Packing<2> crystal = test::triangular(0.999, test::elastic_law(1.0, 0.7, 0.0));
   const ModuliAccuracy accuracy{0.5, kAny};

@@ -32,7 +32,7 @@ Moduli by_petsc(const Packing<Dim>& packing, const ModuliOptions& options) {
                         network_load(packing, options.unloaded), options, solver());
 }
 
-/// The same packing sheared: a cell of 60 degrees.
+/// Shears a packing to a cell of 60 degrees.
 template <int Dim>
 Packing<Dim> skewed(Packing<Dim> packing) {
   Mat<Dim> shear = Mat<Dim>::Identity();
@@ -43,7 +43,8 @@ Packing<Dim> skewed(Packing<Dim> packing) {
   return packing;
 }
 
-/// The same packing with other forces at its contacts: overlaps of random packings are larger than any state's.
+/// Scales the normal forces of a packing by `share`: the overlaps of random packings are larger than those of any
+/// state.
 template <int Dim>
 Packing<Dim> pressed(Packing<Dim> packing, double share) {
   for (auto& c : packing.contacts) c.normal_force *= share;

@@ -132,7 +132,7 @@ TEST(DynamicCompaction, SamplesBesideThePlateauAreFlaggedNotFitted) {
     CompactedSample& s = samples[i];
     const double eta = s.sc / std::sqrt(s.p * s.se);
     if (eta < 10.0 || s.sc < 0.01 * s.se) continue;
-    // What soft grains do: they overlap.
+    // Soft grains overlap, so their void ratio falls below the plateau.
     s.e = (1.0 + s.e) * std::pow(1.0 - s.sc / s.se, 3) - 1.0;
     beside.push_back(i);
   }

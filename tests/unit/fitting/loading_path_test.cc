@@ -64,7 +64,8 @@ TEST(MeanCurve, IsTheMeanOfInversePhiAtCommonPressures) {
   EXPECT_THAT(mean_curve({}).P_star, IsEmpty());
 }
 
-/// What an axis carries that is given a length may fall along its branch; only oedometers consolidate.
+/// The stress on an axis whose length is prescribed may fall along its branch; among such tests only oedometers
+/// consolidate.
 TEST(LoadingPath, TestsWithADrivenAxisAreLeftOut) {
   const std::vector<PathRow> rows = {{"assembly", 1.0, 0.5},
                                      {"load", 2.0, 0.6, PathLoad::oedometric},

@@ -120,7 +120,7 @@ TEST(Vtu, DrawsContactsAndCutsThoseAcrossTheSide) {
   }
 }
 
-/// The same two points, once as text and once as bytes behind a length, in base64 and raw.
+/// Two points, once as text and once as bytes behind their length, in base64 and raw.
 class VtuEncodings : public testing::Test {
  protected:
   static std::string bytes_of(const std::vector<double>& values) {

@@ -147,7 +147,7 @@ State<3> pressed_beads(double overlap) {
   return s;
 }
 
-/// What the reader says of a state, empty if it takes it.
+/// Returns the message with which the reader rejects a state; empty if it accepts it.
 template <int Dim>
 std::string refusal_of(const State<Dim>& state, const std::string& progress = "") {
   const ScratchDirectory scratch;

@@ -48,7 +48,7 @@ TEST(StateWithWalls, ComesBackAsItWas) {
   expect_walls_kept<3>();
 }
 
-/// What the file says of itself: the feature that older programs refuse, the boundary of each axis, the forces.
+/// Attributes of the file: the feature that older programs reject, the boundary of each axis, the forces.
 TEST(StateWithWalls, SaysWhatItHasInItsAttributes) {
   const State<3> state = test::boxed_state<3>();
   const test::ScratchDirectory scratch;

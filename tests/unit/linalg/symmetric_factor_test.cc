@@ -173,7 +173,7 @@ TEST(SymmetricFactor, ASmallShiftSolvesASingularSystemOnItsRange) {
   ASSERT_TRUE(factor.factorize_positive(1e-10));
   Eigen::MatrixXd found = factor.solve(B, 20);
   found.array() -= found.mean();
-  // What the null vector takes from rounding is 1e-16/1e-10; it is removed with the mean.
+  // Rounding puts about 1e-16/1e-10 along the null vector, which is removed with the mean.
   EXPECT_LT((found - X).norm(), 1e-9);
   EXPECT_LT((factor.multiply(found) - B).norm(), 1e-12);
   EXPECT_EQ(factor.count_eigenvalues_below(1e-12), 1);

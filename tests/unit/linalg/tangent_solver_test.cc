@@ -14,7 +14,7 @@ constexpr TangentLayout kLayout{3, 2};
 
 /// A ring of grains of three unknowns each, bound to their neighbours and to two unknowns of a boundary.
 /// @param skew      how unsymmetric it is
-/// @param diagonal  what holds each unknown in place
+/// @param diagonal  stiffness that holds each unknown in place
 Eigen::SparseMatrix<double> ring_of_grains(int n_grains, double skew, double diagonal) {
   std::mt19937 engine(4);
   std::uniform_real_distribution<double> any(-1.0, 1.0);

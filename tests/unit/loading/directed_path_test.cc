@@ -88,7 +88,7 @@ steps = 2
     EXPECT_EQ(sides(states[k])[0], sides(states[0])[0]);
     EXPECT_EQ(states[k].target_side, Vec<2>(sides(states[0])[0], 0.0));
     EXPECT_NEAR(states[k].stress(1, 1), std::pow(2.0, 0.5 * k), 1e-4);
-    EXPECT_EQ(states[k].target_stress[0], states[k].stress(0, 0));  // what the fixed axis carries
+    EXPECT_EQ(states[k].target_stress[0], states[k].stress(0, 0));  // stress on the fixed axis
   }
   const double kept = states[2].target_stress[1];
   EXPECT_EQ(kept, 2.0);

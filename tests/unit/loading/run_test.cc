@@ -54,7 +54,7 @@ void expect_measured(const State<2>& state) {
   EXPECT_EQ(state.residuals.energy, r.energy);
 }
 
-/// What the relaxer found of an equilibrium is not computed again, and is that of the state.
+/// The measures of an equilibrium that the relaxer computed are not computed again, and agree with the state.
 TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
   for (const Finish finish : {Finish::automatic, Finish::dynamic}) {
     RunOptions options = losing_adhesion();

@@ -193,7 +193,7 @@ TEST(Stiffness, OfAGrainWithHigherNumberFirstIsTheSame) {
   }
   const Eigen::MatrixXd k = stiffness_matrix(network, {StrainSet::full, true}).whole();
   const Eigen::MatrixXd same = stiffness_matrix(turned, {StrainSet::full, true}).whole();
-  // The same products of the same numbers.
+  // Equal products of equal numbers: rounding alone may differ.
   EXPECT_LT((k - same).cwiseAbs().maxCoeff(), 1e-14);
 }
 
@@ -204,7 +204,7 @@ TEST(Stiffness, IsTheSquareOfTheRigidityMatrix) {
   for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c)
     k.segment<6>(6 * c) = row_stiffness(network.contacts[c]);
   const Eigen::MatrixXd whole = stiffness_matrix(network, {StrainSet::full, false}).whole();
-  // The same products summed in another order.
+  // Equal products, summed in another order.
   EXPECT_LT((g.transpose() * k.asDiagonal() * g - whole).cwiseAbs().maxCoeff(), 1e-13);
 }
 

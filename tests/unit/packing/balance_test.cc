@@ -49,7 +49,7 @@ TEST(StaticStress, OfOneContactIsForceTimesBranchOverArea) {
 TEST(StaticStress, TakesTheBranchThroughTheBoundary) {
   Packing<2> packing = two_disks();
   packing.cell.matrix << 10.0, 0.0, 3.0, 10.0;
-  // The same contact, its second disk kept one image down along the skewed lattice vector.
+  // The contact again, with its second disk stored one image down along the skewed lattice vector.
   packing.grains.position[1] -= Vec<2>(3.0, 10.0);
   packing.contacts[0].image = {0, 1};
   EXPECT_NEAR(static_stress(packing)(0, 0), 3.0 * 1.4 / 100, 1e-16);

@@ -80,7 +80,7 @@ struct SmallCase {
   unsigned sets() const { return 1u << pairs.size(); }
 };
 
-/// What share_liquid() makes of a case, held against every set of its pairs. @return pairs bridged, as a set
+/// Compares the result of share_liquid() for a case with every subset of its pairs.
 void expect_brute_force(const SmallCase& c, bool any_set, int& n_partial) {
   const LiquidShares shares = share_liquid(c.law, c.liquid, c.pairs);
   unsigned own = 0;

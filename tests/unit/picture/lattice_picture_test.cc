@@ -13,7 +13,7 @@ Lattice<3> small_lattice() {
   return irregular_lattice(cell, {1.0, 0.35, 3});
 }
 
-/// The same lattice in a cell whose last two vectors reach along those before them by whole vectors.
+/// Returns a lattice in an equivalent cell: whole multiples of the vectors before them are added to the last two.
 Lattice<3> slanted(Lattice<3> lattice) {
   Mat<3>& matrix = lattice.cell.matrix;
   matrix.row(2) += matrix.row(1) - matrix.row(0);

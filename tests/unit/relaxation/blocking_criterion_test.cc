@@ -23,7 +23,7 @@ TEST(BlockingCriterion, EachDemandHasWordsOfItsOwn) {
   std::cout << "words of " << words.size() << " demands\n";
 }
 
-/// What is compared is given with its limit; what is counted, as a number.
+/// Messages give a quantity that is compared together with its limit, and a quantity that is counted as a number.
 TEST(BlockingCriterion, DemandsGiveTheirNumbers) {
   for (const Demand compared : {Demand::response, Demand::density, Demand::stress, Demand::rest,
                                 Demand::pressure, Demand::energy_ratio})

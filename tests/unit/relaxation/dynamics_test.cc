@@ -64,7 +64,7 @@ double energy_drift(double dt, int n_steps) {
   return largest;
 }
 
-/// The same gas with another choice of lattice vectors: the second leans over by whole first ones.
+/// Returns a gas with other lattice vectors of an equal lattice: `by` times the first is added to the second.
 Packing<2> leaning(Packing<2> gas, int by) {
   gas.cell.matrix(1, 0) += by * gas.cell.matrix(0, 0);
   gas.contacts.clear();
@@ -184,7 +184,7 @@ double mean_restitution(double diameter_i, double diameter_j) {
   return sum / kPhases;
 }
 
-/// What RelaxationOptions::time_step states.
+/// The coefficients of restitution that the comment of RelaxationOptions::time_step states.
 TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
   EXPECT_NEAR(mean_restitution(1.0, 1.0), 0.015, 0.02 * 0.015);
   EXPECT_NEAR(mean_restitution(0.5, 1.0), 0.018, 0.001);
@@ -292,8 +292,8 @@ double growth_in_crystal(int n_steps, double time_step, double restitution, doub
   return mean_kinetic_energy(dynamics->packing()) / mean_kinetic_energy(crystal);
 }
 
-/// What RelaxationOptions::time_step says of the crystal; 0.2 is about the rolling stiffness from which on the
-/// step is shortened.
+/// The stability of the crystal that the comment of RelaxationOptions::time_step states; 0.2 is about the rolling
+/// stiffness from which on the step is shortened.
 TEST(TimeStep, LeavesCrystalsStable) {
   for (const double restitution : {0.015, 0.5}) {
     EXPECT_LT(growth_in_crystal(3000, 0.40, restitution, 0.0), 1.0);

@@ -87,8 +87,8 @@ Law wet_law(const std::string& formation, const std::string& form) {
   return law;
 }
 
-/// What bridges take up as they form and as liquid is shared out anew has a term of its own; the rest closes to first
-/// order.
+/// The energy of bridges that form, and of liquid that is shared out anew, has a term of its own; the balance of the
+/// others closes to first order.
 TEST(EnergyAccount, ClosesForWetGrainsToFirstOrder) {
   std::cout << "formation form: error at a step, at half of it, order; work, liquid\n";
   for (const char* const formation : {"gap", "contact"})

@@ -52,7 +52,7 @@ TEST(Relaxer, TheForcesAcrossTheFacesOfTheCellAreTheStress) {
   const Mat<2> stress = static_stress(equilibrium());
   // Net forces of 1e-8 on 60 grains within 5 of the middle of a cell of area 70 leave 5e-8.
   EXPECT_LT((boundary_stress(equilibrium()) - stress).cwiseAbs().maxCoeff(), 5e-8);
-  for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);  // what Newton refinement leaves, in F0/a
+  for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);  // residual of Newton refinement, in F0/a
 }
 
 TEST(Relaxer, ContinuedFromItsProgressGivesTheSameBits) {

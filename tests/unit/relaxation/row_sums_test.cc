@@ -104,7 +104,8 @@ TEST_P(Sweeps, DriftEveryBlockOnceAndNoLaterThanPairsReadIt) {
   EXPECT_EQ(drifted.size(), static_cast<std::size_t>(gas_.n_blocks()));
 }
 
-/// What a thread drifts and sums on its way no other thread's pairs read.
+/// The blocks that a thread drifts and sums within its sweep are read by no pair of another thread; blocks read by
+/// several threads are shared.
 TEST_P(Sweeps, ShareWhatSeveralThreadsRead) {
   EXPECT_EQ(plan_.shared_of(0).empty(), plan_.n_threads() == 1);
   EXPECT_FALSE(plan_.drifting_for(0).empty());

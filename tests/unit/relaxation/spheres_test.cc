@@ -107,7 +107,7 @@ Law frictional_law() {
 }
 
 /// A pair with a spring along y that turns rigidly about an axis, by its length in radians, in n steps.
-/// @return the spring over what it would be in a frame that turns with the pair
+/// @return ratio of the spring to its value in a frame that turns with the pair
 struct Turned {
   double length;  ///< over that of the start
   double angle;   ///< between them (radians)

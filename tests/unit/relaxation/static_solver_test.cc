@@ -37,8 +37,8 @@ Packing<2> soft_equilibrium() {
   return relaxer.packing();
 }
 
-/// The same equilibrium with the contact that is nearest to sliding put at its cap, and beyond it, so that it
-/// slides wherever the grains are displaced to; likewise the one nearest to yielding in rolling.
+/// Returns the soft equilibrium with the contact nearest to sliding put at its friction limit, and beyond it, so that
+/// it slides under any displacement of the grains; and with the contact nearest to its rolling limit put there.
 Packing<2> with_yielding_contacts(Packing<2> packing) {
   const auto mobilised = [](const Contact<2>& c) {
     return c.distant ? 0.0 : c.shear_force.norm() / c.elastic_force;

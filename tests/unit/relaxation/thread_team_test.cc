@@ -15,7 +15,7 @@ namespace {
 constexpr int kPhases = 4;
 
 /// The threads of a set, as bits, throw their number before they reach the barrier at the end of a phase.
-/// @return what leaves the team, -1 if nothing does
+/// @return number of the exception that leaves the team, -1 if none does
 int thrown_by(int n_threads, unsigned throwing, int phase) {
   std::vector<int> reached(static_cast<std::size_t>(n_threads), 0);
   try {

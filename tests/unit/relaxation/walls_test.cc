@@ -294,7 +294,7 @@ TEST(Walls, ListsThreadsAndInstructionsLeaveNoTraceInTheBits) {
   }
 }
 
-/// What a run is resumed from holds the walls and what their contacts remember.
+/// The packing from which a run is resumed holds the walls and the history of their contacts.
 TEST(Walls, MotionGoesOnFromThePackingThatItLeft) {
   const Packing<2> box = boxed(agitated_gas(100, cohesive_law()), 2, cohesive_law());
   const double dt = time_step_of(box, 0.2);
@@ -324,7 +324,7 @@ TEST(Walls, MayHaveFrictionWhereGrainsHaveNone) {
   }
 }
 
-/// What knows periodic boundaries alone says so.
+/// Functions that support periodic boundaries alone name this as the reason of their failure.
 TEST(Walls, AreRefusedWhereNothingKnowsThem) {
   Packing<2> box = box_around_one_disk(cohesive_law());
   find_contacts(box);

@@ -21,7 +21,7 @@ using test::ScratchDirectory;
 
 /// When the directory is taken away.
 enum class When { at_start, after_a_state, before_a_checkpoint, after_the_last_state };
-/// What has its name then.
+/// File that has the name of the directory afterwards.
 enum class Then { nothing, an_empty_directory, a_run };
 
 std::map<std::string, std::string> files_of(const std::string& directory) {
@@ -73,7 +73,7 @@ TEST_P(RenamedDirectory, IsNoticedBeforeAnythingIsWritten) {
       }
       EXPECT_EQ(files_of(path), before) << int(when) << int(then);
       EXPECT_EQ(fs::exists(path), then != Then::nothing);
-      // What was saved is still a run, which goes on under its new name.
+      // The files saved so far are still a run, which can be resumed under its new name.
       RunDirectory renamed(path + "-renamed", Existing::resume, scene);
       floc::Run<2> resumed = start_or_resume<2>(renamed, scene);
       DriveOptions<2> first;

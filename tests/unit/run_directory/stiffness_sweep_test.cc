@@ -67,7 +67,8 @@ double* stiffness(Contact<Dim>& c, std::size_t kind) {
   return members[kind];
 }
 
-/// What the list of the one contact that touches, with one stiffness times a factor, is said to differ by.
+/// Returns the reported differences of a list that holds the one contact that touches, with one stiffness scaled by a
+/// factor.
 template <int Dim>
 std::vector<std::string> said_of_list(const Packing<Dim>& packing, std::size_t kind, double factor) {
   ListedPacking listed;

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What scenes have in common that differ in nothing that the account depends on.
+/// The inputs of the energy account: one entry for all scenes that agree in them.
 struct LawPath {
   std::vector<std::string> scenes;
   GrainOptions grains;  ///< a few
@@ -47,7 +47,7 @@ LawPath law_path_of(const Scene& scene) {
   return path;
 }
 
-/// Those of all shipped scenes in periodic cells.
+/// Returns the law paths of all shipped scenes in periodic cells, each once.
 std::vector<LawPath> shipped_law_paths() {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(test::source_directory() + "/data/scenes"))

@@ -162,7 +162,7 @@ TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
   }
 }
 
-/// What a strained axis carries shows in the run alone.
+/// The stress on a strained axis is known only in the run.
 TEST(ReadLoad, StepsADecadeNeedAStressThatIsKnown) {
   const std::string first = "[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n";
   EXPECT_THAT(faults(2, first + "[[load]]\nto = 2\nsteps_per_decade = 4\n"), HasSubstr("expected steps"));

@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"[[load]]", "[load]", "load = a table: expected tables [[load]]"},
         BadScene{"[cell]", "[cell", "s.toml:13"}));
 
-/// What the relaxations of a stage of the load path are given, and those of the assembly.
+/// Options of the relaxations of a stage of the load path; of_assembly() has those of the assembly.
 RelaxationOptions of_load(const Scene& scene, std::size_t stage = 0) {
   return scene.load.at(stage).cell.applied_to(scene.relaxation);
 }

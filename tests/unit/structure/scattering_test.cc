@@ -115,7 +115,7 @@ TEST(Scattering, OfASquareLatticeIsInItsBraggPeaks) {
   EXPECT_NEAR(expected.envelope[3], peak(std::sqrt(2.0) * kTwoPi), 1e-9 * peak(kTwoPi));
 }
 
-/// Whatever vectors span it; a mesh along those of a million cells would never end.
+/// Equivalent lattice vectors give equal results; a mesh along a vector of a million cells would never finish.
 TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
   Packing<2> packing = one_disk(0.4, Mat<2>::Identity() * 3.0);
   const Scattering straight = scattering(packing);

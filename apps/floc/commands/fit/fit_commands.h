@@ -4,7 +4,7 @@
 
 namespace floc {
 
-// One file a fit; each adds itself below `floc fit`.
+// Each adds one fit as a subcommand of `floc fit`; each fit has a file of its own.
 Command add_fit_consolidation(CommandLine fit);
 Command add_fit_preconsolidation(CommandLine fit);
 Command add_fit_elastic(CommandLine fit);

@@ -23,7 +23,8 @@ struct ConsolidationArguments {
   Printing printing;
 };
 
-/// @param first  the table that it is pooled with, and whose unit it takes; empty: it is the first
+/// Reads a sample and prints which of its rows are left out.
+/// @param first  first table, to whose unit the pressures are converted; set by the first call
 ConsolidationSample read_sample(const std::string& file, const ColumnNames& columns,
                                 const ConsolidationArguments& arguments, std::optional<PathTable>& first) {
   PathTable path =
@@ -52,13 +53,14 @@ std::string change_text(const std::optional<ChangePoint>& change, const Consolid
                      at(change->first - 1), at(change->first), at(change->low95 - 1), at(change->high95));
 }
 
-/// @param n_asked  resampled fits asked for
+/// Prints a fit and its warnings on stderr. @param n_asked  number of resampled fits in the options
 void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int n_asked) {
   if (!fit.found()) {
     spdlog::warn("{}: no fit: {}", sample.name, fit.failure_reason);
     return;
   }
   std::vector<int> rows;
+  // The mean of several samples has no rows of its own.
   for (const int i : fit.used)
     if (!sample.loading.rows.empty()) rows.push_back(sample.loading.rows[i]);
   spdlog::info(
@@ -71,6 +73,7 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
     const std::string pieces =
         change_text(fit.regimes->plateau_end, sample.loading.curve, "the plateau ends") +
         change_text(fit.regimes->onset_three, sample.loading.curve, "regime III sets in");
+    // change_text() begins every piece with "; ", of which the first one is dropped.
     if (!pieces.empty()) spdlog::info("{}: {}", sample.name, pieces.substr(2));
   }
   std::vector<std::string> budget;
@@ -93,7 +96,7 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", sample.name, warning);
 }
 
-/// Says where their mean leaves out pressures that not all samples have.
+/// Warns if the mean of the samples leaves out pressures that not all of them have.
 void warn_of_missing_pressures(const std::vector<ConsolidationSample>& read,
                                const std::vector<ConsolidationSample>& fitted) {
   if (read.size() < 2) return;
@@ -158,6 +161,7 @@ Command add_fit_consolidation(CommandLine fit) {
                  "published: hold P0* at a pressure of the curve and fit the mean of the samples [P0* is where "
                  "the plateau meets the line]")
       .one_of({"published"});
+  // --P0 and --window both choose the pressures that are fitted.
   app.add_option("--P0", arguments->fit.P0,
                  "fit from the pressure nearest to this one to the last [found from the data]")
       .positive()

@@ -35,7 +35,7 @@ std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNam
   return samples;
 }
 
-/// Says what was fitted and what the errors are made of.
+/// Prints on stderr which samples were fitted and the parts of the errors.
 void log_fit(const std::string& name, const CompactionFit& fit) {
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);
   if (!fit.found()) {
@@ -103,6 +103,7 @@ Command add_fit_dynamic_compaction(CommandLine fit) {
   add_columns_option(app, arguments->columns, "e, p, sc, se");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] {
+            // The keyword is translated here because its variable has a value only after parsing.
             arguments->reference.plateau =
                 arguments->plateau == "p" ? PlateauPressure::own : PlateauPressure::critical;
             return fit_tables(*arguments);

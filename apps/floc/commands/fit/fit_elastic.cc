@@ -25,11 +25,14 @@ int fit_tables(const ElasticArguments& arguments) {
   Json array = Json::array();
   Table table = elastic_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
+    // The line of B is fitted against the mean stress, also in an oedometer. elastic_branches() fits M to the driven
+    // stress.
     const PathTable path = read_path(file, columns, {"P", "P_star"}, OedometerPressure::mean);
     log_notes(path);
     const std::vector<ElasticBranch> branches = elastic_branches(path, arguments.state);
     if (branches.empty()) {
       spdlog::warn("{}: no fit: the pressure never falls, so there is no unloading branch", path.name);
+      // The table is sound, so this is no bad input: there is nothing to fit.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;

@@ -19,7 +19,7 @@ struct ForceDistributionArguments {
   Printing printing;
 };
 
-/// Normal forces of a table, or of the contacts of a state.
+/// Reads normal forces from a table or from the contacts of a state.
 std::vector<double> read_forces(const std::string& file, const ColumnNames& columns) {
   std::vector<double> forces;
   if (file.ends_with(".h5")) {
@@ -53,6 +53,7 @@ int fit_inputs(const ForceDistributionArguments& arguments) {
         worst = worse(worst, kNotConverged);
         continue;
       }
+      // A form that is rejected at the 5 % level keeps its rows in the table; the warning marks it.
       if (fit.p_value < 0.05)
         spdlog::warn("{}: {}: warning: these forces do not follow this form (p = {:.3g})", name, fit.form,
                      fit.p_value);

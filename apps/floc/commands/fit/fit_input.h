@@ -11,26 +11,26 @@
 /// Command lines of the fits, and the tables that they name.
 namespace floc {
 
-/// Adds `--columns`. @param names  those that may be mapped, for the help
+/// Adds the option `--columns`. @param names  names that may be mapped to columns, listed in the help
 void add_columns_option(CommandLine app, std::string& text, const std::string& names);
 
-/// Reads what `--columns` was given: names mapped to columns of the table, and names of columns to print, which
-/// `printing` takes.
-/// @param names  those that may be mapped
-/// @throws InputError for text that is no list of name=column, or another name
+/// Parses the value of `--columns`. Items name=column map a name to a column of the input table and are returned; other
+/// items are columns to print and are added to `printing`.
+/// @param names  names that may be mapped to columns
+/// @throws InputError if the text is not such a list, or a name is none of `names`
 ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names,
                                Printing& printing);
 
-/// Says on stderr what was done to the pressures of a path, and warns of what is in doubt.
+/// Prints on stderr how the pressures of a path were converted, and a warning for each of its inconsistencies.
 void log_notes(const PathTable& path);
 
-/// Hands every table of the inputs to `work`, which returns its exit code. What cannot be read is reported by
-/// name on stderr and the others are still done. @return the worst of the exit codes
+/// Calls `work`, which returns an exit code, for every table of the inputs. An input that cannot be read is reported by
+/// name on stderr, and the others are still processed. @return worst of the exit codes, as worse() orders them
 int for_each_table(const std::vector<std::string>& inputs,
                    const std::function<int(const std::string& file)>& work);
 
-/// Prints a fit on stdout: `json` if that is the format, otherwise the table; on a terminal only its first `n_short`
-/// columns, where the words on stderr say the rest. @throws IoError if stdout cannot take it.
+/// Prints a fit on stdout: `json` if that is the format, otherwise the table. On a terminal only the first `n_short`
+/// columns are printed, because the summary on stderr holds the rest. @throws IoError if stdout cannot be written
 void print_fit(const Json& json, Table table, std::size_t n_short, const Printing& printing);
 
 }  // namespace floc

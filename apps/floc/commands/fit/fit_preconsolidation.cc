@@ -30,6 +30,7 @@ int fit_tables(const PreconsolidationArguments& arguments) {
     if (fits.empty()) {
       spdlog::warn("{}: no fit: the pressure does not rise again after a fall, so there is no reloading branch",
                    path.name);
+      // The table is sound, so this is no bad input: there is nothing to fit.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;

@@ -11,13 +11,13 @@
 namespace floc {
 namespace {
 
-/// Steps in which the fastest grain crosses the tail of one at rest, at least (`v dt << D0`).
+/// Smallest number of steps in which the fastest grain crosses the tail of a grain at rest (`v dt << D0`).
 constexpr double kStepsAcrossTail = 3.0;
-/// Beyond the range of the law, how near clusters come in flight before they are moved step by step again, in
-/// largest diameters.
+/// Distance of clusters beyond the range of the law at which a flight ends and they are moved in time steps
+/// again, in largest diameters.
 constexpr double kFlightClearance = 1e-3;
 
-/// The step of the options, shortened where the fastest grain would jump over the tail of the adhesion.
+/// Time step of the options, shortened where the fastest grain would jump over the tail of the adhesion.
 template <int Dim>
 double step_across_tail(const RelaxationOptions& options, const Packing<Dim>& packing) {
   const double step = time_step_of(packing, options.time_step);

@@ -12,7 +12,7 @@
 
 namespace floc {
 
-/// The grains of a scene before they are placed.
+/// Grains of a scene before they are placed.
 struct GrainOptions {
   int count = 0;
   DiameterDistribution diameter;
@@ -21,13 +21,13 @@ struct GrainOptions {
   std::optional<double> density;
 };
 
-/// The gas that grains start as.
+/// Kind of the gas from which an assembly starts.
 enum class GasKind {
-  equilibrated,         ///< of hard grains in equilibrium
-  sequential_addition,  ///< grains as they were added at random, one by one: more of them nearly touch
+  equilibrated,         ///< hard grains in equilibrium
+  sequential_addition,  ///< grains added at random one by one: more of them nearly touch
 };
 
-/// How grains are put together (docs/physics.md, "Assembly and loading").
+/// Options of the assembly of a packing (docs/physics.md, "Assembly and loading").
 struct AssemblyOptions {
   enum class Protocol {
     direct,       ///< gas at rest, stress control at once (type 1; also cohesionless)
@@ -36,17 +36,18 @@ struct AssemblyOptions {
   };
   Protocol protocol = Protocol::direct;
   GasKind gas = GasKind::equilibrated;
-  double solid_fraction = 0.0;  ///< of the gas, or of the saved packing
-  /// V0/V*, V* = sqrt(F0 D0/m), or sqrt(P a^Dim/m) where no adhesion reaches across a gap: for the aggregation
-  /// protocol, and for others, where zero leaves grains at rest.
+  double solid_fraction = 0.0;  ///< solid fraction of the gas, or of the saved packing
+  /// Speed at the start over V*, V0/V* with V* = sqrt(F0 D0/m), or sqrt(P a^Dim/m) where no adhesion reaches
+  /// across a gap. It is used by every protocol; zero leaves the grains at rest.
   double agitation = 0.0;
   double pressure = 0.0;  ///< first pressure (unit of stress of the scene)
-  /// Friction coefficient while grains are put together, where it is not that of the material.
+  /// Friction coefficient during the assembly, where it differs from that of the material.
   std::optional<double> friction;
-  CellResponse cell;                   ///< while grains are put together
-  std::optional<Vibration> vibration;  ///< of a saved packing, or of one put together from a gas
-  SavedStart saved;                    ///< of the protocol that starts from one
-  /// Walls around the grains; none: a periodic cell. `solid_fraction` zero: the sides of the box are lengths.
+  CellResponse cell;                   ///< response of the cell during the assembly
+  std::optional<Vibration> vibration;  ///< vibration of the saved packing, or of the one made from a gas
+  SavedStart saved;                    ///< start of the protocol `state`
+  /// Walls around the grains; absent: a periodic cell. If `solid_fraction` is zero, the sides of the box are
+  /// lengths.
   std::optional<BoxOptions> box;
 };
 

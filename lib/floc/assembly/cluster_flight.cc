@@ -12,23 +12,23 @@
 namespace floc {
 namespace {
 
-/// Distance to which surfaces are searched for when clusters may meet, in largest diameters: beyond it they
-/// have as far to go at least.
+/// Distance up to which close surfaces of two clusters are searched for, in largest diameters. Surfaces not
+/// found are at least this far apart.
 constexpr double kSearchDistance = 0.1;
-/// Bounds from below on the time to the next meeting that are flown one after another.
+/// Largest number of flights in a row, each as long as the lower bound of the time to the next meeting.
 constexpr int kMaxFlights = 1000;
 
-/// A step of a tumbling body turns it by less than this (radians).
+/// Upper bound of the rotation of a tumbling body in one step (radians).
 constexpr double kTumblingStep = 0.02;
 
-/// A grain that another touches, in the image in which it does.
+/// Grain that touches another grain, with the image in which it does.
 template <int Dim>
 struct Neighbor {
   int grain;
   Vec<Dim, int> image;
 };
 
-/// Moment of inertia of a point of mass 1 at an arm from the centre.
+/// Moment of inertia of a point of mass 1 at the end of an arm from the centre.
 Mat<1> point_inertia(const Vec<2>& arm) {
   return Mat<1>(arm.squaredNorm());
 }
@@ -43,7 +43,7 @@ RotationVector<3> spin_of(const Mat<3>& inertia, const RotationVector<3>& angula
   return inertia.ldlt().solve(angular_momentum);
 }
 
-/// The largest spin that a free body can have with the energy of its present one.
+/// Upper bound of the spin of a free body with the rotational energy of its present spin.
 double fastest_spin(const Mat<1>&, const RotationVector<2>& spin) {
   return std::abs(spin[0]);
 }
@@ -52,7 +52,7 @@ double fastest_spin(const Mat<3>& inertia, const RotationVector<3>& spin) {
   return std::sqrt(spin.dot(inertia * spin) / least);
 }
 
-/// How a free body lies and spins in flight.
+/// Orientation and spin of a free body in flight.
 template <int Dim>
 struct Attitude;
 template <>
@@ -72,10 +72,11 @@ struct Attitude<3> {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   RotationVector<3> spin;
 
-  /// Euler's equations by the method of Runge and Kutta of fourth order: the angular momentum stays, the moment
-  /// of inertia turns with the body.
+  /// Integrates Euler's equations by the Runge-Kutta method of fourth order. The angular momentum is constant,
+  /// and the moment of inertia turns with the body.
   void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
-    if (spin_at_start.isZero(0.0)) return;  // of a cluster that winds around the cell the inertia is unknown
+    if (spin_at_start.isZero(0.0))
+      return;  // also for clusters that wind around the cell, which have no inertia
     const Vec<3> angular_momentum = inertia * spin_at_start;
     const Mat<3> inverse = inertia.inverse();
     const auto spin_at = [&](const Eigen::Quaterniond& q) {
@@ -102,8 +103,8 @@ struct Attitude<3> {
   void turn(Eigen::Quaterniond& orientation) const { orientation = rotation * orientation; }
 };
 
-/// What contacts remember in their tangent planes turns with their clusters; their normals, which nothing reads
-/// before they are found anew, stay behind.
+/// Turns the tangential history of every contact with its cluster. Normals are not turned: nothing reads them
+/// before contacts are found anew.
 template <class Turned>
 void turn_memory(Packing<3>& packing, const Turned& turned) {
   for (const HistoryQuantity& q : history_quantities(packing.law, 3)) {
@@ -121,7 +122,8 @@ ClusterFlight<Dim>::ClusterFlight(const Packing<Dim>& packing) {
   find_motions(packing);
 }
 
-/// Walks through each cluster along its contacts, from its first grain.
+/// Finds the clusters and the unwrapped places of their grains, by a search along contacts from the first grain
+/// of each cluster.
 template <int Dim>
 void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -141,6 +143,8 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
     std::vector<int> reached{first};
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const int i = reached[next];
+      // A grain belongs to the cluster in the image in which it was first reached, so that the places of its
+      // grains form one connected body, wherever the faces of the cell cut it.
       place_[i] = packing.grains.position[i] + packing.cell.shift(image[i]);
       for (const Neighbor<Dim>& neighbor : neighbors[i]) {
         const int j = neighbor.grain;
@@ -150,6 +154,7 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
           image[j] = there;
           reached.push_back(j);
         } else if (image[j] != there) {
+          // Contacts join a grain to its own image: the cluster has neither a centre nor a moment of inertia.
           cluster.winds = true;
         }
       }
@@ -175,7 +180,7 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
     if (cluster.winds) continue;
     const Vec<Dim> arm = place_[i] - cluster.centre;
     cluster.inertia += g.inertia(i) * Mat<kRotations<Dim>>::Identity() + g.mass[i] * point_inertia(arm);
-    // Its angular momentum, for the time being.
+    // Sum of the angular momentum, from which the spin is computed below.
     cluster.spin += g.inertia(i) * g.angular_velocity[i] +
                     moment<double>(arm, Vec<Dim>(g.mass[i] * (g.velocity[i] - cluster.velocity)));
     cluster.reach = std::max(cluster.reach, arm.norm());
@@ -195,7 +200,8 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
   inner_energy_ = 0.5 * twice_energy / g.size();
 }
 
-/// A bound from below: no two surfaces approach faster than their clusters do and turn.
+/// Lower bound of the time until two clusters are within `nearest`: two surfaces approach no faster than by the
+/// velocities of their clusters plus spin times reach.
 template <int Dim>
 double ClusterFlight<Dim>::time_to_meet(const Packing<Dim>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;
@@ -242,7 +248,8 @@ double ClusterFlight<Dim>::fly(Packing<Dim>& packing, double nearest, double lon
     const Attitude<Dim>& now = attitude[cluster_of_[i]];
     g.velocity[i] = cluster.velocity + now.turned(Vec<Dim>(g.velocity[i] - cluster.velocity));
     if constexpr (Dim == 3) {
-      // What the spin has changed by, seen from the body, is what tumbling is.
+      // The part of the spin that turning the initial spin with the body does not give; zero unless the body
+      // tumbles.
       const RotationVector<Dim> change = now.spin - now.turned(cluster.spin);
       g.velocity[i] += cross<double>(change, now.turned(Vec<Dim>(place_[i] - cluster.centre)));
       g.angular_velocity[i] = now.turned(g.angular_velocity[i]) + change;

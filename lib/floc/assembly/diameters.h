@@ -24,18 +24,19 @@ struct DiameterDistribution {
   double sigma = 0.0;           ///< lognormal: standard deviation of ln d, before it is cut off
 };
 
-/// P(d) ~ d^-3: spheres of every size from min to max fill the same volume.
+/// Exponent 3, P(d) ~ d^-3: spheres of each size between min and max fill equal volumes.
 inline constexpr double kUniformByVolume = 3.0;
-/// P(d) ~ d^-2: disks of every size fill the same area.
+/// Exponent 2, P(d) ~ d^-2: disks of each size fill equal areas.
 inline constexpr double kUniformByArea = 2.0;
 
-/// The diameter below which a share of the grains lies (length), for a power law or a lognormal distribution.
-/// Exact: 0 gives min and 1 gives max. @param share  0 to 1
+/// Quantile of a power law or a lognormal distribution: diameter below which a share of the grains lies
+/// (length). The ends are exact: share 0 gives min and share 1 gives max.
+/// @param share  0 to 1
 double diameter_quantile(const DiameterDistribution& distribution, double share);
 
-/// n diameters in ascending order: equally spaced quantiles, the first min and the last max, so that the sample
-/// has the distribution's moments, and its largest grain is exactly the unit of length of P* and kappa. A list
-/// is returned as it is.
+/// Returns n diameters in ascending order (length): equally spaced quantiles, from min to max, so that the
+/// sample has the moments of the distribution and its largest grain is exactly the unit of length of P* and
+/// kappa. A list is returned unchanged.
 std::vector<double> equally_spaced_diameters(const DiameterDistribution& distribution, int n);
 
 /// Share of the lognormal distribution that lies between min and max, before it is cut off there.

@@ -13,14 +13,16 @@
 namespace floc {
 namespace {
 
-/// Solid fraction that placing one by one reaches without long searches.
+/// Largest solid fraction at which grains are placed one by one without long searches.
 template <int Dim>
 constexpr double kRandomPlacingLimit = Dim == 2 ? 0.4 : 0.3;
-constexpr int kShuffleSweeps = 200;  ///< moves a grain: several mean free paths, the placing is forgotten
-constexpr int kMaxSweeps = 20000;    ///< beyond this growing has failed
-constexpr double kGrowth = 1.01;     ///< of all diameters, whenever no grains overlap
-constexpr double kParted = 1.001;    ///< of the contact distance, to which grains that overlap are pushed apart
-constexpr int kMaxPartings = 1000;   ///< sweeps; beyond this that has failed
+constexpr int kShuffleSweeps =
+    200;  ///< moves per grain: several mean free paths, so that the start has no effect
+constexpr int kMaxSweeps = 20000;  ///< sweeps after which the growth has failed
+constexpr double kGrowth = 1.01;   ///< factor of all diameters, applied whenever no grains overlap
+constexpr double kParted =
+    1.001;  ///< distance over contact distance to which overlapping grains are pushed apart
+constexpr int kMaxPartings = 1000;  ///< sweeps after which pushing apart has failed
 
 template <int Dim>
 double solid_volume(const std::vector<double>& diameter) {
@@ -30,7 +32,7 @@ double solid_volume(const std::vector<double>& diameter) {
   return sum;
 }
 
-/// Where grains are placed: periodic along some axes, between walls along the others.
+/// Region in which grains are placed: periodic along some axes, between walls along the others.
 template <int Dim>
 struct Room {
   Vec<Dim> side;
@@ -58,11 +60,11 @@ class HardGrains {
 
   const Room<Dim>& room() const { return room_; }
 
-  /// True if grain i at x, with all diameters times `scale`, keeps clear of every placed grain but itself.
+  /// Whether grain i at x overlaps no other placed grain, with all diameters times `scale`.
   bool free_at(int i, const Vec<Dim>& x, double scale) const { return clearance(i, x, scale) >= 1.0; }
 
-  /// Smallest ratio of distance to contact distance (diameters times `scale`, <= 1) around grain i at x; of
-  /// those above 1 only that it is not below.
+  /// Smallest ratio of distance to contact distance around grain i at x, with diameters times `scale` <= 1. A
+  /// result above 1 only says that no grain overlaps.
   double clearance(int i, const Vec<Dim>& x, double scale) const {
     double least = 2.0;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
@@ -71,7 +73,8 @@ class HardGrains {
     return least;
   }
 
-  /// Calls visit(j, r) for all grains that grain i at x may touch, and others near, r being the way to j.
+  /// Calls visit(j, r) for all grains j that grain i at x may touch, and other close ones, with r the vector
+  /// from x to j.
   template <typename Visit>
   void visit_near(int i, const Vec<Dim>& x, Visit&& visit) const {
     for (const Grid& grid : grids_) {
@@ -79,7 +82,7 @@ class HardGrains {
       const double reach = 0.5 * (diameter_[i] + grid.largest);
       const Vec<Dim, int> centre = bin_of(x, grid);
       Vec<Dim, int> most;
-      // The whole grid, where the reach is half the room or more.
+      // Visit the whole grid if the reach is half the room or more.
       for (int a = 0; a < Dim; ++a)
         most[a] = std::min(grid.bins[a] / 2, static_cast<int>(std::ceil(reach / room_.side[a] * grid.bins[a])));
       Vec<Dim, int> offset = -most;
@@ -120,7 +123,7 @@ class HardGrains {
   };
 
   void divide(Grid& grid) const {
-    // Bins much finer than the grains cost memory and find nothing.
+    // Bins much finer than the grains would use memory without saving time.
     const double most_bins = 2.0 * std::pow(static_cast<double>(grid.n_grains), 1.0 / Dim) + 1.0;
     std::size_t n_bins = 1;
     for (int a = 0; a < Dim; ++a) {
@@ -155,7 +158,7 @@ class HardGrains {
   std::vector<Vec<Dim>> position_;
 };
 
-/// A place for a grain, which keeps its radius from walls.
+/// Random point for a grain, at least its radius away from walls.
 template <int Dim>
 Vec<Dim> random_point(const Room<Dim>& room, double diameter, RandomStream& random) {
   Vec<Dim> x;
@@ -185,7 +188,7 @@ void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diamete
   }
 }
 
-/// A coordinate in [0, side) of a periodic axis.
+/// Coordinate wrapped into [0, side) of a periodic axis.
 double wrapped(double x, double side) {
   x -= side * std::floor(x / side);
   return x < side ? x : 0.0;
@@ -217,7 +220,7 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
   }
 }
 
-/// True if no two grains overlap with diameters times `scale`.
+/// Whether no two grains overlap, with diameters times `scale`.
 template <int Dim>
 bool all_free(const HardGrains<Dim>& grains, int n, double scale) {
   for (int i = 0; i < n; ++i)
@@ -236,7 +239,8 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
 
 namespace {
 
-/// Moves of grains until their first places are forgotten; before that, growth to their size.
+/// Grows the grains to their size during Monte Carlo moves, then shuffles them until their first places have no
+/// effect.
 template <int Dim>
 void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, double scale,
                  RandomStream& random) {
@@ -255,7 +259,7 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
   }
 }
 
-/// Where a grain that is moved to x stays in the room.
+/// Point in the room for a grain that is moved to x: wrapped along periodic axes, clamped between walls.
 template <int Dim>
 Vec<Dim> kept_inside(const Room<Dim>& room, double diameter, Vec<Dim> x) {
   for (int a = 0; a < Dim; ++a) {
@@ -294,8 +298,8 @@ void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
                    "solid_fraction: grains added one by one could not be pushed apart where they overlap");
 }
 
-/// Positions of hard grains of these diameters at random in a room.
-/// @param solid_fraction  of the room that centres may be in
+/// Random positions of hard grains of these diameters in a room.
+/// @param solid_fraction  of the part of the room that is open to centres
 template <int Dim>
 std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector<double>& diameter,
                                         GasKind kind, double solid_fraction, RandomStream& random) {
@@ -309,7 +313,7 @@ std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector
   return hard.position();
 }
 
-/// Grains at rest of these diameters, without places.
+/// Grains of these diameters at rest, before they are placed.
 template <int Dim>
 Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::vector<double>& diameter) {
   Packing<Dim> gas;
@@ -324,7 +328,8 @@ Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::v
   return gas;
 }
 
-/// Velocities of one magnitude in random directions, without total momentum.
+/// Sets velocities of one magnitude in random directions, subtracts the mean velocity and scales them to the
+/// kinetic pressure.
 template <int Dim>
 void send_off(Packing<Dim>& packing, double kinetic_pressure, RandomStream& random) {
   Grains<Dim>& g = packing.grains;
@@ -395,8 +400,8 @@ void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   Vec<Dim> momentum = Vec<Dim>::Zero();
   double mass = 0.0;
   for (int i = 0; i < g.size(); ++i) {
-    // Maxwell's distribution: every grain has the same mean energy. Mass over mass, for no unit to enter its
-    // root.
+    // Maxwell's distribution: every grain has the same mean energy. The ratio of masses keeps the result
+    // independent of the unit of mass.
     for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i] / heaviest);
     momentum += g.mass[i] * g.velocity[i];
     mass += g.mass[i];

@@ -14,7 +14,7 @@ namespace floc {
 
 namespace {
 
-/// 1 for each number that contacts remember under both laws, else 0.
+/// 1 for each number that is in the history of both laws, else 0.
 template <int Dim>
 ContactHistory<Dim> common_memory(const Law& before, const Law& after) {
   ContactHistory<Dim> common = ContactHistory<Dim>::Zero();
@@ -37,7 +37,7 @@ Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>&
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
   find_contacts(saved);
-  // Surfaces that have met may hold together across a gap at which others would not meet.
+  // Surfaces that have met may hold together across a gap that the search does not cover.
   std::vector<Contact<Dim>> held;
   auto found = saved.contacts.begin();
   for (const Contact<Dim>& old : before) {

@@ -17,11 +17,11 @@
 namespace floc {
 namespace {
 
-/// Surfaces nearer than this are looked at for collisions, in largest diameters.
+/// Distance of surfaces up to which collisions are predicted, in largest diameters.
 constexpr double kPairDistance = 0.4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Hard grains in flight. Each is known at the time of its own last event.
+/// Hard grains in flight. The position of each grain is stored for the time of its own last event.
 template <int Dim>
 class HardFlight {
  public:
@@ -59,7 +59,7 @@ class HardFlight {
  private:
   struct Neighbour {
     int grain;
-    Vec<Dim> shift;  ///< of the image that is near
+    Vec<Dim> shift;  ///< displacement of the close image
   };
   struct Event {
     double time;
@@ -94,7 +94,7 @@ class HardFlight {
 
   bool has_gone_far(int i) const { return (grains_.position[i] - start_[i]).norm() > 0.25 * search_distance_; }
 
-  /// Time until two grains meet, r apart and parting at v.
+  /// Time until two grains meet, with the distance vector r and the relative velocity v.
   static double time_to_meet(const Vec<Dim>& r, const Vec<Dim>& v, double contact_distance) {
     const double approach = -r.dot(v);
     if (!(approach > 0.0)) return kNever;
@@ -103,7 +103,7 @@ class HardFlight {
     return squared < 0.0 ? kNever : std::max(0.0, beyond / (approach + std::sqrt(squared)));
   }
 
-  /// The next collision of a grain.
+  /// Predicts the next collision of a grain.
   void predict(int i) {
     Event next{kNever, i, i, n_events_of_[i], 0, {}};
     const Vec<Dim> x = place(i);

@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// Shortens a spring to `limit` >= 0, keeping its direction. The spring, not its force, is the history: when
-/// the cap drops, the spring is cut with it and does not come back. One component is a plain clamp; several
-/// keep their direction (the circular Coulomb cone).
+/// Shortens a spring to a length of at most `limit` >= 0 and keeps its direction. The history is the spring and
+/// not its force: when the cap drops, the spring is shortened with it and does not recover. One component is
+/// clamped; several are scaled together (the circular Coulomb cone).
 template <class V, class T>
 inline V capped(const V& spring, const T& limit) {
   if constexpr (V::RowsAtCompileTime == 1) {
@@ -23,8 +23,10 @@ inline V capped(const V& spring, const T& limit) {
   }
 }
 
-/// An incremental spring whose force is capped at coefficient * FNe, with FNe the ELASTIC part of the normal
-/// force: what friction and rolling resistance share. @param history  the spring, updated. @return its force
+/// Updates an incremental spring whose force is capped at coefficient * FNe, with FNe the ELASTIC part of the
+/// normal force. Friction and the resistances to rolling and twisting share this rule.
+/// @param history  the spring, updated
+/// @return its force
 template <class V, class T>
 inline V respond_capped(double coefficient, double stiffness, const T& elastic, const V& increment,
                         T* history) {
@@ -33,7 +35,8 @@ inline V respond_capped(double coefficient, double stiffness, const T& elastic, 
   return T(stiffness) * spring;
 }
 
-/// Whether such a spring is at its cap, to a relative tolerance: it slides as soon as it is pushed further.
+/// Whether a spring of respond_capped() is at its cap, to a relative tolerance: it slides as soon as the
+/// displacement grows.
 template <class V>
 inline bool capped_is_mobilised(double coefficient, double stiffness, double elastic, const double* history,
                                 double tolerance) {

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// How many numbers a contact remembers under a model, in `dim` dimensions.
+/// Size of the history that a model keeps per contact, in `dim` dimensions (numbers).
 template <class Model>
 constexpr int history_size(int dim) {
   int n = 0;
@@ -13,12 +13,12 @@ constexpr int history_size(int dim) {
   return n;
 }
 
-/// The history of one law, packed: no byte for a slot that remembers nothing.
+/// Packed history of a contact under one law. Slots without history take no space.
 template <int Size, class T = double>
 struct PackedHistory {
   T value[Size];
 
-  /// A new contact: everything at rest.
+  /// History of a new contact: all springs at rest.
   PackedHistory() {
     for (T& v : value) v = T(0);
   }

@@ -20,25 +20,26 @@ namespace floc {
 /// Relative motion of the two surfaces of a contact.
 template <int Dim, class T = double>
 struct ContactMotion {
-  PairGeometry<T> pair;  ///< at the end of the motion
+  PairGeometry<T> pair;  ///< geometry at the end of the motion
   T gap_rate;            ///< dh/dt (length/time)
   T damping;             ///< damping coefficient of the pair (damping_coefficient())
   Shear<Dim, T> slip;    ///< tangential displacement of j against i since the history was last updated
-  /// Rolling of i against j since then (radians), see rolling_part().
+  /// Rolling of i against j since the history was last updated (radians), see rolling_part().
   RotationVector<Dim, T> relative_rotation;
-  /// Of spheres, rotation of i against j about the normal since then (radians).
+  /// For spheres, rotation of i against j about the normal since the history was last updated (radians).
   T twist = T(0);
 };
 
-/// Forces of a contact on its grains. On j act +normal along n and -shear; on i the opposite. On i act the
-/// moments -rolling and -twisting n, besides that of the shear force; on j the opposite.
+/// Forces of a contact on its grains. The forces on j are +normal along n and -shear, those on i the opposite.
+/// The moments on i are -rolling and -twisting n, besides the moment of the shear force; those on j are
+/// +rolling and +twisting n, besides the moment of the shear force.
 template <int Dim, class T = double>
 struct ContactForces {
   NormalResponse<T> normal;        ///< static normal response
   T viscous;                       ///< dashpot force, compression positive; not part of the static force
   Shear<Dim, T> shear;             ///< tangential force on i, in the contact's frame (force)
   RotationVector<Dim, T> rolling;  ///< moment on j (force * length)
-  T twisting = T(0);               ///< of spheres, moment on j about n (force * length)
+  T twisting = T(0);               ///< for spheres, moment on j about n (force * length)
 };
 
 /// Stiffnesses of one contact for the network: along the normal, across it, and against rolling and
@@ -80,19 +81,20 @@ struct ContactLaw {
   static constexpr int kDimension =
       std::max({kDimensionOf<Normal>, kDimensionOf<Tangential>, kDimensionOf<Twisting>});
 
-  /// Whether the law reads these numbers of a pair; they are loaded only for laws that do.
+  /// Whether the law reads the reduced radius or the reduced mass of a pair. They are loaded only for laws that
+  /// do.
   static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
   || requires { requires Adhesion::kNeedsReducedRadius; };
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
   || requires { requires Adhesion::kNeedsReducedMass; };
 
-  /// Numbers that differ from pair to pair and hold as long as a pair's history does; most laws have none. They
-  /// are found once (pair_parameters()), not for every force.
+  /// Parameters that differ from pair to pair and follow from its radii and its history; most laws have none.
+  /// They are computed once (pair_parameters()), not for every force.
   template <class T = double>
   using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
 
-  /// Numbers a contact remembers: those of the normal, the tangential, the rolling, the twisting and the
-  /// adhesion slot, in this order.
+  /// Size of the history of a contact: the numbers of the normal, the tangential, the rolling, the twisting and
+  /// the adhesion slot, in this order.
   template <int Dim>
   static constexpr int kHistorySize =
       history_size<Normal>(Dim) + history_size<Tangential>(Dim) + history_size<Rolling>(Dim) +
@@ -116,7 +118,8 @@ struct ContactLaw {
     if constexpr (kHasAdhesion) return adhesion.range();
     return 0.0;
   }
-  /// Largest gap at which surfaces that have met may still touch: 0 unless the normal law holds them together.
+  /// Largest gap at which surfaces that have met may still touch (length): 0 unless the normal law holds them
+  /// together.
   double holding_range([[maybe_unused]] double reduced_radius) const {
     if constexpr (requires { repulsion.holding_range(reduced_radius); })
       return repulsion.holding_range(reduced_radius);
@@ -132,7 +135,7 @@ struct ContactLaw {
     return pair.gap < 0.0 || pair.gap < range() || touches<Dim>(pair, history);
   }
 
-  /// The parameters of a pair of grains with these radii.
+  /// Parameters of a pair of grains with these radii (length) and this history.
   template <int Dim>
   PairParameters<> pair_parameters([[maybe_unused]] double radius_i, [[maybe_unused]] double radius_j,
                                    [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -141,7 +144,7 @@ struct ContactLaw {
     else
       return {};
   }
-  /// These parameters as they act now, for a pair that has not moved since its history was updated.
+  /// Pair parameters as they act now, for a pair that has not moved since its history was updated.
   template <int Dim>
   PairParameters<> acting(const PairParameters<>& parameters,
                           [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -157,7 +160,8 @@ struct ContactLaw {
     return in_touch(pair, normal_history(history));
   }
 
-  /// Static normal response. @param history  of the normal slot; null for a new contact
+  /// Static normal response of a pair.
+  /// @param history  of the normal slot; null for a new contact
   /// @param parameters  as they act
   template <class T>
   NormalResponse<T> normal(const PairGeometry<T>& pair, const T* history = nullptr,
@@ -189,16 +193,16 @@ struct ContactLaw {
     }
     return response;
   }
-  /// Response of a contact with this history.
+  /// Static normal response of a contact with this history.
   template <int Dim>
   NormalResponse<double> normal_of(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history,
                                    const PairParameters<>& parameters = {}) const {
     return normal(pair, normal_history(history), parameters);
   }
 
-  /// Energy that the normal law stores in a contact, given its elastic force and its K_N. Where the force is a power
-  /// of the overlap, as Hertz's is, the two say all: N^2 h/(N + K_N h), which is N h/2 of linear contacts and
-  /// (2/5) N h of Hertz's. Other laws have the energy as a function of the gap and the history.
+  /// Energy that the normal law stores in a contact, given its elastic force and its K_N. Where the force is a
+  /// power of the overlap h, these two determine it: N^2 h/(N + K_N h), which is N h/2 for linear contacts and
+  /// (2/5) N h for Hertz contacts. Other laws give the energy as a function of the gap and the history.
   template <class T>
   T elastic_energy(const PairGeometry<T>& pair, const T& elastic, const T& k_n,
                    [[maybe_unused]] const T* history = nullptr) const {
@@ -210,7 +214,8 @@ struct ContactLaw {
       return elastic * elastic * -pair.gap / (elastic - k_n * pair.gap);
     }
   }
-  /// Energies of a contact with this history: of its elastic part, and of its attraction.
+  /// Energy of the elastic part of the normal force (elastic_energy()), and of the attraction
+  /// (attraction_energy()), of a contact with this history.
   template <int Dim>
   double elastic_energy_of(const PairGeometry<>& pair, double elastic, double k_n,
                            const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -221,7 +226,8 @@ struct ContactLaw {
                               const PairParameters<>& parameters) const {
     return attraction_energy(pair, normal_history(history), parameters);
   }
-  /// Energy of the attraction, zero where it ends. @param parameters  as they act
+  /// Energy of the attraction, zero where the attraction ends.
+  /// @param parameters  as they act
   template <class T>
   T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair, [[maybe_unused]] const T* history = nullptr,
                       [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
@@ -234,7 +240,7 @@ struct ContactLaw {
       return adhesion.energy(pair);
     return T(0);
   }
-  /// All of the energy that a contact along its normal holds at a gap: of a new one where no history is given.
+  /// Energy of a contact along its normal, elastic and attractive; of a new contact where no history is given.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* history = nullptr,
            const PairParameters<T>& parameters = {}) const {
@@ -247,8 +253,8 @@ struct ContactLaw {
     return elastic_energy(pair, response.elastic, k_n, history) + attraction_energy(pair, history, parameters);
   }
 
-  /// Damping coefficient of a pair of grains, 0 without damping: (force * time/length), or that over the root
-  /// of a stiffness where damping follows the stiffness.
+  /// Damping coefficient of a pair of grains (force * time/length), divided by the root of the stiffness where
+  /// damping follows the stiffness; 0 without damping.
   double damping_coefficient([[maybe_unused]] const CollisionMass& mass) const {
     if constexpr (kHasDamping) return damping.coefficient(mass, repulsion);
     return 0.0;
@@ -280,7 +286,7 @@ struct ContactLaw {
     return forces;
   }
 
-  /// Stiffnesses of a contact in the network (nothing sliding).
+  /// Stiffnesses of a contact in the network, where no spring counts as mobilised.
   template <int Dim>
   ContactStiffness stiffness(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history,
                              const PairParameters<>& parameters = {}) const {
@@ -294,12 +300,13 @@ struct ContactLaw {
     return touching(of_stiffness(elastic, repulsion.stiffness_at_force(pair, elastic)));
   }
 
-  /// No contact of such a pair is stiffer than this under that load.
+  /// Upper bounds of the stiffnesses of a contact of this pair under this load.
   ContactStiffness stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     return touching(of_stiffness(0.0, repulsion.stiffness_bound(pair, load)));
   }
 
-  /// Which springs of a touching contact are at their caps. Nothing else in the program decides what slides.
+  /// Springs of a touching contact that are at their caps. All code of the program uses this criterion of
+  /// sliding.
   /// @param tolerance  relative distance below the cap that still counts as being at it
   template <int Dim>
   Mobilised mobilised(double elastic, const PackedHistory<kHistorySize<Dim>>& history, double tolerance) const {
@@ -315,13 +322,13 @@ struct ContactLaw {
     return m;
   }
 
-  /// Sets what the normal law remembers to what gives a contact this elastic force at its gap.
+  /// Sets the history of the normal law so that a contact has this elastic force at its gap.
   template <int Dim>
   void set_elastic_force([[maybe_unused]] const PairGeometry<>& pair, [[maybe_unused]] double elastic,
                          [[maybe_unused]] PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kKeepsOverlap) repulsion.set_force(pair, elastic, history.value);
   }
-  /// Sets the springs to those that carry given forces (signs of ContactForces) at given stiffnesses.
+  /// Sets the springs so that they carry given forces (signs of ContactForces) at given stiffnesses.
   template <int Dim>
   void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& rolling_moment,
                  [[maybe_unused]] double twisting_moment, const ContactStiffness& k,
@@ -335,11 +342,12 @@ struct ContactLaw {
         twisting.set_force(twisting_moment, k.twisting, history.value + kTwistingBegin<Dim>);
   }
 
-  /// Whether the normal law remembers anything: what it stores and gives back depends on the way there then.
+  /// Whether the normal law keeps a history: its force and energy then depend on the loading path.
   static constexpr bool kKeepsOverlap = history_size<Normal>(2) > 0;
 
  private:
-  /// The history given, or that of a new contact at this gap. @param fresh  a place for it
+  /// Returns the given history, or the history of a new contact at this gap where it is null.
+  /// @param fresh  memory for the history of a new contact
   template <class T, class Fresh>
   const T* present_history([[maybe_unused]] const PairGeometry<T>& pair, const T* history,
                            [[maybe_unused]] Fresh& fresh) const {
@@ -357,8 +365,8 @@ struct ContactLaw {
     response.elastic_stiffness += of_adhesion;
   }
 
-  /// Whether the surfaces touch: a law whose surfaces hold together across a gap, or part while they still overlap,
-  /// says so itself.
+  /// Whether the surfaces touch: they overlap, unless the normal law has a criterion of its own, as where
+  /// surfaces hold together across a gap or part while they still overlap.
   template <class T>
   typename NormalResponse<T>::Mask in_touch(const PairGeometry<T>& pair,
                                             [[maybe_unused]] const T* history) const {

@@ -2,12 +2,12 @@
 
 #include <type_traits>
 
-/// What a model of a contact law declares, once: its keyword, its numbers and choices, and what a contact
-/// remembers for it. Validation, scenes, changes along a load path, law texts, state files, kernels and
-/// dimensionless groups all iterate over these declarations.
+/// Declarations of a model of a contact law: its keyword, its numbers and choices, and the history that a
+/// contact keeps for it. Each model makes them once; validation, scenes, changes along a load path, law texts,
+/// state files, kernels and dimensionless groups all iterate over them.
 namespace floc {
 
-/// What a number of a contact law measures.
+/// Unit of a number of a contact law.
 enum class Unit {
   ratio,              ///< dimensionless
   length,             ///< (length)
@@ -48,25 +48,26 @@ constexpr bool holds(Requirement requirement, double x) {
 /// One number of a model.
 template <class Model>
 struct Number {
-  const char* key;  ///< in scenes: contact.SLOT.KEY
+  const char* key;  ///< key in scenes: contact.SLOT.KEY
   double Model::*member;
   Unit unit;
-  const char* symbol;       ///< in formulas, "K_N"
-  Requirement requirement;  ///< on any value it ever has
-  const char* expectation;  ///< what a scene has to give, in words
-  const char* meaning;      ///< in one line
-  /// Requirement on the value in a scene, where that is stricter: zero may switch a slot off later.
+  const char* symbol;       ///< symbol in formulas, such as "K_N"
+  Requirement requirement;  ///< requirement on every value, also on those set along a load path
+  const char* expectation;  ///< value that a scene has to give, in words
+  const char* meaning;      ///< meaning in one line
+  /// Requirement on the value in a scene. It may be stricter: a change along the load path may switch a slot
+  /// off by zero.
   Requirement at_first = requirement;
 };
 
-/// A requirement on two numbers of a model, besides those on each: the first is at least as large as the second.
+/// Requirement on two numbers of a model, besides those on each: `larger` is at least as large as `smaller`.
 template <class Model>
 struct AtLeast {
   double Model::*larger;
   double Model::*smaller;
 };
 
-/// One choice among keywords, optional in a scene: the first one where nothing is said.
+/// One choice among keywords, optional in a scene: the first keyword is the default.
 template <class Model>
 struct Choice {
   const char* key;
@@ -86,28 +87,29 @@ void choose(Model& model, int keyword) {
   model.*kMember = static_cast<std::remove_reference_t<decltype(model.*kMember)>>(keyword);
 }
 
-/// How a remembered quantity transforms.
+/// Transformation of a quantity of the history.
 enum class HistoryKind {
-  scalar,    ///< a number, the same whichever way round the pair is read
+  scalar,    ///< a number that does not change when i and j are exchanged
   tangent,   ///< a displacement of j against i in the tangent plane, in the contact's frame
-  rotation,  ///< a rotation of i against j; in 3D one about an axis in the tangent plane
-  twist,  ///< in 3D, a rotation of i against j about the normal, the same whichever way round the pair is read
+  rotation,  ///< a rotation of i against j; in 3D about an axis in the tangent plane
+  twist,  ///< in 3D, a rotation of i against j about the normal; it does not change when i and j are exchanged
 };
 
-/// One quantity that a contact remembers under a model.
+/// One quantity of the history that a model keeps per contact.
 struct History {
-  const char* name;  ///< of its array in a state file
+  const char* name;  ///< name of its array in a state file
   HistoryKind kind;
   Unit unit;
-  const char* meaning;  ///< in words
+  const char* meaning;  ///< meaning in words
 };
 
-/// Whether a quantity lies in the tangent plane, and turns with it.
+/// Whether a quantity is a vector in the tangent plane and turns with it.
 constexpr bool is_tangential(HistoryKind kind) {
   return kind == HistoryKind::tangent || kind == HistoryKind::rotation;
 }
 
-/// Numbers that it takes: 2D tangents and rotations are one number, their 3D counterparts vectors in space.
+/// Number of components of a quantity: 2D tangents and rotations are one number, their 3D counterparts are
+/// vectors in space.
 constexpr int n_components(HistoryKind kind, int dim) {
   return is_tangential(kind) && dim == 3 ? 3 : 1;
 }

@@ -8,11 +8,12 @@
 
 namespace floc {
 
-/// Where contacts keep what they remember, and the arrays of pairs in motion: each slot of the law has a place of its
-/// own with room for any of its models, so that a change of the law moves nothing.
+/// Layout of the history of a contact, both in the contact list and in the arrays of pairs in motion. Each slot
+/// of the law has a place of its own with room for any of its models, so that a change of the law moves no
+/// number.
 template <int Dim>
 struct HistoryLayout {
-  // Numbers that a model of each slot may remember. memory_layout.h checks that all do with them.
+  // Largest history of a model of each slot, in numbers. history_layout.h checks that no model needs more.
   static constexpr int kNormalRoom = 2, kFrictionRoom = Dim == 2 ? 2 : 4, kRollingRoom = Dim == 2 ? 1 : 3,
                        kTwistingRoom = Dim == 2 ? 0 : 1, kAdhesionRoom = 1;
 
@@ -24,18 +25,18 @@ struct HistoryLayout {
   static constexpr int kSize = kAdhesion + kAdhesionRoom;
 };
 
-/// Everything a contact remembers, at the places of the layout; zero where its law remembers nothing.
+/// History of a contact, at the places of the layout; zero at places that its law does not use.
 template <int Dim>
 using ContactHistory = Eigen::Matrix<double, HistoryLayout<Dim>::kSize, 1>;
 
-/// One quantity that contacts remember under a law.
+/// One quantity of the history of contacts under a law.
 struct HistoryQuantity {
   History declared;
-  int begin;  ///< place of its first number
-  int size;   ///< numbers
+  int begin;  ///< place of its first number in the layout
+  int size;   ///< count of its numbers
 };
 
-/// Quantities that contacts remember under a law, in the order of the layout.
+/// Quantities of the history of contacts under a law, in the order of the layout.
 std::vector<HistoryQuantity> history_quantities(const Law& law, int dim);
 
 /// Factor of each number of the layout when the two grains of a contact are exchanged.

@@ -9,13 +9,13 @@
 #include "floc/contact/law_parameters.h"
 #include "floc/contact/model_traits.h"
 
-/// Where a law's own numbers are among those that contacts have room to remember (history.h), checked here for all
-/// models that there are. A law evaluates, loads and stores only the numbers of its own models.
+/// Places of a law's own numbers in the history of a contact (history.h). The layout is checked here against
+/// all models. A law evaluates, loads and stores only the numbers of its own models.
 namespace floc {
 
 namespace detail {
 
-/// The most numbers that any model of a slot remembers, among those for this dimension.
+/// Size of the largest history among the models of a slot that are for this dimension (numbers).
 template <class Slot>
 struct WidestHistory;
 template <class... Models>
@@ -89,7 +89,7 @@ template <class Law, int Dim, class Visit>
   (std::make_integer_sequence<int, Law::template kHistorySize<Dim>>{});
 }
 
-/// What a contact remembers under a law, packed.
+/// Packs the history of a contact: copies the numbers that the law uses from their places in the layout.
 template <class Law, int Dim>
 PackedHistory<Law::template kHistorySize<Dim>> packed_history(const ContactHistory<Dim>& all) {
   PackedHistory<Law::template kHistorySize<Dim>> packed;
@@ -98,7 +98,7 @@ PackedHistory<Law::template kHistorySize<Dim>> packed_history(const ContactHisto
   return packed;
 }
 
-/// The reverse; what the law does not remember is forgotten.
+/// Unpacks the history of a contact. Places of the layout that the law does not use are set to zero.
 template <class Law, int Dim>
 ContactHistory<Dim> unpacked_history(const PackedHistory<Law::template kHistorySize<Dim>>& packed) {
   ContactHistory<Dim> all = ContactHistory<Dim>::Zero();

@@ -24,7 +24,7 @@ void describe_fields(DeclaredModel& model) {
     }
 }
 
-/// Puts a Model into the one slot of a law that can hold it.
+/// Puts a Model into the slot of a law that can hold it.
 template <class Model>
 void put(LawParameters& law) {
   LawParameters::for_each_slot(law, [](const char*, auto& slot) {
@@ -54,7 +54,7 @@ std::vector<DeclaredSlot> describe_all() {
   return slots;
 }
 
-/// Calls visit(slot key, declaration, model) for each model that a law has.
+/// Calls visit(slot key, declaration, model) for each model of a law.
 template <class Law, class Visit>
 void for_each_model(Law& law, Visit&& visit) {
   auto declared = declared_slots().begin();
@@ -66,7 +66,7 @@ void for_each_model(Law& law, Visit&& visit) {
   });
 }
 
-/// Whether a model has a number that no other model of its slot has, and so is told by it.
+/// Whether a model has a number that no other model of its slot has, so that the number identifies the model.
 bool has_own_number(const DeclaredSlot& slot, const DeclaredModel& model) {
   return std::any_of(model.numbers.begin(), model.numbers.end(), [&](const DeclaredNumber& n) {
     return std::count_if(slot.models.begin(), slot.models.end(),

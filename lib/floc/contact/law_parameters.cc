@@ -32,7 +32,7 @@ const char* requirement_text(Requirement requirement) {
   return "";
 }
 
-/// "contact.friction = {law = \"mindlin\", coefficient}", as a scene would give it.
+/// Table of a model in a scene: "contact.friction = {law = \"mindlin\", coefficient}".
 template <class Model>
 std::string table_of(const std::string& key) {
   const auto slot = std::find_if(declared_slots().begin(), declared_slots().end(),
@@ -54,7 +54,7 @@ std::vector<std::string> tables_of(const std::string& key, const LawSlot<Models.
   return tables;
 }
 
-/// Fault of a model beside the normal law, in words, where their families do not go together; else nothing.
+/// Fault of a model whose family cannot be combined with that of the normal law, in words; else empty.
 template <class Normals, class Slot>
 std::string family_fault(const Normals& normals, const std::string& key, const Slot& slot) {
   return normals.visit([&]<class Normal>(const Normal&) {
@@ -126,6 +126,8 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
   const auto refuse = [&](bool fault, const std::string& slot, const char* words) {
     if (fault) faults.push_back({slot, "contact." + slot + words});
   };
+  // Without friction the dynamics does not rotate grains (PairKernel::kRotates), so that springs against
+  // rolling and twisting would never act.
   refuse(rolling && !friction, "rolling", ": needs contact.friction; grains that slide freely need not roll");
   refuse(twisting && !friction, "twisting",
          ": needs contact.friction; grains that slide freely need not turn against each other");
@@ -134,6 +136,7 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
       faults.push_back({key, std::move(words)});
   });
   adhesion.visit([&]<class Adhesion>(const Adhesion&) {
+    // Grains under liquid bridges roll freely. A slot with a fault of its family is not reported twice.
     if constexpr (kRollsFreely<Adhesion>) {
       const auto refuse_resistance = [&](const char* key, const auto& slot) {
         if (!slot || !family_fault(normal, key, slot).empty()) return;

@@ -19,17 +19,17 @@
 
 namespace floc {
 
-/// Why a law cannot be used: its models do not go together, or not in this dimension, or two numbers contradict each
-/// other.
+/// Fault of a law that cannot be used: its models cannot be combined, or not in this dimension, or two of its
+/// numbers contradict each other.
 struct LawFault {
-  std::string slot;      ///< that is to blame
+  std::string slot;      ///< slot with the fault
   std::string words;     ///< "contact.SLOT...: requirement"
-  std::string key = {};  ///< key of the number to blame, empty where none is
+  std::string key = {};  ///< key of the number with the fault, if it is one number
 };
 
-/// A contact law as a scene or a saved state names it: a model with its numbers in each slot, absent where
-/// nothing is said. These are THE lists of models: what is listed here is known to scenes, law texts, state
-/// files and the law table (law_table.h), which turns a LawParameters into the composed type.
+/// Contact law as a scene or a saved state names it: a model with its numbers in each slot, or an empty slot.
+/// These are the only lists of models: scenes, law texts, state files and the law table (law_table.h), which
+/// turns a LawParameters into the composed type, all follow from them.
 struct LawParameters {
   LawSlot<LinearRepulsion, HertzRepulsion> normal;
   LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion, CapillaryAdhesion> adhesion;
@@ -53,9 +53,9 @@ struct LawParameters {
 
   /// Every fault as "key = value: requirement"; empty when the law can be used.
   std::vector<std::string> validate() const;
-  /// Faults of models that do not go together: those that remain when every number is right.
+  /// Faults of models that cannot be combined, whatever their numbers.
   std::vector<LawFault> faults_between_slots() const;
-  /// Faults of numbers that are right by themselves, but not beside another one (AtLeast).
+  /// Faults of numbers that are valid by themselves but contradict another number (AtLeast).
   std::vector<LawFault> faults_between_numbers() const;
   /// Faults of models that are for another dimension.
   std::vector<LawFault> faults_in_dimension(int dimension) const;

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// One slot of a contact law as a scene or a saved state names it: one of the models that it can hold, with its
-/// numbers. An optional slot lists its absence first.
+/// Slot of a contact law as a scene or a saved state names it. It holds one of its models, with the numbers of
+/// the model. The first alternative of an optional slot is its absence (absent.h).
 template <class... Models>
 class LawSlot {
  public:
@@ -20,7 +20,7 @@ class LawSlot {
   requires(std::is_same_v<Model, Models> || ...) LawSlot(const Model& model)
       : model_(model) {}  // NOLINT(google-explicit-constructor)
 
-  /// Whether it holds a model.
+  /// Whether the slot holds a model.
   explicit operator bool() const {
     return visit([]<class Model>(const Model&) { return !kIsAbsent<Model>; });
   }

@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// The parameters without models that could do nothing.
+/// Parameters without the models that have no effect.
 LawParameters acting(LawParameters law) {
   LawParameters::for_each_slot(law, [](const char*, auto& slot) {
     const bool acts = slot.visit([](const auto& model) {

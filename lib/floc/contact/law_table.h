@@ -5,20 +5,19 @@
 #include "floc/contact/contact_law.h"
 #include "floc/contact/law_parameters.h"
 
-/// The composed contact laws. To add a model (docs/adding-a-law.md takes you through an example):
+/// Composed contact laws. To add a model (docs/adding-a-law.md has an example):
 ///   1. write it as a header in its slot's folder: a struct that declares its numbers and its history
 ///      (declaration.h) and has the functions of its slot as templates on the number type (see
 ///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
-///   2. add it to its slot in law_parameters.h; the table below is the product of the slots and finds it
-///      by itself;
+///   2. add it to its slot in law_parameters.h; the table below is the product of the slots and includes it;
 ///   3. give the conformance suite a set of sample numbers
 ///      in tests/support/laws.h, and write a unit test
 ///      with a closed form.
 namespace floc {
 
-/// Which compositions are compiled: of models that go with the normal law (model_traits.h). Grains that slide freely
-/// need not roll, and some adhesions leave them free to; a twisting spring goes with a rolling one, which may be one
-/// that carries nothing.
+/// Whether a composition is compiled. Its models have to be compatible with the normal law (model_traits.h).
+/// Rolling resistance needs friction, and an adhesion that lets grains resist rolling. Twisting resistance
+/// needs a rolling spring, whose coefficient may be zero.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 inline constexpr bool kIsCompiled =
     kGoesWith<Normal, Adhesion>&& kGoesWith<Normal, Damping>&& kGoesWith<Normal, Tangential>&&
@@ -60,24 +59,26 @@ struct Compositions<Chosen<M...>, LawSlot<Models...>, Rest...> {
 
 }  // namespace detail
 
-/// One alternative for each composition that is compiled; it is visited once per run, never per contact.
+/// Variant with one alternative per compiled composition. It is visited once for many contacts, not once per
+/// contact.
 using AnyContactLaw =
     detail::Compositions<detail::Chosen<>, decltype(LawParameters::normal), decltype(LawParameters::adhesion),
                          decltype(LawParameters::damping), decltype(LawParameters::friction),
                          decltype(LawParameters::rolling), decltype(LawParameters::twisting)>::Type::Variant;
 
-/// A composed law under a name that a header can declare without knowing the models.
+/// Composed law under a name that headers can declare without including the models.
 struct ComposedLaw {
   AnyContactLaw any;
 };
 
-/// The composed law of a scene or saved state. Adhesion of zero force becomes no adhesion; a coefficient of
-/// zero becomes no friction, or no resistance to rolling or twisting: such a spring could carry nothing, and
-/// must not stiffen the network either.
+/// Composes the law of a scene or a saved state. Models without effect are left out: adhesion of zero force,
+/// and friction, rolling or twisting resistance with a coefficient of zero, which carry no force and must not
+/// stiffen the network.
 /// @pre parameters.validate() is empty.
 AnyContactLaw compose_law(const LawParameters& parameters);
 
-/// The same law, always with a friction spring: one that can carry nothing where the law has none.
+/// Composes a law as compose_law() does, but always with a friction spring. Where the law has no friction, the
+/// coefficient of that spring is zero, so that it carries no force.
 AnyContactLaw compose_with_friction(const LawParameters& parameters);
 
 }  // namespace floc

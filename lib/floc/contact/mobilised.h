@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// Which springs are at their caps.
+/// Springs of a contact that are at their caps.
 struct Mobilised {
   bool sliding = false;
   bool rolling = false;

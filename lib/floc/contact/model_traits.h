@@ -2,10 +2,10 @@
 
 #include <string_view>
 
-/// What models of a contact law declare where they depart from the rule.
+/// Traits of the models of a contact law. A model declares only those in which it departs from the default.
 namespace floc {
 
-/// Dimension that a model is for; 0: any.
+/// Dimension that a model is made for, 2 or 3; 0 if it is made for both.
 template <class Model>
 constexpr int dimension_of() {
   if constexpr (requires { Model::kDimension; }) return Model::kDimension;
@@ -14,13 +14,14 @@ constexpr int dimension_of() {
 template <class Model>
 inline constexpr int kDimensionOf = dimension_of<Model>();
 
-/// Whether a model is meant where a scene gives numbers of its slot and names no model.
+/// Whether a scene that gives numbers of the slot and names no model gets this model.
 template <class Model>
 inline constexpr bool kIsDefault = requires {
   requires Model::kIsDefault;
 };
 
-/// Contacts that a model is made for. It goes with models of its own family, and with those of none.
+/// Family of contacts that a model is made for. Models can be combined within a family, and with models of no
+/// family.
 enum class Family {
   none,             ///< any contact
   springs,          ///< contacts of constant stiffnesses, each slot with its own
@@ -33,8 +34,8 @@ constexpr Family family_of() {
   return Family::none;
 }
 
-/// Why models of a slot do not go with normal laws of a family that is not theirs, after "under which"; empty where
-/// there is no more to say.
+/// Reason why a model of a slot cannot be combined with a normal law of another family, to be put after "under
+/// which" in a message; empty where no reason is known.
 constexpr std::string_view family_rule(Family of_normal, std::string_view slot) {
   if (of_normal != Family::elastic_spheres) return "";
   if (slot == "adhesion") return "spheres adhere only by liquid";
@@ -43,57 +44,58 @@ constexpr std::string_view family_rule(Family of_normal, std::string_view slot) 
   return "spheres do not resist it";
 }
 
-/// Whether surfaces adhere under a normal law alone, so that no adhesion goes with it.
+/// Whether a normal law includes adhesion, so that no model of adhesion can be combined with it.
 template <class Normal>
 inline constexpr bool kAdheresByItself = requires {
   requires Normal::kAdheres;
 };
 
-/// Whether a model is one of adhesion: these alone have a range.
+/// Whether a model is a model of adhesion. Only these have a range.
 template <class Model>
 inline constexpr bool kIsAdhesion = requires(const Model& model) {
   model.range();
 };
 
-/// Whether a model of another slot goes with a normal law.
+/// Whether a model of another slot can be combined with a normal law.
 template <class Normal, class Model>
 inline constexpr bool kGoesWith = (family_of<Model>() == Family::none ||
                                    family_of<Model>() == family_of<Normal>()) &&
                                   !(kAdheresByItself<Normal> && kIsAdhesion<Model>);
 
-/// Power of the overlap that the elastic force of a normal law grows with. 1 unless the law says otherwise: the
-/// stiffness of its contacts does not depend on the load.
+/// Exponent of the overlap in the elastic force of a normal law. The default is 1: a contact of constant
+/// stiffness.
 template <class Normal>
 constexpr double force_exponent() {
   if constexpr (requires { Normal::kForceExponent; }) return Normal::kForceExponent;
   return 1.0;
 }
 
-/// Whether a normal law holds for overlaps that are small beside the grains alone.
+/// Whether a normal law holds only for overlaps that are small compared with the grains.
 template <class Normal>
 inline constexpr bool kIsForSmallOverlaps = requires {
   requires Normal::kIsForSmallOverlaps;
 };
 
-/// Whether a model takes its stiffness, or its damping, from the present stiffness along the normal.
+/// Whether the stiffness or the damping of a model follows from the present normal stiffness.
 template <class Model>
 inline constexpr bool kFollowsNormalStiffness = requires {
   requires Model::kFollowsNormalStiffness;
 };
 
-/// Whether the adhesion is that of liquid bridges, whose volumes contacts remember.
+/// Whether a model of adhesion describes liquid bridges. Their volumes are part of the history.
 template <class Model>
 inline constexpr bool kHoldsLiquid = requires {
   requires Model::kHoldsLiquid;
 };
 
-/// Whether grains with this adhesion roll freely, under springs as under any other normal law.
+/// Whether grains with this adhesion roll freely: it cannot be combined with rolling or twisting resistance,
+/// whatever the normal law.
 template <class Model>
 inline constexpr bool kRollsFreely = requires {
   requires Model::kRollsFreely;
 };
 
-/// Whether the numbers of a model are in the state files of all laws, as they have been since before there were others.
+/// Whether state files hold the numbers of a model under every law, also where the law does not have the model.
 template <class Model>
 inline constexpr bool kIsInEveryFile = requires {
   requires Model::kIsInEveryFile;

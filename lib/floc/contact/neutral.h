@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// A model that can do nothing, for laws that need one in a slot all the same. The cap of its spring is zero, so
-/// that any stiffness would do.
+/// Model without effect, for laws that need a model in a slot. The cap of its spring is zero, so that its
+/// stiffness may be any positive number.
 template <class Model>
 inline constexpr Model kNeutral{};
 template <>

@@ -12,8 +12,8 @@
 
 namespace floc {
 
-/// Faults of the numbers of a model that contradict each other (AtLeast), in words.
-/// @param slot  that the model is in
+/// Faults of numbers of a model that contradict each other (AtLeast), in words.
+/// @param slot  key of the slot of the model
 template <class Model>
 std::vector<LawFault> relation_faults(const std::string& slot, const Model& model) {
   std::vector<LawFault> faults;

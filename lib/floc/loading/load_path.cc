@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// Fraction of a step below which a remainder is rounding, not a step of its own.
+/// Fraction of a step below which a remainder counts as rounding and not as another step.
 constexpr double kRoundingPerStep = 1e-6;
 
 /// `n` pressures from * factor^k, the last replaced by `to`.

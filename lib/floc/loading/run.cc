@@ -24,8 +24,8 @@ namespace {
 constexpr std::uint64_t kAssemblyStream = 1;
 constexpr std::uint64_t kVibrationStream = 2;
 
-/// Gives the walls of a saved packing the mass and the law that a scene asks for; they stay where they are.
-/// @throws InputError if they are across other axes
+/// Sets the mass and the law of the walls of a saved packing to those of a scene. Their positions are kept.
+/// @throws InputError if the packing and the scene have walls across different axes
 template <int Dim>
 void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   Vec<Dim> lowest = Vec<Dim>::Zero();
@@ -41,7 +41,7 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   refresh_contacts(packing);
 }
 
-/// @throws InputError for an option out of its range
+/// Returns the options. @throws InputError for an option out of its range
 RunOptions checked(RunOptions options) {
   require_in_range("threads", options.relaxation.threads, RunOptions::kThreads);
   return options;
@@ -83,7 +83,8 @@ Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
 
 namespace {
 
-/// @param sides  of the packing
+/// Point of a run after a saved equilibrium.
+/// @param cell  lattice of the packing, which the state may have given away
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const Mat<Dim>& cell, const std::string& sha256) {
   RunPoint point;
@@ -107,9 +108,9 @@ RunPoint point_after(const State<Dim>& state, const std::string& sha256) {
   return point_after(state, state.packing.cell.matrix, sha256);
 }
 
-/// V0 = agitation * V*, V* = sqrt(F0 D0/m), m the mass of the largest grain (docs/physics.md, "Assembly and
-/// loading"); where no adhesion reaches across a gap, V* = sqrt(P a^2/m), at which a grain has the energy of
-/// the load on it.
+/// Speed V0 = agitation * V* at the start of the assembly, with V* = sqrt(F0 D0/m) and m the mass of the
+/// largest grain (docs/physics.md, "Assembly and loading"); where no adhesion reaches across a gap, V* = sqrt(P
+/// a^2/m), at which a grain has the energy of the load on it.
 template <int Dim>
 double Run<Dim>::agitation_speed() const {
   const Grains<Dim>& g = packing().grains;
@@ -146,8 +147,8 @@ void Run<Dim>::shake_and_start_step() {
   start_step();
 }
 
-/// The first step of a turn in which axes are loaded differently starts it where the last state is. A lattice that
-/// is sheared is reduced before each step. @pre the packing is here
+/// Starts a stage at its first step if axes are loaded differently: its reference is the last saved state. The
+/// tilt of a sheared lattice is reduced before each step. @pre this object holds the packing
 template <int Dim>
 void Run<Dim>::begin_stage() {
   if (target().is_isotropic())
@@ -187,7 +188,7 @@ void Run<Dim>::start_step() {
   }
   begin_stage();
   if (packing_.law != target().law) {
-    // The relaxer takes the imbalance it has to respond to from the forces in the contact list.
+    // The relaxer computes the imbalance of stress at the start from the forces in the contact list.
     packing_.law = target().law;
     if (options_.assembly.box) packing_.wall_law = wall_law(packing_.law, *options_.assembly.box);
     refresh_contacts(packing_);
@@ -204,7 +205,8 @@ void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
   pass_observer();
 }
 
-/// Those that move the packing count time from the beginning of a chunk or a step.
+/// Passes the observer on to the object that moves the packing. That object counts time from the beginning of a
+/// chunk or a step, so the time of the run before it is added.
 template <int Dim>
 void Run<Dim>::pass_observer() {
   if (!observer_.callback || finished()) return;
@@ -271,14 +273,15 @@ State<Dim> Run<Dim>::release_state() {
   return state;
 }
 
-/// Between two chunks the state of a run is its point and its packing.
+/// Continues the step from its point, which is with the packing the whole state of a run between two chunks.
 template <int Dim>
 void Run<Dim>::restore_packing(Packing<Dim> packing) {
   packing_ = std::move(packing);
   start_step();
 }
 
-/// What the relaxer has measured is not measured again.
+/// Stress, residuals and stability are copied from the equilibrator where there is one: it has measured them
+/// already.
 template <int Dim>
 State<Dim> Run<Dim>::state_without_packing() const {
   State<Dim> state;

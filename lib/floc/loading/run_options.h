@@ -12,7 +12,7 @@
 
 namespace floc {
 
-/// Everything that says what a run does; with the same options a run gives the same bits.
+/// Options of a run. Runs with equal options give identical results, bit for bit.
 struct RunOptions {
   int dimension = 2;
   std::string units = "reduced";  ///< "reduced" or "SI"

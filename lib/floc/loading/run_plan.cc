@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// The steps of a stage whose axes are loaded differently, or start so.
+/// Adds the steps of a stage whose axes are loaded differently, or start from different stresses.
 void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibrium step,
                std::vector<PlannedEquilibrium>& plan) {
   step.control = stage.is_isotropic() ? "isotropic" : stage.control;
@@ -30,7 +30,8 @@ void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibri
   }
 }
 
-/// What a stage says of each axis is read by the number of the axis.
+/// Checks that a stage loads as many axes as the scene has and drives one of them; the loads are indexed by
+/// axis.
 void check_axes(const LoadStage& stage, int dimension) {
   if (stage.is_isotropic()) return;
   if (std::ssize(stage.axes) != dimension)
@@ -41,7 +42,7 @@ void check_axes(const LoadStage& stage, int dimension) {
                                          stage.axis + 1, dimension));
 }
 
-/// Whether an equilibrium without adhesion has no stress that would hold it together.
+/// Whether an equilibrium is impossible because grains without adhesion are under zero stress on an axis.
 bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
   if (e.law.adheres()) return false;
   if (e.is_isotropic()) return e.pressure == 0.0;

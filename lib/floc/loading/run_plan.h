@@ -10,36 +10,36 @@
 
 namespace floc {
 
-/// One equilibrium a run will make.
+/// One equilibrium that a run will make.
 struct PlannedEquilibrium {
   std::string branch;  ///< "assembly" or the name of the stage
-  double pressure;     ///< on every axis (unit of stress of the scene); unused where `axes` are given
-  Law law;             ///< with the changes made so far
-  CellResponse cell;   ///< where it differs from that of the run
-  std::optional<Vibration> vibration;  ///< before it
-  int stage = -1;                      ///< of the load path, from 0; -1: of the assembly
+  double pressure;     ///< pressure on every axis (unit of stress of the scene); unused where `axes` are given
+  Law law;             ///< contact law, with all changes up to this equilibrium
+  CellResponse cell;   ///< response of the cell, where it differs from that of the run
+  std::optional<Vibration> vibration;  ///< vibration before the equilibrium
+  int stage = -1;                      ///< stage of the load path, from 0; -1: the assembly
   std::string control = {};            ///< how the axes are loaded
-  int axis = 0;                        ///< the driven one, from 0
-  std::vector<AxisStep> axes = {};     ///< empty: the pressure
-  double shear = 0.0;       ///< of simple shear along the first axis: strain since the start of the stage
-  double shear_step = 0.0;  ///< that of this step alone
+  int axis = 0;                        ///< driven axis, from 0
+  std::vector<AxisStep> axes = {};     ///< load of each axis; empty: `pressure` on every axis
+  double shear = 0.0;                  ///< shear strain along the first axis since the start of the stage
+  double shear_step = 0.0;             ///< shear strain of this step alone
 
   bool is_isotropic() const { return axes.empty(); }
   bool shears() const { return shear_step != 0.0; }
 };
 
-/// All equilibria of a run, in order: those of the assembly (aggregation: P = 0, then the first pressure), then
-/// every step of every stage. Grains are put together under the friction of the assembly, where it has one.
-/// What is shaken is a saved packing or, after a gas, the first equilibrium; another equilibrium follows at the
-/// same pressure. Stages that end at the same pressure on every axis go there from whatever stresses the axes
-/// have.
+/// Plans all equilibria of a run, in order: first those of the assembly (aggregation: P = 0, then the first
+/// pressure), then every step of every stage. The assembly uses its own friction coefficient where it has one.
+/// A vibration acts on the saved packing or, after a gas, on the first equilibrium; another equilibrium follows
+/// at the same pressure. A stage may end at the same pressure on every axis even if it starts from different
+/// stresses.
 /// @param dimension  number of axes, 2 or 3
-/// @throws InputError if a stage loads another number of axes or changes something that the law does not have, or
-/// if the assembly is to give friction to a law without any
+/// @throws InputError if a stage loads another number of axes or changes a parameter that the law does not
+/// have, or if the assembly sets the friction of a law without friction
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const Law& law,
                                          const std::vector<LoadStage>& load, int dimension);
 
-/// The number of a contact law that a key names, or null when its slot is absent or there is no such key.
+/// Number of a contact law with this key; null if its slot is empty or there is no such key.
 /// @param key  path below [contact], e.g. "adhesion.force"
 double* law_number(LawParameters& law, const std::string& key);
 

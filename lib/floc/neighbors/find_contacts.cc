@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Contacts that a packing may have, and more for each of its grains.
+/// Largest number of contacts of a packing: a constant, plus a number per grain.
 constexpr std::size_t kContactsAlways = 10'000;
 constexpr std::size_t kContactsPerGrain = 100;
 
@@ -38,6 +38,8 @@ template <int Dim>
 void find_contacts(Packing<Dim>& packing) {
   packing.contacts.clear();
   const std::vector<NeighborPair<Dim>> pairs = interacting_pairs(packing);
+  // More contacts than this come from a wrong radius or cell. The test comes before memory is allocated for
+  // them.
   if (pairs.size() > kContactsAlways + kContactsPerGrain * static_cast<std::size_t>(packing.grains.size()))
     throw InputError("cell", "the grains overlap so much, or reach so far, that there are " +
                                  std::to_string(pairs.size()) + " contacts of " +
@@ -51,8 +53,11 @@ void find_contacts(Packing<Dim>& packing) {
     contact.image = pair.image;
     packing.contacts.push_back(contact);
   }
+  // The range of a law does not include the reach of its liquid bridges, which depends on their volumes: pairs
+  // across a gap are added where the liquid is shared out.
   refresh_contacts(packing);
   spread_liquid(packing);
+  // A contact whose normal is zero, or points out of the box, is meaningless under any law.
   const auto name = [&](int i) { return std::to_string(packing.grains.name(i)); };
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j) && c.normal.dot(packing.wall(c.j).normal()) <= 0.0)

@@ -4,11 +4,11 @@
 
 namespace floc {
 
-/// Replaces the contacts of a packing by all interactions that its geometry and law give: every pair of
-/// surfaces that overlap or are closer than the law's range, with springs at rest. If the law has liquid, it is
-/// shared out between them (spread_liquid()).
-/// @throws InputError as find_pairs(), if two grains have the same centre, or if grains have more than 100
-/// contacts on average (10 000 in all in a small packing).
+/// Replaces the contacts of a packing by all interactions that follow from its geometry and law: every pair of
+/// surfaces that overlap or are closer than the law's range, with springs at rest. Liquid, if the law has any,
+/// is shared out between the pairs in reach (spread_liquid()).
+/// @throws InputError as find_pairs(); if two grains have the same centre, or a grain has its centre on or
+/// beyond a wall; or if there are more than 10 000 contacts plus 100 per grain.
 template <int Dim>
 void find_contacts(Packing<Dim>& packing);
 

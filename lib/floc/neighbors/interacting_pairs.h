@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Pairs closer than the range of the law, sorted as contacts are: pairs of grains, and of grains with walls,
-/// whose numbers follow those of the grains.
+/// Pairs of surfaces closer than the range of the law, in the order of contacts: pairs of grains, and pairs of
+/// grains with walls. The indices of walls follow those of the grains.
 /// @throws InputError as find_pairs()
 template <int Dim>
 std::vector<NeighborPair<Dim>> interacting_pairs(const Packing<Dim>& packing);

@@ -16,18 +16,19 @@
 namespace floc {
 namespace {
 
-/// Beyond it images do not fit an integer.
+/// Largest distance of a grain in cells. Beyond it images do not fit an integer.
 constexpr double kMaxCells = 1e9;
-/// Trials of a search that are fast whatever the packing, and that a grain may take in a large one.
+/// Largest number of trials of a search: a constant, or a number per grain in a large packing.
 constexpr double kTrialsAlways = 1e8;
 constexpr double kTrialsPerGrain = 1e5;
-/// Pairs that a packing may have, and more for each of its grains: beyond it, a wrong radius or cell.
+/// Largest number of pairs of a packing: a constant, plus a number per grain. More pairs come from a wrong
+/// radius or cell.
 constexpr std::size_t kPairsAlways = 10'000;
 constexpr std::size_t kPairsPerGrain = 1000;
-/// Sizes smaller by a larger power of two share a level.
+/// Largest number of levels. Grains smaller by a larger power of two share the last level.
 constexpr int kMaxLevels = 32;
 
-/// Grains brought into the cell.
+/// Grains wrapped into the cell.
 template <int Dim>
 struct WrappedGrains {
   std::vector<Vec<Dim>> reduced;    ///< position in units of the lattice vectors, inside [0, 1] up to rounding
@@ -63,14 +64,14 @@ class Bins {
     const double grains_per_side = std::pow(static_cast<double>(members.size()), 1.0 / Dim);
     for (int a = 0; a < Dim; ++a) {
       height_[a] = 1.0 / to_reduced.row(a).norm();
-      // Bins much finer than the grains cost memory and find nothing.
+      // Bins much finer than the grains would use memory without saving time.
       count_[a] =
           static_cast<int>(std::clamp(std::floor(height_[a] / cutoff), 1.0, 2.0 * grains_per_side + 1.0));
     }
     sort(members);
   }
 
-  /// Bins that around() visits for a point, at most.
+  /// Largest number of bins that around() visits for a point.
   double bins_within(double reach) const {
     double bins = 1.0;
     for (int a = 0; a < Dim; ++a) bins *= 2.0 * std::ceil(reach * count_[a] / height_[a]) + 1.0;
@@ -85,8 +86,9 @@ class Bins {
     for_each_bin(window.first, window, [&](const Vec<Dim, int>& bin) { visit_bin(bin, visit); });
   }
 
-  /// The same for a grain i of this level, with one of the two ways in which it and another see each other:
-  /// bins before its own in their order are left out.
+  /// Calls visit(j, image of j's bin) as around() does, for a grain i of this level, so that each pair of the
+  /// level is visited once. Bins before that of i in their order are left out, and so are grains before i in
+  /// its own bin.
   template <class Visit>
   void around_and_after(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
@@ -110,7 +112,7 @@ class Bins {
     Window window;
     for (int a = 0; a < Dim; ++a) {
       const double s = grains_.reduced[i][a] * count_[a];
-      // A billionth of a bin for rounding.
+      // The window is wider by a billionth of a bin, which covers rounding.
       const double bins = std::min(reach / height_[a] * count_[a], kMaxCells) + 1e-9;
       window.first[a] = static_cast<int>(std::floor(s - bins));
       window.last[a] = static_cast<int>(std::floor(s + bins));
@@ -118,7 +120,7 @@ class Bins {
     return window;
   }
 
-  /// Bins of a window from `begin` on, the first axis fastest.
+  /// Calls visit(bin) for the bins of a window from `begin` on, the first axis fastest.
   template <class Visit>
   static void for_each_bin(const Vec<Dim, int>& begin, const Window& window, const Visit& visit) {
     Vec<Dim, int> bin = begin;
@@ -165,13 +167,13 @@ class Bins {
   }
 
   const WrappedGrains<Dim>& grains_;
-  Vec<Dim> height_;  ///< of the cell
+  Vec<Dim> height_;  ///< distances of opposite faces of the cell (length)
   Vec<Dim, int> count_;
   std::vector<int> first_;   ///< first member of each bin
   std::vector<int> member_;  ///< grains by bin
 };
 
-/// Grains of similar size, in bins as wide as the largest of them needs.
+/// Grains of similar size, in bins that are wide enough for the largest of them.
 template <int Dim>
 struct SizeLevel {
   std::vector<int> members;
@@ -179,15 +181,15 @@ struct SizeLevel {
   Bins<Dim> bins;
 };
 
-/// The grains by size, the largest first: one level where the widest bin that a grain needs, 2 R + gap, is at
-/// most kSimilarSizes times the narrowest, otherwise a level for each factor of two. A grain then meets no more
-/// others of a level than fit around one of that level (Ogarko and Luding, Comput. Phys. Commun. 183, 931,
-/// 2012).
+/// Levels of grains by size, the largest first: one level where the widest bin that a grain needs, 2 R + gap,
+/// is at most kSimilarSizes times the narrowest, otherwise one level per factor of two. A grain then has no
+/// more neighbours in a level than fit around a grain of that level (Ogarko and Luding, Comput. Phys. Commun.
+/// 183, 931, 2012).
 template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {
   const auto [least, most] = std::minmax_element(grains.radius.begin(), grains.radius.end());
-  // Half widths, so that a radius near the largest number there is does not overflow.
+  // Half widths are used, so that a radius close to the largest double does not overflow.
   const double widest = *most + 0.5 * gap;
   const bool one = widest <= kSimilarSizes * (*least + 0.5 * gap);
   std::vector<std::vector<int>> members(kMaxLevels);
@@ -206,7 +208,8 @@ std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>
   return levels;
 }
 
-/// A cell that is tiny beside its grains holds more of their images than could be looked at.
+/// Refuses a search of too many trials: a cell that is tiny compared with its grains contains too many of their
+/// images.
 template <int Dim>
 void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, double gap) {
   double trials = 0.0;
@@ -225,7 +228,7 @@ void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, doub
             std::to_string(static_cast<std::int64_t>(std::min(trials, 1e18))) + " trials");
 }
 
-/// Image of a pair in the lattice it was asked for.
+/// Image of a pair in the lattice of the caller, from its image in the reduced lattice.
 template <int Dim>
 Vec<Dim, int> image_in(const ReducedLattice<Dim>& lattice, const Vec<Dim, int>& image) {
   if (lattice.is_original) return image;
@@ -244,14 +247,14 @@ void check_finite(const Cell<Dim>& cell, const Grains<Dim>& grains) {
       throw InputError("grain " + std::to_string(grains.name(i)), "position and radius must be finite");
 }
 
-/// The pairs of one grain with those of its own and of coarser levels, as the caller of find_pairs() gets them.
+/// Search for the pairs of each grain with the grains of its own and of coarser levels.
 template <int Dim>
 class PairSearch {
  public:
   PairSearch(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap)
       : grains_(grains), gap_(gap), lattice_(reduced_lattice(cell)), wrapped_(lattice_.cell, grains) {}
 
-  /// In no order.
+  /// Returns all pairs, unsorted.
   std::vector<NeighborPair<Dim>> all() {
     const std::vector<SizeLevel<Dim>> levels = size_levels(lattice_.cell, grains_, wrapped_, gap_);
     check_cost(levels, grains_.size(), gap_);
@@ -290,7 +293,7 @@ class PairSearch {
   std::vector<NeighborPair<Dim>> pairs_;
 };
 
-/// Sorts by first grains, by counting, then those of each grain.
+/// Sorts pairs by their first grains, by counting, and then the pairs of each grain.
 template <int Dim>
 std::vector<NeighborPair<Dim>> sorted(const std::vector<NeighborPair<Dim>>& pairs, int n_grains) {
   std::vector<std::size_t> first(n_grains + 1, 0);
@@ -311,7 +314,7 @@ template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap) {
   check_finite(cell, grains);
   if (grains.size() == 0) return {};
-  // What the search holds of the grains goes before its pairs are sorted.
+  // The search is a temporary, so that its memory is freed before the pairs are sorted.
   const std::vector<NeighborPair<Dim>> pairs = PairSearch<Dim>(cell, grains, gap).all();
   return sorted(pairs, grains.size());
 }

@@ -22,9 +22,10 @@ std::uint64_t morton(const Vec<Dim>& s) {
   return code;
 }
 
-/// From so many on, the rows of spheres pay.
+/// Number of spheres from which on rows are faster than the curve.
 constexpr int kManySpheres = 10'000;
-/// Thickness of rows and layers, of the mean spacing of grains (with 108 000 spheres 0.5 and 0.9 are slower by 8 %).
+/// Thickness of rows and layers over the mean spacing of grains (with 108 000 spheres, 0.5 and 0.9 are slower
+/// by 8 %).
 constexpr double kRowThickness = 0.7;
 constexpr int kBitsOfRows = 20, kBitsAlongRow = 24;
 
@@ -52,7 +53,7 @@ std::vector<std::uint64_t> places_along_curve(const Cell<Dim>& cell, const Grain
 std::vector<std::uint64_t> places_in_rows(const Cell<3>& cell, const Grains<3>& grains) {
   const Mat<3> to_reduced = cell.matrix.transpose().inverse();
   const double spacing = std::cbrt(cell.volume() / grains.size());
-  // Across the faces: the lattice may be oblique.
+  // Widths are distances of faces, since the lattice may be oblique.
   const double rows_of_layer = rows_across(1.0 / to_reduced.row(1).norm(), spacing),
                layers = rows_across(1.0 / to_reduced.row(2).norm(), spacing);
   std::vector<std::uint64_t> code;

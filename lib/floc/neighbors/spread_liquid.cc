@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// The contacts between grains, and the pairs closer than `reach` that are none, as contacts without memory; all
-/// with their gaps, in order.
+/// Contacts between grains, and all other pairs closer than `reach` as contacts with springs at rest; in order,
+/// with their gaps.
 template <int Dim>
 std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) {
   std::vector<Contact<Dim>> found;
@@ -32,7 +32,8 @@ std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) 
   return found;
 }
 
-/// The liquid of all shared out over those of `found` that may take part. @return by contact
+/// Shares all liquid out over those members of `found` that may hold liquid.
+/// @return volume of each member of `found`
 template <int Dim>
 LiquidShares shares_over(const Packing<Dim>& packing, const BridgeSearch& search,
                          const std::vector<Contact<Dim>>& found) {
@@ -58,7 +59,7 @@ LiquidChange spread_liquid(Packing<Dim>& packing) {
   double reach = on_contact ? 0.0 : search.first_reach();
   std::vector<Contact<Dim>> found = candidates(packing, reach);
   LiquidShares shares = shares_over(packing, search, found);
-  // Bridges that form on contact are contacts already, or touch.
+  // Where bridges form on contact, pairs with liquid touch or are in the list: the search need not be widened.
   for (double wider = search.wider(reach, shares); !on_contact && wider > reach;
        wider = search.wider(reach, shares)) {
     reach = wider;

@@ -13,8 +13,8 @@ NeighborPair<Dim> canonical_pair(const Contact<Dim>& c) {
   return canonical(NeighborPair<Dim>{c.i, c.j, c.image});
 }
 
-/// Contacts in the order of their canonical pairs, which is their own unless a file lists them otherwise. Their
-/// numbers alone: a copy of millions takes room.
+/// Indices of the contacts in the order of their canonical pairs, which is their own order unless a file lists
+/// them otherwise. The contacts are not copied, since there may be millions.
 template <int Dim>
 std::vector<int> canonical_order(const std::vector<Contact<Dim>>& contacts) {
   std::vector<int> order(contacts.size());

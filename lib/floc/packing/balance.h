@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Net static force and moment on every grain, from the forces stored in the contact list.
+/// Net static force and moment on every grain.
 template <int Dim>
 struct Balance {
   std::vector<Vec<Dim>> force;              ///< (force)
@@ -21,9 +21,9 @@ template <int Dim>
 Mat<Dim> static_stress(const Packing<Dim>& packing);
 
 /// Stress that the interactions crossing the faces of the cell transmit: sum F_j^(a) (image *
-/// cell.matrix)^(b) / volume, that is, for each face the force across it over its area. It differs from
-/// static_stress() by the moments of the net forces of the grains, sum F_i^(a) x_i^(b) / volume, which vanish
-/// in equilibrium.
+/// cell.matrix)^(b) / volume, which is the force across each face over its area (force/length^(Dim-1)). It
+/// differs from static_stress() by the moments of the net forces of the grains, sum F_i^(a) x_i^(b) / volume,
+/// which vanish in equilibrium.
 template <int Dim>
 Mat<Dim> boundary_stress(const Packing<Dim>& packing);
 

@@ -4,7 +4,8 @@
 
 namespace floc {
 
-/// The shape of a grain: a disk in 2D, a sphere in 3D. What depends on the shape of grains alone is asked here.
+/// Shape of a grain: a disk in 2D, a sphere in 3D. Its members give the quantities that depend on the shape
+/// alone.
 template <int Dim>
 struct Ball {
   double radius;  ///< (length)
@@ -15,9 +16,9 @@ struct Ball {
   double inertia(double mass) const { return mass * radius * radius * (Dim == 2 ? 0.5 : 0.4); }
 };
 
-/// Share of the branch between two balls that is the lever arm of the first, Ri/(Ri + Rj): the contact point
-/// divides the branch as the radii do (docs/physics.md, "Kinematics of a contact"). Against a wall, whose radius
-/// is 0 at the foot of the grain's centre, it is all of it.
+/// Lever arm of the first ball over the branch between two balls, Ri/(Ri + Rj): the contact point divides the
+/// branch in proportion to the radii (docs/physics.md, "Kinematics of a contact"). A wall has radius 0, so that
+/// the result is 1 and the arm is the whole branch.
 inline double lever_share(double radius_i, double radius_j) {
   return radius_i / (radius_i + radius_j);
 }

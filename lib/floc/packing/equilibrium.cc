@@ -17,8 +17,8 @@ double ratio(double value, double scale) {
   return value == 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-/// Where walls bear the pressure, F1 says nothing of it once adhesion is much stronger: each wall is held to
-/// the pressure itself.
+/// Residual of the stress, in units of F1/a^(Dim-1). Where walls bear the pressure, it is their imbalance over
+/// the pressure: with strong adhesion F1 is much larger than the force by the pressure.
 template <int Dim>
 double stress_residual(const Packing<Dim>& packing, const Vec<Dim>& target_stress, const Mat<Dim>& stress,
                        const ForceScale& scale) {

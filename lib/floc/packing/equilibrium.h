@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// How strict an equilibrium has to be. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1)) and
-/// the matching power of the length a, the largest diameter (docs/physics.md, "Equilibrium"; defaults of
+/// Tolerances of an equilibrium. Each number multiplies the force scale F1 = max(F0, P a^(Dim-1)) and the
+/// matching power of the length a, the largest diameter (docs/physics.md, "Equilibrium"; defaults of
 /// [GRC2008]). Where diameters differ by more than a factor of four, the forces, moment and energy of each
 /// grain are measured by its own scale: see GrainScales.
 struct EquilibriumTolerance {
@@ -19,7 +19,8 @@ struct EquilibriumTolerance {
   bool operator==(const EquilibriumTolerance&) const = default;
 };
 
-/// The four measures of equilibrium on static forces, in units of the scales above, and where they are worst.
+/// Residuals of an equilibrium: net force, net moment, stress and kinetic energy in the units of
+/// EquilibriumTolerance, with the grains of the largest net force and moment.
 struct Residuals {
   double force = 0.0;
   double moment = 0.0;
@@ -33,20 +34,21 @@ struct Residuals {
   }
 };
 
-/// Units in which residuals are measured.
+/// Units of the residuals of a packing or of a grain.
 struct ForceScale {
   double force;   ///< F1
   double length;  ///< a, the largest diameter
 };
 
-/// F1 = max(F0, P a^(Dim-1)), with P the mean of the target's diagonal.
+/// Force scale of a packing, F1 = max(F0, P a^(Dim-1)).
+/// @param target_stress  stress on each axis, compression positive; P is its mean
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Units in which each grain is measured. Grains of similar sizes (kSimilarSizes) share those of the packing.
-/// Beyond that, a net force that a large grain would not notice may be all that a small one carries: grain i of
-/// diameter d_i is then held to F1_i = max(F0, P d_i^(Dim-1)) and to a moment and energy of F1_i d_i. Refers to
-/// the packing it was made from.
+/// Force scale of each grain. Grains of similar sizes (kSimilarSizes) share the scale of the packing. If sizes
+/// differ more, a net force that is small for a large grain may be as large as the contact forces of a small
+/// one. The scales of grain i of diameter d_i are then F1_i = max(F0, P d_i^(Dim-1)) for its force and F1_i d_i
+/// for its moment and energy. An object refers to the packing that it was made from.
 template <int Dim>
 class GrainScales {
  public:
@@ -65,14 +67,15 @@ class GrainScales {
   bool shared_;
 };
 
-/// Pressure in units of the contact law: P* = a^(Dim-1) P/F0, and P a^(Dim-2)/K_N where nothing adheres (in 2D
-/// P/K_N).
+/// Reduced pressure P* = a^(Dim-1) P/F0 with adhesion, P a^(Dim-2)/K_N without (dimensionless; docs/physics.md,
+/// "Units and signs").
+/// @param pressure  P (force/length^(Dim-1))
 template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure);
 
 /// Kinetic energy of each grain in units of its own work scale, averaged over the grains, times F1 a of the
-/// packing (energy): the plain mean where the grains share one scale.
-/// @param counted  of each grain, whether its energy counts; empty: all
+/// packing (energy). It is the plain mean where all grains share one scale.
+/// @param counted  whether the energy of each grain counts; empty: all count
 template <int Dim>
 double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>& scales,
                              const std::vector<bool>& counted = {});
@@ -82,7 +85,8 @@ double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// The same where the packing's static_stress() is known already.
+/// Measures a packing as above, with its stress given.
+/// @param stress  static_stress() of the packing
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress, const Mat<Dim>& stress);
 

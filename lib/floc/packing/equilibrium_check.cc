@@ -15,7 +15,7 @@ std::string equilibrium_faults(const State<Dim>& state) {
     if (!(value < limit))
       faults += fmt::format("{}{} = {:.3g}, limit {:.3g}", faults.empty() ? "" : "; ", what, value, limit);
   };
-  // No grain is the worst of a packing in which nothing can be measured.
+  // The index is negative in a packing without grains.
   const auto name = [&](int grain) { return grain < 0 ? grain : state.packing.grains.name(grain); };
   check(fmt::format("net force of grain {} / F1", name(r.worst_force_grain)), r.force, t.force);
   check(fmt::format("net moment of grain {} / (F1 a)", name(r.worst_moment_grain)), r.moment, t.moment);

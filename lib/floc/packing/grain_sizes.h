@@ -8,7 +8,8 @@
 
 namespace floc {
 
-/// The unit of length a of a packing; 0 without grains. @param radius  (length)
+/// Largest diameter, the unit of length a of a packing (length); 0 without grains.
+/// @param radius  of each grain (length)
 inline double largest_diameter(const std::vector<double>& radius) {
   return radius.empty() ? 0.0 : 2.0 * *std::max_element(radius.begin(), radius.end());
 }
@@ -29,8 +30,8 @@ double largest_mass(const Grains<Dim>& grains) {
   return *std::max_element(grains.mass.begin(), grains.mass.end());
 }
 
-/// The largest ratio of diameters at which one length, the largest diameter, serves for all grains, in searches
-/// for neighbours and as a scale of forces. Beyond it, both go by the size of the grain.
+/// Largest ratio of diameters up to which one length, the largest diameter, is used for all grains in searches
+/// for neighbours and in scales of forces. Beyond it, both use the size of each grain.
 inline constexpr double kSimilarSizes = 4.0;
 
 inline bool similar_sizes(const std::vector<double>& radius) {
@@ -39,8 +40,8 @@ inline bool similar_sizes(const std::vector<double>& radius) {
   return *most <= kSimilarSizes * *least;
 }
 
-/// Length in which the skin of neighbour lists is measured: the largest diameter, or the smallest where they
-/// differ much, since a skin that is thin for the largest grains holds whole layers of the smallest.
+/// Unit of the skin of neighbour lists (length): the largest diameter, or the smallest one where sizes are not
+/// similar, since a skin that is thin for the largest grains contains whole layers of the smallest.
 inline double skin_length_unit(const std::vector<double>& radius) {
   return similar_sizes(radius) ? largest_diameter(radius)
                                : 2.0 * *std::min_element(radius.begin(), radius.end());

@@ -6,7 +6,8 @@
 namespace floc {
 namespace {
 
-/// Grains that more than one contact holds, once those that hang on one have been taken away in turn.
+/// Grains that are held by more than one contact. Grains with fewer contacts are removed repeatedly, with their
+/// contacts.
 template <int Dim>
 std::vector<bool> held_grains(const Packing<Dim>& packing) {
   std::vector<bool> held(packing.grains.size(), true);
@@ -25,11 +26,11 @@ std::vector<bool> held_grains(const Packing<Dim>& packing) {
   return held;
 }
 
-/// What the contacts of a grain do to its rotations.
+/// Contacts of a grain, and the kinds of springs in them that resist its rotations.
 struct Hold {
   int n_contacts = 0;
-  bool across = false;   ///< a spring across a contact
-  bool rolling = false;  ///< or against rolling or twisting
+  bool across = false;   ///< a tangential spring in any contact
+  bool rolling = false;  ///< a spring against rolling or twisting in any contact
 };
 
 template <int Dim>

@@ -10,16 +10,18 @@
 namespace floc {
 namespace {
 
-/// Crystals that are compressed by some tenths of a percent are dense without being impossible.
+/// Factor of the densest solid fraction that is still accepted, for crystals compressed by some tenths of a
+/// percent.
 constexpr double kCompressedCrystal = 1.01;
-/// Radii that differ by rounding alone are equal.
+/// Relative difference up to which radii count as equal; it covers rounding.
 constexpr double kEqual = 1e-9;
 
 std::string small_overlaps_rule(const Law& law) {
   return fmt::format("normal.law = \"{}\" is for small overlaps", law.normal_keyword());
 }
 
-/// What is said of the solid fraction; nothing where grains differ or it is possible.
+/// Says in words that the solid fraction is impossible for equal grains; empty where it is possible or grains
+/// differ.
 template <int Dim>
 std::string density_fault(const Packing<Dim>& packing) {
   const auto& radius = packing.grains.radius;

@@ -29,23 +29,24 @@ inline Orientation<Dim> no_rotation() {
   }
 }
 
-/// Round grains, one array entry per grain. Contacts refer to grains by their index here.
+/// Round grains, one array entry per grain. Contacts refer to grains by their index in these arrays.
 template <int Dim>
 struct Grains {
   std::vector<Vec<Dim>> position;  ///< centre (length), inside the cell in a saved state
-  /// Offset of the centre from `position`, less than half a unit in its last place (length); empty: none.
+  /// Low part of the centre (length), added to `position`: less than half a unit in its last place; empty:
+  /// zero.
   std::vector<Vec<Dim>> position_low;
   std::vector<Vec<Dim>> velocity;  ///< peculiar: without the affine part of the cell (length/time)
   std::vector<double> radius;      ///< (length)
   std::vector<double> mass;        ///< (mass)
   std::vector<Orientation<Dim>> orientation;
   std::vector<RotationVector<Dim>> angular_velocity;  ///< (1/time)
-  /// Identifiers that another program gave the grains, by which messages and tables name them; empty: the indices.
+  /// Identifiers of the grains from another program, used in messages and tables; empty: the indices.
   std::vector<std::int64_t> id;
 
   int size() const { return static_cast<int>(radius.size()); }
 
-  /// n grains at the origin, at rest, of radius and mass zero.
+  /// Makes n grains at the origin, at rest, of radius and mass zero.
   static Grains with_size(int n) {
     Grains g;
     g.position.assign(n, Vec<Dim>::Zero());
@@ -60,7 +61,7 @@ struct Grains {
   DoubleDoubleVec<Dim> centre(int i) const {
     return double_double<Dim>(position[i], position_low.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : position_low[i]);
   }
-  /// How messages and tables name grain i.
+  /// Identifier of grain i in messages and tables.
   std::int64_t name(int i) const { return id.empty() ? i : id[i]; }
   /// Keeps the identifiers only if they are not the indices.
   void set_names(std::vector<std::int64_t> names);
@@ -71,10 +72,11 @@ struct Grains {
   double inertia(int i) const { return shape(i).inertia(mass[i]); }
 };
 
-/// Cell, walls, grains, laws and contacts: everything mechanical about one state.
+/// Mechanical state of a packing: cell, walls, grains, laws and contacts.
 template <int Dim>
 struct Packing {
-  /// Along an axis between walls nothing is periodic: the side of the cell is their distance, normal to them.
+  /// Periodic cell. An axis between walls is not periodic: the side of the cell is normal to the walls and as
+  /// long as their distance.
   Cell<Dim> cell;
   Grains<Dim> grains;
   Law law;                             ///< between grains
@@ -82,11 +84,11 @@ struct Packing {
   std::vector<Wall<Dim>> walls;        ///< none, or both of an axis, the lower one first, axes ascending
   Law wall_law;                        ///< between grains and walls
 
-  /// Whether body j of a contact is a wall: their numbers follow those of the grains.
+  /// Whether body j of a contact is a wall. The indices of walls follow those of the grains.
   bool is_wall(int body) const { return body >= grains.size(); }
   const Wall<Dim>& wall(int body) const { return walls[body - grains.size()]; }
-  /// Radius of a body's surface about its end of a branch: zero for a wall, on which the branch itself
-  /// ends.
+  /// Radius of a body about its end of a branch (length): zero for a wall, since the branch ends on its
+  /// surface.
   double surface_radius(int body) const { return is_wall(body) ? 0.0 : grains.radius[body]; }
 };
 
@@ -98,21 +100,22 @@ bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   return false;
 }
 
-/// The cell for a search of neighbours whose centres are closer than `reach`: widened between walls, so that no
-/// grain meets an image across them.
+/// Cell for a search of neighbours whose centres are closer than `reach` (length). It is widened along axes
+/// between walls, so that no grain is close to an image across them.
 template <int Dim>
 Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, double reach);
 
-/// Area (2D) or volume (3D) of the grains over that of the cell. Overlaps count twice, as is the custom.
+/// Solid fraction: area (2D) or volume (3D) of the grains over that of the cell. Overlaps count twice, as is
+/// customary.
 template <int Dim>
 double solid_fraction(const Packing<Dim>& packing);
 
-/// Branch of a contact: vector from the centre of i to the image of j that it touches, or to its foot on a
-/// wall.
+/// Branch of a contact (length): vector from the centre of i to the centre of the image of j, or to the nearest
+/// point of a wall.
 template <int Dim>
 DoubleDoubleVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// The same, rounded: right to the last digit of each component.
+/// Branch of a contact (length), rounded: each component is right to the last digit.
 template <int Dim>
 Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Brings grains into the cell. @return the image each was displaced to
+/// Wraps grains into the cell. @return the image by which each was displaced
 template <int Dim>
 std::vector<Vec<Dim, int>> wrap(const Cell<Dim>& cell, Grains<Dim>& grains) {
   std::vector<Vec<Dim, int>> images;

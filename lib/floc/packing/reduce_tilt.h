@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Takes whole lengths of the first lattice vector off that of an axis until it reaches along the first axis by
-/// at most half a length: the lattice, and with it the packing, stays the same. Grains are brought back into
-/// the cell, and the images of contacts follow.
+/// Subtracts multiples of the first lattice vector from the lattice vector of an axis until its component along
+/// the first axis is at most half the length of the first one. The lattice, and with it the packing, stays the
+/// same. Grains are wrapped into the cell, and the images of contacts are changed accordingly.
 /// @pre the cell is lower triangular, and without walls; axis > 0
 template <int Dim>
 void reduce_tilt(Packing<Dim>& packing, int axis);

@@ -7,8 +7,9 @@
 
 namespace floc {
 
-/// @param what   the computation that works with periodic boundaries only, as a subject
-/// @param place  that the message names
+/// Requires a packing without walls.
+/// @param what  the computation that needs periodic boundaries, as the subject of a sentence
+/// @param place  place of the packing in the message
 /// @throws InputError if the packing has walls
 template <int Dim>
 void require_periodic(const Packing<Dim>& packing, const std::string& what,

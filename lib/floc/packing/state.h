@@ -11,58 +11,60 @@
 
 namespace floc {
 
-/// The turn of a load path in which axes are loaded differently, and where it started: the reference for the
-/// next step of the turn.
+/// Stage of a load path in which axes are loaded differently, with the state at its start, which is the
+/// reference of its steps.
 struct StageReference {
-  std::string control;         ///< "oedometric", "triaxial", ...; empty outside such turns
-  int axis = 0;                ///< the driven one, from 0
-  std::vector<double> sides;   ///< of the cell at the start (length)
-  std::vector<double> stress;  ///< on each axis at the start, imposed or carried
-  double shear = 0.0;          ///< of simple shear: strain since the start, by the end of this step
+  std::string control;         ///< "oedometric", "triaxial", ...; empty outside such stages
+  int axis = 0;                ///< driven axis, from 0
+  std::vector<double> sides;   ///< sides of the cell at the start (length)
+  std::vector<double> stress;  ///< stress on each axis at the start, imposed or carried
+  double shear = 0.0;          ///< shear strain from the start of the stage to the end of this step
 
   bool empty() const { return control.empty(); }
   bool operator==(const StageReference&) const = default;
 };
 
-/// The place of a state on its load path.
+/// Place of a state on its load path.
 struct PathPosition {
   int step = 0;              ///< number of the equilibrium, 0 for the first saved
   std::string branch;        ///< "assembly", "load", "unload", ...
   double time = 0.0;         ///< simulated time since the start (time unit of the scene)
   std::int64_t n_steps = 0;  ///< time steps since the start
-  std::string ending;  ///< how the relaxation ended: "static", "polished", "dynamic"; empty where not known
+  std::string ending;  ///< end of the relaxation: "static", "polished", "dynamic", ...; empty if not known
   StageReference turn;
 };
 
-/// What made a state, and from what. No clock time: repeated runs give identical files.
+/// Origin of a state: program, seed and parent. It holds no clock time, so that repeated runs give identical
+/// files.
 struct Provenance {
   std::string program;  ///< "floc 0.1.0", or the program a converted packing came from
   std::string commit;
   std::string compiler;
   std::uint64_t seed = 0;
-  std::uint64_t stream_state = 0;  ///< of the random stream that continues from here
-  std::string parent_sha256;       ///< of the state file this one was loaded from; empty for the first
-  std::string source;              ///< converted packings: the file they came from
+  std::uint64_t stream_state = 0;  ///< state of the random stream, from which the run continues
+  std::string parent_sha256;  ///< hash of the state file that the run continued from; empty for the first state
+  std::string source;         ///< converted packings: the file they came from
 };
 
-/// A saved state: all that decides its future and all that an analysis needs.
+/// Saved state: all data that determine how a run continues from it, and all data that an analysis needs.
 template <int Dim>
 struct State {
   std::string units = "reduced";  ///< "reduced" or "SI"
   Packing<Dim> packing;
-  /// Diagonal stress imposed, compression positive; on an axis with a length imposed, the stress it carried.
+  /// Stress imposed on each axis, compression positive; on an axis with an imposed length, the stress that it
+  /// carried.
   Vec<Dim> target_stress = Vec<Dim>::Zero();
   Vec<Dim> target_side = Vec<Dim>::Zero();          ///< length imposed on an axis; zero where a stress is
-  std::optional<ImposedOffset> target_offset = {};  ///< of the step of a simple shear
+  std::optional<ImposedOffset> target_offset = {};  ///< offset imposed by a step of simple shear
   EquilibriumTolerance tolerance;
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing, when saved
   Residuals residuals;                 ///< reached when saved
-  int n_negative = -1;                 ///< negative eigenvalues of the stiffness matrix; -1: not determined
-  /// For a law with liquid: bridges that would form or break if the liquid were shared out once more, above 0
-  /// where the liquid was held in place after many trials; -1: not determined.
+  int n_negative = -1;  ///< number of negative eigenvalues of the stiffness matrix; -1: not determined
+  /// For a law with liquid, number of bridges that would form or break if the liquid were shared out once more.
+  /// It is above 0 if the bridges kept their volumes after many trials; -1: not determined.
   int n_bridges_unsettled = -1;
-  /// Of states read from a file: the forces on the walls that it records, in their order. What is saved are those of
-  /// the contacts.
+  /// Forces on the walls as recorded in the file that the state was read from, in the order of the walls. A
+  /// saved file records the forces of the contacts instead.
   std::vector<double> wall_force = {};
   PathPosition path;
   std::string scene;  ///< text of the scene, empty for converted packings

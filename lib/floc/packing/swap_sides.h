@@ -8,7 +8,8 @@
 
 namespace floc {
 
-/// The same contact with its grains exchanged. @param parity  of what its law remembers, swap_parity()
+/// Exchanges the two grains of a contact.
+/// @param parity  factor of each number of the history, swap_parity() of the law
 template <int Dim>
 void swap_sides(const ContactHistory<Dim>& parity, Contact<Dim>& c) {
   c = swapped(c);

@@ -23,7 +23,7 @@ Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
   return place;
 }
 
-/// The contact of copy `tile`: where its second grain lies in another copy, and which image of that.
+/// Contact of copy `tile`: finds the copy that its second grain belongs to, and the image of that copy.
 template <int Dim>
 Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>& copies,
                     const ContactHistory<Dim>& parity) {

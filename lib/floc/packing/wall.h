@@ -4,15 +4,15 @@
 
 namespace floc {
 
-/// A rigid plane across an axis of the cell, with grains on one side of it. It moves along its normal alone.
-/// Walls are bodies: their identifiers follow those of the grains, in the order of Packing::walls.
+/// Rigid plane across an axis of the cell, with grains on one side of it. It moves only along its normal. A
+/// wall is a body of contacts: the indices of walls follow those of the grains, in the order of Packing::walls.
 template <int Dim>
 struct Wall {
-  int axis;               ///< of its normal
-  int side;               ///< +1: grains lie below it on the axis; -1: above
-  double position;        ///< on the axis (length)
-  double velocity = 0.0;  ///< along the axis (length/time)
-  double mass = 0.0;      ///< (mass)
+  int axis;               ///< axis of its normal, from 0
+  int side;               ///< +1: grains lie below the wall on the axis; -1: above
+  double position;        ///< position on the axis (length)
+  double velocity = 0.0;  ///< velocity along the axis (length/time)
+  double mass = 0.0;      ///< infinite for a wall that does not follow forces (mass)
 
   /// Unit vector from the grains to the wall.
   Vec<Dim> normal() const { return side * Vec<Dim>::Unit(axis); }

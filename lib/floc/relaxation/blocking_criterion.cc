@@ -11,6 +11,7 @@ std::string in_words(const Unmet& unmet) {
   const auto against = [&unmet](const char* what) {
     return fmt::format("{} {:.2e} against {:.0e}", what, unmet.value, unmet.limit);
   };
+  // There is no default case, so that the compiler names a demand without words.
   switch (unmet.demand) {
     case Demand::none:
       return "";
@@ -43,6 +44,7 @@ std::string in_words(const Unmet& unmet) {
           "none",
           unmet.value);
     case Demand::liquid:
+      // Even if no bridge forms or breaks, the volumes of the bridges may still change.
       return unmet.value > 0.0
                  ? fmt::format("liquid still moves: {:.0f} bridges would form or break", unmet.value)
                  : "liquid still moves between the bridges";

@@ -10,24 +10,26 @@
 
 namespace floc {
 
-/// What is imposed on one component of the boundary.
+/// Kind of control of one component of the boundary.
 enum class Imposed {
   stress,  ///< the component follows the stress that acts on it
-  rate,    ///< it moves at a given strain rate; at rate zero it is fixed
+  rate,    ///< the component moves at a given strain rate; at rate zero it is fixed
 };
 
-/// The smooth way of axes from one length to another, at rest at both ends: with t the share of the time, the
-/// logarithmic strain goes as 3 t^2 - 2 t^3. A shear of the lattice goes the same way.
+/// Strain ramp of axes from one length to another, at rest at both ends. With t = time/duration, the
+/// logarithmic strain is proportional to 3 t^2 - 2 t^3 (docs/physics.md, "Boundary control"). The offset of a
+/// sheared lattice vector follows the same function.
 template <int Dim>
 struct StrainRamp {
   static constexpr double kPeak = 1.5;  ///< largest rate over the mean rate
 
-  Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();  ///< (length); axes where they are equal stay
-  double begun = 0.0;                                       ///< how long ago the way began (time)
-  double duration = 0.0;                                    ///< (time)
-  int sheared_axis = 0;                       ///< whose lattice vector moves along the first axis; 0: none
-  double offset_from = 0.0, offset_to = 0.0;  ///< how far it reaches along that (length)
-  double height = 1.0;                        ///< length of the sheared axis before (length)
+  Vec<Dim> from = Vec<Dim>::Zero(),
+           to = Vec<Dim>::Zero();             ///< sides (length); axes with equal sides do not move
+  double begun = 0.0;                         ///< time since the ramp began (time)
+  double duration = 0.0;                      ///< (time)
+  int sheared_axis = 0;                       ///< axis whose lattice vector moves along the first axis; 0: none
+  double offset_from = 0.0, offset_to = 0.0;  ///< component of that vector along the first axis (length)
+  double height = 1.0;                        ///< length of the sheared axis before the ramp (length)
 
   bool any() const { return from != to || shears(); }
   bool shears() const { return offset_from != offset_to; }
@@ -50,17 +52,17 @@ struct StrainRamp {
   }
 
  private:
-  /// Share of the way that is done a time `since` from now.
+  /// Share of the ramp that is done a time `since` from now.
   double share(double since) const {
     const double t = (begun + since) / duration;
     return t * t * (3.0 - 2.0 * t);
   }
 };
 
-/// How the boundary of a packing moves (docs/physics.md, "Boundary control"): each component of stress and
-/// strain is under a stress or moves at a rate. The lattice is kept lower triangular (its first vector along
-/// the first axis), so that it shears but does not turn. Components in the order of StrainSet::full: 11,
-/// 22 (, 33), then 12 (2D), or 23, 13, 12 (3D).
+/// Control of the boundary of a packing (docs/physics.md, "Boundary control"): each component follows a stress
+/// or moves at a strain rate. The lattice is kept lower triangular (its first vector along the first axis), so
+/// that it shears but does not turn. Components in the order of StrainSet::full: 11, 22 (, 33), then 12 (2D),
+/// or 23, 13, 12 (3D).
 template <int Dim>
 struct BoundaryControl {
   std::array<Imposed, kSymmetric<Dim>> imposed;
@@ -69,17 +71,17 @@ struct BoundaryControl {
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
   double mass = 0.0;  ///< inertia M of a component of the lattice (mass)
   double rate_cap = std::numeric_limits<double>::infinity();  ///< largest strain rate under stress (1/time)
-  StrainRamp<Dim> ramp;  ///< of axes at a rate: where one has a way, it replaces the target
-  /// Mean stress that sets the scale of forces; absent: that of the stresses imposed.
+  StrainRamp<Dim> ramp;  ///< strain ramp of axes at a rate; it replaces their target
+  /// Mean stress that sets the scale of forces; absent: the mean of the imposed stresses.
   std::optional<double> reference_stress;
 
-  /// Nothing moves.
+  /// Fixes all components.
   static BoundaryControl fixed() {
     BoundaryControl control;
     control.imposed.fill(Imposed::rate);
     return control;
   }
-  /// A stress on each axis, shear fixed.
+  /// Imposes a stress on each axis and fixes the shear components.
   static BoundaryControl normal_stress(const Vec<Dim>& stress, double mass,
                                        double rate_cap = std::numeric_limits<double>::infinity()) {
     BoundaryControl control = fixed();
@@ -90,7 +92,8 @@ struct BoundaryControl {
     return control;
   }
 
-  /// Stresses and lengths on the axes, shear fixed. @param stress  imposed; on strained axes carried
+  /// Imposes stresses or lengths on the axes and fixes the shear components.
+  /// @param stress  stress imposed on each axis, or carried on strained axes
   static BoundaryControl imposing(const LoadTarget<Dim>& load, const Vec<Dim>& stress, double mass,
                                   double rate_cap = std::numeric_limits<double>::infinity()) {
     BoundaryControl control = normal_stress(stress, mass, rate_cap);
@@ -109,7 +112,7 @@ struct BoundaryControl {
       if (imposed[k] == Imposed::stress || target[k] != 0.0) return false;
     return true;
   }
-  /// Whether a rectangular lattice stays so.
+  /// Whether a rectangular lattice stays rectangular.
   bool keeps_rectangular() const {
     if (ramp.shears()) return false;
     for (int k = Dim; k < kSymmetric<Dim>; ++k)
@@ -121,7 +124,7 @@ struct BoundaryControl {
       if (what == Imposed::stress) return true;
     return false;
   }
-  /// The reference stress, else the mean of the stresses imposed on axes; zero where there is none.
+  /// Reference stress if there is one, else the mean of the stresses imposed on axes; zero if none is imposed.
   double mean_stress() const {
     if (reference_stress) return *reference_stress;
     double sum = 0.0;
@@ -140,7 +143,7 @@ constexpr std::array<int, 2> component_axes(int k) {
   return k == 3 ? std::array{1, 2} : k == 4 ? std::array{0, 2} : std::array{0, 1};
 }
 
-/// Component that shears the planes across an axis along the first one. @pre axis > 0
+/// Index of the component that shears the planes across an axis along the first axis. @pre axis > 0
 template <int Dim>
 constexpr int shear_component(int axis) {
   return Dim == 2 ? 2 : 6 - axis;

@@ -20,14 +20,15 @@
 namespace floc {
 namespace {
 
-/// The void ratio may change so much while what is left of the motion is taken out; beyond, it is set free
-/// again.
+/// Change of the void ratio during the finish beyond which the motion is set free again.
 constexpr double kFinishVoidRatio = 1e-3;
-/// A finish that takes longer (T) leaves the state as it is, where the scene takes states that are no equilibria.
+/// Longest finish (T). After it the state is recorded as it is, where the scene accepts states that are not
+/// equilibria.
 constexpr double kLongestFinish = 60.0;
-/// Walls that touch nothing, at so many times the distance at which they started, have run away.
+/// Distance over the distance at the start beyond which walls without contacts are lost.
 constexpr double kRunAway = 4.0;
-/// A box has closed where its walls are nearer than this, in largest diameters: overlaps are small.
+/// Distance of walls below which a box has closed, in largest diameters. Overlaps are small, so that grains
+/// cannot fit.
 constexpr double kBoxClosed = 0.5;
 
 /// Visits every member under the name that checkpoints have for it.
@@ -95,7 +96,8 @@ bool BoxRelaxer<Dim>::under_pressure(int axis) const {
                      [axis](const Wall<Dim>& w) { return w.axis == axis && follows_forces(w); });
 }
 
-/// Walls of infinite mass stand still under a stress, too.
+/// Control of the walls. Walls that still move at their given speed are under a rate, the others under the
+/// pressure; walls of infinite mass do not move under a pressure.
 template <int Dim>
 BoundaryControl<Dim> BoxRelaxer<Dim>::control() {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
@@ -119,10 +121,12 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
+    // The packing is the one that the chunk began with, but the dynamics has taken its contacts.
     find_contacts(packing_);
     measure();
     return give_up("diverged", "the motion diverged: run.time_step is too large, or box.mass too small for it");
   }
+  // Freed first, so that a large packing is not held twice.
   packing_ = {};
   packing_ = dynamics->release_packing();
   if (!options_.skin) progress_.skin = dynamics->skin();
@@ -133,6 +137,8 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   if (std::string words = lost(); !words.empty()) return give_up("lost", std::move(words));
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status != RelaxationStatus::running) return status;
+  // A scene that names a longest time gets the state at that time as it is. A finish that has begun by then
+  // goes on: check_finish() limits how long it may take.
   if (options_.compaction.longest) {
     if (finishing || progress_.time <= *options_.compaction.longest * time_unit_) return status;
     return stop_here();
@@ -144,7 +150,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
                                  options_.max_time, blocking));
 }
 
-/// Whether the scene takes a state that is no equilibrium.
+/// Whether the scene accepts a state that is not an equilibrium.
 template <int Dim>
 bool BoxRelaxer<Dim>::may_stop() const {
   return options_.compaction.longest || options_.compaction.criterion == CompactionEnd::Criterion::energy_ratio;
@@ -157,7 +163,7 @@ RelaxationStatus BoxRelaxer<Dim>::give_up(const char* ending, std::string words)
   return RelaxationStatus::gave_up;
 }
 
-/// What makes the packing none any more, in words; nothing while it is one.
+/// Reason why grains and walls no longer form a packing, in words; empty while they do.
 template <int Dim>
 std::string BoxRelaxer<Dim>::lost() const {
   const Grains<Dim>& g = packing_.grains;
@@ -186,7 +192,7 @@ std::string BoxRelaxer<Dim>::lost() const {
   return "";
 }
 
-/// Every wall has borne half of its pressure once.
+/// Whether every wall has borne half of its pressure at some time. Before that a compaction cannot end.
 template <int Dim>
 bool BoxRelaxer<Dim>::is_armed() {
   if (progress_.armed) return true;
@@ -202,7 +208,8 @@ bool BoxRelaxer<Dim>::is_armed() {
   return progress_.armed = all;
 }
 
-/// Within the window of the specification [SVI2024 and docs/physics.md].
+/// Whether the void ratio has been steady over the window of time of [SVI2024] (docs/physics.md, "Boxes with
+/// walls").
 template <int Dim>
 bool BoxRelaxer<Dim>::void_ratio_is_steady() {
   std::vector<double>& recent = progress_.void_ratio;
@@ -234,8 +241,9 @@ bool BoxRelaxer<Dim>::has_ended() {
   return steady && residuals_.stress < CompactionEnd::kSettledPressure;
 }
 
-/// What has mechanisms moves on until more contacts hold it: a quench would freeze it. Where the ratio of
-/// energies is to end it, it is recorded as it is.
+/// Begins the finish once the compaction has ended and no mechanism is left. A packing with mechanisms moves on
+/// until more contacts hold it, since power control would freeze it as it is. Where the ratio of energies ends
+/// the compaction, such a state is recorded as it is.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::check_motion() {
   if (!has_ended()) return RelaxationStatus::running;
@@ -276,7 +284,8 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
   return long_enough && may_stop() ? stop_here() : RelaxationStatus::running;
 }
 
-/// What that would change, counted where there is any.
+/// Changes of the bridges if the liquid were shared out once more. The packing itself is not changed; without
+/// liquid nothing is counted.
 template <int Dim>
 LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   if (!holds_liquid(packing_)) return {};
@@ -286,7 +295,7 @@ LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   return change;
 }
 
-/// Records the state as it is. What is known of the stability of one at rest is kept.
+/// Records the state as it is. Its stability is kept if it has been determined at rest.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::stop_here() {
   n_mechanisms_ = least_mechanisms(packing_);

@@ -10,15 +10,15 @@
 
 namespace floc {
 
-/// The progress of a compaction, apart from the packing itself: all that decides how it goes on.
+/// Progress of a compaction. Together with the packing it determines how the compaction continues.
 struct CompactionProgress {
   enum Phase { moving, finishing };
   int phase = moving;
   std::int64_t n_steps = 0;        ///< time steps of this relaxation so far
   double time = 0.0;               ///< simulated time of this relaxation so far
-  double skin = 0.0;               ///< of the Verlet list; 0 before the first chunk
-  std::vector<double> start_side;  ///< of the box, when the relaxation began
-  std::vector<double> void_ratio;  ///< at the end of each recent chunk, the oldest first
+  double skin = 0.0;               ///< skin of the Verlet list (length); 0 before the first chunk
+  std::vector<double> start_side;  ///< sides of the box when the relaxation began (length)
+  std::vector<double> void_ratio;  ///< void ratio at the end of each recent chunk, the oldest first
   /// For each axis: sign of pressure - target while its walls move at their given speed; 0 once they bear it.
   std::vector<double> closing_sign;
   bool armed = false;            ///< every wall has borne half of its pressure
@@ -26,16 +26,16 @@ struct CompactionProgress {
   double finishing_time = 0.0;   ///< time when finishing began
 };
 
-/// Takes a packing between walls to equilibrium under their pressure: dynamics until the end that the options
-/// ask for, then, where the structure that carries the load has no mechanism, power control. A scene that says
-/// when to stop, by a time or by the ratio of energies, gets the state that there is then, "stopped", with the
-/// number of its mechanisms; any other is given up at RelaxationOptions::max_time. Walls of infinite mass and
-/// periodic axes stay as they are.
+/// Relaxer of a packing between walls under pressure. The packing moves freely until the criterion of the
+/// options (CompactionEnd) is met and the structure that carries the load has no mechanism; power control then
+/// takes it to equilibrium. If the options end the compaction at a given time or ratio of energies, the state
+/// at that point is recorded as "stopped", with the number of its mechanisms. Otherwise the relaxation is given
+/// up at RelaxationOptions::max_time. Walls of infinite mass and periodic axes do not move.
 template <int Dim>
 class BoxRelaxer final : public Equilibrator<Dim> {
  public:
   /// @pre the packing has walls and its lattice is rectangular
-  /// @throws InputError if a length is imposed on an axis: fixed walls and periodic axes keep their own
+  /// @throws InputError if a length is imposed on an axis
   BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
              const std::string& progress = "");
   /// @param target_stress  pressure on the walls of each axis
@@ -43,8 +43,8 @@ class BoxRelaxer final : public Equilibrator<Dim> {
              const std::string& progress = "")
       : BoxRelaxer(options, std::move(packing), LoadTarget<Dim>::normal_stress(target_stress), progress) {}
 
-  /// One chunk. A packing that has ceased to be one (walls that ran away, a box that closed) is given
-  /// up.
+  /// Advances by one chunk. The relaxation is given up if a wall loses contact with the packing, a grain passes
+  /// a wall or the box closes.
   RelaxationStatus advance() override;
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
@@ -74,11 +74,11 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   Packing<Dim> packing_;
   Vec<Dim> target_;
   CompactionProgress progress_;
-  Mat<Dim> stress_;  ///< of the packing, like what follows
+  Mat<Dim> stress_;  ///< static stress of the packing
   Residuals residuals_;
   double energy_ratio_ = 0.0;
-  Stability stability_;  ///< of a packing within its tolerances
-  Unmet unmet_;          ///< residuals apart
+  Stability stability_;  ///< determined once the residuals are within tolerance
+  Unmet unmet_;          ///< first unmet criterion besides the residuals
   int n_mechanisms_ = -1, n_bridges_unsettled_ = -1;
   std::string ending_, words_;
   double time_step_;
@@ -86,7 +86,8 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   MotionObserver<Dim> observer_;
 };
 
-/// T = sqrt(m/(P a^(Dim-2))) of the largest grain; without pressure inertial_time().
+/// Time unit of a compaction, T = sqrt(m/(P a^(Dim-2))) with m and a of the largest grain (time);
+/// inertial_time() where the pressure is zero.
 template <int Dim>
 double compaction_time(const Packing<Dim>& packing, double pressure);
 

@@ -24,7 +24,8 @@ class CellMotion {
   const WallMotion<Dim>& walls() const { return walls_; }
   /// Matrix h, whose columns are the lattice vectors (length).
   const Mat<Dim>& lattice() const { return lattice_; }
-  /// The cell as packings store it, with the walls' distances on the axes that lie between walls.
+  /// Cell in the form that packings store, with the distance of the walls as the side of each axis between
+  /// walls.
   Cell<Dim> cell() const;
   /// Whether the lattice, its rate and the sides are finite.
   bool finite() const;
@@ -36,10 +37,10 @@ class CellMotion {
   /// Displacement of an image (length).
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   /// Moves a position into the cell, except along axes between walls.
-  /// @return  the image that brought it there
+  /// @return the image by which it was moved
   Vec<Dim, int> wrap(Vec<Dim>& position) const;
-  /// The boundary as pairs see it. The view of the walls stays valid for as long as this object lives.
-  /// @param slip_time  time over which the springs take up the present velocities
+  /// Boundary as the kernels of pairs read it. The view of the walls is valid for the lifetime of this object.
+  /// @param slip_time  time over which the present velocities are added to the springs (time)
   PairCell<Dim> pair_cell(double slip_time) const;
 
   /// Lists the pairs of each wall, after a new list of the pairs of grains with walls.
@@ -47,8 +48,8 @@ class CellMotion {
   /// Sums the forces on the walls, after the forces of their pairs have been computed.
   void sum_forces_on_walls(const Interaction<Dim>& interaction) { walls_.sum_forces(interaction); }
 
-  /// Sets the strain rates with which a drift over a time step brings the axes that follow a strain ramp to where
-  /// the ramp is at the end of the step.
+  /// Sets the strain rates of the axes that follow a strain ramp, so that a drift over a time step brings them
+  /// to the position of the ramp at the end of the step.
   void advance_strain_ramp(double time_step);
   /// Accelerates the lattice and the walls over half a step. @param sums  of the blocks of grains
   void kick(double half_step, const std::vector<BlockSums<Dim>>& sums);

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// How the cell, or the walls, respond to their load in a part of a run, where that differs from the rest
-/// (RelaxationOptions).
+/// Response of the cell or the walls to their load in one part of a run. Members that are set replace those of
+/// RelaxationOptions there.
 struct CellResponse {
   std::optional<double> inertial_number_cap;
   std::optional<double> cell_mass;
@@ -16,7 +16,7 @@ struct CellResponse {
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 
-  /// This response, with what it leaves open taken from another. A cap of either kind replaces both.
+  /// Returns this response with its unset members taken from another. A cap of either kind replaces both caps.
   CellResponse or_else(const CellResponse& other) const {
     CellResponse out = *this;
     if (!has_cap()) {

@@ -8,18 +8,18 @@
 
 namespace floc {
 
-/// The history of the contacts of a packing that is set in motion. It is held here until there are lists of pairs to
-/// load it into.
+/// Histories of the contacts of a packing that is set in motion. They are stored here until lists of pairs
+/// exist to load them into.
 template <int Dim>
 class ContactHistories {
  public:
   /// Takes the contacts out of a packing, so that a large one is not held twice.
-  /// @param grains  of the packing, as they are set in motion
+  /// @param grains  arrays of the grains of the packing
   ContactHistories(Packing<Dim>& packing, const GrainArrays<Dim>& grains);
 
   /// Contacts beside the first contact of their pair: those between grains, then those with walls.
   PairLists<Dim> further_contacts() const;
-  /// Copies the history into the pairs of the contacts, and finds what bridges follow from it.
+  /// Copies the histories into the pairs of the contacts, and computes the parameters of their liquid bridges.
   void load_into(Interactions<Dim>& interactions) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// A load that is put on at once, undamped, carries a spring this many times as far as the equilibrium lies.
+/// Displacement of an undamped spring under a sudden load, over its displacement in equilibrium.
 constexpr double kOvershoot = 2.0;
 
 template <class T>
@@ -26,7 +26,7 @@ bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   return !mobilised(law, beyond, 0.0).any() && !to.yields();
 }
 
-/// Whether the normal law of a contact remembers the same as before: it has taken up no energy for good.
+/// Whether the history of the normal law of a contact is unchanged, so that it has dissipated no energy.
 template <int Dim>
 bool remembers_same_overlap(const Contact<Dim>& from, const Contact<Dim>& to) {
   constexpr int n = HistoryLayout<Dim>::kNormalRoom;

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Whether the step from one equilibrium to another is elastic: on the way between them, and as far again
-/// beyond, no contact opens, closes or is mobilised. The vibrations after a load is put on at once then leave
-/// no trace either.
+/// Whether the step from one equilibrium to another is elastic: no contact opens, closes or becomes mobilised
+/// on the straight path between them, nor if the path is continued by its own length. The vibrations after a
+/// load is imposed at once, which overshoot by up to that length, then leave the same state.
 template <int Dim>
 bool is_elastic_step(const Packing<Dim>& from, const Packing<Dim>& to);
 

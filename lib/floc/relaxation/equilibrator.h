@@ -15,52 +15,55 @@ namespace floc {
 
 enum class RelaxationStatus { running, converged, gave_up };
 
-/// How a relaxation ended, or its progress, in numbers and text.
+/// Report of a relaxation: its result, or its progress so far.
 struct RelaxationReport {
   Residuals residuals;
-  Stability stability;  ///< of an equilibrium; not tested before it
-  /// Bridges that would form or break if the liquid of an equilibrium were shared out once more; -1 before, and
-  /// without liquid.
+  Stability stability;  ///< stability of an equilibrium; not determined before
+  /// Number of bridges that would form or break if the liquid of an equilibrium were shared out once more; -1
+  /// before the equilibrium, and without liquid.
   int n_bridges_unsettled = -1;
-  /// Mechanisms of the structure between walls, -1: not counted. A state that has some is not an equilibrium.
+  /// Number of mechanisms of the structure between walls; -1: not counted. A state with mechanisms is not an
+  /// equilibrium.
   int n_mechanisms = -1;
-  /// "polished", "dynamic", "static", "stopped" (recorded as it is, between walls), "diverged",
-  /// "unloaded", "closed"; empty while it runs.
+  /// Kind of the end: "polished", "dynamic", "static", "stopped" (between walls, recorded without equilibrium),
+  /// "diverged", "lost", "unloaded" or "closed"; empty while the relaxation runs, and where it exceeded its
+  /// time.
   std::string ending;
-  std::string blocking;  ///< criterion that keeps it from being an equilibrium, in words
+  std::string blocking;  ///< criterion that is not met, in words
   double decay_rate =
-      0.0;            ///< of a force residual that is above its tolerance (1/time); positive when it falls
-  std::string phase;  ///< what it is doing: "moving", "finishing", ...
+      0.0;            ///< decay rate of a force residual above its tolerance (1/time); positive when it falls
+  std::string phase;  ///< present phase: "moving", "finishing", ...
   double time = 0.0;  ///< simulated time of this relaxation so far
   std::int64_t n_steps = 0;  ///< time steps of this relaxation so far
 };
 
-/// Takes a packing to equilibrium under a load, chunk by chunk. Between two chunks its state is the
-/// packing and the progress: an equilibrator made from them goes on as if it had never been stopped.
+/// Takes a packing to equilibrium under a load, chunk by chunk. Between two chunks the packing and progress()
+/// are its whole state: an equilibrator made from them continues with identical results.
 template <int Dim>
 class Equilibrator {
  public:
   virtual ~Equilibrator() = default;
 
-  /// One chunk.
+  /// Advances by one chunk.
   virtual RelaxationStatus advance() = 0;
   /// Sets the observer of the packing as it moves.
   virtual void set_observer(MotionObserver<Dim> observer) = 0;
 
   virtual const Packing<Dim>& packing() const = 0;
-  /// Gives the packing away, so that a large one is held only once. Nothing else may be asked afterwards.
+  /// Moves the packing out, so that a large one is held only once. No other member may be called afterwards.
   virtual Packing<Dim> release_packing() = 0;
-  /// Static stress of the packing as it is now.
+  /// Static stress of the packing as it is now (force/length^(Dim-1)).
   virtual const Mat<Dim>& stress() const = 0;
-  /// What each axis is loaded with: the stress imposed, or carried now where a length is imposed.
+  /// Stress on each axis, compression positive: the stress imposed, or the one carried now where a length is
+  /// imposed.
   virtual const Vec<Dim>& target_stress() const = 0;
   virtual RelaxationReport report() const = 0;
-  /// Its progress, as text that only equilibrators of the same kind can read.
+  /// Progress as text, which equilibrators of the same kind can read.
   virtual std::string progress() const = 0;
 };
 
-/// The explicit relaxer (relaxer.h), or that of boxes where the packing has walls (box_relaxer.h).
-/// @param load           what is imposed on each axis
+/// Makes the equilibrator of a packing: Relaxer, or BoxRelaxer where the packing has walls.
+/// @param load  stress or length imposed on each axis
 /// @param progress       of an equilibrator that was stopped; empty: from the beginning
 /// @throws InputError if `progress` is not one of this kind of equilibrator
 template <int Dim>

@@ -10,7 +10,8 @@
 namespace floc {
 namespace {
 
-/// How far a grain may be, in sides of the cell; the search for neighbours can hold ten times as much.
+/// Largest distance of a grain, in sides of the cell. The search for neighbours can represent ten times as
+/// much.
 constexpr double kFurthest = 1e8;
 
 template <int Dim>
@@ -22,7 +23,8 @@ LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control
 
 template <int Dim>
 SkinRule skin_rule(const Packing<Dim>& packing, const DynamicsSettings& settings) {
-  // Where liquid is shared out with every list, the skin decides when, and must not follow what lists cost.
+  // If liquid is shared out with every list, the skin determines the time of that, and must not depend on the
+  // cost of lists.
   return packing.law.liquid() && !settings.holds_liquid ? SkinRule::follows_reach : SkinRule::balances_costs;
 }
 
@@ -55,7 +57,7 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
   run_in_team(sweep_.n_threads(), [&](int thread, Barrier& barrier) {
     Rotation from = Rotation::at_end;
     for (int k = 0; k < n_steps; ++k) {
-      // Spins at the end of a step are read after the last step and by power control alone.
+      // Spins at the end of a step are read only after the last step and by power control.
       const Rotation to = k + 1 < n_steps && motion == Motion::free ? Rotation::in_middle : Rotation::at_end;
       step(thread, barrier, motion, from, to);
       from = to;
@@ -127,7 +129,8 @@ void ExplicitDynamics<Dim>::measure_motion(int thread) {
   sweep_.for_each_block(thread, [&](int b) { lists_.motion().measure(b, kernels, step_.grains); });
 }
 
-/// Computes the forces of the present positions and velocities. Histories stay as they are but for their caps.
+/// Computes the forces of the present positions and velocities. Histories change only where they are beyond
+/// their caps.
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
   step_.kick = cell_.kick_of_grains(0.0);
@@ -140,11 +143,11 @@ void ExplicitDynamics<Dim>::refresh_forces() {
   if (interactions_.with_walls()) cell_.sum_forces_on_walls(interactions_.on_walls());
 }
 
-/// After the motion of all blocks has been measured.
+/// Builds new lists if the measured motion requires them. @pre the motion of all blocks has been measured
 template <int Dim>
 void ExplicitDynamics<Dim>::renew_stale_lists() {
   lists_.motion().take_measured();
-  // Where the motion has diverged there are no neighbours to find; the caller asks finite().
+  // If the motion has diverged, no lists can be built; the caller finds out by finite().
   if (!lists_.stale(cell_, range()) || !finite()) return;
   Interaction<Dim>& between_grains = interactions_.between_grains();
   if (liquid_) between_grains.set_range(liquid_->reach(grains_, cell_, between_grains));

@@ -20,7 +20,7 @@ namespace floc {
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:
-  /// @param packing  whose contacts are taken over
+  /// @param packing  its contacts are moved into this object
   ExplicitDynamics(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                    const DynamicsSettings& settings);
 
@@ -32,12 +32,12 @@ class ExplicitDynamics final : public Dynamics<Dim> {
 
  private:
   /// Does one thread's part of a time step.
-  /// @param from, to  how the rotation of the grains stands before and after the step
+  /// @param from, to  stage of the rotation of the grains before and after the step
   void step(int thread, Barrier& barrier, Motion motion, Rotation from, Rotation to);
   void begin_step();
   void end_step(Motion motion);
   void stop_if_slowing();
-  /// Measures how far the grains of a thread have moved since the lists were built.
+  /// Measures the motion of the grains of a thread since the lists were built.
   void measure_motion(int thread);
   void refresh_forces();
 
@@ -54,10 +54,10 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   CellMotion<Dim> cell_;
   Interactions<Dim> interactions_;
   NeighborLists<Dim> lists_;
-  std::optional<LiquidBridges<Dim>> liquid_;  ///< where the law has liquid
+  std::optional<LiquidBridges<Dim>> liquid_;  ///< present where the law has liquid
   ForceSweep<Dim> sweep_;
   GrainStep<Dim> step_{};
-  double twice_kinetic_ = 0.0;  ///< of grains and boundary, after the last step under power control
+  double twice_kinetic_ = 0.0;  ///< energy of grains and boundary after the last step under power control
 };
 
 }  // namespace floc

@@ -10,13 +10,13 @@
 
 namespace floc {
 
-/// What the passes over blocks of grains read in a time step.
+/// Data that the passes over blocks of grains read in a time step.
 template <int Dim>
 struct GrainStep {
   GrainView<Dim> grains;
   PairCell<Dim> cell;
-  Kick<Dim> kick;    ///< of each half of the step
-  Drift<Dim> drift;  ///< of the whole step, between the two kicks
+  Kick<Dim> kick;    ///< kick over each half of the step
+  Drift<Dim> drift;  ///< drift over the whole step, between the two kicks
 };
 
 /// The passes of a time step over blocks of grains, shared out among threads (SweepPlan). A block owns the pairs
@@ -47,22 +47,22 @@ class ForceSweep {
     for (int b = plan_.first_block(plan_.first_group(thread)); b < last; ++b) visit(b);
   }
   /// Kicks and moves all blocks of a thread.
-  /// @param stands  how the rotation of the grains stands
+  /// @param stands  stage of the rotation of the grains
   void drift_all(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                  Rotation stands) const;
-  /// Kicks and moves only those blocks that pairs of other threads read, too: a thread's part of them.
+  /// Kicks and moves a thread's part of the shared blocks, which pairs of other threads read, too.
   void drift_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                     Rotation stands) const;
-  /// Computes the pairs of a thread's blocks, and sums and kicks the blocks that it shares with no other thread.
-  /// @param undrifted  how the rotation of the grains stands where blocks that are not shared have still to drift,
-  ///                   each just before pairs read it
-  /// @param to         where to leave the rotation
+  /// Computes the pairs of a thread's blocks, and sums and kicks those blocks that are not shared.
+  /// @param undrifted  stage of the rotation of blocks that have still to drift, if blocks that are not shared
+  /// have not drifted yet; each drifts just before pairs read it
+  /// @param to  stage at which the rotation is left
   void compute(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                std::optional<Rotation> undrifted, Rotation to);
   /// Sums and kicks a thread's part of the shared blocks. @pre all threads have computed their pairs
   void sum_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step, Rotation to);
 
-  /// What each block adds to the sums over the packing.
+  /// Contribution of each block to the sums over the packing.
   const std::vector<BlockSums<Dim>>& sums() const { return sums_; }
   double twice_kinetic_energy() const;
   /// Sets the sums over velocities to zero, after the grains have been stopped.

@@ -17,15 +17,15 @@ inline bool all_equal(std::span<const double> numbers) {
   return std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
 }
 
-/// The grains as the force loop reads them: one array per component, in the order of a space-filling curve. The
-/// arrays are padded with grains that nothing moves: to whole blocks of kGrainBlock, and by as much as a window
-/// at the last grain reaches beyond it.
+/// Grains as the force loop reads them: one array per component, in the order of space_order(). The arrays are
+/// padded with zeros to whole blocks of kGrainBlock, and by kWindow more, so that a window that begins at the
+/// last grain lies inside.
 template <int Dim>
 struct GrainArrays {
   using Component = AlignedVector<double>;
 
   std::vector<int> index;        ///< index in the packing of the k-th grain here
-  std::array<Component, Dim> x;  ///< position, not wrapped while this lives
+  std::array<Component, Dim> x;  ///< position, not wrapped into the cell
   std::array<Component, Dim> v;  ///< peculiar velocity
   std::array<Component, Dim> force;
   std::array<Component, kRotations<Dim>> spin;
@@ -33,7 +33,7 @@ struct GrainArrays {
   std::array<Component, kOrientationNumbers<Dim>> orientation;
   Component radius, mass, inertia;
   Component inverse_mass, inverse_inertia;
-  std::vector<std::int64_t> id;  ///< as in the packing, and in its order
+  std::vector<std::int64_t> id;  ///< identifiers as in the packing, and in its order
 
   GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order);
 
@@ -48,8 +48,10 @@ struct GrainArrays {
   void stop();
   /// Orientation of the k-th grain here.
   Orientation<Dim> orientation_of(std::size_t k) const;
-  /// @param x_list                positions when the neighbour list was built
-  /// @param inverse_skin_squared  of the distances that grains may move before the next (1/length^2)
+  /// Pointers to the arrays, as kernels read them.
+  /// @param x_list  positions when the neighbour list was built
+  /// @param inverse_skin_squared  one over the square of the distance that each grain may move before the next
+  /// list (1/length^2)
   GrainView<Dim> view(const std::array<Component, Dim>& x_list, const Component& inverse_skin_squared);
 
  private:

@@ -1,4 +1,4 @@
-// What Relaxer does about axes that are given a length, and a lattice that is sheared.
+// Members of Relaxer for axes with an imposed length and for a sheared lattice.
 
 #include <fmt/format.h>
 
@@ -11,17 +11,18 @@
 namespace floc {
 namespace {
 
-/// Strained axes move no faster than this over sqrt(a m/F1): beside the time a packing takes to settle, a step of
-/// 1e-3 is short at that rate. The scene's caps hold where they are lower.
+/// Largest strain rate of strained axes, times sqrt(a m/F1). At this rate a strain of 1e-3 takes a short time
+/// compared with the time that a packing takes to settle. Lower caps of the scene apply.
 constexpr double kRampInertialNumber = 1e-3;
-/// Reduced pressure below which strained axes carry nothing: no packing is in equilibrium that near to zero.
+/// Reduced pressure below which strained axes count as carrying no stress: no packing is in equilibrium that
+/// close to zero.
 constexpr double kNoPressure = 1e-12;
-/// A cell has closed where a side is shorter than this, in largest diameters: overlaps are small.
+/// Side below which a cell has closed, in largest diameters. Overlaps are small, so that grains cannot fit.
 constexpr double kClosed = 0.5;
 
 }  // namespace
 
-/// From the lengths before this relaxation to those imposed.
+/// Strain ramp from the lengths before this relaxation to the imposed lengths.
 template <int Dim>
 StrainRamp<Dim> Relaxer<Dim>::strain_ramp() const {
   StrainRamp<Dim> ramp;
@@ -52,7 +53,8 @@ void Relaxer<Dim>::begin_strain_ramp() {
   if (strain > 0.0) progress_.way_duration = StrainRamp<Dim>::kPeak * strain / fastest;
 }
 
-/// Whether nothing acts on the grains any more: no contact is left, or, without adhesion, no stress on any axis.
+/// Whether the packing carries no stress at the imposed lengths: no contact is left or, without adhesion, the
+/// pressure is zero.
 template <int Dim>
 bool Relaxer<Dim>::carries_no_stress() const {
   if (!load_.any_strained()) return false;
@@ -69,7 +71,8 @@ double Relaxer<Dim>::mean_carried_stress() const {
   return sum / n;
 }
 
-/// Why grains whose overlaps are small cannot have the lengths imposed, in words; nothing where they can.
+/// Reason why the imposed lengths are too short for grains with small overlaps, in words; empty if they are
+/// not.
 template <int Dim>
 std::string Relaxer<Dim>::overfilled_cell_error() const {
   const double a = largest_diameter(packing_.grains);

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Adds further contacts to a list that has one pair for each two bodies. Those whose bodies are no longer close are
-/// left out.
+/// Adds further contacts to a list that has one pair per two bodies. Contacts whose bodies are no longer close
+/// are left out.
 template <int Dim>
 void add_further(std::vector<NeighborPair<Dim>> further, std::vector<NeighborPair<Dim>>& pairs) {
   if (further.empty()) return;
@@ -46,7 +46,8 @@ void Interactions<Dim>::set_pairs(PairLists<Dim> close, const PairLists<Dim>& fu
   for (std::size_t k = 0; k < list_.size(); ++k) {
     Interaction<Dim>& interaction = list_[k];
     add_further(further[k], close[k]);
-    // Lists are large: what the old one needs no more, and the pairs once they are taken, give room to others.
+    // Lists are large, so memory is freed early: the numbers of the old list, and the pairs after they are
+    // copied.
     interaction.drop_numbers();
     interaction.set_pairs(
         {close[k], interaction.partner(), grains, interaction.law(), time_step, blocks_of_group});

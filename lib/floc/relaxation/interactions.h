@@ -28,8 +28,8 @@ class Interactions {
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
 
-  /// Contacts of each interaction beside the first contact of their pair, told apart by their keys for as long as
-  /// their bodies are close.
+  /// Contacts of each interaction beside the first contact of their pair. Their keys distinguish them as long
+  /// as their bodies are close.
   PairLists<Dim> further_contacts() const;
   /// Takes new lists of pairs, which inherit the history of the lists before.
   /// @param close            pairs of bodies that are close, for each interaction
@@ -37,7 +37,7 @@ class Interactions {
   /// @param blocks_of_group  blocks whose pairs are always computed together
   void set_pairs(PairLists<Dim> close, const PairLists<Dim>& further, const GrainArrays<Dim>& grains,
                  double time_step, int blocks_of_group);
-  /// Drops what only the computation of forces needs.
+  /// Drops all data but the histories.
   void keep_history_alone();
 
  private:

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Lists look further than bridges reach now by this factor, so that one search is enough next time.
+/// Range of the lists over the present reach of the bridges, so that the next search need not be repeated.
 constexpr double kReachMargin = 1.05;
 
 template <int Dim>
@@ -42,7 +42,7 @@ double LiquidBridges<Dim>::reach(const GrainArrays<Dim>& grains, const CellMotio
   return reach;
 }
 
-/// All of the liquid, shared out over the pairs of the list.
+/// Shares of all liquid over the pairs of the list.
 template <int Dim>
 LiquidShares LiquidBridges<Dim>::shares(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                                         const PairArrays<Dim>& pairs) const {

@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// The liquid bridges of a packing in motion. This class decides how wide a gap the lists of pairs have to reach
-/// across for them, and shares the liquid out over the pairs.
+/// Liquid bridges of a packing in motion. This class computes the gap that lists of pairs have to reach across,
+/// and shares the liquid out over the pairs.
 template <int Dim>
 class LiquidBridges {
  public:
@@ -20,9 +20,9 @@ class LiquidBridges {
   LiquidBridges(const Law& law, const GrainArrays<Dim>& grains, bool keeps_shares);
 
   bool keeps_shares() const { return keeps_shares_; }
-  /// Gap that the first lists reach across, so that they hold every pair that has liquid or may get some (length).
+  /// Gap for the first lists of pairs (length): the lists then hold every pair that has liquid or may get some.
   double first_reach(const Packing<Dim>& packing) const;
-  /// Gap that new lists reach across, so that they hold every pair that has liquid (length).
+  /// Gap for new lists of pairs (length): the lists then hold every pair that has liquid.
   double reach(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                const Interaction<Dim>& between_grains) const;
   /// Shares the liquid out over the pairs.

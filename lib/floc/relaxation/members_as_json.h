@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// A structure as one line of JSON, and back; numbers round-trip. `for_each_member(structure, visit)` calls
+/// Writes a structure as one line of JSON; numbers round-trip. `for_each_member(structure, visit)` calls
 /// visit(name, member) for every member, so that writing and reading cannot differ.
 template <class Structure, class ForEachMember>
 std::string members_as_json(const Structure& structure, const ForEachMember& for_each_member) {
@@ -16,7 +16,8 @@ std::string members_as_json(const Structure& structure, const ForEachMember& for
   return json.dump();
 }
 
-/// @param problem  words for the message if the text is not such a structure
+/// Reads a structure that members_as_json() wrote.
+/// @param place, problem  place and words of the message if the text is not such a structure
 /// @throws InputError(place) if a member is missing or of another kind
 template <class Structure, class ForEachMember>
 Structure members_from_json(const std::string& text, const std::string& place, const std::string& problem,

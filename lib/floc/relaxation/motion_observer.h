@@ -8,8 +8,7 @@
 
 namespace floc {
 
-/// Observes a packing while it moves, and leaves no trace: a run gives the same bits with an observer and
-/// without.
+/// Observer of a packing while it moves. It does not change the results of a run.
 template <int Dim>
 struct MotionObserver {
   double interval = 0.0;  ///< simulated time between two calls, at most a chunk (time)
@@ -17,9 +16,9 @@ struct MotionObserver {
   std::function<void(const Packing<Dim>& packing, double time)> callback;  ///< empty: not observed
 };
 
-/// Advances by a chunk of steps, in equal parts of about the observer's interval, and shows the packing after
-/// each. The end of the chunk is always shown.
-/// @param start  time at the beginning
+/// Advances by a chunk of steps, in equal parts of about the observer's interval, and calls the observer after
+/// each part, and so at the end of the chunk.
+/// @param start  time at the beginning of the chunk (time)
 template <int Dim>
 void advance_observed(Dynamics<Dim>& dynamics, int n_steps, Motion motion, const MotionObserver<Dim>& observer,
                       double start, double time_step) {

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// What the rounding of a step may add to a displacement, as a share of the furthest coordinate.
+/// Bound of the displacement that the rounding of one step adds, as a share of the furthest coordinate.
 constexpr double kRoundings = 32.0 * std::numeric_limits<double>::epsilon();
 
 template <std::size_t n>
@@ -21,8 +21,8 @@ double furthest(const std::array<AlignedVector<double>, n>& x) {
   return largest;
 }
 
-/// Bound of how much an upper triangular matrix stretches a vector: by its diagonal, and by each other component
-/// alone.
+/// Upper bound of the factor by which an upper triangular matrix stretches a vector: the largest diagonal
+/// component plus the sum of the others.
 template <int Dim>
 double stretch_bound(const double (&matrix)[Dim][Dim]) {
   double diagonal = 0.0, others = 0.0;

@@ -9,9 +9,9 @@
 
 namespace floc {
 
-/// How far grains, lattice and walls have moved since the lists of neighbours were built. A bound of the motion of
-/// the grains is kept up before each step without a look at every grain; where it is too wide, the motion is
-/// measured block by block.
+/// Motion of grains, lattice and walls since the lists of neighbours were built. An upper bound of the motion
+/// of the grains is updated in each step without a pass over the grains; where the bound is too large, the
+/// motion is measured block by block.
 template <int Dim>
 class MotionSinceList {
  public:
@@ -31,14 +31,14 @@ class MotionSinceList {
   void measure(int block, const StepKernels<Dim>& kernels, const GrainView<Dim>& grains);
   /// Replaces the bound by the largest motion of the blocks. @pre all blocks have been measured
   void take_measured();
-  /// Gives up the bound, so that the motion has to be measured before the lists serve again.
+  /// Sets the bound to infinity, so that the motion has to be measured before the lists are used again.
   void forget();
 
   /// Bound of the motion of the grains relative to the deformation of the lattice, each in skins of the grain.
   double of_grains() const { return of_grains_; }
   /// Largest displacement of a wall (length).
   double of_walls(const WallMotion<Dim>& walls) const { return walls.largest_displacement(walls_); }
-  /// Bound of the share by which the deformation of the lattice has shortened any line.
+  /// Upper bound of the relative shortening of any line by the deformation of the lattice.
   double shrinking() const;
 
   /// The grains as kernels receive them. The view stays valid until the next lists.
@@ -49,13 +49,13 @@ class MotionSinceList {
  private:
   // When the lists were built:
   std::array<AlignedVector<double>, Dim> x_;    ///< positions of the grains
-  AlignedVector<double> inverse_skin_squared_;  ///< of each grain (1/length^2)
+  AlignedVector<double> inverse_skin_squared_;  ///< one over the squared skin of each grain (1/length^2)
   Mat<Dim> lattice_;
   std::vector<Wall<Dim>> walls_;
 
   Mat<Dim> stretch_ = Mat<Dim>::Identity();  ///< deformation of the lattice since then
   double of_grains_ = 0.0;                   ///< bound, in skins of the grain
-  double rounding_ = 0.0;                    ///< what the rounding of a step may add to the bound
+  double rounding_ = 0.0;                    ///< bound of the rounding of one step, in skins of the grain
   std::vector<double> measured_;             ///< motion of each block when it was last measured, in skins
 };
 

@@ -8,16 +8,16 @@
 namespace floc {
 namespace {
 
-/// What a new list of pairs costs, in time steps (measured at N = 1400 and 100 000).
+/// Cost of a new list of pairs, in time steps (measured at N = 1400 and 100 000).
 constexpr double kListCost = 23.0;
 /// Grains at rest get this share of the skin of the fastest grains, since they may be hit.
 constexpr double kMinSkinShare = 0.25;
-/// In skin_length_unit().
+/// Thinnest skin, in skin_length_unit().
 constexpr double kMinSkin = 1e-4;
-/// Skin under SkinRule::follows_reach, as a share of the range of the interaction: two surfaces come nearer to each
-/// other by that at most before new lists are built.
+/// Skin under SkinRule::follows_reach, as a share of the range of the interaction. It bounds the approach of
+/// two surfaces before new lists are built.
 constexpr double kSkinOfReach = 0.25;
-/// The skin is never thinner than this under that rule, in skin_length_unit().
+/// Thinnest skin under SkinRule::follows_reach, in skin_length_unit().
 constexpr double kMinSkinOfReach = 1e-3;
 
 }  // namespace
@@ -37,14 +37,14 @@ double NeighborLists<Dim>::min_skin() const {
   return kMinSkin * skin_unit_;
 }
 
-/// Share of the time that the lists have cost so far. The skin is right where it equals the share that goes into
-/// pairs out of range.
+/// Share of the time so far that was spent on building the lists. The skin is optimal where this equals the
+/// share that is spent on pairs out of range.
 template <int Dim>
 double NeighborLists<Dim>::cost_share() const {
   return kListCost / steps_;
 }
 
-/// What motion has taken of the skin since the lists were built, as far as it is known: the largest displacement of
+/// Bound of the skin that motion has consumed since the lists were built (length): the largest displacement of
 /// a body and the affine shrinking.
 template <int Dim>
 double NeighborLists<Dim>::consumed_skin(const CellMotion<Dim>& cell, double range) const {
@@ -62,7 +62,7 @@ bool NeighborLists<Dim>::stale(const CellMotion<Dim>& cell, double range) const 
 template <int Dim>
 double NeighborLists<Dim>::skin_to_continue_with(const CellMotion<Dim>& cell, double range) const {
   if (!first_ || steps_ == 0) return skin_;
-  // One list has served for all of the motion: twice what the motion consumed of its skin is enough.
+  // One list was valid for the whole motion: twice the skin that the motion consumed is enough.
   return std::min(skin_, std::max(2.0 * consumed_skin(cell, range), min_skin()));
 }
 
@@ -85,7 +85,7 @@ void NeighborLists<Dim>::adapt_skin(const CellMotion<Dim>& cell, const Interacti
   const double cost = cost_share();
   if (cost > share_out_of_range_)
     skin_ = std::min((cost > 4.0 * share_out_of_range_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
-  // Twice what motion consumed of a skin is enough for a list that lasts as long.
+  // Twice the skin that the motion consumed is enough for a list that lasts as long.
   if (cost < 0.5 * share_out_of_range_)
     skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(cell, between_grains.range())), min_skin());
 }
@@ -136,8 +136,7 @@ std::vector<double> NeighborLists<Dim>::skins_of_grains(const GrainArrays<Dim>& 
   return skin;
 }
 
-/// Share of the time of a step that goes into pairs out of each other's range, where a grain costs about as much as
-/// a pair.
+/// Share of the time of a step that is spent on pairs out of range. A grain costs about as much as a pair.
 template <int Dim>
 double NeighborLists<Dim>::share_out_of_range(const std::vector<NeighborPair<Dim>>& pairs,
                                               const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,

@@ -9,15 +9,15 @@
 
 namespace floc {
 
-/// What decides how wide the skin of the lists of neighbours is.
+/// Rule for the width of the skin of the lists of neighbours.
 enum class SkinRule {
-  balances_costs,  ///< building lists is to cost as much time as the pairs out of range that the lists hold
+  balances_costs,  ///< building lists takes about as much time as the listed pairs out of range
   follows_reach,   ///< the skin is a fixed share of the range of the interaction between grains
 };
 
-/// Verlet lists of the bodies of a packing in motion. This class decides which pairs are close enough to interact
-/// before the next lists are built, when those have to be built, and how wide a skin they need. The interactions own
-/// the pairs that it finds.
+/// Verlet lists of the bodies of a packing in motion. This class finds the pairs that may interact before the
+/// next lists are built, and chooses the time and the skin of the next lists. The interactions own the pairs
+/// that it finds.
 template <int Dim>
 class NeighborLists {
  public:
@@ -28,8 +28,8 @@ class NeighborLists {
   /// one pair for each two bodies.
   PairLists<Dim> find(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                       const Interactions<Dim>& interactions);
-  /// Whether the lists have to be built anew: because a pair outside them might interact, for all that is known of
-  /// the motion, or because they hold too many pairs out of range.
+  /// Whether the lists have to be built anew, because by the bound of the motion a pair outside them may
+  /// interact, or because they hold too many pairs out of range.
   /// @param range  gap across which grains interact (length)
   bool stale(const CellMotion<Dim>& cell, double range) const;
   /// First guess of the skin for another object that continues this motion and builds lists at once (length).
@@ -52,14 +52,14 @@ class NeighborLists {
   double share_out_of_range(const std::vector<NeighborPair<Dim>>& pairs, const GrainArrays<Dim>& grains,
                             const CellMotion<Dim>& cell, double range) const;
 
-  double skin_;  ///< of a pair of the fastest grains (length)
+  double skin_;  ///< skin of a pair of the fastest grains (length)
   SkinRule rule_;
   double largest_diameter_;
   double skin_unit_;  ///< skin_length_unit()
   MotionSinceList<Dim> motion_;
   int steps_ = 0;                    ///< since the lists were built
   bool first_ = true;                ///< no step has been made with other lists than the first
-  double share_out_of_range_ = 0.0;  ///< of the time of a step, spent on pairs out of range in new lists
+  double share_out_of_range_ = 0.0;  ///< share of the time of a step spent on pairs out of range, in new lists
 };
 
 }  // namespace floc

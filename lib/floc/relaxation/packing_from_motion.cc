@@ -9,8 +9,7 @@
 namespace floc {
 namespace {
 
-/// Copies the grains into a packing, wrapped into its cell.
-/// @return  the image of each grain that brings it there
+/// Copies the grains into a packing, wrapped into its cell. @return the image by which each grain was moved
 template <int Dim>
 std::vector<Vec<Dim, int>> copy_grains(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                                        Packing<Dim>& out) {
@@ -51,8 +50,8 @@ bool is_contact(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
   return !(r.squaredNorm() >= reach * reach) || wet;
 }
 
-/// Adds what an interaction remembers of the pairs within its range.
-/// @param wrap  images that bring the grains into the cell
+/// Adds the pairs of an interaction within its range as contacts, with their histories.
+/// @param wrap  images by which the grains were moved into the cell
 template <int Dim>
 void append_contacts(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                      const Interaction<Dim>& interaction, const std::vector<Vec<Dim, int>>& wrap,

@@ -7,10 +7,9 @@
 
 namespace floc {
 
-/// The packing that grains in motion form now: grains wrapped into the cell, in the order of the packing that was
-/// set in motion, and the pairs within the range of their interaction as its contacts.
-///
-/// @param law, wall_law  that the packing is to have
+/// Makes a packing from grains in motion. The grains are wrapped into the cell, in the order of the initial
+/// packing; the contacts are the pairs within the range of their interaction.
+/// @param law, wall_law  laws of the packing
 template <int Dim>
 Packing<Dim> packing_from_motion(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                                  const Interactions<Dim>& interactions, const Law& law, const Law& wall_law);

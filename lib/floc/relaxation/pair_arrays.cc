@@ -56,7 +56,7 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
       composed.any);
 }
 
-/// An array that grows as it is filled is held twice for a moment.
+/// Reserves memory, since an array that grows while it is filled is held twice for a moment.
 template <int Dim>
 void PairArrays<Dim>::reserve(std::size_t n_pairs) {
   i_.reserve(n_pairs), j_.reserve(n_pairs);
@@ -81,8 +81,8 @@ void PairArrays<Dim>::add_numbers(double radius_i, double radius_j, double dampi
   damping_.push_back(damping);
 }
 
-/// p q/(p + q) of a quantity of the grains of each pair, which a wall has without end; of padding half of what
-/// its grain has.
+/// Reduced quantity p q/(p + q) of each pair, from a quantity of its grains. For a wall q is infinite; for
+/// padding p = q.
 template <int Dim>
 typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const double> of_grain) const {
   if (own_numbers_ == 0) return Component(kPairPadding, floc::reduced(of_grain[0], of_grain[0]));
@@ -92,7 +92,7 @@ typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const dou
   return values;
 }
 
-/// Of walls none: they stay dry.
+/// Stores the radii that bridges need. Pairs with walls store none, since walls are dry.
 template <int Dim>
 void PairArrays<Dim>::keep_radii(std::span<const double> radius) {
   for (Component* component : {&radius_i_, &radius_j_, &strength_, &decay_, &reach_})
@@ -132,7 +132,7 @@ const typename PairArrays<Dim>::Component& PairArrays<Dim>::bridge_volume() cons
   return history[HistoryLayout<Dim>::kAdhesion];
 }
 
-/// Completes the pack that was begun, if any.
+/// Fills up the last pack of pairs with padding.
 template <int Dim>
 void PairArrays<Dim>::fill_pack() {
   while (size() % kPairPadding != 0) {

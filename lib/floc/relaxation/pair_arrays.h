@@ -17,26 +17,26 @@ namespace floc {
 
 struct ComposedLaw;
 
-/// Dashpot coefficient to use where the force lags by kDashpotLag steps. The lag makes a dashpot damp more than
-/// its coefficient says, by the factor exp(lag c dt/(2 m_eff)) to second order in the step; without this
-/// correction a restitution of 0.015 comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag. A
-/// coefficient that follows the stiffness is not known beforehand, and is not corrected.
+/// Dashpot coefficient to use where the force lags by kDashpotLag steps. The lag increases the damping by the
+/// factor exp(lag c dt/(2 m_eff)) to second order in the step; without this correction a restitution of 0.015
+/// comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag. A coefficient that follows the
+/// stiffness varies in motion and is not corrected.
 inline double lagging_damping(double coefficient, double effective_mass, double time_step) {
   return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }
 
-/// Neighbour pairs as the force loop reads them, of grains i <= j or of a grain i and wall j, one array per
-/// component. A block of grains owns the pairs whose first grain it owns; they are contiguous and in order. Those of
-/// each group of blocks are padded to whole vectors with pairs that no grain sums: of a grain and its own image far
-/// away, or of a grain and a wall. Where all grains are alike, numbers that follow from their sizes are kept once
-/// for all pairs.
+/// Neighbour pairs as the force loop reads them, one array per component: pairs of grains i <= j, or of a grain
+/// i and a wall j. A block of grains owns the pairs whose first grain it owns; these are contiguous and in
+/// order. The pairs of each group of blocks are padded to whole vectors with pairs that no grain sums: of a
+/// grain and its own image far away, or of a grain and a wall. Where all grains are equal, numbers that follow
+/// from their sizes are stored once for all pairs.
 template <int Dim>
 class PairArrays {
  public:
   using Component = AlignedVector<double>;
 
   Component viscous;  ///< dashpot forces of the step before (force); empty where the law has none
-  /// Numbers that the law remembers, at the places of the layout; empty at places of which it remembers nothing.
+  /// History of the pairs, one array per place of the layout; empty at places that the law does not use.
   std::array<Component, HistoryLayout<Dim>::kSize> history;
 
   PairArrays() = default;
@@ -45,32 +45,32 @@ class PairArrays {
   PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner, const GrainArrays<Dim>& grains,
              const ComposedLaw& law, double time_step, int blocks_of_group);
 
-  /// Pairs and padding.
+  /// Number of pairs, with padding.
   int size() const { return static_cast<int>(i_.size()); }
   bool padding(int p) const { return image_[0][p] == kPaddingImage; }
   int first_of_block(int b) const { return first_of_block_[b]; }
   int i(int p) const { return i_[p]; }
   int j(int p) const { return j_[p]; }
   NeighborPair<Dim> key(int p) const;
-  /// The pairs that are further contacts of the two bodies of another pair: those whose key is not 0.
+  /// Pairs whose key is not 0: further contacts of the two bodies of another pair.
   std::vector<NeighborPair<Dim>> further_contacts() const;
   double radii(int p) const { return radii_[p & own_numbers_]; }
   /// Index of a pair, -1 where it is not in the list.
   int find(const NeighborPair<Dim>& key) const;
   /// Takes over the history of an older list of the same grains.
   void inherit(const PairArrays& old);
-  /// Drops the numbers that forces alone need, of a list that is not going to be stepped again.
+  /// Drops the numbers that only the computation of forces reads. @pre no step uses this list again
   void drop_numbers();
-  /// The same, and the dashpot forces that another list would inherit.
+  /// Drops the numbers that drop_numbers() drops, and the dashpot forces that another list would inherit.
   void keep_history_alone();
-  /// Finds anew what a law that holds liquid needs of each pair, from the volumes in the history; does nothing
-  /// for other laws.
+  /// Recomputes the parameters of the liquid bridges from the volumes in the history; does nothing under laws
+  /// without liquid.
   void refresh_bridges(const ComposedLaw& law);
-  /// Volumes of the liquid bridges, signed as the history is; empty where the law holds no liquid.
+  /// Volumes of the liquid bridges (length^3), signed as in the history; empty where the law has no liquid.
   Component& bridge_volume();
   const Component& bridge_volume() const;
 
-  /// Without rows, which belong to all lists together (row_sums.h).
+  /// View without rows, which belong to all lists together (row_sums.h).
   PairView<Dim> view();
 
  private:

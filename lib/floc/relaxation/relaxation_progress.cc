@@ -26,7 +26,7 @@ constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
   visit("force_residual", p.force_residual);
 };
 
-/// There only once they count something: progress without them is as it has always been.
+/// Members that are written only if they are not zero, so that other progress keeps its format.
 constexpr auto kLaterMembers = [](auto& p, const auto& visit) {
   visit("liquid_trials", p.liquid_trials);
   visit("steady_stretches", p.steady_chunks);

@@ -21,36 +21,37 @@
 namespace floc {
 namespace {
 
-/// Motion has stopped when the solid fraction moved less than this in a window of this many time units and the
-/// kinetic energy is within its tolerance (damping before that changes which rearrangement happens).
+/// Motion has stopped when the solid fraction changed by less than kSteadyPhi over kSteadyWindow time units and
+/// the kinetic energy is within its tolerance. (Power control before that would change the rearrangements.)
 constexpr double kSteadyPhi = 2e-5;
 constexpr double kSteadyWindow = 5.0;
 constexpr double kSteadyContactsWindow = 20.0;
-/// Springs that never yield vibrate for ever. Grains that have covered so many largest diameters at their
-/// r.m.s. speed, and so many windows of still contacts, without one contact opening or closing go to and fro,
-/// and their energy does not matter. What only_mechanisms_move meets another grain before: the furthest that five shipped
-/// scenes of 200 and 400 grains came above the tolerance of the energy is half a diameter, the longest time
-/// under load two windows.
+/// Springs that are not mobilised vibrate without end. Grains that have covered this many largest diameters at
+/// their r.m.s. speed, over this many windows of steady contacts, without a contact opening or closing can only
+/// be vibrating, and their energy is not tested. Grains that move freely meet another grain earlier: in five
+/// shipped scenes of 200 and 400 grains above the tolerance of the energy, the longest path was half a
+/// diameter, and the longest time under load two windows.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
-/// Chains of grains that roll freely swing between their ends for ever, with nothing to damp them and more energy
-/// than the tolerance. Where the density has been steady so many time units long, twice as long as any step under
-/// load of the shipped scenes takes as a whole, nothing else moves. Over that time it may drift by kFinishPhi.
+/// Chains of grains that roll freely swing between their ends without damping, at more energy than the
+/// tolerance. If the density has been steady for this many time units, twice as long as any whole step under
+/// load in the shipped scenes, only such chains move. Over that time the density may drift by kFinishPhi.
 constexpr double kMechanismWindow = 200.0;
-/// Newton iterations after which it shows whether a step is elastic: the first is the elastic response.
+/// Newton iterations that decide whether a step is elastic: the first one is the elastic response.
 constexpr int kTrialIterations = 2;
-/// The finish must not rearrange: beyond this change of the solid fraction the motion is set free again.
+/// Change of the solid fraction during the finish beyond which the packing has rearranged and its motion is set
+/// free again.
 constexpr double kFinishPhi = 1e-4;
-/// At a constant density a packing is still when the stress that strained axes carry moved less than this (in
-/// F1/a^(D-1)) in the window, and the finish must not change it by more.
+/// Bounds of the change of the stress carried by strained axes, in F1/a^(D-1): kSteadyStress over the window of
+/// a steady packing, kFinishStress during the finish.
 constexpr double kSteadyStress = 1e-3;
 constexpr double kFinishStress = 1e-2;
 /// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
 constexpr double kDefaultInertialNumber = 1e-3;
-/// Times that an equilibrium is given up because its liquid moves.
+/// Largest number of equilibria that are given up because their liquid moves.
 constexpr int kLiquidTrials = 20;
-/// Newton refinement is tried where it is known to succeed, and after a failure again a while later, each time
-/// a longer one.
+/// Residual of the forces below which Newton refinement is tried, since it is known to succeed there, and
+/// shortest pause after a failure (chunks), which grows with each.
 constexpr double kRefinementResidual = 5e-3;
 constexpr int kRefinementPause = 8;
 
@@ -59,9 +60,9 @@ double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
   return options.skin ? *options.skin * largest_diameter(grains) : 0.05 * skin_length_unit(grains.radius);
 }
 
-/// Mean kinetic energy per grain of those that interact with others (energy), by their scales. A grain that
-/// touches nothing spins for ever, which says nothing about the packing. So does a sphere about its one contact,
-/// or about the line through two: with fewer than three contacts its spin does not count.
+/// Mean kinetic energy per grain of those that interact with others (energy), by their scales. A grain without
+/// contacts keeps its spin, which is not a motion of the packing. So does a sphere about its single contact, or
+/// about the line through two contacts: with fewer than three contacts the spin of a sphere does not count.
 template <int Dim>
 double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales<Dim>& scales) {
   std::vector<int> n_contacts(packing.grains.size(), 0);
@@ -83,12 +84,12 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
   }
 }
 
-/// Motion settles from one equilibrium to the next in some thousand steps, each of which takes so long a
+/// Estimate of the time of motion from one equilibrium to the next: number of time steps, and time per step and
 /// contact on one core (docs/performance.md, "Steps").
 constexpr double kSettlingSteps = 5000.0;
 constexpr double kSecondsPerContact = 8e-8;
 
-/// Fingerprint of which grains touch (FNV-1a over the pairs).
+/// Fingerprint of the set of pairs that touch (FNV-1a hash).
 template <int Dim>
 std::uint64_t contact_fingerprint(const Packing<Dim>& packing) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -138,7 +139,8 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
   if (progress_.imbalance_sign.empty() && !strain_ramp().any()) begin_response();
 }
 
-/// What the axes under stress have to answer to.
+/// Records the sign of the imbalance on each axis under stress, against which responded_to_load() tests; 0 on
+/// strained axes.
 template <int Dim>
 void Relaxer<Dim>::begin_response() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;
@@ -152,7 +154,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
     ending_ = "closed";
     return RelaxationStatus::gave_up;
   }
-  // Newton steps know no velocities: a packing that moves goes its way.
+  // Newton steps ignore velocities, so they are tried only at rest.
   const bool at_rest = residuals_.energy < options_.tolerance.energy;
   if (options_.finish != Finish::dynamic && progress_.n_steps == 0 && at_rest && !load_.unloaded() &&
       solve_without_motion())
@@ -199,8 +201,8 @@ RelaxationStatus Relaxer<Dim>::advance() {
   return status;
 }
 
-/// The imbalance of stress on each axis has changed sign since the start, or is within tolerance. Without this
-/// a small increment would count as equilibrium before anything has moved.
+/// Whether the imbalance of stress has changed sign on each axis since the start, or is within tolerance.
+/// Without this test a small increment of load would count as equilibrium before any motion.
 template <int Dim>
 bool Relaxer<Dim>::responded_to_load() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;
@@ -222,7 +224,8 @@ bool Relaxer<Dim>::density_is_steady() {
   return phi.size() == window && *high - *low < kSteadyPhi && carried_stress_is_steady(window);
 }
 
-/// Where axes are strained, the density alone does not tell whether grains still rearrange.
+/// Whether the stress carried by strained axes is steady. With imposed lengths the density does not show
+/// whether grains still rearrange.
 template <int Dim>
 bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   if (!load_.any_strained()) return true;
@@ -233,15 +236,15 @@ bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   return carried.size() == window && *high - *low < kSteadyStress * stress_scale();
 }
 
-/// F1/a^(D-1).
+/// Scale of stresses, F1/a^(D-1) (force/length^(Dim-1)).
 template <int Dim>
 double Relaxer<Dim>::stress_scale() const {
   const ForceScale scale = force_scale(packing_, target_);
   return scale.force / std::pow(scale.length, Dim - 1);
 }
 
-/// Vibrations that nothing damps, and the coasting of a floppy packing without load, may move the density for
-/// ever; that no contact opens or closes for long is then the sign that nothing rearranges any more.
+/// Whether no contact has opened or closed for long, so that the packing has stopped rearranging. Undamped
+/// vibrations, and the free motion of a floppy packing without load, may change the density without end.
 template <int Dim>
 bool Relaxer<Dim>::contacts_are_steady() {
   const std::uint64_t set = contact_fingerprint(packing_);
@@ -250,7 +253,8 @@ bool Relaxer<Dim>::contacts_are_steady() {
   return progress_.unchanged_chunks >= static_cast<int>(chunks_in(kSteadyContactsWindow));
 }
 
-/// Whether grains of this mean kinetic energy without a new contact for so long can only be vibrating.
+/// Whether grains of this mean kinetic energy, given the time since a contact last opened or closed, can only
+/// be vibrating.
 template <int Dim>
 bool Relaxer<Dim>::vibrates(double energy) const {
   const double time = progress_.unchanged_chunks * kStepsPerChunk * time_step_;
@@ -259,7 +263,7 @@ bool Relaxer<Dim>::vibrates(double energy) const {
          progress_.unchanged_chunks >= static_cast<int>(chunks_in(kVibrationWindows * kSteadyContactsWindow));
 }
 
-/// Whether a packing under load has kept its density for so long that what moves are mechanisms.
+/// Whether a packing under load has kept its density for so long that only mechanisms can be moving.
 template <int Dim>
 bool Relaxer<Dim>::only_mechanisms_move(bool steady_density) {
   const double phi = progress_.solid_fraction.back();
@@ -277,8 +281,8 @@ std::size_t Relaxer<Dim>::chunks_in(double time_units) const {
       std::ceil(options_.patience * time_units * time_unit_ / (kStepsPerChunk * time_step_)));
 }
 
-/// Motion has stopped when the packing is still, its kinetic energy small, and the cell has answered to its
-/// load; or when it does nothing but vibrate.
+/// Begins the finish once motion has stopped: the packing is steady, the stress has responded to the load, and
+/// the kinetic energy is small or belongs to vibrations alone.
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_motion() {
   unmet_ = {Demand::lengths};
@@ -286,7 +290,7 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
     if (!strain_ramp().over(0.0)) return RelaxationStatus::running;
     begin_response();
   }
-  if (carries_no_stress()) return RelaxationStatus::running;  // which the next chunk says
+  if (carries_no_stress()) return RelaxationStatus::running;  // the next chunk gives up
   const bool responded = responded_to_load();
   const bool steady_density = density_is_steady();
   const bool steady_contacts = contacts_are_steady();
@@ -313,7 +317,7 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   return RelaxationStatus::running;
 }
 
-/// Why a packing that moves is not steady.
+/// Criterion by which a packing in motion is not steady.
 template <int Dim>
 Unmet Relaxer<Dim>::unsteadiness(bool responded) const {
   if (!responded) return {Demand::response, residuals_.stress, options_.tolerance.stress};
@@ -332,6 +336,8 @@ template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_finish() {
   unmet_ = {};
   ++progress_.finishing_chunks;
+  // The finish only takes out what is left of the motion. If density or stress change by more, the packing has
+  // rearranged, and its free motion has to stop once more.
   const bool other_stress =
       load_.any_strained() &&
       std::abs(mean_carried_stress() - progress_.finishing_since_stress) > kFinishStress * stress_scale();
@@ -341,6 +347,8 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
     progress_.carried_stress.clear();
     return RelaxationStatus::running;
   }
+  // Newton steps are tried below the residual at which they are known to succeed. After a failure the pause
+  // before the next attempt grows with the length of the finish, since an attempt may cost more than motion.
   const bool within = residuals_.within(options_.tolerance);
   const bool may_refine = options_.finish != Finish::dynamic && residuals_.force < kRefinementResidual;
   const bool due = progress_.finishing_chunks >= progress_.next_refinement;
@@ -350,6 +358,7 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
     progress_.next_refinement =
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
+  // Motion alone has brought the residuals below their tolerances: stability and liquid decide.
   if (!within) return RelaxationStatus::running;
   Stability found;
   if (!is_stable(packing_, found) || !liquid_rests(packing_, true)) return RelaxationStatus::running;
@@ -375,8 +384,9 @@ bool Relaxer<Dim>::newton_is_cheaper() const {
   return plan_statics(packing_, BoundaryControl<Dim>::imposing(load_, target_, 0.0)).seconds <= motion;
 }
 
-/// Whether a packing within tolerance is refined before the next attempt is due. In space, where an attempt may take
-/// minutes, one that failed there already is not made again at once: at rest on a saddle all would fail.
+/// Whether a packing within tolerance is refined before the next attempt is due. In 3D an attempt may take
+/// minutes, so that it is not repeated at once after one has failed within tolerance: at rest on a saddle every
+/// attempt would fail.
 template <int Dim>
 bool Relaxer<Dim>::may_repeat_refinement() const {
   return Dim == 2 || !progress_.refused_within;
@@ -387,7 +397,8 @@ bool Relaxer<Dim>::refine_by_newton() {
   return accept_if_equilibrium(solve_from(packing_, {}, StaticSolverOptions{}), "polished", true);
 }
 
-/// @param way  from the lengths of `start` to others; of what is strained, nothing else moves
+/// Solves the static balance under the load, starting from a packing.
+/// @param ramp  strain ramp from the lengths of `start`; other strained axes keep their lengths
 template <int Dim>
 StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const StrainRamp<Dim>& ramp,
                                              const StaticSolverOptions& options) const {
@@ -396,12 +407,13 @@ StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const St
   return solve_statics(start, control, options);
 }
 
-/// A static step without dynamics, where dynamics would end in the same state, or where the scene takes any
-/// equilibrium.
+/// Solves the step by Newton iterations without dynamics, if dynamics would end in the same state or the scene
+/// accepts any equilibrium.
 template <int Dim>
 bool Relaxer<Dim>::solve_without_motion() {
   const bool any = options_.finish == Finish::statics;
-  // Where stiffness follows the load, what friction carries depends on the way there, and not on its end alone.
+  // If the tangential stiffness follows the load, tangential forces depend on the loading path, not only on its
+  // end.
   if (!any && packing_.law.friction_follows_load()) return false;
   if (!any && !newton_is_cheaper()) return false;
   StaticSolverOptions trial;
@@ -409,16 +421,16 @@ bool Relaxer<Dim>::solve_without_motion() {
   StaticSolution<Dim> solution = solve_from(packing_, strain_ramp(), any ? StaticSolverOptions{} : trial);
   if (!any) {
     if (!solution.has_lengths || !is_elastic_step(packing_, solution.packing)) return false;
-    // No spring has reached a cap, so it makes no difference where the rest starts.
+    // No spring has reached its cap, so the result does not depend on where the remaining iterations start.
     solution = solve_from(solution.packing, {}, StaticSolverOptions{});
     if (!is_elastic_step(packing_, solution.packing)) return false;
   }
   return accept_if_equilibrium(std::move(solution), "static", false);
 }
 
-/// Whether the liquid of an equilibrium stays where it is when it is shared out once more. Where it moves, and the
-/// relaxation may go on from there, it does so with the liquid in its new places; after kLiquidTrials times the
-/// liquid is held where it is.
+/// Whether no bridge of an equilibrium changes when the liquid is shared out once more. If bridges change and
+/// `go_on` is set, the relaxation continues with the new volumes; after kLiquidTrials times the present volumes
+/// are accepted.
 template <int Dim>
 bool Relaxer<Dim>::liquid_rests(const Packing<Dim>& equilibrium, bool go_on) {
   if (!holds_liquid(equilibrium)) return true;
@@ -434,8 +446,9 @@ bool Relaxer<Dim>::liquid_rests(const Packing<Dim>& equilibrium, bool go_on) {
   return false;
 }
 
-/// An equilibrium is within tolerance and stable (docs/physics.md, "Equilibrium"). A static solution need not
-/// be stable: with a tail, a grain that could roll onto its neighbour has a saddle on the way.
+/// Accepts a static solution if it is within tolerance and stable (docs/physics.md, "Equilibrium"). A static
+/// solution need not be stable: with a tail of the adhesion, a grain that could roll onto its neighbour passes
+/// a saddle.
 template <int Dim>
 bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending, bool go_on) {
   if (!solution.converged) return false;

@@ -15,10 +15,10 @@
 
 namespace floc {
 
-/// Takes a packing to equilibrium under stresses or lengths of its axes: by Newton steps where nothing
-/// rearranges, else by dynamics until motion has stopped, power control, then Newton steps (see Finish). It
-/// goes from state to state in chunks of a fixed number of time steps: a run that is stopped between two of
-/// them and continued gives the same bits.
+/// Relaxer of a periodic packing under stresses or lengths of its axes. It uses Newton steps where the packing
+/// does not rearrange, else dynamics until motion has stopped, then power control and Newton steps (see
+/// Finish). It advances in chunks of a fixed number of time steps; a run that is stopped between two chunks and
+/// continued gives identical results.
 template <int Dim>
 class Relaxer final : public Equilibrator<Dim> {
  public:
@@ -30,7 +30,8 @@ class Relaxer final : public Equilibrator<Dim> {
       : Relaxer(options, std::move(packing), LoadTarget<Dim>::normal_stress(target_stress),
                 std::move(progress)) {}
 
-  /// One chunk. If the motion diverges, the packing is the one the chunk began with, its springs at rest.
+  /// Advances by one chunk. If the motion diverges, the packing is the one that the chunk began with, with
+  /// springs at rest.
   RelaxationStatus advance() override;
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
@@ -73,25 +74,27 @@ class Relaxer final : public Equilibrator<Dim> {
   RelaxationOptions options_;
   Packing<Dim> packing_;
   LoadTarget<Dim> load_;
-  Vec<Dim> target_;  ///< stress imposed; where a length is, the stress carried
+  Vec<Dim> target_;  ///< stress imposed on each axis, or carried where a length is imposed
   RelaxationProgress progress_;
-  Mat<Dim> stress_;  ///< of the packing, like the residuals
+  Mat<Dim> stress_;  ///< static stress of the packing
   Residuals residuals_;
-  Stability stability_;           ///< of an equilibrium
-  int n_bridges_unsettled_ = -1;  ///< likewise, of liquid
-  Unmet unmet_;                   ///< at the end of the last chunk, residuals apart
+  Stability stability_;           ///< stability of the equilibrium
+  int n_bridges_unsettled_ = -1;  ///< RelaxationReport::n_bridges_unsettled
+  Unmet unmet_;                   ///< first unmet criterion besides the residuals, at the end of the last chunk
   std::string ending_;
   double time_step_;
   double time_unit_;  ///< sqrt(a m/F1): T0 of a cohesive scene below P* = 1
   MotionObserver<Dim> observer_;
 };
 
-/// Time unit of a packing under a stress: sqrt(a m/F1), m the largest grain's mass. With F1 = F0 this is T0.
+/// Time unit of a packing under a stress (time): sqrt(a m/F1), with m the mass of the largest grain. If F1 = F0
+/// it is T0.
 template <int Dim>
 double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Largest |L'/L| (1/time) that the options allow under this stress. Without adhesion and without a cap of its
-/// own, that of the inertial number 1e-3; infinite where a cohesive scene names no cap.
+/// Largest strain rate |L'/L| (1/time) that the options allow under this stress. Without adhesion and without a
+/// cap in the options, it is the rate at an inertial number of 1e-3; with adhesion and without a cap it is
+/// infinite.
 template <int Dim>
 double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
                        const Vec<Dim>& target_stress);

@@ -10,11 +10,11 @@
 namespace floc {
 namespace {
 
-/// What a row costs that is summed alone, each addition waiting for the one before it, in rows of a group.
+/// Cost of a row that is summed alone, in rows of a group: each addition waits for the one before it.
 constexpr int kAlone = 3;
 
-/// Depth to which a group of grains with falling numbers of rows is best summed side by side. @param count  of
-/// lane l
+/// Best depth to which a group of grains with falling numbers of rows is summed side by side.
+/// @param count  number of rows of lane l
 template <class Count>
 int depth_of_group(const Count& count) {
   int best = 0, least = std::numeric_limits<int>::max();
@@ -31,8 +31,8 @@ int first_pair(const PairArrays<Dim>& pairs, const SweepPlan& plan, int group) {
   return pairs.first_of_block(plan.first_block(group));
 }
 
-/// Places of the rows of groups, as numbers. A group takes over that of the latest of its thread's groups all of whose
-/// rows have been summed, or a new one.
+/// Slots for the rows of groups. A group takes the slot of the latest group of its thread whose rows have all
+/// been summed, or a new slot.
 template <int Dim>
 std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& plan) {
   std::vector<int> slots;
@@ -86,7 +86,7 @@ RowSums<Dim>::RowSums(const Lists& lists, RowKind rows, int n_grains, const Swee
     plan_side(plans_[b].as_j, begin, as_j);
     plans_[b].rows = rows_.data();
   }
-  // Only now that the list has stopped growing does it stay where it is.
+  // The list is complete, so that its memory does not move any more.
   for (std::size_t b = 0; b < plans_.size(); ++b) {
     plans_[b].as_i.row = listed_rows_.data() + first[2 * b];
     plans_[b].as_j.row = listed_rows_.data() + first[2 * b + 1];
@@ -119,7 +119,7 @@ int RowSums<Dim>::place_of_row(const Lists& lists, const SweepPlan& plan, std::s
   return first_row_[group] + (pair - first_pair(*lists[0], plan, group)) * row_size_;
 }
 
-/// In the order of the pairs; grains that pad the last block have none.
+/// Rows of each grain in the order of the pairs; grains that pad the last block have none.
 template <int Dim>
 template <class GrainOf>
 typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, const SweepPlan& plan,
@@ -137,7 +137,8 @@ typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, co
   return rows;
 }
 
-/// Groups the grains of a block by falling numbers of rows, and lists those of each group, then what is beyond.
+/// Groups the grains of a block by falling numbers of rows, and lists the rows of each group, then the rows
+/// beyond.
 template <int Dim>
 void RowSums<Dim>::plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& rows) {
   std::int64_t falling[kGrainBlock];  // sorts by falling numbers, then by grain, which its last digits hold

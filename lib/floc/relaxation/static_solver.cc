@@ -26,19 +26,19 @@
 namespace floc {
 namespace {
 
-/// Regularisation: stiffness, over the stiffest contact's, of motions without any: far below the softest mode
-/// (5e-6), far above rounding.
+/// Regularisation: stiffness given to motions without stiffness, over that of the stiffest contact. It is far
+/// below the softest mode (5e-6) and far above rounding.
 constexpr double kRegularisation = 1e-10;
 
-/// A configuration: where the grains are, how far the surfaces of each candidate contact moved since the start,
-/// how it responds and the residual there.
+/// Configuration of the iteration: positions of the grains, and for each candidate contact the motion of its
+/// surfaces since the start and its response; with the residual.
 template <int Dim>
 struct Configuration {
   std::vector<DoubleDoubleVec<Dim>> centre;
   std::vector<Orientation<Dim>> orientation;
   Cell<Dim> cell;
-  std::vector<Vec<Dim>> branch;          ///< of each candidate
-  std::vector<Contact<Dim>> remembered;  ///< gap and normal of the present, history of the start carried there
+  std::vector<Vec<Dim>> branch;            ///< of each candidate
+  std::vector<Contact<Dim>> remembered;    ///< present gap and normal; history of the start, turned to it
   std::vector<SurfaceMotion<Dim>> motion;  ///< since the start
   std::vector<Contact<Dim>> contacts;      ///< after that motion
   Eigen::VectorXd residual;
@@ -47,8 +47,8 @@ struct Configuration {
   int n_yielding = 0;
 };
 
-/// x = s * lattice vectors for s, by division as a diagonal cell needs it: a place inside the cell gives s < 1
-/// then.
+/// Solves x = s * lattice vectors for s. It divides, so that a point inside a diagonal cell gives s < 1 in
+/// spite of rounding.
 template <int Dim>
 Vec<Dim> cell_coordinates(const Mat<Dim>& lower, const Vec<Dim>& x) {
   Vec<Dim> s;
@@ -68,7 +68,7 @@ void rotate(Eigen::Quaterniond& orientation, const RotationVector<3>& rotation) 
   if (angle > 0.0) orientation = Eigen::AngleAxisd(angle, rotation / angle) * orientation;
 }
 
-/// Rotation about the normal; the frame of a 2D contact has none.
+/// Rotation about the normal; zero in 2D.
 double twist_about(const Vec<2>&, const RotationVector<2>&, const RotationVector<2>&) {
   return 0.0;
 }
@@ -77,9 +77,9 @@ double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation_i,
   return 0.5 * normal.dot(rotation_i + rotation_j);
 }
 
-/// Unknowns: position and rotation (times the radius) of each grain, then the free strains times a length,
-/// strain (a, b) displacing along a by b. Equations: force, moment (over the radius), and virial minus V Sigma
-/// (over the length), all in units of force.
+/// Static problem. Unknowns: position and rotation (times the radius) of each grain, then the free strains
+/// times a length, where strain (a, b) displaces along a in proportion to b. Equations: force, moment (over the
+/// radius), and virial minus V Sigma (over the length), all in units of force.
 template <int Dim>
 class StaticProblem {
  public:
@@ -107,18 +107,18 @@ class StaticProblem {
 
   TangentLayout layout() const { return {kDofs<Dim>, n_strains()}; }
 
-  /// Residual of the stress that the lattice vectors, which are kept as one double each, cannot be set below:
-  /// that of a strain of one rounding, at most two stiffnesses K_N large in a disk packing.
+  /// Residual of the stress that rounding of the lattice vectors leaves, which are stored as one double per
+  /// component: the stress of a strain of one rounding, at a modulus of at most two K_N in a packing of disks.
   double rounding_of_stress() const {
     return 2.0 * std::numeric_limits<double>::epsilon() * stiffness_ * scale_.length / scale_.force;
   }
 
-  /// The configuration after a displacement of all unknowns.
+  /// Configuration after a displacement of all unknowns.
   Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step) const {
     return moved(from, step, strain_of(step));
   }
 
-  /// The start, its axes brought to the ends of their way: grains follow.
+  /// Configuration with the axes at the ends of their strain ramp and the grains deformed affinely.
   Configuration<Dim> strained(const Configuration<Dim>& from, const StrainRamp<Dim>& ramp) const {
     Mat<Dim> strain = Mat<Dim>::Zero();
     for (int a = 0; a < Dim; ++a)
@@ -127,7 +127,8 @@ class StaticProblem {
     return moved(from, Eigen::VectorXd::Zero(order()), strain);
   }
 
-  /// @param wanted  strain of the lattice, which grains follow beside their displacements
+  /// Configuration after a displacement and a strain.
+  /// @param wanted  strain of the lattice, which deforms the positions affinely besides the displacements
   Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step,
                            const Mat<Dim>& wanted) const {
     Configuration<Dim> to = from;
@@ -186,9 +187,9 @@ class StaticProblem {
     matrix.add_boundary(load);
   }
 
-  /// Whether a pair acts that is no candidate. Candidates are all pairs that displacements within the limits bring
-  /// together; but parts that no contact joins, such as a cluster and its own images under no stress, have no
-  /// stiffness against each other, and a step may take them anywhere.
+  /// Whether a pair that is not a candidate interacts. Candidates are all pairs that displacements within the
+  /// limits can bring together. But parts that no contact joins, such as a cluster and its own images without
+  /// stress, have no stiffness against each other, and a step may move them by any distance.
   bool meets_others(const Configuration<Dim>& at) const {
     Packing<Dim> here;
     here.contacts = at.remembered;
@@ -196,12 +197,12 @@ class StaticProblem {
     for (const DoubleDoubleVec<Dim>& centre : at.centre) here.grains.position.push_back(rounded<Dim>(centre));
     try {
       return !unlisted_pairs(here, find_pairs(at.cell, here.grains, start_.law.range())).empty();
-    } catch (const InputError&) {  // so small a cell that each grain meets hundreds
+    } catch (const InputError&) {  // the cell is so small that each grain has hundreds of neighbours
       return true;
     }
   }
 
-  /// The packing of a configuration: at rest, histories mapped back, grains inside the cell.
+  /// Packing of a configuration: at rest, with updated histories, grains inside the cell.
   Packing<Dim> packing(const Configuration<Dim>& at) const {
     Packing<Dim> out = start_;
     out.cell = at.cell;
@@ -267,7 +268,7 @@ class StaticProblem {
     return all;
   }
 
-  /// Branch, gap and arms of a candidate. @return its normal
+  /// Sets branch, gap and arms of a candidate. @return its normal
   Vec<Dim> locate(Configuration<Dim>& at, std::size_t k) const {
     Contact<Dim>& c = at.remembered[k];
     const DoubleDoubleVec<Dim> r =
@@ -328,8 +329,8 @@ class StaticProblem {
       const Vec<Dim> on_i = force_on_i(c);
       at.residual.template segment<Dim>(first_i) += on_i;
       at.residual.template segment<Dim>(first_j) -= on_i;
-      // Lever arms are shares of the branch by the radii: over its radius, the moment of the shear force is the
-      // same on both.
+      // Lever arms are proportional to the radii, so that the moment of the shear force over the radius is
+      // equal for both grains.
       const RotationVector<Dim> shear_moment = moment<double>(at.branch[k], c.shear_force) / radii(c);
       const RotationVector<Dim> of_springs = spring_moment(c);
       at.residual.template segment<kRotationDofs>(first_i + Dim) += shear_moment + of_springs / radius[c.i];
@@ -342,7 +343,8 @@ class StaticProblem {
     measure(at);
   }
 
-  /// A lattice turned inside out balances nothing: without contacts, nothing else keeps a step from ending there.
+  /// Sets the largest residual of a configuration. For an inverted lattice it is infinite, since without
+  /// contacts nothing else rejects a step to it.
   void measure(Configuration<Dim>& at) const {
     if (!(at.cell.matrix.diagonal().minCoeff() > 0.0)) {
       at.worst = std::numeric_limits<double>::infinity();
@@ -398,7 +400,7 @@ class StaticProblem {
   double stiffness_;  // of the stiffest contact
 };
 
-/// A plane packing's factor is small whatever its size.
+/// Method for linear systems with the tangent. In 2D it is always a factor, which is small for any size.
 template <int Dim>
 TangentPlan plan_of(const StaticProblem<Dim>& problem, const TangentMatrix<Dim>& tangent) {
   return Dim == 2 ? TangentPlan{} : plan_tangent(tangent.matrix(), problem.layout());

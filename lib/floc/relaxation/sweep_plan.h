@@ -8,30 +8,31 @@
 
 namespace floc {
 
-/// How threads go through the blocks of grains in a time step. Each owns a run of groups of blocks, computes the pairs
-/// of one group after the other and sums the blocks of each at once; a block drifts just before the first pairs read
-/// it. So the grains of a large packing come from memory once a step. Blocks that pairs of another thread's blocks
-/// read are shared: they drift before all others, and are summed after all pairs; where they are many, all blocks are.
+/// Order in which threads go through the blocks of grains in a time step. Each thread owns consecutive groups
+/// of blocks. It computes the pairs of one group after the other and sums the blocks of each group at once; a
+/// block drifts just before the first pairs read it. The grains of a large packing are thus read from memory
+/// once per step. Blocks that pairs of another thread's blocks read are shared: they drift before all others
+/// and are summed after all pairs. If there are many such blocks, all blocks are shared.
 class SweepPlan {
  public:
   SweepPlan() = default;
-  /// @param blocks_of_group  as in `pairs`, or a multiple of it
+  /// @param blocks_of_group  blocks per group, as in `pairs` or a multiple of it
   template <int Dim>
   SweepPlan(const PairArrays<Dim>& pairs, int n_blocks, int n_threads, int blocks_of_group);
 
   int n_threads() const { return n_threads_; }
   int n_groups() const { return (n_blocks_ + blocks_of_group_ - 1) / blocks_of_group_; }
   int group_of(int block) const { return block / blocks_of_group_; }
-  /// The end of all blocks for the group after the last, likewise of all groups.
+  /// First block of a group, and first group of a thread; one past the last gives the end.
   int first_block(int group) const { return std::min(group * blocks_of_group_, n_blocks_); }
   int first_group(int thread) const { return n_groups() * thread / n_threads_; }
   bool is_shared(int block) const { return is_shared_[block]; }
-  /// Those that a thread drifts and sums: each has as many.
+  /// Shared blocks that a thread drifts and sums. Every thread gets an equal part of them.
   std::span<const int> shared_of(int thread) const {
     const auto first = [&](std::size_t t) { return shared_.size() * t / n_threads_; };
     return std::span(shared_).subspan(first(thread), first(thread + 1) - first(thread));
   }
-  /// Blocks that are not shared and that the pairs of a group are the first to read.
+  /// Blocks, not shared, that the pairs of a group are the first to read.
   std::span<const int> drifting_for(int group) const {
     return std::span(drifting_).subspan(first_drifting_[group],
                                         first_drifting_[group + 1] - first_drifting_[group]);
@@ -41,7 +42,7 @@ class SweepPlan {
   int n_blocks_ = 0, n_threads_ = 1, blocks_of_group_ = 1;
   std::vector<bool> is_shared_;
   std::vector<int> shared_, drifting_;
-  std::vector<int> first_drifting_;  ///< of each group, and the end
+  std::vector<int> first_drifting_;  ///< first entry of each group in drifting_, and the end
 };
 
 template <int Dim>

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Turns of a waiting thread before it gives its core away.
+/// Number of spins of a waiting thread before it yields its core.
 constexpr int kSpins = 2000;
 
 void require_team(int n_threads) {
@@ -34,7 +34,7 @@ void Barrier::wait_for_others() {
     return;
   }
   for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
-    // A thread may give up on its way to the next barrier while another has not yet noticed that this one is open.
+    // A thread may abandon the next barrier before another thread has noticed that this barrier is open.
     if (abandoned_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase)
       throw Abandoned();
     if (spin > kSpins) std::this_thread::yield();
@@ -51,7 +51,7 @@ void run_in_team(int n_threads, const std::function<void(int thread, Barrier& ba
       require_team(n_threads);
       work(thread, barrier);
     } catch (const Barrier::Abandoned&) {
-      // The thread that gave up says why.
+      // The thread that called abandon() has the exception to report.
     } catch (...) {
       thrown[static_cast<std::size_t>(thread)] = std::current_exception();
       barrier.abandon();

@@ -16,14 +16,15 @@ namespace {
 template <int Dim>
 constexpr double kCrystalLimit = 2.0 / (Dim == 2 ? 4.898979485566356 : 6.324555320336759);
 
-/// Contacts get deeper within a chunk of steps than they are at its beginning.
+/// Largest overlap within a chunk over the largest overlap at its beginning.
 constexpr double kDeeper = 1.3;
-/// The largest force over the mean in a packing under pressure: its stiffness is twice that of the mean force.
+/// Largest force over the mean force in a packing under pressure. A Hertz contact under it has twice the
+/// stiffness that it has under the mean force.
 constexpr double kLargestForce = 8.0;
-/// Contacts a grain times solid fraction, of packings of few contacts.
+/// z Phi of packings with few contacts: coordination number times solid fraction.
 constexpr double kFewContacts = 4.0;
 
-/// Solid fraction above which packings are not compressed, as far as the frequency of their boundary goes.
+/// Solid fraction of a close packing, for the frequency of the boundary.
 template <int Dim>
 constexpr double kClosePacked = Dim == 2 ? 0.9069 : 0.7405;
 
@@ -46,7 +47,7 @@ ContactLoad load_on(const Packing<Dim>& packing, double pressure) {
   return load;
 }
 
-/// Of a grain and the partner with which its contact is stiffest: one of the largest, or a wall.
+/// Pair of a grain and the partner with which its contact is stiffest: one of the largest grains, or a wall.
 template <int Dim>
 PairGeometry<> stiffest_pair(const Grains<Dim>& grains, int i, int largest, bool with_wall) {
   if (with_wall) return {0.0, grains.radius[i], grains.mass[i]};
@@ -54,7 +55,7 @@ PairGeometry<> stiffest_pair(const Grains<Dim>& grains, int i, int largest, bool
           reduced(grains.mass[i], grains.mass[largest])};
 }
 
-/// The stiffest that a contact among grains, or of a grain and a wall, gets (force/length).
+/// Largest stiffness of a contact between grains, or of a grain with a wall (force/length).
 template <int Dim>
 double stiffest_contact(const Grains<Dim>& g, const Law& parameters, const ContactLoad& load, bool with_wall) {
   const int largest = largest_grain(g);
@@ -83,10 +84,10 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
         [&](const auto& law) {
           for (int i = 0; i < g.size(); ++i) {
             const ContactStiffness bound = law.stiffness_bound(stiffest_pair(g, i, largest, with_wall), load);
-            // Springs across the contact vibrate faster than those along it where they are stiffer.
+            // Tangential springs vibrate faster than normal ones where they are stiffer.
             const double stiffest = std::max(bound.normal, bound.tangential);
             shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
-            // Rolling is stable to 1.45 times the step in units of its own period that vibration allows
+            // Rolling is stable up to 1.45 times the step of vibrations, each in units of its own period
             // (measured in crystals).
             const double turning = std::max(bound.rolling, bound.twisting);
             if (turning > 0.0) shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / turning));
@@ -108,7 +109,8 @@ double cell_time_step_of(const Packing<Dim>& packing, double cell_mass, double t
   for (const double r : g.radius) squared_diameters += 4.0 * r * r;
   const double shrinks = std::min(1.0, std::pow(solid_fraction(packing) / kClosePacked<Dim>, 1.0 / Dim));
   const double side = shrinks * packing.cell.matrix.diagonal().minCoeff();
-  // A close packing has 6 and 12 neighbours a grain, half a contact each; n_a^2 is 1/Dim in the mean.
+  // A close packing has 6 (2D) or 12 (3D) neighbours per grain, half a contact each; the mean of n_a^2 is
+  // 1/Dim.
   constexpr double kContactsAlong = Dim == 2 ? 3.0 / 2.0 : 6.0 / 3.0;
   const double stiffness = stiffest_contact(g, packing.law, load_on(packing, pressure), false);
   const double frequency = std::sqrt(kContactsAlong * stiffness * squared_diameters / cell_mass) / side;

@@ -10,9 +10,9 @@
 
 namespace floc {
 
-/// The walls of a packing in motion, by the same scheme as the grains. The load of an axis between walls acts
-/// on both: a stress p as a force p S inwards, S the area of the wall, so that p V is the potential of the load
-/// [SVI2024]; at a given rate the walls approach each other, each at half of it.
+/// Walls of a packing in motion, integrated like the grains. The load of an axis between walls acts on both
+/// walls: a stress p is a force p S inwards, with S the area of the wall, so that p V is the potential of the
+/// load [SVI2024]. At a given strain rate each wall moves with half the relative velocity.
 template <int Dim>
 class WallMotion {
  public:
@@ -22,11 +22,11 @@ class WallMotion {
   int size() const { return static_cast<int>(walls_.size()); }
   const std::vector<Wall<Dim>>& walls() const { return walls_; }
   bool bounds(int axis) const { return between_[axis]; }
-  /// Distance of the walls of an axis, and its rate of change. @pre bounds(axis)
+  /// Distance of the walls of an axis (length), and its rate of change (length/time). @pre bounds(axis)
   double distance(int axis) const { return gap_of(axis, &Wall<Dim>::position); }
   double distance_rate(int axis) const { return gap_of(axis, &Wall<Dim>::velocity); }
 
-  /// What the kernels read; valid until the walls move.
+  /// View of the walls for the kernels; valid until the walls move.
   WallView<Dim> view() const;
 
   /// Lists the pairs of each wall, after a new list of the pairs of grains with walls.
@@ -34,8 +34,8 @@ class WallMotion {
   /// Sums the forces with which the grains push each wall outwards, in the order of its pairs.
   void sum_forces(const Interaction<Dim>& interaction);
 
-  /// Half a step of acceleration by the forces that were summed last.
-  /// @param area  of the walls of each axis (length^(Dim-1))
+  /// Accelerates the walls over half a step by the forces that were summed last.
+  /// @param area  area of the walls of each axis (length^(Dim-1))
   void kick(double half_step, const BoundaryControl<Dim>& control, const Vec<Dim>& area);
   void drift(double time_step);
   void stop();
@@ -50,7 +50,7 @@ class WallMotion {
 
   std::vector<Wall<Dim>> walls_;
   std::vector<std::vector<int>> pairs_of_wall_;
-  std::vector<double> force_;  ///< on each wall, outwards (force)
+  std::vector<double> force_;  ///< force on each wall, outwards (force)
   std::array<bool, Dim> between_ = {};
   std::array<std::vector<double>, Dim> normal_;
   std::vector<double> level_, level_rate_;

@@ -10,30 +10,30 @@
 
 namespace floc {
 
-/// How the force of a liquid bridge falls with the gap.
+/// Decrease of the force of a liquid bridge with the gap.
 enum class BridgeForm {
   exponential,  ///< exp(-h/l), l = 0.9 sqrt(V_b/(r R')) [RTV2010]
   rational,     ///< 1/(1 + 1.05 x + 2.5 x^2), x = h sqrt(R'/V_b) [WAJS2000]
 };
 
-/// When a liquid bridge forms.
+/// Condition under which a liquid bridge forms.
 enum class BridgeFormation {
   gap,      ///< as soon as the gap is within its reach
-  contact,  ///< when the surfaces touch; it then lives until the gap is wider than its reach
+  contact,  ///< when the surfaces touch; it breaks when the gap is wider than its reach
 };
 
-/// Parameters of a liquid bridge between two grains, all zero where there is none.
+/// Parameters of a liquid bridge between two grains; all zero without a bridge.
 template <class T = double>
 struct Bridge {
-  T strength = T(0);  ///< Gamma R, when the surfaces touch (force)
+  T strength = T(0);  ///< Gamma R, the force when the surfaces touch (force)
   T decay = T(0);     ///< 1/l, or sqrt(R'/V_b) of the rational form (1/length)
-  T reach = T(0);     ///< hm, the widest gap that it spans (length)
+  T reach = T(0);     ///< hm, the widest gap that the bridge spans (length)
 };
 
 /// Liquid bridges between spheres: a force -Gamma R in contact, which falls with the gap up to the reach of the
-/// bridge. Gamma = 2 pi g cos th, R = sqrt(Ri Rj), reach (1 + th/2) V_b^(1/3). Contacts remember the volumes
-/// V_b of the bridges; the law does not decide how the liquid of a packing is shared between them
-/// (packing/liquid/liquid.h). In 2D disks stand for a layer of spheres.
+/// bridge. Gamma = 2 pi g cos th, R = sqrt(Ri Rj), reach (1 + th/2) V_b^(1/3). The history of a contact holds
+/// the volume V_b of its bridge (length^3); how the liquid of a packing is shared between the bridges is not
+/// part of the law (packing/liquid/liquid.h). In 2D disks stand for a layer of spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< g (force/length)
   double contact_angle;    ///< th (degrees)
@@ -71,15 +71,15 @@ struct CapillaryAdhesion {
 
   /// Contact angle in radians.
   double angle() const { return contact_angle * std::numbers::pi / 180.0; }
-  /// Gamma R of two grains, the force needed to pull them apart. It does not depend on the volume.
+  /// Gamma R of two grains, the force that pulls them apart (force). It does not depend on the volume.
   double strength(double radius_i, double radius_j) const {
     return 2.0 * std::numbers::pi * surface_tension * std::cos(angle()) * std::sqrt(radius_i * radius_j);
   }
-  /// hm, the widest gap that a bridge of this volume spans (length).
+  /// hm, the widest gap that a bridge of this volume (length^3) spans (length).
   double reach(double volume) const { return (1.0 + 0.5 * angle()) * std::cbrt(volume); }
-  /// Volume of the liquid that goes with grains of this volume.
+  /// Volume of the liquid for grains of this volume (length^3).
   double liquid_volume(double solid_volume) const { return water_content * density_ratio * solid_volume; }
-  /// The bridge of this volume between two grains.
+  /// Parameters of a bridge of this volume (length^3) between two grains.
   Bridge<> bridge(double radius_i, double radius_j, double volume) const {
     if (!(volume > 0.0)) return {};
     const double mean = 2.0 * reduced(radius_i, radius_j);
@@ -89,8 +89,11 @@ struct CapillaryAdhesion {
     return {strength(radius_i, radius_j), std::sqrt(ratio * mean / volume) / kDecayLength, reach(volume)};
   }
 
-  /// Follows the bridge of a pair through a motion. @param pair  at the end of it @param volume  the history
-  /// @return the bridge as it acts now
+  /// Updates the bridge of a pair by one motion: where formation is `contact`, it breaks if the gap is wider
+  /// than its reach, and forms again if the surfaces touch.
+  /// @param pair  geometry at the end of the motion
+  /// @param volume  the history, updated
+  /// @return parameters of the bridge as it acts now
   template <class T>
   Bridge<T> hold(const PairGeometry<T>& pair, const Bridge<T>& bridge, T* volume) const {
     if (formation == BridgeFormation::contact) {
@@ -100,7 +103,7 @@ struct CapillaryAdhesion {
     }
     return acting(bridge, *volume);
   }
-  /// The bridge of a pair as it acts: without force where it has broken.
+  /// Parameters of a bridge as it acts: its strength is zero where it has broken.
   template <class T>
   Bridge<T> acting(Bridge<T> bridge, const T& volume) const {
     bridge.strength = lanes::select(T(0) < volume, bridge.strength, T(0));
@@ -132,9 +135,9 @@ struct CapillaryAdhesion {
     return lanes::select(bridge.reach < pair.gap, T(0),
                          T(across + bridge.strength * lanes::min(pair.gap, T(0))));
   }
-  /// No range of its own: bridges reach as far as their volumes let them.
+  /// Zero: the reach of a bridge depends on its volume, so that the law has no range of its own.
   double range() const { return 0.0; }
-  /// Without liquid, or without tension that pulls, nothing attracts.
+  /// Whether bridges attract: there is liquid, and its surface tension pulls.
   bool acts() const { return surface_tension > 0.0 && water_content > 0.0 && contact_angle < 90.0; }
 
   bool operator==(const CapillaryAdhesion&) const = default;
@@ -143,13 +146,13 @@ struct CapillaryAdhesion {
   static constexpr double kDecayLength = 0.9;
   static constexpr double kLinear = 1.05, kSquare = 2.5;
 
-  /// Force over that in contact.
+  /// Force over the force in contact, at x = gap times decay.
   template <class T>
   T share_at(const T& x) const {
     if (form == BridgeForm::exponential) return lanes::exp_of_negative(T(-x));
     return T(1) / (T(1) + x * (T(kLinear) + T(kSquare) * x));
   }
-  /// Integral of share_at() from contact on.
+  /// Integral of share_at() from 0 to x.
   template <class T>
   T integral_to(const T& x) const {
     if (form == BridgeForm::exponential) return T(1) - lanes::exp_of_negative(T(-x));

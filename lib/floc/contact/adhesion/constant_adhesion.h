@@ -32,7 +32,7 @@ struct ConstantAdhesion {
     return lanes::select(pair.gap < T(0), T(pull_off_force * pair.gap), T(0));
   }
   double range() const { return 0.0; }
-  /// An attraction of zero force counts as none.
+  /// Whether the grains attract each other: the force is not zero.
   bool acts() const { return pull_off_force != 0.0; }
 
   bool operator==(const ConstantAdhesion&) const = default;

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Constant attraction -F0 in contact, falling linearly to zero over the range D0 of the gap. Reversible: it is
-/// the same on approach as on separation. [GRC2008], Eq. 2.
+/// Constant attraction -F0 in contact, falling linearly to zero over the range D0 of the gap. It is reversible:
+/// the force depends on the gap alone, on approach and on separation. [GRC2008], Eq. 2.
 struct TailAdhesion {
   double pull_off_force;  ///< F0 (force), > 0
   double tail_range;      ///< D0 (length), > 0
@@ -34,7 +34,7 @@ struct TailAdhesion {
     const T tail = lanes::select(pair.gap < T(tail_range), T(-pull_off_force / tail_range), T(0));
     return lanes::select(pair.gap < T(0), T(0), tail);
   }
-  /// Zero at and beyond the range; -F0 D0/2 at contact.
+  /// Potential energy (energy): zero at and beyond the range, -F0 D0/2 at contact.
   template <class T>
   T energy(const PairGeometry<T>& pair) const {
     const T missing = lanes::max(T(0), T(tail_range - pair.gap));
@@ -43,7 +43,7 @@ struct TailAdhesion {
                          tail);
   }
   double range() const { return tail_range; }
-  /// An attraction of zero force counts as none.
+  /// Whether the grains attract each other: the force is not zero.
   bool acts() const { return pull_off_force != 0.0; }
 
   bool operator==(const TailAdhesion&) const = default;

@@ -22,7 +22,7 @@ struct CriticalDamping {
       {"critical_fraction", &CriticalDamping::critical_fraction, Unit::ratio, "zeta", Requirement::at_most_one,
        "a fraction zeta of critical damping, in (0, 1]", "fraction of critical damping"}};
 
-  /// The factor of the root of the stiffness, for a pair.
+  /// 2 zeta sqrt(m_eff) of a pair, the damping coefficient over the root of the stiffness.
   template <class Normal>
   double coefficient(const CollisionMass& mass, const Normal&) const {
     return 2.0 * critical_fraction * std::sqrt(mass.effective);

@@ -10,12 +10,11 @@
 
 namespace floc {
 
-/// The mass m that the critical damping of a contact refers to. Either one is the same for i against j as for j
-/// against i, and a fixed multiple of the effective mass, so that all pairs have the same restitution, whatever
-/// their sizes.
+/// Mass m in the critical damping of a contact. Both choices are symmetric in i and j and a fixed multiple of
+/// the effective mass, so that all pairs have the same restitution, whatever their sizes.
 enum class DampingMass {
-  effective,  ///< m_i m_j/(m_i + m_j): the restitution of a pair is the one given [GRC2008]
-  grain,      ///< twice that, the mass of a grain among equals [SVI2024]: sqrt(2) times the damping ratio
+  effective,  ///< m_i m_j/(m_i + m_j): a pair has the given restitution [GRC2008]
+  grain,      ///< 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains [SVI2024]: sqrt(2) zeta
 };
 
 /// Fraction of critical damping that gives a linear spring the restitution e, 0 < e <= 1:
@@ -28,7 +27,7 @@ inline double damping_ratio(double restitution) {
 /// Viscous normal force -c dh/dt while the surfaces overlap, c = 2 zeta sqrt(m K_N). It may pull: cutting off
 /// its tension would change the restitution. It is not part of the static force.
 struct ViscousDamping {
-  double restitution;  ///< of a binary collision without adhesion, in (0, 1]
+  double restitution;  ///< restitution e_N of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;
 
   static constexpr const char* kKeyword = "viscous";

@@ -30,7 +30,7 @@ struct HertzRepulsion {
       {"poisson", &HertzRepulsion::poisson, Unit::ratio, "nu", Requirement::poisson_ratio,
        "Poisson's ratio nu, in (-1, 0.5)", "Poisson's ratio"}};
 
-  /// E/(1 - nu^2), the modulus that a pressure is compared with.
+  /// E/(1 - nu^2), the modulus that reduces pressures (force/length^2).
   double plane_modulus() const { return modulus / (1.0 - poisson * poisson); }
 
   template <class T>
@@ -48,22 +48,22 @@ struct HertzRepulsion {
   }
   double shear_ratio() const { return (2.0 - 2.0 * poisson) / (2.0 - poisson); }
 
-  /// Overlap at which the elastic force is `elastic` >= 0.
+  /// Overlap at which the elastic force is `elastic` >= 0 (length).
   double overlap_at_force(const PairGeometry<>& pair, double elastic) const {
     return std::pow(0.75 * elastic / (0.5 * plane_modulus() * std::sqrt(pair.reduced_radius)), 2.0 / 3.0);
   }
-  /// Largest overlap of two free grains that meet at this speed: all their energy is then elastic.
+  /// Largest overlap of two free grains that meet at this speed, where all their energy is elastic (length).
   double overlap_of_impact(const PairGeometry<>& pair, double speed) const {
     return std::pow(
         15.0 * pair.reduced_mass * speed * speed / (8.0 * plane_modulus() * std::sqrt(pair.reduced_radius)),
         0.4);
   }
-  /// K_N where the elastic force is `elastic`.
+  /// K_N at which the elastic force is `elastic` (force/length).
   double stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
     return contact_stiffness(PairGeometry<>(-overlap_at_force(pair, elastic), pair.reduced_radius));
   }
   double modulus_of_packing(int, double) const { return plane_modulus(); }
-  /// No contact is stiffer than this as long as it carries no more than the load.
+  /// Upper bound of K_N of a contact under this load (force/length).
   double stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     const double deepest = std::max(
         {load.overlap, overlap_at_force(pair, load.force), overlap_of_impact(pair, load.impact_speed)});

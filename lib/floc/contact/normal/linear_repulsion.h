@@ -29,13 +29,13 @@ struct LinearRepulsion {
   T stiffness(const PairGeometry<T>& pair) const {
     return lanes::select(pair.gap < T(0), T(normal_stiffness), T(0));
   }
-  /// Stiffness where the elastic force is FNe > 0, for a contact of which only the force is known.
+  /// K_N at an elastic force > 0, for a contact of which only the force is known (force/length).
   double stiffness_at_force(const PairGeometry<>&, double) const { return normal_stiffness; }
-  /// Modulus of a packing of grains of diameter a, which a pressure is compared with: K_N/a^(Dim-2).
+  /// Modulus that reduces pressures of a packing of grains of diameter a: K_N/a^(Dim-2) (force/length^(Dim-1)).
   double modulus_of_packing(int dim, double diameter) const {
     return normal_stiffness / std::pow(diameter, dim - 2);
   }
-  /// No contact is stiffer than this.
+  /// Upper bound of K_N of a contact (force/length).
   double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return normal_stiffness; }
 
   bool operator==(const LinearRepulsion&) const = default;

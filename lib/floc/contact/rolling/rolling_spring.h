@@ -26,7 +26,9 @@ struct RollingSpring {
   static constexpr History kHistory[] = {
       {"rolling_spring", HistoryKind::rotation, Unit::angle, "relative rotation of id1 against id2"}};
 
-  /// Takes up the relative rotation of one motion. @param history  as declared. @return moment on j
+  /// Adds the relative rotation of one motion to the spring.
+  /// @param history  as declared
+  /// @return moment on j (force * length)
   template <class T, class V>
   V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& relative_rotation,
             T* history) const {
@@ -36,14 +38,16 @@ struct RollingSpring {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return acts() && capped_is_mobilised<V>(coefficient, rolling_stiffness, elastic, history, tolerance);
   }
-  /// Sets the history so that it carries a moment on j. @param stiffness  of the contact, > 0
+  /// Sets the history so that it carries a moment on j.
+  /// @param stiffness  K_R of the contact, > 0
   template <class V>
   void set_force(const V& force, double stiffness, double* history) const {
     Eigen::Map<V>{history} = force / stiffness;
   }
-  /// K_R while nothing yields, of a contact whose surfaces touch.
+  /// K_R of a contact that touches and is not mobilised (force * length); 0 if the coefficient is zero.
   double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }
-  /// Resistance that can carry nothing counts as none, and must not stiffen the network either.
+  /// Whether the spring can carry a moment. One that cannot is left out, so that it does not stiffen the
+  /// network.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const RollingSpring&) const = default;

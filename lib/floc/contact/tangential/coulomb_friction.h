@@ -28,7 +28,9 @@ struct CoulombFriction {
       {"shear_spring", HistoryKind::tangent, Unit::length,
        "tangential spring; in 2D along the normal turned by +90 degrees, in 3D a vector normal to the normal"}};
 
-  /// Takes up the slip of one motion. @param history  as declared. @return tangential force on i
+  /// Adds the slip of one motion to the spring.
+  /// @param history  as declared
+  /// @return tangential force on i (force)
   template <class T, class V>
   V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* history) const {
     return respond_capped(coefficient, tangential_stiffness, normal.elastic, slip, history);
@@ -37,14 +39,16 @@ struct CoulombFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return capped_is_mobilised<V>(coefficient, tangential_stiffness, elastic, history, tolerance);
   }
-  /// Sets the history so that it carries a force. @param stiffness  of the contact, > 0
+  /// Sets the history so that it carries a force.
+  /// @param stiffness  K_T of the contact, > 0
   template <class V>
   void set_force(const V& force, double stiffness, double* history) const {
     Eigen::Map<V>{history} = force / stiffness;
   }
-  /// K_T while nothing slides, of a contact whose surfaces touch.
+  /// K_T of a contact that touches and does not slide (force/length).
   double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }
-  /// Friction that can carry nothing counts as none, and must not stiffen the network either.
+  /// Whether the spring can carry a force. One that cannot is left out, so that it does not stiffen the
+  /// network.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const CoulombFriction&) const = default;

@@ -11,7 +11,7 @@ namespace floc {
 
 /// Friction of elastic spheres: T grows by K_T times the slip, with K_T following the present normal force, and
 /// is cut back to mu FNe. Where the normal force falls, T falls with K_T; where it grows, T stays. No closed
-/// path then yields energy (docs/physics.md, "Spheres of Hertz and Mindlin"). [AR2007], section II.
+/// path then gains energy (docs/physics.md, "Spheres of Hertz and Mindlin"). [AR2007], section II.
 struct MindlinFriction {
   double coefficient;  ///< mu
 
@@ -27,7 +27,9 @@ struct MindlinFriction {
        "tangential force on id1, a vector normal to the normal"},
       {"last_stiffness", HistoryKind::scalar, Unit::stiffness, "K_T that the tangential force belongs to"}};
 
-  /// Takes up the slip of one motion. @param history  as declared. @return tangential force on i
+  /// Updates the tangential force by the slip of one motion.
+  /// @param history  as declared
+  /// @return tangential force on i (force)
   template <class T, class V>
   V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* history) const {
     Eigen::Map<V> force(history);
@@ -43,15 +45,15 @@ struct MindlinFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return Eigen::Map<const V>(history).norm() >= (1.0 - tolerance) * (coefficient * elastic);
   }
-  /// Sets the history to a force; the next motion finds the stiffness that it belongs to.
+  /// Sets the history to a force. The next motion sets the stiffness that it belongs to.
   template <class V>
   void set_force(const V& force, double /*stiffness*/, double* history) const {
     Eigen::Map<V>{history} = force;
     history[V::RowsAtCompileTime] = 0.0;
   }
-  /// K_T while nothing slides, of a contact whose surfaces touch.
+  /// K_T of a contact that touches and does not slide (force/length).
   double stiffness(const NormalResponse<double>& normal) const { return normal.shear_stiffness; }
-  /// Friction that can carry nothing counts as none, and must not stiffen the network either.
+  /// Whether friction can carry a force. If it cannot, it is left out, so that it does not stiffen the network.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const MindlinFriction&) const = default;

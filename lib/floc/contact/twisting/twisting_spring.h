@@ -27,7 +27,9 @@ struct TwistingSpring {
   static constexpr History kHistory[] = {
       {"twisting_spring", HistoryKind::twist, Unit::angle, "rotation of id1 against id2 about the normal"}};
 
-  /// Takes up the twist of one motion. @param history  as declared. @return moment on j about the normal
+  /// Adds the twist of one motion to the spring.
+  /// @param history  as declared
+  /// @return moment on j about the normal (force * length)
   template <class T>
   T respond(const NormalResponse<T>& normal, const T& twist, T* history) const {
     using One = Eigen::Matrix<T, 1, 1>;
@@ -37,11 +39,13 @@ struct TwistingSpring {
     return capped_is_mobilised<Eigen::Matrix<double, 1, 1>>(coefficient, twisting_stiffness, elastic, history,
                                                             tolerance);
   }
-  /// Sets the history so that it carries a moment on j. @param stiffness  of the contact, > 0
+  /// Sets the history so that it carries a moment on j.
+  /// @param stiffness  K_tw of the contact, > 0
   void set_force(double moment, double stiffness, double* history) const { *history = moment / stiffness; }
-  /// K_tw while nothing yields, of a contact whose surfaces touch.
+  /// K_tw of a contact that touches and is not mobilised (force * length).
   double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
-  /// Resistance that can carry nothing counts as none, and must not stiffen the network either.
+  /// Whether the spring can carry a moment. One that cannot is left out, so that it does not stiffen the
+  /// network.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const TwistingSpring&) const = default;

@@ -4,19 +4,20 @@
 
 namespace floc {
 
-/// Energy of a spring, force^2/(2 stiffness); one without stiffness carries nothing.
+/// Energy of a spring, force^2/(2 stiffness); 0 without stiffness.
 inline double spring_energy(double squared_force, double stiffness) {
   return stiffness > 0.0 ? 0.5 * squared_force / stiffness : 0.0;
 }
 
-/// Energy that a contact stores and gives back (energy).
+/// Potential energy of a contact (energy).
 struct ContactEnergy {
   /// N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R) of the elastic normal force N, the overlap h and the springs. The
   /// first term is the integral of N over h wherever N follows a power of h: N h/2 for linear contacts, (2/5) N h for
-  /// Hertz contacts. Under other laws it is what the law says of the gap and the history. A distant attraction has none.
+  /// Hertz contacts. Other laws give it as a function of the gap and the history. It is zero for a distant
+  /// attraction.
   double elastic = 0.0;
-  double normal = 0.0;  ///< its first term, part of `elastic`
-  /// Of the adhesion, below zero where it acts.
+  double normal = 0.0;  ///< the first term of `elastic`, included there
+  /// Energy of the adhesion, negative where it acts.
   double attraction = 0.0;
 
   double all() const { return elastic + attraction; }
@@ -25,7 +26,7 @@ struct ContactEnergy {
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Of all contacts together.
+/// Sum of the energies of all contacts.
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing);
 

@@ -9,13 +9,13 @@
 namespace floc {
 namespace {
 
-/// Derivatives are taken with springs longer by twice that: those at their cap are then beyond it.
+/// Factor of springs for derivatives: springs that are at their cap up to rounding are then beyond it.
 constexpr double kBeyondCap = 1.0 + 2e-12;
-/// And with surfaces that have moved by this, which is lost in any other motion: a spring of length zero under
-/// a cap of zero (surfaces that have parted) is beyond its cap then. The square of it is no underflow.
+/// Motion of the surfaces added for derivatives, negligible beside any other motion: a spring of length zero
+/// under a cap of zero (surfaces that have parted) is then beyond its cap. Its square does not underflow.
 constexpr double kTinyMotion = 1e-150;
 
-/// Factor of each number that contacts remember: springs are made longer, anything else is left as it is.
+/// Factor of each number of the history: kBeyondCap for springs, 1 for other quantities.
 template <int Dim>
 ContactHistory<Dim> spring_factors(const Law& law) {
   ContactHistory<Dim> factor = ContactHistory<Dim>::Ones();
@@ -24,7 +24,7 @@ ContactHistory<Dim> spring_factors(const Law& law) {
   return factor;
 }
 
-/// What a contact remembers, as dual numbers.
+/// History of a contact as dual numbers.
 template <class Law, int Dim>
 PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> dual_memory(const ContactHistory<Dim>& all) {
   PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> history;
@@ -33,7 +33,7 @@ PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> dual_memory(con
   return history;
 }
 
-/// Numbers of a pair as dual numbers, which no motion changes.
+/// Pair parameters as dual numbers with zero derivatives, since no motion changes them.
 template <class Law, class T>
 typename Law::template PairParameters<T> constant(
     [[maybe_unused]] const typename Law::template PairParameters<>& parameters) {
@@ -43,8 +43,8 @@ typename Law::template PairParameters<T> constant(
     return {};
 }
 
-/// Axes that surfaces roll about, as columns in the order of `ContactRows`: those of its rotations, the twist
-/// about the normal left out.
+/// Axes of rolling, as columns in the order of `ContactRows`: the axes of its rotations, with zero in place of
+/// the normal.
 Mat<1> rolling_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }

@@ -17,18 +17,18 @@ struct SurfaceMotion {
   double twist = 0.0;  ///< in 3D, rotation of i against j about the normal (radians)
 };
 
-/// Carries what a contact remembers, and its motion since, from its normal to another, which it then has. A
-/// contact without a normal (zero) takes the new one and keeps its history as it is.
-///
-/// @param remembered  what the law remembers (history_quantities)
+/// Turns the history of a contact, and the motion since it was updated, from the contact's normal to a new
+/// normal, and sets the contact's normal to it. The history of a contact whose normal is zero is not turned.
+/// @param remembered  quantities of the history (history_quantities())
+/// @param normal  the new normal (unit vector)
 /// @param twist  rotation about the normal, mean of the two grains (radians; ignored in 2D)
 template <int Dim>
 void transport_history(const std::vector<HistoryQuantity>& remembered, const Vec<Dim>& normal, double twist,
                        Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
 
-/// Static response of contacts between the grains of a packing, by its law: forces, stiffnesses, flags and the
-/// new history of each follow from its `gap`, its `normal` and its history, which moves by `motion`. The law is
-/// resolved once for all of them.
+/// Updates contacts between the grains of a packing by its law: static forces, stiffnesses, flags and the new
+/// history of each contact follow from its `gap`, its `normal`, its history and its `motion`. The type of the
+/// law is resolved once for all contacts.
 ///
 /// @param motion   one entry per contact
 template <int Dim>
@@ -41,12 +41,11 @@ void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> mo
 template <int Dim>
 using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
-/// The consistent tangents of `respond`: derivatives of the law's own response, including the return to its
-/// caps, in the frame that turns with the contact. Not symmetric where one force depends on another, as when it
-/// slides. A contact that is at its cap to rounding is taken to go on sliding.
-///
-/// @param start    contacts before the motion: `gap` and `normal` of the present, history at the start
-/// @param frame    of each: columns the normal, then the tangents
+/// Computes the consistent tangents of respond(): derivatives of the law's response, including the return to
+/// its caps, in the frame that turns with the contact. A tangent is not symmetric where one force depends on
+/// another, as where a contact slides. A spring that is at its cap up to rounding is treated as sliding.
+/// @param start  contacts with the present `gap` and `normal`, and the history before the motion
+/// @param frame  one per contact: its columns are the normal, then the tangents
 /// @param tangent  written, one entry per contact
 template <int Dim>
 void contact_tangents(const Packing<Dim>& packing, std::span<const Contact<Dim>> start,

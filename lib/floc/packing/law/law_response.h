@@ -5,21 +5,21 @@
 #include "floc/packing/law/contact_response.h"
 #include "floc/packing/packing.h"
 
-/// How one contact responds by a composed law: what all evaluations outside the force loop share.
+/// Response of one contact by a composed law, shared by all evaluations outside the force loop.
 namespace floc {
 
-/// Relative distance below its cap at which a spring counts as being at it: it may be there by rounding alone.
+/// Relative distance below its cap up to which a spring counts as mobilised; it covers rounding.
 inline constexpr double kCapTolerance = 1e-12;
 
-/// What the law may need to know of the pair, at the contact's gap. A wall is flat and moves as if no grain
-/// could stop it.
+/// Geometry and masses of the pair at the contact's gap. A wall is flat and infinitely heavy, so that the
+/// reduced radius and mass are those of the grain.
 template <int Dim>
 PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
   if (c.j >= grains.size()) return {c.gap, grains.radius[c.i], grains.mass[c.i]};
   return {c.gap, reduced(grains.radius[c.i], grains.radius[c.j]), reduced(grains.mass[c.i], grains.mass[c.j])};
 }
 
-/// The parameters of the pair under the law; a grain on a wall is dry.
+/// Pair parameters of a contact under the law. Contacts with walls are dry.
 template <class Law, int Dim>
 typename Law::template PairParameters<> pair_parameters(
     const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c,
@@ -27,7 +27,7 @@ typename Law::template PairParameters<> pair_parameters(
   if (c.j >= grains.size()) return {};
   return law.template pair_parameters<Dim>(grains.radius[c.i], grains.radius[c.j], history);
 }
-/// These parameters as they act at the contact now.
+/// Pair parameters of a contact as they act now.
 template <class Law, int Dim>
 typename Law::template PairParameters<> acting_parameters(const Law& law, const Grains<Dim>& grains,
                                                           const Contact<Dim>& c) {
@@ -35,13 +35,13 @@ typename Law::template PairParameters<> acting_parameters(const Law& law, const 
   return law.template acting<Dim>(pair_parameters(law, grains, c, history), history);
 }
 
-/// Whether the surfaces of a contact touch, at its gap and by what it remembers.
+/// Whether the surfaces of a contact touch, by its gap and its history.
 template <class Law, int Dim>
 bool touches(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c) {
   return law.template touches<Dim>(pair_geometry(grains, c), packed_history<Law, Dim>(c.history));
 }
 
-/// Flags of the springs that are at their caps; none for a distant attraction.
+/// Sets the flags of the springs that are at their caps; none for a distant attraction.
 template <class Law, int Dim>
 void set_mobilised(const Law& law, const PackedHistory<Law::template kHistorySize<Dim>>& history,
                    double tolerance, Contact<Dim>& c) {
@@ -52,8 +52,8 @@ void set_mobilised(const Law& law, const PackedHistory<Law::template kHistorySiz
   c.twisting_yield = m.twisting;
 }
 
-/// Static forces, stiffnesses, flags and history of a contact whose surfaces have moved since its history was
-/// updated; its gap and normal are those after the motion.
+/// Updates static forces, stiffnesses, flags and history of a contact by a motion of its surfaces. The contact
+/// has the gap and the normal after the motion already.
 template <class Law, int Dim>
 void respond_to_motion(const Law& law, const Grains<Dim>& grains, const SurfaceMotion<Dim>& surface,
                        Contact<Dim>& c) {

@@ -13,11 +13,11 @@
 namespace floc {
 namespace {
 
-/// Whether a stiffness follows from the elastic force alone: not that of a law which remembers past overlaps.
+/// Whether stiffnesses follow from the elastic force alone. Under a normal law with a history they do not.
 template <class Law>
 inline constexpr bool kFollowsFromForce = history_size<typename Law::NormalModel>(2) == 0;
 
-/// Factors closer to each other than files' digits make them are one.
+/// Whether two factors are equal within the digits that files print.
 bool same_factor(double a, double b) {
   return !differ(a, b, 10.0 * kForeignStiffness);
 }

@@ -12,8 +12,8 @@ namespace floc {
 using Stiffnesses = std::array<double, 4>;
 inline constexpr std::array<const char*, 4> kStiffnessNames = {"kn", "kt", "kr", "ktw"};
 
-/// Stiffnesses of other programs are the law's up to this, relative: files print six digits or more, of a
-/// stiffness and of the force that the law finds its own at.
+/// Relative tolerance between stiffnesses of another program and those of the law. Files print six digits or
+/// more of a stiffness, and of the force at which the law computes its stiffness.
 inline constexpr double kForeignStiffness = 1e-5;
 
 template <int Dim>
@@ -21,30 +21,32 @@ Stiffnesses stiffnesses(const Contact<Dim>& contact) {
   return {contact.kn, contact.kt, contact.kr, contact.ktw};
 }
 
-/// The stiffnesses that the law of a packing gives a contact: at its gap if it is a distant attraction, at its
-/// elastic force otherwise. Where the stiffness varies, the force holds it to rounding; an overlap, a small
-/// difference of positions, does not.
+/// Stiffnesses of a contact by the law of the packing: at its gap if it is a distant attraction, at its elastic
+/// force otherwise. A stiffness that varies with the load is accurate to rounding when computed from the force,
+/// but not from the overlap, which is a small difference of positions.
 template <int Dim>
 Stiffnesses law_stiffnesses(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Whether two stiffnesses differ by more than a share of the second.
+/// Whether two stiffnesses differ by more than `tolerance` times the second.
 bool differ(double found, double by_law, double tolerance);
 
-/// Compares stiffnesses of contacts with those of their law.
+/// Comparison of the stiffnesses of contacts with those of their law.
 class StiffnessComparison {
  public:
-  /// @param names  how messages call the two bodies of the contact
+  /// Adds a contact.
+  /// @param names  names of its two bodies in messages
   void add(const Stiffnesses& found, const Stiffnesses& by_law, const std::string& names);
 
-  /// For each of the four whose values differ: of how many contacts, by which factor, and the worst of them.
-  /// "kn of 24 contacts is 10 times what the law gives (grains 0-4: 1.2e+07, the law gives 1.2e+06)".
-  /// @param force_exponent  of the law: kn = N/delta, two thirds of Hertz's, is named where it is not 1
+  /// Describes each of the four stiffnesses that differs, with the number of contacts, the factor and the worst
+  /// contact: "kn of 24 contacts is 10 times what the law gives (grains 0-4: 1.2e+07, the law gives 1.2e+06)".
+  /// @param force_exponent  of the law; where it is not 1, messages name the common mistake kn = N/delta, two
+  /// thirds of the K_N of Hertz contacts
   std::vector<std::string> differences(double force_exponent) const;
 
  private:
   struct Kind {
     int n = 0;
-    double least = 0.0, largest = 0.0;  ///< factors, of those whose law gives one
+    double least = 0.0, largest = 0.0;  ///< factors found/by_law, infinite where by_law is 0
     double worst = 0.0;                 ///< the largest relative difference, and the contact it is at:
     double found = 0.0, by_law = 0.0;
     std::string names;
@@ -52,7 +54,7 @@ class StiffnessComparison {
   std::array<Kind, 4> kinds_;
 };
 
-/// The differences() of all contacts of a packing, joined; empty if there are none.
+/// Differences of the stiffnesses of all contacts of a packing from its law, in words; empty if there are none.
 template <int Dim>
 std::string stiffness_differences(const Packing<Dim>& packing);
 

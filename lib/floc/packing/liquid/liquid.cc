@@ -57,7 +57,7 @@ double BridgeSearch::first_reach() const {
   return radius_sum_ > 0.0 ? bridges_.reach(liquid_ * (largest_radius_ / radius_sum_)) : 0.0;
 }
 
-/// More pairs take liquid from each. Of one bridge alone that is all there is.
+/// More pairs would leave less liquid for each bridge. A single bridge would have all the liquid.
 double BridgeSearch::reach_bound(const LiquidShares& shares) const {
   return bridges_.reach(liquid_ *
                         std::min(1.0, shares.n_bonds > 0 ? largest_radius_ / shares.radius_sum : 1.0));
@@ -80,7 +80,7 @@ void set_bridge_volume(double volume, Contact<Dim>& contact) {
 
 namespace {
 
-/// Of the two bodies of a contact that are grains.
+/// Radius of the larger of the grains among the bodies of a contact.
 template <int Dim>
 double largest_radius(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return std::max(packing.grains.radius[c.i], packing.surface_radius(c.j));

@@ -7,48 +7,47 @@
 
 #include "floc/packing/packing.h"
 
-/// The liquid of a packing whose law has capillary bridges: which pairs hold some, and how much.
+/// Liquid of a packing whose law has capillary bridges: the pairs that hold it and their volumes.
 namespace floc {
 
-/// Bridges per grain of a dense packing, each shared by two grains: where a search begins, and what is assumed
-/// of a scene before there are any.
+/// Bridges per grain of a dense packing, each shared by two grains. A search begins with this number, and a
+/// scene assumes it before there are any bridges.
 inline constexpr double kBridgesPerGrain = 3.0;
 
-/// A pair that liquid may bridge.
+/// Pair of grains that liquid may bridge.
 struct BridgeablePair {
   double gap;     ///< h (length), negative or zero where the surfaces touch
   double radius;  ///< R' = 2 Ri Rj/(Ri + Rj) (length)
 };
 
-/// How liquid is shared out.
+/// Distribution of the liquid over pairs.
 struct LiquidShares {
-  std::vector<double> volume;  ///< V_b of each pair, 0 for those without a bridge
+  std::vector<double> volume;  ///< V_b of each pair (length^3), 0 without a bridge
   int n_bonds = 0;             ///< pairs with a bridge
-  double radius_sum = 0.0;     ///< sum of R' over them (length)
+  double radius_sum = 0.0;     ///< sum of R' over the pairs with a bridge (length)
 };
 
-/// Shares liquid out over pairs, V_b = V_l R'/sum R' over those that are bridged, which are those that touch or
-/// are within the reach of their bridge. These two conditions fix both: with
+/// Shares liquid out over pairs, V_b = V_l R'/sum R' over the bridged pairs. A pair is bridged if it touches or
+/// is within the reach of its bridge. Volumes and bridged pairs follow from these two conditions: with
 ///
 ///   q = R' (1 + th/2)^3/h^3 (infinite where surfaces touch), sorted descending, S_k the running sum of R',
 ///
-/// the first k pairs are bridged, k the largest with S_k <= V_l q_k: S rises and q falls. All of them are in
-/// reach at their own volumes, and for no larger k is this so. (A set that leaves out a pair of larger q, which
-/// is reached more easily, may be larger where the R' differ.) Pairs of equal q keep their order. The volumes
-/// add up to V_l, up to rounding; where no pair is in reach, none holds any.
+/// the first k pairs are bridged, where k is the largest number with S_k <= V_l q_k (S rises and q falls). All
+/// of them are in reach at their own volumes, and this holds for no larger k. (A set that leaves out a pair of
+/// larger q may have more members where the R' differ.) Pairs of equal q keep their order. The volumes add up
+/// to V_l, up to rounding; if no pair is in reach, all volumes are zero.
 ///
 /// @param liquid  V_l (length^3), > 0
 LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
                           std::span<const BridgeablePair> pairs);
 
-/// Whether liquid may flow to a pair with this gap (length) that holds this volume (length^3): where bridges
-/// form on contact alone, the pair has to touch or to have a bridge.
+/// Whether a pair with this gap (length) and this bridge volume (length^3) may get liquid. Where bridges form
+/// on contact alone, the pair has to touch or to have a bridge.
 bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume);
 
-/// Shares liquid out over those of n pairs that may take part.
-///
-/// @param pair  the k-th pair, nothing where it takes no part
-/// @return      volumes of all n pairs
+/// Shares liquid out over n pairs, of which some may take no part.
+/// @param pair  called with k; returns the k-th pair, or nothing if it takes no part
+/// @return shares with the volumes of all n pairs
 template <class PairAt>
 LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid, int n, const PairAt& pair) {
   std::vector<BridgeablePair> taking_part;
@@ -65,67 +64,69 @@ LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid,
   return shares;
 }
 
-/// Where to look for pairs that liquid may bridge: wider and wider, until none further off can be in reach.
+/// Gaps for the search of pairs that liquid may bridge: the search is widened until no pair beyond it can be in
+/// reach.
 class BridgeSearch {
  public:
   /// @param radius  of the grains
   BridgeSearch(const CapillaryAdhesion& bridges, std::span<const double> radius);
 
-  /// V_l, all the liquid there is.
+  /// V_l, volume of all liquid (length^3).
   double liquid() const { return liquid_; }
-  /// Gap to look across at first: the reach of bridges if there were kBridgesPerGrain of them per grain.
+  /// First gap to search across (length): the reach of bridges if there were kBridgesPerGrain of them per
+  /// grain.
   double first_reach() const;
-  /// No bridge reaches further than this as long as the volumes of `shares` hold.
+  /// Upper bound of the reach of a bridge with the volumes of `shares` (length).
   double reach_bound(const LiquidShares& shares) const;
-  /// A wider gap to look across if the shares over all pairs closer than `reach` are not final yet, `reach`
-  /// itself if they are.
+  /// Next gap to search across (length), given the shares over all pairs closer than `reach`: wider than
+  /// `reach`, or `reach` itself if the shares are final.
   double wider(double reach, const LiquidShares& shares) const;
 
  private:
   const CapillaryAdhesion& bridges_;
   double liquid_, largest_radius_;
-  double radius_sum_;  ///< of three bridges per grain
+  double radius_sum_;  ///< sum of R' of kBridgesPerGrain bridges per grain (length)
 };
 
-/// Whether contacts remember bridge volumes under the law of a packing.
+/// Whether the law of a packing has liquid, so that the history of contacts holds bridge volumes.
 template <int Dim>
 bool holds_liquid(const Packing<Dim>& packing) {
   return packing.law.liquid() != nullptr;
 }
 
-/// Volume of the liquid at a contact, with the sign that it has in history: negative for a bridge that has
-/// broken. 0 under a law that holds none.
+/// Volume of the liquid at a contact (length^3), signed as in the history: negative for a bridge that has
+/// broken. 0 under a law without liquid.
 template <int Dim>
 double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);
-/// Sets it. @pre the law holds liquid
+/// Sets the volume of the liquid at a contact (length^3). @pre the law has liquid
 template <int Dim>
 void set_bridge_volume(double volume, Contact<Dim>& contact);
 
-/// Whether a contact, or a pair that might be one, acts or holds liquid at its gap. Its flag `distant` has to say
-/// already whether the surfaces touch.
+/// Whether a pair belongs to the contact list: it touches, attracts across its gap or holds liquid. @pre the
+/// flag `distant` is set
 template <int Dim>
 bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return !contact.distant || contact.gap < packing.law.range() || bridge_volume(packing, contact) != 0.0;
 }
 
-/// Gap at which a contact ceases to act: the reach of the law, or that of its bridge (length).
+/// Gap beyond which a contact does not act (length): the reach of the law, or the reach of its bridge.
 template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Largest gap at which any contact of a packing acts: the reach of its law, or with liquid the reach of any
-/// bridge and the gap of any contact that holds liquid (length).
+/// Largest gap at which any contact of a packing acts (length): the reach of the law or, with liquid, the
+/// largest reach of a bridge and gap of a contact that holds liquid.
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);
 
-/// F0 of a packing: that of two of its largest grains. 0 without adhesion.
+/// Pull-off force F0 of two grains of the largest radius of a packing (force); 0 without adhesion.
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing);
 
-/// F0 of a contact that touches; 0 where no adhesion acts between its surfaces.
+/// Pull-off force F0 of a contact that touches (force); 0 where no adhesion acts between its surfaces.
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Volume of the grains as spheres; in 2D, disks stand for a layer of them.
+/// Volume of the grains as spheres (length^3); in 2D, disks stand for a layer of spheres.
 double volume_of_spheres(std::span<const double> radius);
 
 }  // namespace floc

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// The passes over the grains of a block. Like all code of the kernels a template on the instruction set, which
+/// Passes over the grains of a block. Like all code of the kernels it is a template on the instruction set, and
 /// calls no inline function that is not.
 template <class Isa, int Dim, LatticeShape kShape, RowKind kRows>
 struct GrainKernels {
@@ -15,8 +15,8 @@ struct GrainKernels {
   static constexpr bool kRotates = kRows != RowKind::forces;
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   using P = Pack<Isa>;
-  /// Sum of rows: forces and moments, in 3D each a vector of its own. What lies beside them in a row is summed,
-  /// too, and not used.
+  /// Number of vectors in a sum of rows: one for forces and, in 3D, one for moments. Other numbers in the same
+  /// vectors are summed, too, and not used.
   static constexpr int kParts = Dim == 3 && kRotates ? 2 : 1;
   using Part = typename VectorOf<row_sum_size<Dim>(kRows) / kParts>::Type;
   struct Sum {
@@ -27,7 +27,7 @@ struct GrainKernels {
 
   [[gnu::flatten]] static void kick_and_drift(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick,
                                               const Drift<Dim>& drift, Rotation stands) {
-    // In a triangular lattice an axis drifts with the velocities along those after it, kicked already.
+    // In a triangular lattice the drift along an axis depends on the kicked velocities along later axes.
     if constexpr (kTriangular)
       for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
     for (int a = 0; a < Dim; ++a) {
@@ -58,7 +58,7 @@ struct GrainKernels {
                                             const Kick<Dim>& kick, Rotation to, BlockSums<Dim>& sums) {
     alignas(64) Torques torque;
     sum_forces(grains, plan, begin, torque);
-    // Sum over pairs of f r = sum over grains of F x + what the pairs across the boundary add.
+    // sum over pairs of f r = sum over grains of F x + contribution of the pairs across the boundary.
     crossing_virial(pairs, plan, cell, sums.virial);
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
@@ -85,12 +85,13 @@ struct GrainKernels {
     return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
   }
 
-  /// Of the block that begins there, from an array that GrainView::own_masses tells about.
+  /// Numbers of the block that begins at `begin`, from an array that GrainView::own_masses applies to.
   static const double* masses(const GrainView<Dim>& grains, const double* of_grains, int begin) {
     return of_grains + (begin & grains.own_masses);
   }
 
-  /// Axes in ascending order: each reads the velocities, not yet changed, along those after it.
+  /// Kicks the grains along one axis. Axes are kicked in ascending order, since each reads the velocities along
+  /// later axes before their kick.
   static void accelerate(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick, int a) {
     double* const v = grains.v[a] + begin;
     const double* const force = grains.force[a] + begin;
@@ -155,7 +156,8 @@ struct GrainKernels {
     }
   }
 
-  /// BlockSums::next_speed_squared: (p + q)^2 <= 1.2 p^2 + 6 q^2, and a kick is mostly small beside the velocity.
+  /// BlockSums::next_speed_squared by (p + q)^2 <= 1.2 p^2 + 6 q^2, with p the velocity and q the kick, which
+  /// is mostly small compared with it.
   static double next_speed_squared(const GrainView<Dim>& grains, int begin, double half_step) {
     const double* const inverse_mass = masses(grains, grains.inverse_mass, begin);
     P largest(0.0);
@@ -203,7 +205,7 @@ struct GrainKernels {
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b) virial[a][b] = sum[a][b];
   }
 
-  /// As many half kicks with the same torques about one axis.
+  /// Makes `kHalves` half kicks of the spins about one axis, with the same torques.
   template <int kHalves>
   static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step, int a,
                             const double* torque) {
@@ -217,7 +219,7 @@ struct GrainKernels {
     }
   }
 
-  /// What is asked of the rotation at the end of a step.
+  /// Sets the sum I w^2 of the block and stores its torques, which the next step's first half kick reads.
   static void end_rotation(const GrainView<Dim>& grains, int begin, const Torques& torque,
                            BlockSums<Dim>& sums) {
     sums.rotation = 0.0;
@@ -228,8 +230,8 @@ struct GrainKernels {
     }
   }
 
-  /// Turns the grains by their spins over a whole step; nothing reads their orientations. In 3D
-  /// q <- (1, spin dt/2) q, whose direction is right to second order, kept from growing.
+  /// Turns the grains by their spins over a whole step. No force depends on orientations. In 3D q <- (1, spin
+  /// dt/2) q, with the first number reduced so that |q| does not grow; the rotation is of second order.
   static void turn(const GrainView<Dim>& grains, int begin, double half_step) {
     if constexpr (Dim == 2) {
       const double time_step = 2.0 * half_step;
@@ -255,8 +257,9 @@ struct GrainKernels {
     }
   }
 
-  /// sum p q over a block, in eight interleaved parts: a fixed order that registers of any width can follow,
-  /// and no chain of additions to wait for. @param weight  of each term, null for 1
+  /// Sum of p q over a block, in eight interleaved parts. This order of additions is the same for registers of
+  /// any width, and it has no long chain of dependent additions.
+  /// @param weight  weight of each term; null: 1
   static double block_sum(const double* p, const double* q, const double* weight) {
     P part[8 / P::kWidth];
     for (P& pack : part) pack = P(0.0);
@@ -286,8 +289,8 @@ struct GrainKernels {
     }
   }
 
-  /// Sums of the rows of each grain of the block. Rows of pairs that do not interact are zero and leave no
-  /// trace, so the sums do not depend on which of them the list holds.
+  /// Sums the rows of each grain of the block. Rows of pairs that do not interact are zero and do not change a
+  /// sum, so that the sums do not depend on which of these pairs are listed.
   template <Side side>
   static void sum_rows(const double* first, const SideSumsPlan& plan, Sum (&total)[kGrainBlock]) {
     const int* row = plan.row;

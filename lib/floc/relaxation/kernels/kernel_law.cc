@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// The model of a kernel law that does what a model of the scene's law does.
+/// Returns the model of a kernel law that is equivalent to a model of the scene's law.
 template <class Completed, class Model>
 Completed completed_model(const Model& model) {
   if constexpr (std::is_same_v<Completed, Model>)

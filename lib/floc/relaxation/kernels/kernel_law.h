@@ -9,22 +9,25 @@
 #include "floc/contact/neutral.h"
 #include "floc/relaxation/partner.h"
 
-/// The pair kernels that there are. A kernel takes long to compile, so there is not one for each composition of the
-/// law table: a law is completed to a *kernel law* by models that can do nothing, and the kernel of that law gives
-/// it the bits that a kernel of its own would. KernelLawOf decides:
+/// Kernel laws: the laws for which pair kernels are compiled. A kernel takes long to compile, so not every
+/// composition of the law table has one. A law is completed to a *kernel law* by neutral models, whose kernel
+/// gives results identical to those of a kernel of its own. KernelLawOf decides:
 ///   - Kernels have damping. A law without it has coefficients of zero, and its dashpot forces are not kept.
-///   - Constant adhesion and adhesion with a tail are one model, DryAttraction, which also stands for none.
-///   - Where an attraction of zero takes up to a tenth of the pass, between grains without adhesion, kernels without
-///     it remain; and where a dashpot takes half of it, without friction as well, kernels without damping.
+///   - Constant adhesion and adhesion with a tail are one model, DryAttraction, which also represents no
+/// adhesion.
+///   - Pairs of grains without adhesion have kernels without adhesion, since an attraction of zero would take
+/// up to a tenth of the pass; if they have no friction either, they have kernels without damping, since a
+/// dashpot would take half of it.
 ///   - Grains have kernels without friction, with it, and with rolling and twisting.
 ///   - Walls are dry, and their kernels have damping and DryAttraction.
-/// All of this is for normal laws that have special kernels (kHasSpecialKernels). Any other has general kernels
-/// alone: everything is in them that can be there beside this normal law, and they serve lattices of any shape.
-/// So a new normal law adds the fewest kernels; where its speed matters, give it special ones.
-/// History that the kernel law has and the law of the scene has not is kept for no pair (PairKernel).
+/// This applies to normal laws with special kernels (kHasSpecialKernels). Other normal laws have only general
+/// kernels, which hold all models that can be combined with the normal law and are for lattices of any shape. A
+/// new normal law thus adds few kernels; give it special ones where its speed matters. History that only the
+/// kernel law has, and not the law of the scene, is not stored (PairKernel).
 namespace floc {
 
-/// Whether a normal law has kernels for less than everything, which are faster, and such for rectangular lattices.
+/// Whether a normal law has special kernels, which are faster: for laws without some models, and for
+/// rectangular lattices.
 template <class Normal>
 inline constexpr bool kHasSpecialKernels = false;
 template <>
@@ -32,7 +35,8 @@ inline constexpr bool kHasSpecialKernels<LinearRepulsion> = true;
 template <>
 inline constexpr bool kHasSpecialKernels<HertzRepulsion> = true;
 
-/// Adhesion that depends on the gap alone, or none: -F0 in contact and, with a tail, from there linearly to zero.
+/// Adhesion that depends on the gap alone, or none: -F0 in contact and, with a tail, linearly falling to zero
+/// across a gap.
 struct DryAttraction {
   double in_contact = 0.0;  ///< F0 (force)
   double slope = 0.0;       ///< F0/D0 (force/length), 0 without a tail
@@ -51,7 +55,7 @@ struct DryAttraction {
     const T tail = lanes::min(T(0), T(slope * pair.gap - at_touch));
     return lanes::select(pair.gap < T(0), T(-in_contact), tail);
   }
-  /// Damping in contact is all that reads it.
+  /// Zero in contact, which is all that matters: kernels read the stiffness only for damping in contact.
   template <class T>
   T stiffness(const PairGeometry<T>&) const {
     return T(0);
@@ -60,7 +64,7 @@ struct DryAttraction {
 
 namespace detail {
 
-/// Model, or Neutral where there is none.
+/// Model, or Neutral where Model is absent.
 template <class Model, class Neutral>
 using Present = std::conditional_t<kIsAbsent<Model>, Neutral, Model>;
 
@@ -76,8 +80,8 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
       kIsAbsent<Adhesion> && kIsAbsent<Friction> && kIsAbsent<Damping> && partner == Partner::grain;
   static constexpr bool kIsDryAttraction =
       kHoldsLiquid<Adhesion> || std::is_constructible_v<DryAttraction, Adhesion>;
-  // Which models go together is told by kIsCompiled: elastic spheres adhere by liquid alone; neither they nor grains
-  // with liquid resist rolling; and where the normal law adheres, no other adhesion does.
+  // Models are combined as in kIsCompiled: elastic spheres adhere only by liquid; neither they nor grains with
+  // liquid resist rolling; and a normal law that includes adhesion has no other adhesion.
   using Dry = std::conditional_t<kElasticSpheres || kAdheresByItself<Normal>, NoAdhesion,
                                  std::conditional_t<kIsDryAttraction, DryAttraction, Adhesion>>;
   using SomeAdhesion = std::conditional_t<kWet, Adhesion, Dry>;
@@ -94,7 +98,7 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
   using Type = std::conditional_t<kHasSpecialKernels<Normal>, Special, General>;
 };
 
-/// A list with one more law, unless it is there already.
+/// List with one more law, unless the list holds it already.
 template <class List, class Law>
 struct With;
 template <class... Laws, class Law>
@@ -103,7 +107,7 @@ struct With<std::variant<Laws...>, Law> {
       std::conditional_t<(std::is_same_v<Laws, Law> || ...), std::variant<Laws...>, std::variant<Laws..., Law>>;
 };
 
-/// The kernel laws of all laws for this dimension, each once.
+/// Kernel laws of all laws for this dimension, each once.
 template <int Dim, class List, class... Laws>
 struct KernelLaws {
   using Type = List;
@@ -121,24 +125,24 @@ struct KernelLawsOf<Dim, std::variant<Laws...>> : KernelLaws<Dim, std::variant<>
 
 }  // namespace detail
 
-/// The kernel law of a law between grains, or between grains and walls.
+/// Kernel law of a law between grains, or between grains and walls.
 template <class Law, int Dim, Partner partner = Partner::grain>
 using KernelLawOf = typename detail::KernelLawOf<Law, Dim, partner>::Type;
 
-/// The kernel laws of the law table in a dimension.
+/// Variant of the kernel laws of the law table in a dimension.
 template <int Dim>
 using AnyKernelLaw = typename detail::KernelLawsOf<Dim, AnyContactLaw>::Type;
 
-/// Whether a kernel law is one of grains with walls.
+/// Whether a kernel law has kernels for pairs of grains with walls.
 template <class KernelLaw, int Dim>
 inline constexpr bool kServesWalls = std::is_same_v<KernelLaw, KernelLawOf<KernelLaw, Dim, Partner::wall>>;
 
-/// A law completed to its kernel law.
+/// Completes a law to its kernel law.
 /// @pre the law is for this dimension
 template <int Dim>
 AnyKernelLaw<Dim> kernel_law(const AnyContactLaw& law, Partner partner);
 
-/// Address of the alternative that a variant of laws holds: kernels are given it.
+/// Address of the alternative that a variant of laws holds, as passed to kernels.
 template <class AnyLaw>
 const void* address_of_alternative(const AnyLaw& any_law) {
   return std::visit([](const auto& law) { return static_cast<const void*>(&law); }, any_law);

@@ -13,9 +13,9 @@
 
 namespace floc {
 
-/// Tags of the instruction sets, in the type of everything that is compiled for one of them: two translation
-/// units with different flags share no symbol, so none of their code can reach a processor that lacks the
-/// instructions.
+/// Tags of the instruction sets, part of the type of all code that is compiled for one of them. Two translation
+/// units with different flags thus share no symbol, and none of their code can run on a processor that lacks
+/// the instructions.
 struct Portable {
   static constexpr int kWidth = 2;
 };
@@ -26,7 +26,7 @@ struct Avx512 {
   static constexpr int kWidth = 8;
 };
 
-/// The compiler's vector of N doubles, and the integers of the same size that comparisons give.
+/// Vector type of N doubles of the compiler, and the integers of the same size that comparisons return.
 template <int N>
 struct VectorOf;
 template <>
@@ -45,14 +45,14 @@ struct VectorOf<8> {
   typedef long long Bits __attribute__((vector_size(64)));
 };
 
-/// Numbers of 32 bits, with or without a fraction, as such of 64 bits, lane by lane.
+/// Converts 32-bit numbers, floating or integer, to 64 bits, lane by lane.
 template <class Isa, class Numbers>
 auto widened(const Numbers& numbers) {
   using Vector = VectorOf<Isa::kWidth>;
   constexpr bool kFloats = std::is_floating_point_v<std::remove_cvref_t<decltype(numbers[0])>>;
   using Wide = std::conditional_t<kFloats, typename Vector::Type, typename Vector::Bits>;
 #if defined(__x86_64__)
-  // Of its own accord GCC does it in halves.
+  // Without intrinsics GCC converts in two halves.
   if constexpr (Isa::kWidth == 8 && kFloats)
     return Wide(_mm512_cvtps_pd(__m256(numbers)));
   else if constexpr (Isa::kWidth == 8)
@@ -62,8 +62,8 @@ auto widened(const Numbers& numbers) {
     return __builtin_convertvector(numbers, Wide);
 }
 
-/// As many doubles as fit a register of the instruction set, added and compared lane by lane. A number type for
-/// the contact laws.
+/// Number type for the contact laws: as many doubles as a register of the instruction set holds, added and
+/// compared lane by lane.
 template <class Isa>
 struct Pack {
   static constexpr int kWidth = Isa::kWidth;
@@ -77,7 +77,7 @@ struct Pack {
   Vector v;
 
   Pack() = default;
-  /// The same number in every lane; implicit, since laws mix their parameters with numbers of any type.
+  /// Sets every lane to one number. Implicit, since laws mix their parameters with numbers of any type.
   Pack(double value) : v(value - Vector{}) {}  // NOLINT(google-explicit-constructor)
   explicit Pack(const Vector& vector) : v(vector) {}
 
@@ -119,8 +119,8 @@ struct Pack {
 };
 
 /// Reads numbers from scattered places, and writes records: neighbouring doubles that belong to one pair. Its
-/// functions are inlined at once, not when a kernel is flattened: what GCC then keeps in registers does not depend
-/// on how many laws it compiles (3 to 6 % with spheres).
+/// functions are always inlined, and not only when a kernel is flattened, so that GCC's use of registers does
+/// not depend on the number of laws that it compiles (3 to 6 % faster with spheres).
 template <class Isa>
 struct Records {
   using P = Pack<Isa>;
@@ -129,8 +129,8 @@ struct Records {
   [[gnu::always_inline]] static P gather(const double* base, const int* place) {
     P out;
 #if defined(__x86_64__)
-    // Lane by lane: pairs of lanes, put together by shuffles, took a fifth less time in all than the instruction
-    // that gathers (Xeon of 2023), and this takes another 4 % less (EPYC of 2023).
+    // Loads lane by lane: pairs of lanes joined by shuffles took a fifth less time in total than the gather
+    // instruction (Xeon of 2023), and this takes another 4 % less (EPYC of 2023).
     if constexpr (P::kWidth == 8) {
       const auto four = [&](int l) {
         __m256d lanes = _mm256_castpd128_pd256(_mm_load_sd(base + place[l]));
@@ -146,8 +146,8 @@ struct Records {
     return out;
   }
 
-  /// The same for places that ascend by less than kWindow in all: one load and a shuffle instead of as many
-  /// loads as lanes.
+  /// base[place[l]] in lane l, for places that ascend by less than kWindow in all: one load and a shuffle
+  /// instead of as many loads as lanes.
   [[gnu::always_inline]] static P gather_window(const double* base, const int* place) {
 #if !defined(__clang__)  // it has no shuffle by places that it does not know
     if constexpr (P::kWidth == kWindow) {
@@ -160,7 +160,7 @@ struct Records {
     return gather(base, place);
   }
 
-  /// The records of the lanes one after another: row[0][l], row[1][l], ... to base[size * l] and after it.
+  /// Writes the records of the lanes one after another: row[0][l], row[1][l], ... from base[size * l] on.
   template <std::size_t size>
   [[gnu::always_inline]] static void store_rows(double* base, const P (&row)[size]) {
     static_assert(size % 2 == 0);

@@ -13,7 +13,7 @@
 
 namespace floc {
 
-/// What the second body of a pair is.
+/// Kinds of the second body of a pair: a grain, with the shape of the lattice, or a wall.
 struct GrainsInRectangularLattice {
   static constexpr bool kWall = false, kTriangular = false;
 };
@@ -24,8 +24,8 @@ struct Walls {
   static constexpr bool kWall = true, kTriangular = false;
 };
 
-/// The pass over the pairs of a block, for a kernel law (kernel_law.h). Like all code of the kernels a template on
-/// the instruction set, which calls no inline function that is not.
+/// Pass over the pairs of a block, for a kernel law (kernel_law.h). Like all code of the kernels it is a
+/// template on the instruction set, and calls no inline function that is not.
 template <class Isa, int Dim, class Second, class Law>
 struct PairKernel {
   static constexpr bool kRotates = Law::kHasFriction;
@@ -36,14 +36,15 @@ struct PairKernel {
                                        const PairView<Dim>& pairs_given, int first, int last,
                                        const PairCell<Dim>& cell_given) {
     if (first == last) return;
-    // Copies that no store of the loop can alias.
+    // Local copies, which the stores of the loop cannot alias.
     const Law law = *static_cast<const Law*>(any_law);
     const GrainView<Dim> grains = grains_given;
     WithoutHistory without_history;
     const Pairs pairs(pairs_given, without_history);
     const PairCell<Dim> cell = cell_given;
-    // The geometry of the next pack is found beside the forces of the present one: each is a long chain of
-    // operations, most of which wait for the one before, and the processor does not see far enough ahead.
+    // The geometry of the next pack is computed together with the forces of the present one. Each is a long
+    // chain of dependent operations, and the processor does not look far enough ahead to overlap them by
+    // itself.
     PairKinematics now = kinematics(grains, pairs, first, cell);
     for (int p = first; p < last; p += P::kWidth) {
       const PairKinematics next = kinematics(grains, pairs, p + P::kWidth < last ? p + P::kWidth : p, cell);
@@ -53,28 +54,29 @@ struct PairKernel {
   }
 
  private:
-  /// Whether anything that the law remembers lies in the tangent plane, and turns with it.
+  /// Whether the history may hold vectors in the tangent plane, which turn with it.
   static constexpr bool kTurns = Dim == 3 && kRotates;
   struct NoTurn {};
   using Turn = std::conditional_t<kTurns, FrameTurn<P>, NoTurn>;
 
-  /// Whether the law of the scene may remember less than the kernel law, dashpot forces aside.
+  /// Whether the law of the scene may have a smaller history than the kernel law, besides dashpot forces.
   static constexpr bool kMayLackHistory = !kHasSpecialKernels<typename Law::NormalModel>;
   static constexpr int kHistorySize = Law::template kHistorySize<Dim>;
 
-  /// A place for one pack of whatever the law of the scene does not remember. It is zero, and models that can do
-  /// nothing leave it so.
+  /// Memory for one pack of the history that the law of the scene does not have. It is zero, and the neutral
+  /// models that use it keep it zero.
   struct WithoutHistory {
     alignas(64) double viscous[P::kWidth] = {};
     alignas(64) double history[kMayLackHistory ? HistoryLayout<Dim>::kSize : 1][P::kWidth] = {};
   };
 
-  /// With the other type, disks with friction and elastic spheres take a tenth longer, as GCC 12 orders the loop.
+  /// Type of bit masks of indices. With the other type, disks with friction and elastic spheres take a tenth
+  /// longer, by the order of instructions of GCC 12.
   using Own = std::conditional_t<Dim == 2, std::ptrdiff_t, int>;
 
-  /// The pairs, with a place for everything that the kernel law remembers.
+  /// Pairs with memory for the whole history of the kernel law.
   struct Pairs : PairView<Dim> {
-    /// -1 where every pair has a place of its own; 0 where all packs share one.
+    /// Bit masks of indices: -1 if every pair has its own number; 0 if all packs share one.
     Own own_history[kMayLackHistory ? HistoryLayout<Dim>::kSize : 1];
     Own own_viscous = -1;
 
@@ -91,7 +93,7 @@ struct PairKernel {
       }
     }
     double* viscous_of(int p) const { return this->viscous + (p & own_viscous); }
-    /// @param k  of the packed history
+    /// @tparam k index in the packed history
     template <int k>
     double* memory_of(int p) const {
       constexpr int place = history_place<Law, Dim>(k);
@@ -132,7 +134,7 @@ struct PairKernel {
                   std::make_integer_sequence<int, kRotations<Dim>>());
     return gathered;
   }
-  /// Without a loop, which would take what it gathers through memory.
+  /// Unrolled: in a loop the gathered numbers would go through memory.
   template <class Arrays, class Gather, class Vectors, int... axis>
   static void gather_axes(const Arrays& from, const int* grain, Gather gather, Vectors& to,
                           std::integer_sequence<int, axis...>) {
@@ -156,7 +158,8 @@ struct PairKernel {
     }
     const P squared = r.squaredNorm();
     const P distance = sqrt(squared);
-    // In 3D root and division beside each other; in 2D one after the other, as its bits have always come.
+    // In 3D the root and the division can overlap. In 2D they are sequential, which keeps the bits of recorded
+    // results.
     const P inverse = Dim == 3 ? distance * (P(1.0) / squared) : P(1.0) / distance;
     const V n = r * inverse;
     const V centres = (j.v - i.v) + affine;
@@ -167,21 +170,23 @@ struct PairKernel {
       const P time(cell.slip_time), per_length = time * inverse;
       const P along = per_length * a.motion.gap_rate;
       a.turn = {n, along, V(per_length * centres - along * n), RotationVector<Dim, P>(i.spin + j.spin), time};
-      // The branch at the middle of the step, to which these velocities belong, times the step.
+      // Branch at the middle of the step, the time of these velocities, times the step.
       const P middle = distance * (time - P(0.5 * cell.slip_time) * along);
       const P arm_i = number(pairs.share_i, pairs, p) * middle;
       a.motion.slip = a.turn.slip(distance, RotationVector<Dim, P>(arm_i * i.spin + (middle - arm_i) * j.spin));
       add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
     } else if constexpr (kRotates) {
-      // Both turn their surfaces the same way round.
+      // Equal spins of the two grains move their surfaces in opposite directions at the contact, so the slips
+      // add.
       add_slip(a, centres, RotationVector<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), cell);
       add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
     }
     return a;
   }
 
-  /// The foot of a grain's centre on the plane moves with the wall, and across it as the grains around do on
-  /// average.
+  /// Kinematics of grains and walls. The nearest point of the wall to a grain's centre moves with the wall
+  /// along the normal; in the plane of the wall its peculiar velocity is zero, the mean of the grains around
+  /// it.
   static PairKinematics wall_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
                                         const PairCell<Dim>& cell) {
     const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather);
@@ -193,7 +198,8 @@ struct PairKernel {
     PairKinematics a = normal_kinematics(n, distance, foot, pairs, p);
     a.arm_i = distance;
     a.arm_j = P(0.0);
-    // The normal stays; about it the frame turns with the mean of the grain's spin and none.
+    // The normal does not turn. The frame turns about it with the mean of the grain's spin and the wall's,
+    // zero.
     if constexpr (kTurns) a.turn = {n, P(0.0), V(V::Zero()), i.spin, P(cell.slip_time)};
     if constexpr (kRotates) {
       add_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), cell);
@@ -202,12 +208,12 @@ struct PairKernel {
     return a;
   }
 
-  /// Of a pack of pairs, from an array that PairView::own_numbers tells about.
+  /// Numbers of a pack of pairs from an array that PairView::own_numbers applies to.
   static P number(const double* numbers, const PairView<Dim>& pairs, int p) {
     return P::load(numbers + (p & pairs.own_numbers));
   }
 
-  /// @param velocity  of j's centre against i's
+  /// @param velocity  velocity of the centre of j relative to that of i
   static PairKinematics normal_kinematics(const V& n, const P& distance, const V& velocity,
                                           const PairView<Dim>& pairs, int p) {
     PairKinematics a;
@@ -220,14 +226,15 @@ struct PairKernel {
     return a;
   }
 
-  /// Where the normal does not turn, or turning it changes nothing.
-  /// @param surfaces  arms times spins: what turning moves the surface of i against that of j
+  /// Sets the slip where the turning of the normal has no effect on it: in 2D and at walls.
+  /// @param surfaces  sum of arms times spins, which gives the relative velocity of the surfaces by rotation
   static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
                        const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
   }
 
-  /// In 3D across the normal of the middle of the step, which makes it right to second order.
+  /// Sets rolling and twist. In 3D they are taken across and along the normal of the middle of the step, which
+  /// makes them second order.
   static void add_rotation(PairKinematics& a, const RotationVector<Dim, P>& rotation,
                            const PairCell<Dim>& cell) {
     if constexpr (kTurns) {
@@ -253,8 +260,8 @@ struct PairKernel {
     store(history, pairs, p, std::make_integer_sequence<int, kHistorySize>());
 
     V on_j = f.normal.force() * a.n;
-    // For a law without damping a force of zero is added. The sign of a component of zero, which may change by it, is
-    // lost in the sums of the rows.
+    // A law without damping adds a force of zero. This may change the sign of a zero component, which has no
+    // effect on the sums of the rows.
     if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous_of(p)) * a.n;
     Moments moments;
     if constexpr (kRotates) {
@@ -264,7 +271,7 @@ struct PairKernel {
       moments.of_springs = f.rolling;
       if constexpr (Law::kHasTwisting) moments.of_springs += f.twisting * a.n;
     }
-    // Rows with a wall are of the kind that grains write between them.
+    // Pairs with walls write rows of the kind that pairs of grains write.
     if constexpr (Second::kWall && kTurns) {
       if (pairs.rows == RowKind::levers)
         store_row<RowKind::levers>(a, on_j, moments, pairs, p);
@@ -287,7 +294,7 @@ struct PairKernel {
     for (P& number : row) number = P(0.0);
     for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
     if constexpr (kKind == RowKind::levers && Second::kWall) {
-      // The wall's moment is not summed: springs, too, are a moment of a unit arm.
+      // The moment on the wall is not summed, so that the whole moment on i is stored as that of a unit arm.
       row[Layout::kArmI] = P(1.0);
       for (int b = 0; b < kRotations<Dim>; ++b)
         row[Layout::kUnitMoment + b] = a.arm_i * moments.of_unit_arm[b] - moments.of_springs[b];
@@ -305,7 +312,7 @@ struct PairKernel {
     Records<Isa>::store_rows(to, row);
   }
 
-  /// Turns what the law remembers in the tangent plane into the present one.
+  /// Turns the tangential history into the present tangent plane.
   template <class History, int... k>
   static void turn(const Turn& turn, History& history, std::integer_sequence<int, k...>) {
     ((turn_number<k>(turn, history)), ...);
@@ -329,8 +336,9 @@ struct PairKernel {
     (history.value[k].store(pairs.template memory_of<k>(p)), ...);
   }
 
-  /// Dashpot forces in this step, given their present values and those of the step before, which they replace.
-  /// Zero where the surfaces do not touch; a new contact has no step before.
+  /// Returns the dashpot forces of this step (kDashpotShare), given their present values and those of the step
+  /// before, which are replaced. If either is zero, because the surfaces do not touch or the contact is new,
+  /// the present value is returned.
   static P viscous(const P& now, double* last) {
     const P before = P::load(last);
     now.store(last);

@@ -19,7 +19,7 @@ struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
     // The kernel for triangular lattices serves rectangular ones, too.
     using Grains = std::conditional_t<kTriangular || !kHasSpecialKernels<typename L::NormalModel>,
                                       GrainsInTriangularLattice, GrainsInRectangularLattice>;
-    // What rows hold makes no difference to the drift.
+    // The drift depends on whether grains rotate, but not on the kind of moments in the rows.
     using Drift = GrainKernels<Isa, Dim, kShape, L::kHasFriction ? RowKind::moments : RowKind::forces>;
     using Sums = GrainKernels<Isa, Dim, kShape, kRowKind<L, Dim>>;
     StepKernels<Dim> kernels{&Drift::kick_and_drift, &Drift::motion_squared,

@@ -35,7 +35,7 @@ StaticSolution<3> balanced(const Packing<3>& from, double pressure) {
   StaticSolverOptions options;
   options.target = 1e-11;
   options.max_iterations = 60;
-  options.largest_yielding_share = 1.0;
+  options.largest_mobilised_share = 1.0;
   return solve_statics(from, Vec<3>(Vec<3>::Constant(pressure)), options);
 }
 

@@ -78,7 +78,7 @@ struct LoopWork {
 template <class Law, int Dim>
 LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
   LoopWork work;
-  test::Remembered<Law, Dim> history;
+  test::ContactHistoryOf<Law, Dim> history;
   Shear<Dim> shear = Shear<Dim>::Zero();
   RotationVector<Dim> rolling = RotationVector<Dim>::Zero();
   double twisting = 0.0;
@@ -163,7 +163,7 @@ TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, ViscousDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, 2e5};
   law.damping = {0.3, DampingMass::effective};
-  test::Remembered<decltype(law), 2> history;
+  test::ContactHistoryOf<decltype(law), 2> history;
   const auto viscous = [&](double gap) {
     ContactMotion<2> motion = test::at_gap<2>(gap);
     motion.gap_rate = 1.0;

@@ -95,7 +95,7 @@ TEST(NormalForce, IsTheOneThatRespondReports) {
     using Law = std::decay_t<decltype(law)>;
     for (const double h : gaps(law)) {
       SCOPED_TRACE(h);
-      test::Remembered<Law, Dim> history;
+      test::ContactHistoryOf<Law, Dim> history;
       ContactMotion<Dim> motion = at_gap<Dim>(h);
       motion.gap_rate = 0.7;
       motion.damping = law.damping_coefficient(CollisionMass::between(1.0, 0.5));
@@ -187,7 +187,7 @@ TEST(Tail, ActsOnApproachAsOnParting) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     if constexpr (!test::kForgetsOverlap<decltype(law)>) return;
-    test::Remembered<decltype(law), Dim> history;
+    test::ContactHistoryOf<decltype(law), Dim> history;
     std::vector<double> approaching, parting;
     const int n = 50;
     const auto gap = [&](int k) { return (law.range() + 1e-4) * (1.0 - 2.0 * k / n); };
@@ -203,7 +203,7 @@ TEST(Tail, CarriesNothingButTheNormalAttraction) {
     constexpr int Dim = decltype(dimension)::value;
     for (const double h : {0.0, 0.5 * law.range(), 0.99 * law.range(), 2 * law.range()}) {
       SCOPED_TRACE(h);
-      test::Remembered<decltype(law), Dim> history;
+      test::ContactHistoryOf<decltype(law), Dim> history;
       ContactMotion<Dim> motion = at_gap<Dim>(h);
       motion.slip = test::slip_by<Dim>(1e-3);
       motion.relative_rotation.setConstant(0.01);

@@ -167,7 +167,7 @@ template <class Law>
 double collide(const Law& law, double speed, double step) {
   const double mass = 1.0 * 0.5 / (1.0 + 0.5);
   const double damping = law.damping_coefficient(CollisionMass::between(1.0, 0.5));
-  test::Remembered<Law, 2> history;
+  test::ContactHistoryOf<Law, 2> history;
   const auto acceleration = [&](double gap, double rate) {
     const auto f = law.template respond<2, double>(
         {pair_at(gap), rate, damping, Shear<2>::Zero(), RotationVector<2>::Zero()}, history);

@@ -44,7 +44,7 @@ TEST(TangentialStiffness, IsTheSlopeOfTheShearForceInTheTangentPlane) {
     using Law = std::decay_t<decltype(law)>;
     constexpr int n = kShearComponents<Dim>;
     using Dual = ceres::Jet<double, n>;
-    test::Remembered<Law, Dim, Dual> history;
+    test::ContactHistoryOf<Law, Dim, Dual> history;
     ContactMotion<Dim, Dual> motion = at_gap<Dim, Dual>(Dual(-kOverlap));
     // About 1e-6, a hundredth of the cap's spring.
     for (int a = 0; a < n; ++a) motion.slip[a] = Dual(1e-6 * (a + 1), a);
@@ -64,7 +64,7 @@ TEST(TangentialStiffness, IsTheDifferenceQuotientOfTheShearForce) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     const double step = 1e-8;
-    test::Remembered<Law, Dim> plus, minus;
+    test::ContactHistoryOf<Law, Dim> plus, minus;
     const auto up = law.respond(sheared<Dim>(-kOverlap, step), plus);
     const auto down = law.respond(sheared<Dim>(-kOverlap, -step), minus);
     const double kt = stiffness_at(law, -kOverlap).tangential;
@@ -78,7 +78,7 @@ TEST(RollingStiffness, IsTheSlopeOfTheMoment) {
     using Law = std::decay_t<decltype(law)>;
     constexpr int n = kRotations<Dim>;
     using Dual = ceres::Jet<double, n>;
-    test::Remembered<Law, Dim, Dual> history;
+    test::ContactHistoryOf<Law, Dim, Dual> history;
     ContactMotion<Dim, Dual> motion = at_gap<Dim, Dual>(Dual(-kOverlap));
     for (int a = 0; a < n; ++a) motion.relative_rotation[a] = Dual(1e-5 * (a + 1), a);
     const auto forces = law.respond(motion, history);
@@ -96,7 +96,7 @@ TEST(TwistingStiffness, IsTheSlopeOfTheMoment) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     using Dual = ceres::Jet<double, 1>;
-    test::Remembered<Law, Dim, Dual> history;
+    test::ContactHistoryOf<Law, Dim, Dual> history;
     ContactMotion<Dim, Dual> motion = at_gap<Dim, Dual>(Dual(-kOverlap));
     motion.twist = Dual(1e-5, 0);
     const double ktw = stiffness_at<Dim>(law, -kOverlap).twisting;
@@ -109,7 +109,7 @@ TEST(FrictionCap, IsMuTimesTheElasticPart) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    test::Remembered<Law, Dim> history;
+    test::ContactHistoryOf<Law, Dim> history;
     const double shear = law.respond(sheared<Dim>(-kOverlap, 1.0), history).shear.norm();
     if constexpr (Law::kHasFriction) {
       EXPECT_NEAR(shear, law.friction.coefficient * test::elastic_force_at(law, -kOverlap), 1e-14 * shear);
@@ -126,7 +126,7 @@ TEST(FrictionCap, IsMuF0WhereTheNetNormalForceIsZero) {
     if constexpr (Law::kHasFriction && test::kAdheres<Law>) {
       const double f0 = pull_off_force(law);
       const double h0 = test::free_overlap(law);
-      test::Remembered<Law, Dim> history;
+      test::ContactHistoryOf<Law, Dim> history;
       const auto forces = law.respond(sheared<Dim>(-h0, -1.0), history);
       EXPECT_NEAR(forces.normal.force(), 0.0, 1e-15 * f0);
       EXPECT_NEAR(forces.shear[0], -law.friction.coefficient * f0, 1e-15 * f0);
@@ -139,7 +139,7 @@ TEST(FrictionCap, KeepsTheDirectionOfTheSpring) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
     if constexpr (Law::kHasFriction && Dim == 3) {
-      test::Remembered<Law, Dim> history;
+      test::ContactHistoryOf<Law, Dim> history;
       ContactMotion<Dim> motion = at_gap<Dim>(-kOverlap);
       motion.slip << 3.0, -4.0, 0.0;
       const Vec<3> force = law.respond(motion, history).shear;
@@ -153,7 +153,7 @@ TEST(RollingCap, IsMuRTimesTheElasticPart) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    test::Remembered<Law, Dim> history;
+    test::ContactHistoryOf<Law, Dim> history;
     const double moment = law.respond(rolled<Dim>(-kOverlap, 1.0), history).rolling.norm();
     if constexpr (Law::kHasRolling) {
       EXPECT_NEAR(moment, law.rolling.coefficient * test::elastic_force_at(law, -kOverlap), 1e-14 * moment);
@@ -167,7 +167,7 @@ TEST(TwistingCap, IsMuTwTimesTheElasticPart) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    test::Remembered<Law, Dim> history;
+    test::ContactHistoryOf<Law, Dim> history;
     const auto forces = law.respond(twisted<Dim>(-kOverlap, -1.0), history);
     if constexpr (Law::kHasTwisting)
       EXPECT_DOUBLE_EQ(forces.twisting, -law.twisting.coefficient * test::elastic_force_at(law, -kOverlap));
@@ -182,7 +182,7 @@ TEST(Springs, AreCutBackWithTheCapAndDoNotComeBack) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    test::Remembered<Law, Dim> history;
+    test::ContactHistoryOf<Law, Dim> history;
     ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1.0);
     motion.relative_rotation[0] = 1.0;
     motion.twist = 1.0;
@@ -203,7 +203,7 @@ TEST(Springs, BelowTheirCapsFeelNoChangeOfTheNormalForce) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     using Law = std::decay_t<decltype(law)>;
-    test::Remembered<Law, Dim> history;
+    test::ContactHistoryOf<Law, Dim> history;
     ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1e-6);
     motion.relative_rotation[0] = 1e-5;
     motion.twist = 1e-5;
@@ -223,7 +223,7 @@ TEST(Springs, AreClearedWhenTheSurfacesPart) {
     for (const double beyond : {0.0, 1e-9, 0.5 * law.range(), 2 * law.range() + 1e-3}) {
       const double parted = holding + beyond;
       SCOPED_TRACE(parted);
-      test::Remembered<Law, Dim> history;
+      test::ContactHistoryOf<Law, Dim> history;
       ContactMotion<Dim> motion = sheared<Dim>(-kOverlap, 1e-6);
       motion.relative_rotation[0] = 1e-5;
       motion.twist = 1e-5;

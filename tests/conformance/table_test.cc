@@ -60,7 +60,7 @@ TEST(Table, TwistingAloneNeitherResistsRollingNorYieldsToIt) {
   std::visit(
       []<class Law>(const Law& law) {
         EXPECT_TRUE(Law::kHasTwisting);
-        test::Remembered<Law, 3> history;
+        test::ContactHistoryOf<Law, 3> history;
         ContactMotion<3> motion = test::at_gap<3>(-1e-4);
         motion.relative_rotation = Vec<3>(0.1, 0.2, 0.0);
         motion.twist = 1.0;
@@ -123,7 +123,7 @@ TEST(EmptySlots, CostNoByteOfTheContactRecord) {
     const std::size_t components =
         history_size<typename Law::NormalModel>(Dim) + history_size<typename Law::TangentialModel>(Dim) +
         (Law::kHasRolling ? kRotations<Dim> : 0) + (Law::kHasTwisting ? 1 : 0) + (Law::kHoldsLiquid ? 1 : 0);
-    using History = test::Remembered<Law, Dim>;
+    using History = test::ContactHistoryOf<Law, Dim>;
     // The language gives an object without members one byte.
     EXPECT_EQ(sizeof(History), components > 0 ? components * sizeof(double) : 1u);
     EXPECT_EQ(std::is_empty_v<History>, components == 0);
@@ -163,7 +163,7 @@ TEST(Units, RescalingByPowersOfTwoChangesNoBit) {
         other_damping,
         damping * (Law::kDampingFollowsStiffness ? of_damping / std::sqrt(u.force / u.length) : of_damping));
 
-    test::Remembered<Law, Dim> history, other_history;
+    test::ContactHistoryOf<Law, Dim> history, other_history;
     RandomStream random(3, Dim);
     for (int k = 0; k < 500; ++k) {
       SCOPED_TRACE(k);

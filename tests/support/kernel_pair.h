@@ -74,7 +74,7 @@ class KernelPair {
 
   /// History of the contact of the pair.
   ContactHistory<3> history() const { return interaction_.history(0, false); }
-  void set_memory(const ContactHistory<3>& history) {
+  void set_history(const ContactHistory<3>& history) {
     interaction_.load_history(0, history, false), interaction_.refresh_bridges();
   }
 

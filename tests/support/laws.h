@@ -165,7 +165,7 @@ void for_each_law_and_dimension(Check&& check) {
 
 /// History of a contact under a law.
 template <class Law, int Dim, class T = double>
-using Remembered = PackedHistory<std::decay_t<Law>::template kHistorySize<Dim>, T>;
+using ContactHistoryOf = PackedHistory<std::decay_t<Law>::template kHistorySize<Dim>, T>;
 
 template <class T = double>
 PairGeometry<T> pair_at(const T& gap) {
@@ -232,8 +232,8 @@ inline constexpr bool kForgetsOverlap = history_size<typename std::decay_t<Law>:
 /// The history of a contact that has been pressed deeper than anything else in the suite presses it: of laws that
 /// remember overlaps; of others that of a new contact.
 template <int Dim, class T = double, class Law>
-Remembered<Law, Dim, T> pressed_memory(const Law& law) {
-  Remembered<Law, Dim, T> history;
+ContactHistoryOf<Law, Dim, T> pressed_memory(const Law& law) {
+  ContactHistoryOf<Law, Dim, T> history;
   if constexpr (!kForgetsOverlap<Law>) {
     ContactMotion<Dim, T> motion{pair_at(T(-4e-4)), T(0), T(0), Shear<Dim, T>::Zero(),
                                  RotationVector<Dim, T>::Zero()};
@@ -267,7 +267,7 @@ ContactStiffness pressed_stiffness(const Law& law, double gap) {
 /// Stiffness of a new contact.
 template <int Dim = 2, class Law>
 ContactStiffness stiffness_at(const Law& law, double gap) {
-  return law.template stiffness<Dim>(pair_at(gap), Remembered<Law, Dim>{});
+  return law.template stiffness<Dim>(pair_at(gap), ContactHistoryOf<Law, Dim>{});
 }
 
 /// A motion of the normal alone: no slip, no rotation, at rest.

@@ -52,7 +52,7 @@ class NormalWork {
   }
 
   Law law_;
-  Remembered<Law, Dim> memory_;
+  ContactHistoryOf<Law, Dim> memory_;
   double gap_, force_;
   bool touches_;
   double work_ = 0.0, largest_ = 0.0;

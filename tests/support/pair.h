@@ -65,7 +65,7 @@ class MovingPair {
   }
 
   Law law_;
-  Remembered<Law, Dim> memory_;
+  ContactHistoryOf<Law, Dim> memory_;
   Vec<Dim> xi_, xj_;
   double ri_, rj_;
 };

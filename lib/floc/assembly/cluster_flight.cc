@@ -106,7 +106,7 @@ struct Attitude<3> {
 /// Turns the tangential history of every contact with its cluster. Normals are not turned: nothing reads them
 /// before contacts are found anew.
 template <class Turned>
-void turn_memory(Packing<3>& packing, const Turned& turned) {
+void turn_history(Packing<3>& packing, const Turned& turned) {
   for (const HistoryQuantity& q : history_quantities(packing.law, 3)) {
     if (!is_tangential(q.declared.kind)) continue;
     for (Contact<3>& c : packing.contacts)
@@ -257,7 +257,7 @@ double ClusterFlight<Dim>::fly(Packing<Dim>& packing, double nearest, double lon
     now.turn(g.orientation[i]);
   }
   if constexpr (Dim == 3)
-    turn_memory(packing, [&](int grain, const Vec<3>& v) { return attitude[cluster_of_[grain]].turned(v); });
+    turn_history(packing, [&](int grain, const Vec<3>& v) { return attitude[cluster_of_[grain]].turned(v); });
   return flown;
 }
 

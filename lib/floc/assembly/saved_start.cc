@@ -16,7 +16,7 @@ namespace {
 
 /// 1 for each number that is in the history of both laws, else 0.
 template <int Dim>
-ContactHistory<Dim> common_memory(const Law& before, const Law& after) {
+ContactHistory<Dim> common_history(const Law& before, const Law& after) {
   ContactHistory<Dim> common = ContactHistory<Dim>::Zero();
   for (const HistoryQuantity& p : history_quantities(before, Dim))
     for (const HistoryQuantity& q : history_quantities(after, Dim))
@@ -33,7 +33,7 @@ Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>&
   for (Vec<Dim>& v : g.velocity) v.setZero();
   for (RotationVector<Dim>& w : g.angular_velocity) w.setZero();
   saved.cell.velocity.setZero();
-  const ContactHistory<Dim> kept = common_memory<Dim>(saved.law, law);
+  const ContactHistory<Dim> kept = common_history<Dim>(saved.law, law);
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
   find_contacts(saved);

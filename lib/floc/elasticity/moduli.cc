@@ -179,8 +179,8 @@ ContactNetwork<Dim> loaded(const Packing<Dim>& packing, const ModuliOptions& opt
 
 template <int Dim>
 NetworkLoad<Dim> network_load(const Packing<Dim>& packing, bool unloaded) {
-  const auto n_mobilised =
-      std::count_if(packing.contacts.begin(), packing.contacts.end(), [](const auto& c) { return c.yields(); });
+  const auto n_mobilised = std::count_if(packing.contacts.begin(), packing.contacts.end(),
+                                         [](const auto& c) { return c.is_mobilised(); });
   return {load_stress(packing), unloaded, mean_field(packing), static_cast<int>(n_mobilised)};
 }
 

@@ -49,7 +49,7 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
   summary.lines.push_back(fmt::format(
       "of these {} have a gap, {} pull, {} are at their cap; normal forces differ from "
       "the law by at most {:.1e} of their mean",
-      check.n_with_gap + check.n_distant, check.n_pulling, check.n_at_cap, check.largest_difference));
+      check.n_with_gap + check.n_distant, check.n_pulling, check.n_mobilised, check.largest_difference));
   if (check.n_with_gap > 0)
     summary.inconsistencies.push_back(
         fmt::format("{} contacts carry a force across a gap at which the law does not act", check.n_with_gap));

@@ -37,7 +37,7 @@ struct Contact {
   ContactHistory<Dim> history = ContactHistory<Dim>::Zero();  ///< history, at the places of HistoryLayout
 
   /// Whether any spring of the contact is at its cap (mobilised).
-  bool yields() const { return sliding || rolling_yield || twisting_yield; }
+  bool is_mobilised() const { return sliding || rolling_yield || twisting_yield; }
 };
 
 /// Moment of the rolling and the twisting spring on i (force * length), in 3D as a vector in space.

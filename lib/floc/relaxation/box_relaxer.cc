@@ -26,7 +26,7 @@ constexpr double kFinishVoidRatio = 1e-3;
 /// equilibria.
 constexpr double kLongestFinish = 60.0;
 /// Distance over the distance at the start beyond which walls without contacts are lost.
-constexpr double kRunAway = 4.0;
+constexpr double kLargestExpansion = 4.0;
 /// Distance of walls below which a box has closed, in largest diameters. Overlaps are small, so that grains
 /// cannot fit.
 constexpr double kBoxClosed = 0.5;
@@ -183,7 +183,8 @@ std::string BoxRelaxer<Dim>::lost() const {
       return fmt::format(
           "the box closes: its walls across axis {} are {:.4g} apart, with grains of {:.4g} between them",
           axis + 1, side, a);
-    if (follows_forces(packing_.walls[w]) && force[w] == 0.0 && side > kRunAway * progress_.start_side[axis])
+    if (follows_forces(packing_.walls[w]) && force[w] == 0.0 &&
+        side > kLargestExpansion * progress_.start_side[axis])
       return fmt::format(
           "the walls across axis {} run away: no grain touches them at a distance of {:.4g}, where "
           "they began at {:.4g}; expected a higher pressure, or less motion of the grains",

@@ -23,7 +23,7 @@ bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   Contact<Dim> beyond = to;
   beyond.elastic_force = extrapolated(from.elastic_force, to.elastic_force);
   beyond.history = extrapolated(from.history, to.history);
-  return !mobilised(law, beyond, 0.0).any() && !to.yields();
+  return !mobilised(law, beyond, 0.0).any() && !to.is_mobilised();
 }
 
 /// Whether the history of the normal law of a contact is unchanged, so that it has dissipated no energy.

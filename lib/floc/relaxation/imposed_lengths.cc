@@ -38,7 +38,7 @@ StrainRamp<Dim> Relaxer<Dim>::strain_ramp() const {
     ramp.height = progress_.side_before[ramp.sheared_axis];
   }
   ramp.begun = progress_.time;
-  ramp.duration = progress_.way_duration;
+  ramp.duration = progress_.ramp_duration;
   return ramp;
 }
 
@@ -50,7 +50,7 @@ void Relaxer<Dim>::begin_strain_ramp() {
       std::min(options_.inertial_number_cap.value_or(kRampInertialNumber), kRampInertialNumber) / time_unit_;
   if (options_.strain_rate_cap) fastest = std::min(fastest, strain_rate_cap(options_, packing_, target_));
   const double strain = strain_ramp().largest_strain();
-  if (strain > 0.0) progress_.way_duration = StrainRamp<Dim>::kPeak * strain / fastest;
+  if (strain > 0.0) progress_.ramp_duration = StrainRamp<Dim>::kPeak * strain / fastest;
 }
 
 /// Whether the packing carries no stress at the imposed lengths: no contact is left or, without adhesion, the

@@ -15,7 +15,7 @@ constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
   visit("imbalance_sign", p.imbalance_sign);
   visit("side_before", p.side_before);
   visit("offset_before", p.offset_before);
-  visit("way_duration", p.way_duration);
+  visit("way_duration", p.ramp_duration);
   visit("carried_stress", p.carried_stress);
   visit("finishing_since_stress", p.finishing_since_stress);
   visit("contact_set", p.contact_set);

@@ -18,7 +18,7 @@ struct RelaxationProgress {
   std::vector<double> imbalance_sign;
   std::vector<double> side_before;     ///< length of each axis before the ramp, where any is strained (length)
   double offset_before = 0.0;          ///< offset of the sheared lattice vector before the ramp (length)
-  double way_duration = 0.0;           ///< duration of the strain ramp (time)
+  double ramp_duration = 0.0;          ///< duration of the strain ramp (time)
   std::vector<double> carried_stress;  ///< stress at the end of each recent chunk, where an axis is strained
   double finishing_since_stress = 0.0;
   std::uint64_t contact_set = 0;     ///< fingerprint of the contact list

@@ -196,7 +196,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
   if (progress_.force_residual.size() > 10) progress_.force_residual.erase(progress_.force_residual.begin());
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status == RelaxationStatus::running &&
-      progress_.time - progress_.way_duration > options_.max_time * time_unit_)
+      progress_.time - progress_.ramp_duration > options_.max_time * time_unit_)
     return RelaxationStatus::gave_up;
   return status;
 }

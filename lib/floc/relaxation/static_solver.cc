@@ -44,7 +44,7 @@ struct Configuration {
   Eigen::VectorXd residual;
   double worst = 0.0;  ///< largest residual in units of F1 and a
   int n_contacts = 0;
-  int n_yielding = 0;
+  int n_mobilised = 0;
 };
 
 /// Solves x = s * lattice vectors for s. It divides, so that a point inside a diagonal cell gives s < 1 in
@@ -317,7 +317,7 @@ class StaticProblem {
     at.contacts = at.remembered;
     respond<Dim>(start_, at.motion, at.contacts);
     at.residual = Eigen::VectorXd::Zero(order());
-    at.n_contacts = at.n_yielding = 0;
+    at.n_contacts = at.n_mobilised = 0;
     auto stress_balance = at.residual.tail(n_strains());
     for (int k = 0; k < n_strains(); ++k)
       stress_balance[k] = -at.cell.volume() * target_stress_[k] / scale_.length;
@@ -338,7 +338,7 @@ class StaticProblem {
       for (int s = 0; s < n_strains(); ++s)
         stress_balance[s] -= on_i[strains_[s][0]] * at.branch[k][strains_[s][1]] / scale_.length;
       at.n_contacts += !c.distant;
-      at.n_yielding += c.yields();
+      at.n_mobilised += c.is_mobilised();
     }
     measure(at);
   }
@@ -440,8 +440,8 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
       solution.reason = "no convergence within the iterations allowed";
       break;
     }
-    if (now.n_yielding > options.largest_yielding_share * now.n_contacts) {
-      solution.reason = fmt::format("{} of {} contacts yield", now.n_yielding, now.n_contacts);
+    if (now.n_mobilised > options.largest_mobilised_share * now.n_contacts) {
+      solution.reason = fmt::format("{} of {} contacts yield", now.n_mobilised, now.n_contacts);
       break;
     }
     problem.assemble(now, tangent);

@@ -16,9 +16,9 @@ struct StaticSolverOptions {
   double target = 1e-8;  ///< bound of force, moment and stress residuals, in units of F1 and a
   int max_iterations = 12;
   int max_backtracking = 6;
-  double largest_step = 2e-3;            ///< relative displacement of two grains in contact, per iteration / a
-  double largest_displacement = 2e-2;    ///< relative displacement of two grains in contact, in total / a
-  double largest_yielding_share = 0.15;  ///< share of mobilised contacts beyond which Newton steps stall
+  double largest_step = 2e-3;             ///< relative displacement of two grains in contact, per iteration / a
+  double largest_displacement = 2e-2;     ///< relative displacement of two grains in contact, in total / a
+  double largest_mobilised_share = 0.15;  ///< share of mobilised contacts beyond which Newton steps stall
   /// Method for linear systems with the tangent; absent: a factor in 2D, the method that is expected to be
   /// fastest in 3D.
   std::optional<TangentMethod> method;

@@ -134,7 +134,7 @@ void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
 }
 
 /// Adds a warning if all void ratios are so large that they may be percentages.
-void doubt_percent(PathTable& path) {
+void check_for_percent(PathTable& path) {
   constexpr double kLoosest = 10.0;  // void ratio; that of the loosest soils is 5
   double smallest = std::numeric_limits<double>::infinity();
   for (const PathRow& row : path.rows) smallest = std::min(smallest, 1.0 / row.phi - 1.0);
@@ -269,7 +269,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
     if (P < 0) throw InputError(table.place(i), fmt::format("{} = {}: expected a pressure >= 0", name, P));
     path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P, density.phi(i), load, driven_over_mean});
   }
-  if (density.has_void_ratios_alone()) doubt_percent(path);
+  if (density.has_void_ratios_alone()) check_for_percent(path);
   if (!path.stress.empty())
     path.notes.push_back(fmt::format("P* of oedometric rows is computed from the {} stress", path.stress));
   require_path(path.rows, name, [&table](int row) { return table.place(row); });

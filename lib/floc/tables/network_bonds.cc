@@ -163,7 +163,7 @@ BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std
                  const ForceLimits& limits, const BondTableOptions& options, BondTables& tables,
                  const Remarks& remarks) {
   BondRow row;
-  if (options.asks_nothing() || packing.grains.size() == 0) return row;
+  if (options.is_empty() || packing.grains.size() == 0) return row;
   const double d = mean_diameter(packing.grains.radius), phi = solid_fraction(packing);
   const double F0 = pull_off_force(packing);
   row.bonds = bond_signs(packing, options.near * F0);

@@ -24,7 +24,7 @@ struct BondTableOptions {
        clusters = false;   ///< tables beside the main one
   double bin_width = 0.1;  ///< bin width of the particle pressures, in units of p0
 
-  bool asks_nothing() const { return !bonds && !needs_values() && !needs_phases(); }
+  bool is_empty() const { return !bonds && !needs_values() && !needs_phases(); }
   bool needs_values() const { return exponents || pressures; }
   bool needs_phases() const { return phases || neighbours || clusters; }
 };

@@ -81,7 +81,7 @@ ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance) {
     check.n_with_gap += !c.distant && !touches(packing, c);
     check.n_distant += c.distant;
     check.n_pulling += c.normal_force < -kNoForce * largest;
-    check.n_at_cap += c.yields();
+    check.n_mobilised += c.is_mobilised();
     const Mobilised beyond = mobilised(law_of(packing, c), c, -kCapTolerance);
     check.n_beyond_cap += (beyond.sliding && !c.shear_force.isZero(0.0)) ||
                           (beyond.rolling && !c.rolling_moment.isZero(0.0)) ||

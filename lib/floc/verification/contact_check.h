@@ -28,7 +28,7 @@ struct ContactCheck {
   int n_with_gap = 0;               ///< contacts taken as touching whose surfaces are apart
   int n_distant = 0;                ///< attractions across a gap
   int n_pulling = 0;                ///< normal force below zero, beyond rounding
-  int n_at_cap = 0;                 ///< mobilised: sliding, or yielding in rolling or twisting
+  int n_mobilised = 0;              ///< mobilised: sliding, or yielding in rolling or twisting
   int n_beyond_cap = 0;             ///< tangential force or rolling moment above its limit
   int n_different = 0;              ///< normal force differs from the law's
   double largest_difference = 0.0;  ///< largest difference of normal forces, relative to their mean size

@@ -77,7 +77,7 @@ double residual_after_one_step(const Packing<Dim>& equilibrium, const BoundaryCo
   StaticSolverOptions one_step;
   one_step.target = 0.0;
   one_step.max_iterations = 1;
-  one_step.largest_yielding_share = 1.0;
+  one_step.largest_mobilised_share = 1.0;
   return solve_statics(disturbed(equilibrium, size), control, one_step).residual;
 }
 

@@ -26,7 +26,7 @@ ContactHistory<Dim> spring_factors(const Law& law) {
 
 /// History of a contact as dual numbers.
 template <class Law, int Dim>
-PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> dual_memory(const ContactHistory<Dim>& all) {
+PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> dual_history(const ContactHistory<Dim>& all) {
   PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> history;
   if constexpr (Law::template kHistorySize<Dim> != 0)
     for_each_history<Law, Dim>([&](auto k, auto place) { history.value[k] = Dual<kDofs<Dim>>(all[place]); });
@@ -85,7 +85,7 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
     motion.twist = T(kBeyondCap * surface.twist + kTinyMotion);
     motion.twist.derivative[Dim] = -1.0;
   }
-  auto history = dual_memory<Law, Dim>(factor.cwiseProduct(start.history));
+  auto history = dual_history<Law, Dim>(factor.cwiseProduct(start.history));
   const auto parameters = pair_parameters(law, grains, start, packed_history<Law, Dim>(start.history));
   const ContactForces<Dim, T> f = law.respond(motion, history, constant<Law, T>(parameters));
 

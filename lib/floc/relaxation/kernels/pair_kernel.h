@@ -95,7 +95,7 @@ struct PairKernel {
     double* viscous_of(int p) const { return this->viscous + (p & own_viscous); }
     /// @tparam k index in the packed history
     template <int k>
-    double* memory_of(int p) const {
+    double* history_of(int p) const {
       constexpr int place = history_place<Law, Dim>(k);
       if constexpr (kMayLackHistory) return this->history[place] + (p & own_history[place]);
       return this->history[place] + p;
@@ -328,12 +328,12 @@ struct PairKernel {
   template <class History, int... k>
   static void load(const Pairs& pairs, [[maybe_unused]] int p, History& history,
                    std::integer_sequence<int, k...>) {
-    ((history.value[k] = P::load(pairs.template memory_of<k>(p))), ...);
+    ((history.value[k] = P::load(pairs.template history_of<k>(p))), ...);
   }
   template <class History, int... k>
   static void store(const History& history, const Pairs& pairs, [[maybe_unused]] int p,
                     std::integer_sequence<int, k...>) {
-    (history.value[k].store(pairs.template memory_of<k>(p)), ...);
+    (history.value[k].store(pairs.template history_of<k>(p)), ...);
   }
 
   /// Returns the dashpot forces of this step (kDashpotShare), given their present values and those of the step
